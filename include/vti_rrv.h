@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * vti_rrv.h -- the algebra of the rescaled Rodrigues rotation vector, inline and allocation-free.
+ *
+ * A rotation by the vector theta (right-handed, radians) is written
+ *
+ *     alpha = (tan(|theta|/2) / (|theta|/2)) theta,      |alpha| = 2 tan(|theta|/2),
+ *
+ * which is the unit quaternion (w, v) in projective coordinates: alpha = 2 v/w. R(alpha) takes body to space.
+ *
+ * Contracts that hold for every function here:
+ *  - vectors are double[3]; matrices double[9], row by row; quaternions double[4] in the order x, y, z, w;
+ *  - inputs must be finite; then so are the results, half turns and |alpha| up to DBL_MAX included;
+ *  - an attitude that is computed has |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which
+ *    costs at most 3.5e-18 rad;
+ *  - the output may be the same array as an input, never a part of one.
+ *
+ * The header stands alone (C99 and C++; libm and nothing else).
+ */
+#ifndef VTI_RRV_H
+#define VTI_RRV_H
+
+#include <math.h>
+
+/** 2^60: the largest |component| of an attitude that a composition returns. Exact in binary. */
+#define VTI_RRV_LARGE 1152921504606846976.0
+/** 2^-60. */
+#define VTI_RRV_SMALL (1.0 / VTI_RRV_LARGE)
+/** 2^29: up to here both factors of a composition are small enough for its incremental form to stay below 2^60. */
+#define VTI_RRV_NEAR 536870912.0
+/** 2^512, and 2^-520: exact scalings that keep squares and products of huge numbers finite. */
+#define VTI_RRV_UP 1.3407807929942597e154
+#define VTI_RRV_DOWN (1.0 / (256.0 * VTI_RRV_UP))
+
+/* ---- three-vectors ------------------------------------------------------------------------------------------- */
+
+static inline double vti_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** r = a x b = S(a) b. r must not overlap a or b. */
+static inline void vti_cross(const double a[3], const double b[3], double r[3])
+{
+    r[0] = a[1] * b[2] - a[2] * b[1];
+    r[1] = a[2] * b[0] - a[0] * b[2];
+    r[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static inline double vti_max3(const double a[3])
+{
+    const double x = fabs(a[0]), y = fabs(a[1]), z = fabs(a[2]);
+    const double m = x > y ? x : y;
+    return m > z ? m : z;
+}
+
+/** |a|, without overflow or underflow of the squares. */
+static inline double vti_norm(const double a[3])
+{
+    const double m = vti_max3(a);
+    const double s = m > VTI_RRV_LARGE ? VTI_RRV_DOWN : m < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
+    const double b[3] = {s * a[0], s * a[1], s * a[2]};
+    return sqrt(vti_dot(b, b)) / s;
+}
+
+/* ---- alpha as a quaternion that is not normalised ------------------------------------------------------------ */
+
+/** q ~ (alpha, 2): the quaternion (x, y, z, w) of alpha up to a positive factor, with |q_k| <= VTI_RRV_LARGE and q.q
+ *  far from 0. R depends on the direction of q only, so no square root is needed. */
+static inline void vti_rrv_to_pair(const double a[3], double q[4])
+{
+    const double m = vti_max3(a), s = m > VTI_RRV_LARGE ? 1.0 / m : 1.0;
+    q[0] = s * a[0];
+    q[1] = s * a[1];
+    q[2] = s * a[2];
+    q[3] = s * 2.0;
+}
+
+/** alpha = 2 v/w of any quaternion but zero, normalised or not. */
+static inline void vti_rrv_from_pair(const double q[4], double a[3])
+{
+    const double m = vti_max3(q), w = fabs(q[3]), most = m > w ? m : w;
+    const double s = most > VTI_RRV_LARGE ? VTI_RRV_DOWN : most < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
+    const double v[3] = {2.0 * s * q[0], 2.0 * s * q[1], 2.0 * s * q[2]};
+    const double least = VTI_RRV_SMALL * vti_max3(v), sw = s * w;
+    const double d = copysign(sw > least ? sw : least, q[3]);
+    a[0] = v[0] / d;
+    a[1] = v[1] / d;
+    a[2] = v[2] / d;
+}
+
+/** R p for the quaternion q ~ (v, w) up to a factor:
+ *      R p = [ (w^2 - v.v) p + 2 (v.p) v + 2 w v x p ] / (w^2 + v.v),
+ *  which is R(alpha) p = p + 4/(4+|alpha|^2) [S(alpha) + S(alpha)^2/2] p with (v, w) = (alpha, 2).
+ *  side = +1 gives R p, side = -1 its inverse R^T p. q.q must be finite and not 0. r may be p. */
+static inline void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
+{
+    const double vv = vti_dot(q, q), ww = q[3] * q[3], k = 1.0 / (ww + vv);
+    const double cp = (ww - vv) * k, cv = 2.0 * k * vti_dot(q, p), cx = 2.0 * k * side * q[3];
+    double x[3];
+    vti_cross(q, p, x);
+    r[0] = cp * p[0] + (cv * q[0] + cx * x[0]);
+    r[1] = cp * p[1] + (cv * q[1] + cx * x[1]);
+    r[2] = cp * p[2] + (cv * q[2] + cx * x[2]);
+}
+
+/** theta in [0, pi] by which the quaternion q ~ (v, w) turns. */
+static inline double vti_pair_angle(const double q[4])
+{
+    return 2.0 * atan2(vti_norm(q), fabs(q[3]));
+}
+
+/** |log(R_p R_q^T)| in [0, pi]: the angle of p q^-1. */
+static inline double vti_pair_distance(const double p[4], const double q[4])
+{
+    double x[3], d[4];
+    vti_cross(p, q, x);
+    for (int k = 0; k < 3; ++k)
+        d[k] = (q[3] * p[k] - p[3] * q[k]) + x[k];
+    d[3] = p[3] * q[3] + vti_dot(p, q);
+    return vti_pair_angle(d);
+}
+
+/* ---- composition --------------------------------------------------------------------------------------------- */
+
+/** alpha <- alpha (+) dalpha with dalpha = 2 u/c given as the pair (c, u), i.e. the quaternion (w, v) = (c, u) of the
+ *  increment up to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1:
+ *  R(alpha) <- R(alpha) R(dalpha), an increment in the body's frame.
+ *
+ *      alpha + [4 u + 2 u x alpha + (u.alpha) alpha] / (2 c - u.alpha)       where |alpha . dalpha| < 1   (incremental)
+ *      [2 c alpha + 4 u + 2 u x alpha] / (2 c - u.alpha)                     elsewhere                    (direct)
+ *
+ *  Both are a (+) b = 4/(4 - a.b) [a + b - (a x b)/2]; the first does not repeat the same rounding error each step
+ *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total
+ *  and free of branches. c and u must be finite and not both 0. */
+static inline void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+{
+    const double ma = vti_max3(a), mu = vti_max3(u);
+    const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
+    const double su = mu > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
+    const double A[3] = {sa * a[0], sa * a[1], sa * a[2]}, W = 2.0 * sa;
+    const double U[3] = {su * u[0], su * u[1], su * u[2]}, C = su * c;
+    const double d = vti_dot(U, A), w = C * W - d;
+    const int near = 2.0 * fabs(d) < C && ma < VTI_RRV_NEAR && mu < VTI_RRV_NEAR * c;
+    const double along = near ? d : 2.0 * C;
+    double x[3], n[3];
+    vti_cross(U, A, x);
+    for (int k = 0; k < 3; ++k)
+        n[k] = 2.0 * (W * U[k] + side * x[k]) + along * A[k];
+    const double least = near ? 0.0 : VTI_RRV_SMALL * vti_max3(n);
+    const double inv = 1.0 / copysign(fabs(w) > least ? fabs(w) : least, w);
+    for (int k = 0; k < 3; ++k)
+        a[k] = (near ? a[k] : 0.0) + n[k] * inv;
+}
+
+static inline void vti_rrv_turn(double c, const double u[3], double a[3])
+{
+    vti_rrv_turn_side(c, u, 1.0, a);
+}
+
+/** r = a (+) b, R(r) = R(b) R(a): first a, then b. r may be a or b. */
+static inline void vti_rrv_compose(const double a[3], const double b[3], double r[3])
+{
+    const double u[3] = {b[0], b[1], b[2]};
+    double t[3] = {a[0], a[1], a[2]};
+    vti_rrv_turn(2.0, u, t);
+    r[0] = t[0];
+    r[1] = t[1];
+    r[2] = t[2];
+}
+
+/** r = -a, R(r) = R(a)^T. */
+static inline void vti_rrv_inverse(const double a[3], double r[3])
+{
+    r[0] = -a[0];
+    r[1] = -a[1];
+    r[2] = -a[2];
+}
+
+/** r = (-b) (+) a, R(r) = R(a) R(b)^T: the paper's R_(ij) with a = alpha_i, b = alpha_j. */
+static inline void vti_rrv_relative(const double a[3], const double b[3], double r[3])
+{
+    const double inv[3] = {-b[0], -b[1], -b[2]};
+    vti_rrv_compose(inv, a, r);
+}
+
+/** r = (-a) (+) b, R(r) = R(b) R(a)^T: what the paper prints as alpha_(ij). It represents the transpose of R_(ij)
+ *  (erratum E5), r = -vti_rrv_relative(a, b). */
+static inline void vti_rrv_relative_printed(const double a[3], const double b[3], double r[3])
+{
+    vti_rrv_relative(b, a, r);
+}
+
+/* ---- rotating a vector --------------------------------------------------------------------------------------- */
+
+static inline void vti_rrv_rotate_side(const double a[3], double side, const double p[3], double r[3])
+{
+    const double s = vti_max3(p) > 1.0 ? VTI_RRV_DOWN : 1.0, back = s < 1.0 ? 256.0 * VTI_RRV_UP : 1.0;
+    const double sp[3] = {s * p[0], s * p[1], s * p[2]};
+    double q[4];
+    vti_rrv_to_pair(a, q);
+    vti_pair_rotate(q, side, sp, r);
+    r[0] *= back;
+    r[1] *= back;
+    r[2] *= back;
+}
+
+/** r = R(a) p, body to space. r may be p. (|p| near DBL_MAX can overflow if R p itself does.) */
+static inline void vti_rrv_rotate(const double a[3], const double p[3], double r[3])
+{
+    vti_rrv_rotate_side(a, 1.0, p, r);
+}
+
+/** r = R(a)^T p, space to body. r may be p. */
+static inline void vti_rrv_rotate_back(const double a[3], const double p[3], double r[3])
+{
+    vti_rrv_rotate_side(a, -1.0, p, r);
+}
+
+/* ---- angles and other representations ------------------------------------------------------------------------ */
+
+/** theta = 2 atan(|a|/2) = |log R(a)|_F / sqrt 2, in [0, pi]. */
+static inline double vti_rrv_angle(const double a[3])
+{
+    return 2.0 * atan2(vti_norm(a), 2.0);
+}
+
+/** Distance of two attitudes, |log(R(a) R(b)^T)| in [0, pi]. */
+static inline double vti_rrv_distance(const double a[3], const double b[3])
+{
+    double p[4], q[4];
+    vti_rrv_to_pair(a, p);
+    vti_rrv_to_pair(b, q);
+    return vti_pair_distance(p, q);
+}
+
+/** alpha of the rotation vector theta (radians, of any length; taken modulo full turns). */
+static inline void vti_rrv_from_rotvec(const double theta[3], double a[3])
+{
+    const double half[3] = {0.5 * theta[0], 0.5 * theta[1], 0.5 * theta[2]};
+    const double t = vti_norm(half);
+    const double raw = t > VTI_RRV_SMALL ? tan(t) / t : 1.0; /* tan t/t = 1 + t^2/3 + ... rounds to 1 below */
+    const double most = VTI_RRV_LARGE / (1.0 + vti_max3(theta));
+    const double k = fabs(raw) < most ? raw : copysign(most, raw);
+    a[0] = k * theta[0];
+    a[1] = k * theta[1];
+    a[2] = k * theta[2];
+}
+
+/** theta = log R(a), |theta| in [0, pi]. */
+static inline void vti_rrv_to_rotvec(const double a[3], double theta[3])
+{
+    double q[4];
+    vti_rrv_to_pair(a, q);
+    const double n = vti_norm(q);
+    /* 2 atan(n/2)/n = 1 - n^2/12 + ... rounds to 1 long before n/n would be 0/0 */
+    const double k = n > VTI_RRV_SMALL ? 2.0 * atan2(n, q[3]) / n : 1.0;
+    theta[0] = k * q[0];
+    theta[1] = k * q[1];
+    theta[2] = k * q[2];
+}
+
+/** Unit quaternion in the order x, y, z, w, with w >= 0. */
+static inline void vti_rrv_to_quat_xyzw(const double a[3], double q[4])
+{
+    vti_rrv_to_pair(a, q);
+    const double k = 1.0 / sqrt(vti_dot(q, q) + q[3] * q[3]);
+    q[0] *= k;
+    q[1] *= k;
+    q[2] *= k;
+    q[3] *= k;
+}
+
+/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. */
+static inline void vti_rrv_from_quat_xyzw(const double q[4], double a[3])
+{
+    vti_rrv_from_pair(q, a);
+}
+
+/** R(alpha) as nine numbers, row by row. */
+static inline void vti_rrv_to_matrix(const double a[3], double R[9])
+{
+    double q[4];
+    vti_rrv_to_quat_xyzw(a, q);
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
+    R[0] = 1.0 - 2.0 * (y * y + z * z);
+    R[1] = 2.0 * (x * y - w * z);
+    R[2] = 2.0 * (x * z + w * y);
+    R[3] = 2.0 * (x * y + w * z);
+    R[4] = 1.0 - 2.0 * (x * x + z * z);
+    R[5] = 2.0 * (y * z - w * x);
+    R[6] = 2.0 * (x * z - w * y);
+    R[7] = 2.0 * (y * z + w * x);
+    R[8] = 1.0 - 2.0 * (x * x + y * y);
+}
+
+/** alpha of a rotation matrix (row by row): of the four columns of 4 q q^T the one with the largest diagonal entry,
+ *  so that no digits cancel at any angle. */
+static inline void vti_rrv_from_matrix(const double R[9], double a[3])
+{
+    const double d[4] = {1.0 + R[0] - R[4] - R[8], 1.0 - R[0] + R[4] - R[8], 1.0 - R[0] - R[4] + R[8],
+                         1.0 + R[0] + R[4] + R[8]};
+    const double xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+    const double wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
+    const double column[4][4] = {{d[0], xy, xz, wx}, {xy, d[1], yz, wy}, {xz, yz, d[2], wz}, {wx, wy, wz, d[3]}};
+    int k = 3;
+    for (int i = 0; i < 3; ++i)
+        k = d[i] > d[k] ? i : k;
+    vti_rrv_from_pair(column[k], a);
+}
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What the files of the core share: loads and stores through views, and the primitives without their checks. */
+#ifndef VTI_INTERNAL_H
+#define VTI_INTERNAL_H
+
+#include <stddef.h>
+
+#include "vti.h"
+
+static inline int vti_has(const vti_view *view)
+{
+    return view->c[0] != NULL;
+}
+
+static inline int vti_has_attitude(const vti_bodies *b)
+{
+    return b->alpha.c[0] != NULL || b->quat.xyzw[0] != NULL;
+}
+
+static inline void vti_load(const vti_view *view, int64_t i, double r[3])
+{
+    for (int k = 0; k < 3; ++k)
+        r[k] = view->c[k][i * view->stride];
+}
+
+static inline void vti_store(const vti_view *view, int64_t i, const double r[3])
+{
+    for (int k = 0; k < 3; ++k)
+        view->c[k][i * view->stride] = r[k];
+}
+
+static inline void vti_add(const vti_view *view, int64_t i, const double r[3])
+{
+    for (int k = 0; k < 3; ++k)
+        view->c[k][i * view->stride] += r[k];
+}
+
+/** The attitude of body i as a quaternion (x, y, z, w) up to a positive factor, whichever way the caller stores it. */
+static inline void vti_load_pair(const vti_bodies *b, int64_t i, double q[4])
+{
+    if (vti_has(&b->alpha)) {
+        double a[3];
+        vti_load(&b->alpha, i, a);
+        vti_rrv_to_pair(a, q);
+    } else {
+        for (int k = 0; k < 4; ++k)
+            q[k] = b->quat.xyzw[k][i * b->quat.stride];
+    }
+}
+
+static inline double vti_scalar(const vti_scalars *s, int64_t i)
+{
+    return s->p[i * s->stride];
+}
+
+/** vti_kick and vti_drift of bodies that have been checked. */
+void vti_kick_unchecked(double t, const vti_bodies *b);
+void vti_drift_unchecked(int law, int frame, double t, const vti_bodies *b);
+
+/** VTI_E_TOO_LARGE if, after a kick by kick_t, a drift by t would break the law's bound for some body. */
+int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti_fault *fault);
+
+/** vti_bodies_check, and that the library has such a law and frame. */
+int vti_law_check(int law, int frame);
+
+#endif

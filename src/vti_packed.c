@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The packed door: the same calls on plain x[n][3] arrays, without structs. */
+#include "vti_internal.h"
+
+static vti_view packed(const double *p)
+{
+    /* force and moment are only read; views have one type for all */
+    return p != NULL ? vti_view_packed((double *)(uintptr_t)p) : vti_view_none();
+}
+
+static int scalars(int64_t values, const double *p, int64_t n, vti_scalars *s)
+{
+    s->p = p;
+    s->stride = values == 1 ? 0 : 1;
+    return p == NULL || values == 1 || values == n ? VTI_OK : VTI_E_COUNT;
+}
+
+int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force, double *alpha,
+                     double *omega, const double *moment, int64_t masses, const double *mass, int64_t inertias,
+                     const double *inertia, int64_t *body, double *value)
+{
+    vti_fault fault = {-1, h};
+    vti_bodies b = vti_bodies_none(n);
+    b.x = packed(x);
+    b.v = packed(v);
+    b.force = packed(force);
+    b.alpha = packed(alpha);
+    b.omega = packed(omega);
+    b.moment = packed(moment);
+    int status = vti_stepper_at(stepper) != NULL ? VTI_OK : VTI_E_STEPPER;
+    if (status == VTI_OK)
+        status = scalars(masses, mass, n, &b.mass);
+    if (status == VTI_OK)
+        status = scalars(inertias, inertia, n, &b.inertia);
+    if (status == VTI_OK)
+        status = vti_step_begin(vti_stepper_at(stepper), h, &b, &fault);
+    if (body != NULL)
+        *body = fault.body;
+    if (value != NULL)
+        *value = fault.value;
+    return status;
+}
+
+int vti_packed_finish(int64_t stepper, double h, int64_t n, double *v, const double *force, double *omega,
+                      const double *moment, int64_t masses, const double *mass, int64_t inertias, const double *inertia)
+{
+    vti_bodies b = vti_bodies_none(n);
+    b.v = packed(v);
+    b.force = packed(force);
+    b.omega = packed(omega);
+    b.moment = packed(moment);
+    if (vti_stepper_at(stepper) == NULL)
+        return VTI_E_STEPPER;
+    int status = scalars(masses, mass, n, &b.mass);
+    if (status == VTI_OK)
+        status = scalars(inertias, inertia, n, &b.inertia);
+    return status == VTI_OK ? vti_step_finish(vti_stepper_at(stepper), h, &b) : status;
+}

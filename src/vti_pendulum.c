@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The three-dimensional pendulum (paper, section 3; EQUATIONS 3). Gravity acts along +e3 (E2):
+ *
+ *     U = -m g e3 . R rho0,     RM = m g (R rho0) x e3     (E1: the print mixes frames)                              */
+#include "vti_internal.h"
+
+void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
+{
+    double q[4];
+    vti_load_pair(b, i, q);
+    vti_pair_rotate(q, 1.0, pendulum->rho0, arm);
+}
+
+/** RM += m g (R rho0) x e3 */
+static void apply(const void *self, const vti_bodies *b)
+{
+    const vti_pendulum *p = self;
+    if (!vti_has(&b->moment) || !vti_has_attitude(b))
+        return;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double arm[3];
+        vti_pendulum_arm(p, b, i, arm);
+        const double moment[3] = {p->weight * arm[1], -p->weight * arm[0], 0.0};
+        vti_add(&b->moment, i, moment);
+    }
+}
+
+/** U = -m g e3 . R rho0 */
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_pendulum *p = self;
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t i = b->first; vti_has_attitude(b) && i < b->first + b->count; ++i) {
+        double arm[3];
+        vti_pendulum_arm(p, b, i, arm);
+        vti_sum_add(&sum, -p->weight * arm[2]);
+    }
+    energies[0] = vti_sum_value(&sum);
+}
+
+vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
+{
+    static const char *const term[] = {"pendulum"};
+    /* the pivot takes up any linear momentum; of the angular one gravity leaves the component along e3 */
+    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0x1f};
+    return effect;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Status texts and the version. */
+#include "vti.h"
+
+static const struct {
+    int status;
+    const char *text;
+} texts[] = {
+    {VTI_OK, "no error"},
+    {VTI_E_NULL, "a required argument is NULL; pass bodies, stepper and effects that exist"},
+    {VTI_E_ABI, "the bodies were made with another version of vti.h than this library; recompile against its header"},
+    {VTI_E_COUNT, "first or count of a slice (or a number of effects) is negative; use values >= 0"},
+    {VTI_E_VIEW,
+     "a view is given in part, or the attitude both as alpha and as a quaternion; give all components or none"},
+    {VTI_E_STRIDE, "a view of more than one body has stride 0; give the distance of consecutive bodies in doubles"},
+    {VTI_E_ALIAS, "two views, or two components of one, begin at the same memory; give each quantity its own"},
+    {VTI_E_TIME, "the time step is not finite, or not positive where it must be; pass a finite h > 0"},
+    {VTI_E_MASS, "mass is missing, not finite or not positive; give one value or one for each body, > 0"},
+    {VTI_E_INERTIA, "inertia is missing, not finite or not positive; give one value or one for each body, > 0"},
+    {VTI_E_TOO_LARGE,
+     "a body turns too far for the closed form: h|Omega| < 1 is needed; reduce h, or use vti2, which has no limit"},
+    {VTI_E_STAGE, "the stepper has no such stage; use 0 <= k < stages"},
+    {VTI_E_STEPPER, "there is no such stepper or drift law; vti_stepper_at lists the steppers"},
+    {VTI_E_FRAME, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY"},
+};
+
+const char *vti_status_text(int status)
+{
+    for (unsigned i = 0; i < sizeof texts / sizeof texts[0]; ++i)
+        if (texts[i].status == status)
+            return texts[i].text;
+    return "unknown status; it does not come from this library";
+}
+
+const char *vti_version(void)
+{
+    return VTI_VERSION_STRING;
+}
