@@ -86,8 +86,8 @@ typedef struct vti_scalars {
 
 /** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
  *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. mass is
- *  needed for a force and for momenta, inertia for a moment and for spin. Give the attitude as alpha or as a quaternion, never
- *  as both. Start from vti_bodies_none(). */
+ *  needed for a force and for momenta, inertia for a moment and for spin. Give the attitude as alpha or as a quaternion,
+ *  never as both. Start from vti_bodies_none(). */
 typedef struct vti_bodies {
     int64_t abi;        /* VTI_ABI */
     int64_t first;      /* index of the first body of the slice, 0-based */
@@ -101,6 +101,12 @@ typedef struct vti_bodies {
     vti_view moment;    /* RM, spatial moment about the centre */
     vti_scalars mass;
     vti_scalars inertia; /* J */
+    /* Rounding errors carried along (compensated sums): what x, v, alpha and omega leave out, starting from 0. Each is
+     * absent, or goes with its quantity; then its additions are exact to second order in eps. */
+    vti_view x_low;
+    vti_view v_low;
+    vti_view alpha_low;
+    vti_view omega_low;
 } vti_bodies;
 
 static inline vti_view vti_view_none(void)
@@ -146,18 +152,11 @@ static inline vti_scalars vti_scalars_array(const double *values)
 /** n bodies of which nothing is known yet. */
 static inline vti_bodies vti_bodies_none(int64_t n)
 {
-    vti_bodies b = {VTI_ABI,
-                    0,
-                    n,
-                    {{0, 0, 0}, 0},
-                    {{0, 0, 0}, 0},
-                    {{0, 0, 0}, 0},
-                    {{0, 0, 0}, 0},
-                    {{0, 0, 0, 0}, 0},
-                    {{0, 0, 0}, 0},
-                    {{0, 0, 0}, 0},
-                    {0, 0},
-                    {0, 0}};
+    const vti_view none = {{0, 0, 0}, 0};
+    const vti_quat_view no_quat = {{0, 0, 0, 0}, 0};
+    const vti_scalars no_scalars = {0, 0};
+    const vti_bodies b = {VTI_ABI, 0,    n,          none,       none, none, none, no_quat,
+                          none,    none, no_scalars, no_scalars, none, none, none, none};
     return b;
 }
 
@@ -169,7 +168,8 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
     return b;
 }
 
-/** Checks that are free per body: ABI, counts, half-given views, zero strides, position and velocity on one memory, mass or inertia missing. */
+/** The checks that cost nothing per body: ABI, counts, half-given views, zero strides, two quantities on one memory, mass
+ *  or inertia missing. Every call that moves bodies makes them. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
 /** All of vti_bodies_check, and every mass and inertia of the slice finite and > 0. fault may be NULL. */
@@ -239,7 +239,8 @@ VTI_API int vti_step_finish(const vti_stepper *method, double h, const vti_bodie
 
 /** Moves velocities from t to t - lag h, where the method keeps them: kick(-lag h). */
 VTI_API int vti_step_start(const vti_stepper *method, double h, const vti_bodies *bodies);
-/** Moves velocities back to t: kick(lag h). To read without disturbing the run, call it on bodies whose v and omega are copies. */
+/** Moves velocities back to t: kick(lag h). To read without disturbing the run, call it on bodies whose v and omega are
+ *  copies. */
 VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *bodies);
 
 /* ---- effects (EQUATIONS 3) ------------------------------------------------------------------------------------ */

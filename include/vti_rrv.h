@@ -132,8 +132,9 @@ static inline double vti_pair_distance(const double p[4], const double q[4])
  *
  *  Both are a (+) b = 4/(4 - a.b) [a + b - (a x b)/2]; the first does not repeat the same rounding error each step
  *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total
- *  and free of branches. c and u must be finite and not both 0. */
-static inline void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+ *  and free of branches. c and u must be finite and not both 0.
+ *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). */
+static inline int vti_rrv_increment(double c, const double u[3], double side, const double a[3], double add[3])
 {
     const double ma = vti_max3(a), mu = vti_max3(u);
     const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
@@ -143,14 +144,23 @@ static inline void vti_rrv_turn_side(double c, const double u[3], double side, d
     const double d = vti_dot(U, A), w = C * W - d;
     const int near = 2.0 * fabs(d) < C && ma < VTI_RRV_NEAR && mu < VTI_RRV_NEAR * c;
     const double along = near ? d : 2.0 * C;
-    double x[3], n[3];
+    double x[3];
     vti_cross(U, A, x);
     for (int k = 0; k < 3; ++k)
-        n[k] = 2.0 * (W * U[k] + side * x[k]) + along * A[k];
-    const double least = near ? 0.0 : VTI_RRV_SMALL * vti_max3(n);
+        add[k] = 2.0 * (W * U[k] + side * x[k]) + along * A[k];
+    const double least = near ? 0.0 : VTI_RRV_SMALL * vti_max3(add);
     const double inv = 1.0 / copysign(fabs(w) > least ? fabs(w) : least, w);
     for (int k = 0; k < 3; ++k)
-        a[k] = (near ? a[k] : 0.0) + n[k] * inv;
+        add[k] *= inv;
+    return near;
+}
+
+static inline void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+{
+    double add[3];
+    const int near = vti_rrv_increment(c, u, side, a, add);
+    for (int k = 0; k < 3; ++k)
+        a[k] = (near ? a[k] : 0.0) + add[k];
 }
 
 static inline void vti_rrv_turn(double c, const double u[3], double a[3])

@@ -2,7 +2,7 @@
  * What a stateless library can see of wrong use before it touches a body. */
 #include "vti_internal.h"
 
-enum { VECTORS = 6 };
+enum { VECTORS = 10 };
 
 static int view_check(double *const *c, int components, int64_t stride, int64_t end)
 {
@@ -39,7 +39,8 @@ int vti_bodies_check(const vti_bodies *b)
     if (b->first < 0 || b->count < 0 || b->first > INT64_MAX - b->count)
         return VTI_E_COUNT;
 
-    const vti_view *const views[VECTORS] = {&b->x, &b->v, &b->force, &b->alpha, &b->omega, &b->moment};
+    const vti_view *const views[VECTORS] = {&b->x,      &b->v,     &b->force, &b->alpha,     &b->omega,
+                                            &b->moment, &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
     const int64_t end = b->first + b->count;
     for (int i = 0; i < VECTORS; ++i) {
         const int status = view_check(views[i]->c, 3, views[i]->stride, end);
@@ -52,7 +53,7 @@ int vti_bodies_check(const vti_bodies *b)
     const int status = view_check(b->quat.xyzw, 4, b->quat.stride, end);
     if (status != VTI_OK)
         return status;
-    if (b->quat.xyzw[0] != NULL && vti_has(&b->alpha))
+    if (b->quat.xyzw[0] != NULL && (vti_has(&b->alpha) || vti_has(&b->alpha_low)))
         return VTI_E_VIEW;
 
     const int mass = scalars_check(&b->mass, vti_has(&b->v) && vti_has(&b->force), b->count, VTI_E_MASS);

@@ -9,6 +9,27 @@
  * not its bits. `restrict` stands on parameters because compilers do not honour it on pointers taken from a struct. */
 #include "vti_internal.h"
 
+/** a += b with the rounding error of the sum carried in *low (two-sum, exact whatever the magnitudes). */
+static inline double add_compensated(double a, double b, double *low)
+{
+    const double y = b + *low, s = a + y, z = s - a;
+    *low = (a - (s - z)) + (y - z);
+    return s;
+}
+
+/** a += t b with residuals, for any stride: the compensated form of a kick (t/m) or of a translation. */
+static void add_view(double t, const vti_view *a, const vti_view *b, const vti_scalars *m, const vti_view *low,
+                     int64_t begin, int64_t end)
+{
+    for (int64_t i = begin; i < end; ++i) {
+        const double k = m != NULL ? t / vti_scalar(m, i) : t;
+        for (int c = 0; c < 3; ++c) {
+            double *p = a->c[c] + i * a->stride;
+            *p = add_compensated(*p, k * b->c[c][i * b->stride], low->c[c] + i * low->stride);
+        }
+    }
+}
+
 /* ---- kick ---------------------------------------------------------------------------------------------------- */
 
 static inline void kick_loop(double *restrict v0, double *restrict v1, double *restrict v2, int64_t sv,
@@ -24,8 +45,13 @@ static inline void kick_loop(double *restrict v0, double *restrict v1, double *r
 }
 
 /** v += t f/m */
-static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_scalars *m, int64_t begin, int64_t end)
+static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_scalars *m, const vti_view *low,
+                      int64_t begin, int64_t end)
 {
+    if (vti_has(low)) {
+        add_view(t, v, f, m, low, begin, end);
+        return;
+    }
 #define KICK(SV, SF, SM)                                                                                               \
     kick_loop(v->c[0], v->c[1], v->c[2], SV, f->c[0], f->c[1], f->c[2], SF, m->p, SM, t, begin, end)
     if (v->stride == 3 && f->stride == 3 && m->stride == 0)
@@ -45,9 +71,9 @@ void vti_kick_unchecked(double t, const vti_bodies *b)
 {
     const int64_t end = b->first + b->count;
     if (vti_has(&b->v) && vti_has(&b->force))
-        kick_view(t, &b->v, &b->force, &b->mass, b->first, end);
+        kick_view(t, &b->v, &b->force, &b->mass, &b->v_low, b->first, end);
     if (vti_has(&b->omega) && vti_has(&b->moment))
-        kick_view(t, &b->omega, &b->moment, &b->inertia, b->first, end);
+        kick_view(t, &b->omega, &b->moment, &b->inertia, &b->omega_low, b->first, end);
 }
 
 /* ---- drift of positions -------------------------------------------------------------------------------------- */
@@ -64,8 +90,12 @@ static inline void translate_loop(double *restrict x0, double *restrict x1, doub
 }
 
 /** x += t v */
-static void translate(double t, const vti_view *x, const vti_view *v, int64_t begin, int64_t end)
+static void translate(double t, const vti_view *x, const vti_view *v, const vti_view *low, int64_t begin, int64_t end)
 {
+    if (vti_has(low)) {
+        add_view(t, x, v, NULL, low, begin, end);
+        return;
+    }
 #define TRANSLATE(SX, SV) translate_loop(x->c[0], x->c[1], x->c[2], SX, v->c[0], v->c[1], v->c[2], SV, t, begin, end)
     if (x->stride == 3 && v->stride == 3)
         TRANSLATE(3, 3);
@@ -113,6 +143,27 @@ static inline void turn_alpha(int law, double side, double t, const vti_view *a,
 #undef TURN
 }
 
+/** The same with the rounding error of alpha carried along. */
+static inline void turn_compensated(int law, double side, double t, const vti_view *a, const vti_view *w,
+                                    const vti_view *low, int64_t begin, int64_t end)
+{
+    for (int64_t i = begin; i < end; ++i) {
+        double u[3], base[3], add[3], r[3];
+        vti_load(w, i, u);
+        vti_load(a, i, base);
+        vti_load(low, i, r);
+        for (int k = 0; k < 3; ++k)
+            u[k] *= t;
+        const int incremental = vti_rrv_increment(increment(law, u), u, side, base, add);
+        for (int k = 0; k < 3; ++k) {
+            r[k] = incremental ? r[k] : 0.0;
+            base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
+        }
+        vti_store(a, i, base);
+        vti_store(low, i, r);
+    }
+}
+
 /** q <- normalise((u, c) q), or q (u, c) in the body's frame: the same increment on a host's quaternion. */
 static inline void turn_quat(int law, double side, double t, const vti_quat_view *quat, const vti_view *w,
                              int64_t begin, int64_t end)
@@ -138,7 +189,9 @@ static inline void turn_quat(int law, double side, double t, const vti_quat_view
 static inline void turn(int law, int frame, double t, const vti_bodies *b)
 {
     const double side = frame == VTI_FRAME_BODY ? -1.0 : 1.0;
-    if (vti_has(&b->alpha))
+    if (vti_has(&b->alpha_low))
+        turn_compensated(law, side, t, &b->alpha, &b->omega, &b->alpha_low, b->first, b->first + b->count);
+    else if (vti_has(&b->alpha))
         turn_alpha(law, side, t, &b->alpha, &b->omega, b->first, b->first + b->count);
     else
         turn_quat(law, side, t, &b->quat, &b->omega, b->first, b->first + b->count);
@@ -147,7 +200,7 @@ static inline void turn(int law, int frame, double t, const vti_bodies *b)
 void vti_drift_unchecked(int law, int frame, double t, const vti_bodies *b)
 {
     if (vti_has(&b->x) && vti_has(&b->v))
-        translate(t, &b->x, &b->v, b->first, b->first + b->count);
+        translate(t, &b->x, &b->v, &b->x_low, b->first, b->first + b->count);
     if (!vti_has_attitude(b) || !vti_has(&b->omega))
         return;
     /* literal arguments, so that each law and frame is a loop of its own */
