@@ -2,19 +2,49 @@
  * What a stateless library can see of wrong use before it touches a body. */
 #include "vti_internal.h"
 
-enum { VECTORS = 10 };
-
-static int view_check(double *const *c, int components, int64_t stride, int64_t end)
+/** One view: all components or none, on different memory, and a stride if there is more than one body. */
+static inline int view_check(const vti_view *view, int64_t end)
 {
-    for (int k = 1; k < components; ++k)
-        if ((c[k] == NULL) != (c[0] == NULL))
-            return VTI_E_VIEW;
-    if (c[0] == NULL)
+    double *const *c = view->c;
+    if (c[0] == NULL && c[1] == NULL && c[2] == NULL)
         return VTI_OK;
-    for (int k = 1; k < components; ++k)
-        if (c[k] == c[k - 1] || c[k] == c[0])
+    if (c[0] == NULL || c[1] == NULL || c[2] == NULL)
+        return VTI_E_VIEW;
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+        return VTI_E_ALIAS;
+    return view->stride == 0 && end > 1 ? VTI_E_STRIDE : VTI_OK;
+}
+
+static int quat_check(const vti_bodies *b, int64_t end)
+{
+    double *const *c = b->quat.xyzw;
+    int given = 0;
+    for (int k = 0; k < 4; ++k)
+        given += c[k] != NULL;
+    if (given == 0)
+        return VTI_OK;
+    if (given < 4 || vti_has(&b->alpha) || vti_has(&b->alpha_low))
+        return VTI_E_VIEW;
+    for (int k = 0; k < 4; ++k)
+        if (c[k] == c[(k + 1) % 4] || c[k] == c[(k + 2) % 4])
             return VTI_E_ALIAS;
-    return stride == 0 && end > 1 ? VTI_E_STRIDE : VTI_OK;
+    return b->quat.stride == 0 && end > 1 ? VTI_E_STRIDE : VTI_OK;
+}
+
+static inline int same(const vti_view *a, const vti_view *b)
+{
+    return a->c[0] != NULL && a->c[0] == b->c[0];
+}
+
+/** Quantities that a step reads and writes together begin at memory of their own. */
+static int alias_check(const vti_bodies *b)
+{
+    const int translation = same(&b->x, &b->v) || same(&b->x, &b->force) || same(&b->v, &b->force);
+    const int rotation = same(&b->alpha, &b->omega) || same(&b->alpha, &b->moment) || same(&b->omega, &b->moment);
+    const int across = same(&b->x, &b->alpha) || same(&b->v, &b->omega) || same(&b->force, &b->moment);
+    const int residuals = same(&b->x, &b->x_low) || same(&b->v, &b->v_low) || same(&b->alpha, &b->alpha_low) ||
+                          same(&b->omega, &b->omega_low);
+    return translation || rotation || across || residuals ? VTI_E_ALIAS : VTI_OK;
 }
 
 static int is_positive(double value)
@@ -39,22 +69,21 @@ int vti_bodies_check(const vti_bodies *b)
     if (b->first < 0 || b->count < 0 || b->first > INT64_MAX - b->count)
         return VTI_E_COUNT;
 
-    const vti_view *const views[VECTORS] = {&b->x,      &b->v,     &b->force, &b->alpha,     &b->omega,
-                                            &b->moment, &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
     const int64_t end = b->first + b->count;
-    for (int i = 0; i < VECTORS; ++i) {
-        const int status = view_check(views[i]->c, 3, views[i]->stride, end);
-        if (status != VTI_OK)
-            return status;
-        for (int j = 0; j < i; ++j)
-            if (vti_has(views[i]) && views[i]->c[0] == views[j]->c[0])
-                return VTI_E_ALIAS;
-    }
-    const int status = view_check(b->quat.xyzw, 4, b->quat.stride, end);
+    int status = view_check(&b->x, end);
+    status = status != VTI_OK ? status : view_check(&b->v, end);
+    status = status != VTI_OK ? status : view_check(&b->force, end);
+    status = status != VTI_OK ? status : view_check(&b->alpha, end);
+    status = status != VTI_OK ? status : view_check(&b->omega, end);
+    status = status != VTI_OK ? status : view_check(&b->moment, end);
+    status = status != VTI_OK ? status : view_check(&b->x_low, end);
+    status = status != VTI_OK ? status : view_check(&b->v_low, end);
+    status = status != VTI_OK ? status : view_check(&b->alpha_low, end);
+    status = status != VTI_OK ? status : view_check(&b->omega_low, end);
+    status = status != VTI_OK ? status : quat_check(b, end);
+    status = status != VTI_OK ? status : alias_check(b);
     if (status != VTI_OK)
         return status;
-    if (b->quat.xyzw[0] != NULL && (vti_has(&b->alpha) || vti_has(&b->alpha_low)))
-        return VTI_E_VIEW;
 
     const int mass = scalars_check(&b->mass, vti_has(&b->v) && vti_has(&b->force), b->count, VTI_E_MASS);
     if (mass != VTI_OK)

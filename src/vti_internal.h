@@ -53,14 +53,14 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
-/** vti_kick and vti_drift of bodies that have been checked. */
-void vti_kick_unchecked(double t, const vti_bodies *b);
-void vti_drift_unchecked(int law, int frame, double t, const vti_bodies *b);
+/** vti_kick and vti_drift of bodies begin <= i < end, which have been checked. */
+void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end);
+void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end);
 
 /** VTI_E_TOO_LARGE if, after a kick by kick_t, a drift by t would break the law's bound for some body. */
 int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti_fault *fault);
 
-/** vti_bodies_check, and that the library has such a law and frame. */
+/** VTI_OK if the library has such a law and frame. */
 int vti_law_check(int law, int frame);
 
 #endif

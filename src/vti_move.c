@@ -67,13 +67,12 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
 #undef KICK
 }
 
-void vti_kick_unchecked(double t, const vti_bodies *b)
+void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    const int64_t end = b->first + b->count;
     if (vti_has(&b->v) && vti_has(&b->force))
-        kick_view(t, &b->v, &b->force, &b->mass, &b->v_low, b->first, end);
+        kick_view(t, &b->v, &b->force, &b->mass, &b->v_low, begin, end);
     if (vti_has(&b->omega) && vti_has(&b->moment))
-        kick_view(t, &b->omega, &b->moment, &b->inertia, &b->omega_low, b->first, end);
+        kick_view(t, &b->omega, &b->moment, &b->inertia, &b->omega_low, begin, end);
 }
 
 /* ---- drift of positions -------------------------------------------------------------------------------------- */
@@ -186,32 +185,32 @@ static inline void turn_quat(int law, double side, double t, const vti_quat_view
     }
 }
 
-static inline void turn(int law, int frame, double t, const vti_bodies *b)
+static inline void turn(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
     const double side = frame == VTI_FRAME_BODY ? -1.0 : 1.0;
     if (vti_has(&b->alpha_low))
-        turn_compensated(law, side, t, &b->alpha, &b->omega, &b->alpha_low, b->first, b->first + b->count);
+        turn_compensated(law, side, t, &b->alpha, &b->omega, &b->alpha_low, begin, end);
     else if (vti_has(&b->alpha))
-        turn_alpha(law, side, t, &b->alpha, &b->omega, b->first, b->first + b->count);
+        turn_alpha(law, side, t, &b->alpha, &b->omega, begin, end);
     else
-        turn_quat(law, side, t, &b->quat, &b->omega, b->first, b->first + b->count);
+        turn_quat(law, side, t, &b->quat, &b->omega, begin, end);
 }
 
-void vti_drift_unchecked(int law, int frame, double t, const vti_bodies *b)
+void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
     if (vti_has(&b->x) && vti_has(&b->v))
-        translate(t, &b->x, &b->v, &b->x_low, b->first, b->first + b->count);
+        translate(t, &b->x, &b->v, &b->x_low, begin, end);
     if (!vti_has_attitude(b) || !vti_has(&b->omega))
         return;
     /* literal arguments, so that each law and frame is a loop of its own */
     if (law == VTI_LAW_CLOSED && frame == VTI_FRAME_SPACE)
-        turn(VTI_LAW_CLOSED, VTI_FRAME_SPACE, t, b);
+        turn(VTI_LAW_CLOSED, VTI_FRAME_SPACE, t, b, begin, end);
     else if (law == VTI_LAW_CLOSED)
-        turn(VTI_LAW_CLOSED, VTI_FRAME_BODY, t, b);
+        turn(VTI_LAW_CLOSED, VTI_FRAME_BODY, t, b, begin, end);
     else if (frame == VTI_FRAME_SPACE)
-        turn(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, t, b);
+        turn(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, t, b, begin, end);
     else
-        turn(VTI_LAW_CAYLEY, VTI_FRAME_BODY, t, b);
+        turn(VTI_LAW_CAYLEY, VTI_FRAME_BODY, t, b, begin, end);
 }
 
 /* ---- the bound of the closed form ----------------------------------------------------------------------------- */
@@ -275,7 +274,7 @@ int vti_kick(double t, const vti_bodies *b)
         return status;
     if (!isfinite(t))
         return VTI_E_TIME;
-    vti_kick_unchecked(t, b);
+    vti_kick_range(t, b, b->first, b->first + b->count);
     return VTI_OK;
 }
 
@@ -293,6 +292,6 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
     if (status == VTI_OK)
         status = vti_drift_refuses(law, 0.0, t, b, fault);
     if (status == VTI_OK)
-        vti_drift_unchecked(law, frame, t, b);
+        vti_drift_range(law, frame, t, b, b->first, b->first + b->count);
     return status;
 }

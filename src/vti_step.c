@@ -75,11 +75,11 @@ int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bod
     status = vti_drift_refuses((int)method->law, kick, drift, b, fault);
     if (status != VTI_OK)
         return status;
-    for (int64_t done = 0; done < b->count; done += BLOCK) {
-        const int64_t left = b->count - done;
-        const vti_bodies block = vti_bodies_slice(*b, b->first + done, left < BLOCK ? left : BLOCK);
-        vti_kick_unchecked(kick, &block);
-        vti_drift_unchecked((int)method->law, (int)method->frame, drift, &block);
+    const int64_t end = b->first + b->count;
+    for (int64_t first = b->first; first < end; first += BLOCK) {
+        const int64_t next = end - first < BLOCK ? end : first + BLOCK;
+        vti_kick_range(kick, b, first, next);
+        vti_drift_range((int)method->law, (int)method->frame, drift, b, first, next);
     }
     return VTI_OK;
 }
@@ -93,7 +93,7 @@ int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti
 static int kick_share(double share, double h, const vti_bodies *b)
 {
     if (share != 0.0)
-        vti_kick_unchecked(share * h, b);
+        vti_kick_range(share * h, b, b->first, b->first + b->count);
     return VTI_OK;
 }
 

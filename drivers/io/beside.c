@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "beside.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/** path = folder of the running program / relative / name, if that can be read. */
+static int find(const char *relative, const char *name, char path[BESIDE_PATH])
+{
+    char self[BESIDE_PATH / 2];
+    const ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
+    if (length <= 0)
+        return -1;
+    self[length] = '\0';
+    *strrchr(self, '/') = '\0';
+    const int written = snprintf(path, BESIDE_PATH, "%s/%s%s", self, relative, name);
+    return written > 0 && written < BESIDE_PATH && access(path, R_OK) == 0 ? 0 : -1;
+}
+
+int beside_scene(const char *name, char path[BESIDE_PATH])
+{
+    /* build/drivers beside build/scenes; bin beside share/vti/scenes */
+    return find("../scenes/", name, path) == 0 || find("../share/vti/scenes/", name, path) == 0 ? 0 : -1;
+}
+
+int beside_program(const char *name, char path[BESIDE_PATH])
+{
+    return find("", name, path);
+}

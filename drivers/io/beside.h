@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Files that belong to the programs, found relative to the running program: in the build tree as when installed. */
+#ifndef VTI_BESIDE_H
+#define VTI_BESIDE_H
+
+enum { BESIDE_PATH = 4096 };
+
+/** The path of a shipped scene, "pendulum.yaml". Returns 0, or -1 if there is none. */
+int beside_scene(const char *name, char path[BESIDE_PATH]);
+/** The path of another program of the project, "vti-plot". Returns 0, or -1 if there is none. */
+int beside_program(const char *name, char path[BESIDE_PATH]);
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "folder.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
+{
+    const int length = snprintf(path, FOLDER_PATH, "%s/%s%s", folder, name, part ? ".part" : "");
+    if (length < 0 || length >= FOLDER_PATH)
+        return message_set(message, "%.200s...: the path is too long; use a shorter one with -o", folder);
+    return 0;
+}
+
+/** mkdir -p */
+static int make(const char *folder)
+{
+    char path[FOLDER_PATH];
+    const size_t length = strlen(folder);
+    if (length >= sizeof path) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    for (size_t i = 1; i <= length; ++i) {
+        if (folder[i] != '/' && folder[i] != '\0')
+            continue;
+        memcpy(path, folder, i);
+        path[i] = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST)
+            return -1;
+    }
+    return 0;
+}
+
+int folder_create(const char *folder, struct message *message)
+{
+    static const char probe[] = "writable";
+    char path[FOLDER_PATH];
+    if (make(folder) != 0)
+        return message_set(message, "%s: the folder cannot be made: %s; choose another with -o", folder,
+                           strerror(errno));
+    if (folder_path(folder, probe, 1, path, message) != 0)
+        return -1;
+    FILE *file = fopen(path, "wb");
+    if (file == NULL)
+        return message_set(message, "%s: the folder cannot be written to: %s; choose another with -o", folder,
+                           strerror(errno));
+    fclose(file);
+    folder_drop(folder, probe);
+    return 0;
+}
+
+int folder_keep(const char *folder, const char *name, struct message *message)
+{
+    char from[FOLDER_PATH], to[FOLDER_PATH];
+    if (folder_path(folder, name, 1, from, message) != 0 || folder_path(folder, name, 0, to, message) != 0)
+        return -1;
+    if (rename(from, to) != 0)
+        return message_set(message, "%s: cannot be written: %s; free some space or choose another folder with -o", to,
+                           strerror(errno));
+    return 0;
+}
+
+void folder_drop(const char *folder, const char *name)
+{
+    char path[FOLDER_PATH];
+    struct message ignored;
+    if (folder_path(folder, name, 1, path, &ignored) == 0)
+        unlink(path);
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "study_csv.h"
+
+#include <math.h>
+
+void study_csv_write(const struct study *study, FILE *file)
+{
+    fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error\n", file);
+    for (int64_t r = 0; r < study->runs; ++r) {
+        const struct trial *trial = &study->trials[r];
+        const struct outcome *o = &study->outcomes[r];
+        fprintf(file, "%s,%s,%.17g,%.17g,%lld,%lld,%.17g,%.17g,%.17g,%.17g,%.17g\n", study->plan->scene->name,
+                trial->stepper->name, trial->h, trial->t_end, (long long)o->steps, (long long)o->force_evals,
+                o->e_error, o->q_error, o->h1_error, o->attitude_error, o->momentum_error);
+    }
+}
+
+void timing_csv_write(const struct study *study, FILE *file)
+{
+    fputs("scene,stepper,h,seconds,ns_per_step,rank\n", file);
+    for (int64_t r = 0; r < study->runs; ++r) {
+        const struct trial *trial = &study->trials[r];
+        const double seconds = study->outcomes[r].seconds;
+        fprintf(file, "%s,%s,%.17g,%.9g,%.6g,%d\n", study->plan->scene->name, trial->stepper->name, trial->h, seconds,
+                1e9 * seconds / (double)trial->steps, study->ranks[r]);
+    }
+}
+
+/** 1/64 where h is the inverse of a whole number, a decimal number elsewhere. */
+static void print_h(double h, FILE *file)
+{
+    char text[32];
+    const double inverse = rint(1.0 / h);
+    if (h < 1.0 && inverse < 1e9 && 1.0 / inverse == h)
+        snprintf(text, sizeof text, "1/%.0f", inverse);
+    else
+        snprintf(text, sizeof text, "%.6g", h);
+    fprintf(file, "%9s", text);
+}
+
+static void print_order(const struct order *order, FILE *file)
+{
+    if (isnan(order->order))
+        fprintf(file, "  %18s", "-");
+    else
+        fprintf(file, "  %8.5f +- %.0e", order->order, order->interval);
+}
+
+void study_table_write(const struct study *study, FILE *file)
+{
+    const struct plan *plan = study->plan;
+    fprintf(file, "%-14s %9s %9s  %10s %10s %10s %10s %10s\n", "stepper", "h", "steps", "E-error", "q-error",
+            "H1-error", "attitude", "momentum");
+    for (int64_t r = 0; r < study->runs; ++r) {
+        const struct outcome *o = &study->outcomes[r];
+        fprintf(file, "%-14s ", study->trials[r].stepper->name);
+        print_h(study->trials[r].h, file);
+        fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps, o->e_error, o->q_error,
+                o->h1_error, o->attitude_error, o->momentum_error);
+    }
+    fprintf(file, "\n%-14s  %18s  %18s  %18s  %18s\n", "fitted order", "E-error", "q-error", "H1-error", "attitude");
+    for (int64_t s = 0; s < plan->steppers_count; ++s) {
+        fprintf(file, "%-14s", plan->steppers[s]->name);
+        for (int m = 0; m < STUDY_MEASURES; ++m)
+            print_order(&study->orders[s][m], file);
+        fputc('\n', file);
+    }
+}

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "loop.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+int64_t loop_steps(double t_end, double h)
+{
+    const double ratio = t_end / h;
+    /* t_end and h are rounded, so their ratio may fall short of a whole number by a few ulps */
+    return (int64_t)floor(ratio * (1.0 + 4.0 * 2.220446049250313e-16));
+}
+
+/* ---- reading a lagging method ------------------------------------------------------------------------------------ */
+
+/** Copies of v and omega on which a lagging method is brought to the time of the positions, so that looking at a run does not
+ *  change its bits. Other methods are read as they are. */
+struct reader {
+    vti_bodies bodies;
+    double *memory;
+};
+
+static void copy(const vti_view *from, const vti_view *to, int64_t n)
+{
+    for (int64_t i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            to->c[k][i * to->stride] = from->c[k][i * from->stride];
+}
+
+static int reader_create(struct reader *reader, const struct model *model, const vti_stepper *stepper)
+{
+    const vti_bodies *b = &model->bodies;
+    reader->bodies = *b;
+    reader->memory = NULL;
+    if (stepper->lag == 0.0)
+        return 0;
+    reader->memory = calloc((size_t)(6 * b->count), sizeof *reader->memory);
+    if (reader->memory == NULL)
+        return -1;
+    /* the copies hold no residuals; what those add to one reading is below its rounding */
+    reader->bodies.v_low = reader->bodies.omega_low = vti_view_none();
+    if (b->v.c[0] != NULL)
+        reader->bodies.v = vti_view_packed(reader->memory);
+    if (b->omega.c[0] != NULL)
+        reader->bodies.omega = vti_view_packed(reader->memory + 3 * b->count);
+    return 0;
+}
+
+static const vti_bodies *reader_read(struct reader *reader, const struct model *model, const vti_stepper *stepper,
+                                     double h)
+{
+    if (reader->memory != NULL) {
+        if (model->bodies.v.c[0] != NULL)
+            copy(&model->bodies.v, &reader->bodies.v, model->bodies.count);
+        if (model->bodies.omega.c[0] != NULL)
+            copy(&model->bodies.omega, &reader->bodies.omega, model->bodies.count);
+        vti_step_sync(stepper, h, &reader->bodies);
+    }
+    return &reader->bodies;
+}
+
+/* ---- the loop ---------------------------------------------------------------------------------------------------- */
+
+/** One step of any method: stages of kick, drift and forces, and the last kick. */
+static int one_step(struct model *model, const vti_stepper *stepper, double h, vti_fault *fault)
+{
+    for (int64_t k = 0; k < stepper->stages; ++k) {
+        int status = vti_step_stage(stepper, k, h, &model->bodies, fault);
+        if (status == VTI_OK)
+            status = model_forces(model, &model->bodies);
+        if (status != VTI_OK)
+            return status;
+    }
+    return vti_step_finish(stepper, h, &model->bodies);
+}
+
+static int show(const struct observer *observers, int n, int64_t step, double h, struct reader *reader,
+                const struct model *model, const vti_stepper *stepper)
+{
+    const vti_bodies *seen = NULL;
+    for (int k = 0; k < n; ++k) {
+        if (step % observers[k].every != 0)
+            continue;
+        if (seen == NULL)
+            seen = reader_read(reader, model, stepper, h);
+        if (observers[k].see(observers[k].self, step, (double)step * h, seen) != 0)
+            return 1;
+    }
+    return 0;
+}
+
+static int refused(int status, const vti_fault *fault, const vti_stepper *stepper, double h, int64_t step,
+                   struct message *message)
+{
+    if (status == VTI_E_TOO_LARGE)
+        return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): body %lld has h|Omega| = %.6g; %s",
+                           stepper->name, h, (long long)step, (double)(step - 1) * h, (long long)fault->body,
+                           fault->value, vti_status_text(status));
+    return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): %s", stepper->name, h, (long long)step,
+                       (double)(step - 1) * h, vti_status_text(status));
+}
+
+int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t steps, const struct observer *observers,
+             int observers_count, struct message *message)
+{
+    struct reader reader;
+    if (reader_create(&reader, model, stepper) != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    vti_fault fault = {-1, 0.0};
+    int status = vti_step_start(stepper, h, &model->bodies);
+    int stopped = show(observers, observers_count, 0, h, &reader, model, stepper);
+    int64_t step = 0;
+    while (status == VTI_OK && !stopped && step < steps) {
+        status = one_step(model, stepper, h, &fault);
+        ++step;
+        if (status == VTI_OK)
+            stopped = show(observers, observers_count, step, h, &reader, model, stepper);
+    }
+    free(reader.memory);
+    return status != VTI_OK ? refused(status, &fault, stepper, h, step, message) : stopped;
+}

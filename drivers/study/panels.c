@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "panels.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+static double angle(int k)
+{
+    return (2 * k + 1) * PI / (2 * PANELS_NODES);
+}
+
+int panels_create(struct panels *panels, int64_t width, int64_t count, double t_end)
+{
+    panels_destroy(panels);
+    panels->width = width;
+    panels->count = count;
+    panels->t_end = t_end;
+    for (int k = 0; k < PANELS_NODES; ++k) {
+        panels->node[k] = -cos(angle(k));
+        panels->weight[k] = (k % 2 == 0 ? 1.0 : -1.0) * sin(angle(k));
+    }
+    panels->values = calloc((size_t)(count * PANELS_NODES * width), sizeof *panels->values);
+    return panels->values != NULL ? 0 : -1;
+}
+
+void panels_destroy(struct panels *panels)
+{
+    free(panels->values);
+    panels->values = NULL;
+}
+
+double panels_time(const struct panels *panels, int64_t p, double tau)
+{
+    return panels->t_end * (((double)p + 0.5 * (1.0 + tau)) / (double)panels->count);
+}
+
+double *panels_row(const struct panels *panels, int64_t p, int k)
+{
+    return panels->values + (p * PANELS_NODES + k) * panels->width;
+}
+
+double panels_tail(const struct panels *panels, int64_t p)
+{
+    double largest = 0.0;
+    for (int64_t c = 0; c < panels->width; ++c)
+        for (int j = PANELS_NODES - 2; j < PANELS_NODES; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < PANELS_NODES; ++k)
+                sum += panels_row(panels, p, k)[c] * cos(j * angle(k));
+            largest = fmax(largest, fabs(2.0 * sum / PANELS_NODES));
+        }
+    return largest;
+}
+
+int64_t panels_find(const struct panels *panels, double t, double *tau)
+{
+    const double place = t / panels->t_end * (double)panels->count;
+    int64_t p = (int64_t)place;
+    p = p < panels->count ? p : panels->count - 1;
+    *tau = 2.0 * (place - (double)p) - 1.0;
+    return p;
+}
+
+/** Barycentric shares of the nodes at tau, which add up to 1. */
+static void shares(const struct panels *panels, double tau, double share[PANELS_NODES])
+{
+    double sum = 0.0;
+    for (int k = 0; k < PANELS_NODES; ++k) {
+        const double distance = tau - panels->node[k];
+        if (distance == 0.0) {
+            memset(share, 0, PANELS_NODES * sizeof *share);
+            share[k] = 1.0;
+            return;
+        }
+        share[k] = panels->weight[k] / distance;
+        sum += share[k];
+    }
+    for (int k = 0; k < PANELS_NODES; ++k)
+        share[k] /= sum;
+}
+
+void panels_read(const struct panels *panels, int64_t p, double tau, double *out)
+{
+    double share[PANELS_NODES];
+    shares(panels, tau, share);
+    memset(out, 0, (size_t)panels->width * sizeof *out);
+    for (int k = 0; k < PANELS_NODES; ++k) {
+        const double *row = panels_row(panels, p, k);
+        for (int64_t c = 0; c < panels->width; ++c)
+            out[c] += share[k] * row[c];
+    }
+}
+
+double panels_read_one(const struct panels *panels, int64_t p, double tau, int64_t component)
+{
+    double share[PANELS_NODES], sum = 0.0;
+    shares(panels, tau, share);
+    for (int k = 0; k < PANELS_NODES; ++k)
+        sum += share[k] * panels_row(panels, p, k)[component];
+    return sum;
+}

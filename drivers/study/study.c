@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "study.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "queue.h"
+
+const char *const study_measures[STUDY_MEASURES] = {"e_error", "q_error", "h1_error", "attitude_error"};
+
+double study_measure(const struct outcome *outcome, int measure)
+{
+    const double values[STUDY_MEASURES] = {outcome->e_error, outcome->q_error, outcome->h1_error,
+                                           outcome->attitude_error};
+    return values[measure];
+}
+
+/* ---- the plan ------------------------------------------------------------------------------------------------------ */
+
+/** Appends the names of the steppers that scenes can use. */
+static void list_steppers(char *text, size_t size)
+{
+    text[0] = '\0';
+    for (int64_t i = 0; i < vti_stepper_count(); ++i)
+        if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE) {
+            strncat(text, text[0] != '\0' ? ", " : "", size - strlen(text) - 1);
+            strncat(text, vti_stepper_at(i)->name, size - strlen(text) - 1);
+        }
+}
+
+static const vti_stepper *find_stepper(const char *name, size_t length)
+{
+    for (int64_t i = 0; i < vti_stepper_count(); ++i) {
+        const vti_stepper *s = vti_stepper_at(i);
+        if (s->frame == VTI_FRAME_SPACE && strlen(s->name) == length && strncmp(s->name, name, length) == 0)
+            return s;
+    }
+    return NULL;
+}
+
+int study_read_steppers(const char *list, struct plan *plan, struct message *message)
+{
+    char known[512];
+    list_steppers(known, sizeof known);
+    plan->steppers_count = 0;
+    for (const char *part = list; part != NULL;) {
+        const char *comma = strchr(part, ',');
+        const size_t length = comma != NULL ? (size_t)(comma - part) : strlen(part);
+        const vti_stepper *stepper = find_stepper(part, length);
+        if (stepper == NULL)
+            return message_set(message, "--steppers: '%.*s' is not a stepper; known are %s", (int)length, part, known);
+        for (int64_t k = 0; k < plan->steppers_count; ++k)
+            if (plan->steppers[k] == stepper)
+                return message_set(message, "--steppers: '%s' appears twice; name every stepper once", stepper->name);
+        if (plan->steppers_count == STUDY_STEPPERS)
+            return message_set(message, "--steppers: more than %d; use fewer", STUDY_STEPPERS);
+        plan->steppers[plan->steppers_count++] = stepper;
+        part = comma != NULL ? comma + 1 : NULL;
+    }
+    return 0;
+}
+
+static int make_trials(struct study *study, struct message *message)
+{
+    const struct plan *plan = study->plan;
+    for (int64_t r = 0; r < study->runs; ++r) {
+        struct trial *trial = &study->trials[r];
+        trial->stepper = plan->steppers[r / plan->h_count];
+        trial->h = plan->h[r % plan->h_count];
+        trial->steps = loop_steps(plan->t_end, trial->h);
+        trial->t_end = (double)trial->steps * trial->h;
+        if (trial->steps < 1)
+            return message_set(message, "--h: %.17g is longer than t_end = %.17g; use a smaller step", trial->h,
+                               plan->t_end);
+        if (trial->steps > (int64_t)1 << 40)
+            return message_set(message, "--h: %.17g makes %lld steps to t_end = %.17g; use a larger step", trial->h,
+                               (long long)trial->steps, plan->t_end);
+    }
+    return 0;
+}
+
+/* ---- the runs as tasks --------------------------------------------------------------------------------------------- */
+
+struct work {
+    struct study *study;
+    struct reference *reference;
+    study_progress progress;
+    double start;
+    int64_t steps_all, steps_done;
+    int64_t failed_run;
+};
+
+static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
+{
+    const struct work *w = self;
+    trial_run(w->study->plan->scene, &w->study->trials[task], w->reference, poll, poll_self, result);
+}
+
+static void show(struct work *w, int64_t extra)
+{
+    if (w->progress != NULL)
+        w->progress(w->steps_done + extra, w->steps_all, MPI_Wtime() - w->start);
+}
+
+static int task_done(void *self, int64_t task, int rank, const void *result)
+{
+    struct work *w = self;
+    memcpy(&w->study->outcomes[task], result, sizeof w->study->outcomes[task]);
+    w->study->ranks[task] = rank;
+    w->steps_done += w->study->trials[task].steps;
+    show(w, 0);
+    if (!w->study->outcomes[task].failed)
+        return 0;
+    w->failed_run = task;
+    return 1;
+}
+
+static void task_progress(void *self, int64_t task, int64_t steps)
+{
+    (void)task;
+    show(self, steps);
+}
+
+/** Rows sorted by falling number of steps, equal ones by row. */
+static void longest_first(const struct study *study, int64_t *order)
+{
+    for (int64_t r = 0; r < study->runs; ++r) {
+        int64_t k = r;
+        for (; k > 0 && study->trials[order[k - 1]].steps < study->trials[r].steps; --k)
+            order[k] = order[k - 1];
+        order[k] = r;
+    }
+}
+
+/* ---- orders -------------------------------------------------------------------------------------------------------- */
+
+/** Below this a measure is rounding: errors of attitude grow as t sqrt(steps) eps, the q-error is a square root. */
+static double rounding_floor(int measure, const struct trial *trial)
+{
+    const double floor = 16.0 * DBL_EPSILON * sqrt((double)trial->steps) * fmax(1.0, trial->t_end);
+    return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(floor) : floor;
+}
+
+static void fit_orders(struct study *study)
+{
+    const struct plan *plan = study->plan;
+    for (int64_t s = 0; s < plan->steppers_count; ++s)
+        for (int m = 0; m < STUDY_MEASURES; ++m) {
+            double error[LADDER_MOST], floor[LADDER_MOST];
+            for (int64_t k = 0; k < plan->h_count; ++k) {
+                const int64_t run = s * plan->h_count + k;
+                error[k] = study_measure(&study->outcomes[run], m);
+                floor[k] = rounding_floor(m, &study->trials[run]);
+            }
+            study->orders[s][m] = fit_order(plan->h, error, floor, plan->h_count);
+        }
+}
+
+/* ---- all together -------------------------------------------------------------------------------------------------- */
+
+static int allocate(struct study *study, int rank)
+{
+    const size_t runs = (size_t)study->runs;
+    study->trials = calloc(runs, sizeof *study->trials);
+    if (rank == 0) {
+        study->outcomes = calloc(runs, sizeof *study->outcomes);
+        study->ranks = calloc(runs, sizeof *study->ranks);
+        study->orders = calloc((size_t)study->plan->steppers_count, sizeof *study->orders);
+    }
+    return study->trials != NULL &&
+           (rank != 0 || (study->outcomes != NULL && study->ranks != NULL && study->orders != NULL));
+}
+
+/** The queue over all runs, once the reference is there. */
+static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, study_progress progress,
+                   struct message *message)
+{
+    int rank;
+    struct work work = {study, reference, progress, MPI_Wtime(), 0, 0, -1};
+    int64_t *order = calloc((size_t)study->runs, sizeof *order);
+    int failed = order == NULL;
+    MPI_Comm_rank(comm, &rank);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
+    if (failed) {
+        free(order);
+        return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);
+    }
+    longest_first(study, order);
+    for (int64_t r = 0; r < study->runs; ++r)
+        work.steps_all += study->trials[r].steps;
+    const struct queue queue = {&work, study->runs, order, sizeof(struct outcome), run_task, task_done, task_progress};
+    failed = queue_run(&queue, comm);
+    free(order);
+    study->seconds = MPI_Wtime() - work.start;
+    if (failed && rank == 0 && work.failed_run >= 0)
+        *message = study->outcomes[work.failed_run].message;
+    else if (failed)
+        message_set(message, "out of memory; use fewer runs");
+    return failed;
+}
+
+int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, struct study *study,
+              struct message *message)
+{
+    int rank;
+    struct reference reference;
+    MPI_Comm_rank(comm, &rank);
+    memset(study, 0, sizeof *study);
+    study->plan = plan;
+    study->runs = plan->steppers_count * plan->h_count;
+    int failed =
+        allocate(study, rank) ? 0 : message_set(message, "out of memory for %lld runs", (long long)study->runs);
+    if (failed == 0)
+        failed = make_trials(study, message);
+    if (failed == 0)
+        failed = model_create(plan->scene, &study->model, message);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
+    if (failed != 0 || reference_create(&study->model, plan->t_end, comm, &reference, message) != 0)
+        return -1;
+    if (rank == 0) {
+        study->energy0 = model_energy(&study->model, &study->model.bodies);
+        study->norm_squared = reference_norm_squared(&reference, plan->t_end);
+        study->reference_energy_error = reference.energy_error;
+        study->reference_interpolation_error = reference.interpolation_error;
+    }
+    failed = run_all(study, &reference, comm, progress, message);
+    reference_destroy(&reference);
+    if (failed == 0 && rank == 0)
+        fit_orders(study);
+    return failed;
+}
+
+void study_destroy(struct study *study)
+{
+    model_destroy(&study->model);
+    free(study->trials);
+    free(study->outcomes);
+    free(study->ranks);
+    free(study->orders);
+    memset(study, 0, sizeof *study);
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A study: one scene, several steppers, several h; every combination is one run. */
+#ifndef VTI_STUDY_H
+#define VTI_STUDY_H
+
+#include "fit.h"
+#include "ladder.h"
+#include "trial.h"
+
+enum { STUDY_STEPPERS = 16, STUDY_MEASURES = 4 };
+
+/** What is asked for. */
+struct plan {
+    const struct scene *scene;
+    const vti_stepper *steppers[STUDY_STEPPERS];
+    int64_t steppers_count;
+    double h[LADDER_MOST];
+    int64_t h_count;
+    double t_end;
+};
+
+/** Errors that orders are fitted to: e_error, q_error, h1_error, attitude_error. */
+extern const char *const study_measures[STUDY_MEASURES];
+double study_measure(const struct outcome *outcome, int measure);
+
+/** What came out; filled in on rank 0, empty elsewhere. Row r is stepper r / h_count at h r % h_count. */
+struct study {
+    const struct plan *plan;
+    struct model model; /* at t = 0 */
+    int64_t runs;
+    struct trial *trials;                   /* [runs] */
+    struct outcome *outcomes;               /* [runs] */
+    int *ranks;                             /* [runs] that did it */
+    struct order (*orders)[STUDY_MEASURES]; /* [steppers_count] */
+    double energy0, norm_squared;
+    double reference_energy_error, reference_interpolation_error;
+    double seconds; /* for all runs, reference excluded */
+};
+
+/** Shows progress on rank 0: steps done of all steps, both weighted by steps, and the seconds since the start. */
+typedef void (*study_progress)(int64_t done, int64_t all, double seconds);
+
+/** Lists "vti1,vti2" in plan->steppers. Returns 0, or -1 with one line in *message that names the known ones. */
+int study_read_steppers(const char *list, struct plan *plan, struct message *message);
+
+/** Runs the plan on all ranks of comm. Collective. Returns 0, or -1 on all ranks with one line in *message on rank 0.
+ *  progress may be NULL. */
+int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, struct study *study,
+              struct message *message);
+void study_destroy(struct study *study);
+
+#endif

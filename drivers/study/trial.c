@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "trial.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- measuring ---------------------------------------------------------------------------------------------------- */
+
+/** Everything that is summed up along a run. */
+struct measures {
+    const struct model *model;
+    struct reference *reference;
+    struct outcome *outcome;
+    double h, t_end;
+    double energy0, invariants0[MODEL_INVARIANTS];
+    struct invariant invariant[MODEL_INVARIANTS];
+    int64_t invariants, sample_every;
+    vti_integral energy_squared; /* (E_h - E_0)^2 */
+    vti_integral norm_squared;   /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
+    vti_integral error_squared;  /* the same of q_h - q */
+};
+
+static void measures_begin(struct measures *m, const struct model *model, struct reference *reference,
+                           const struct trial *trial, struct outcome *outcome)
+{
+    memset(m, 0, sizeof *m);
+    m->model = model;
+    m->reference = reference;
+    m->outcome = outcome;
+    m->h = trial->h;
+    m->t_end = trial->t_end;
+    m->energy0 = model_energy(model, &model->bodies);
+    m->invariants = model_invariants(model, m->invariant);
+    model_invariant_values(model, &model->bodies, m->invariants0);
+    m->sample_every = (trial->steps + TRIAL_SAMPLES - 2) / (TRIAL_SAMPLES - 1);
+    m->sample_every = m->sample_every > 0 ? m->sample_every : 1;
+}
+
+static void sample(struct measures *m, double t, double energy_error, const double *deviations)
+{
+    double *row = m->outcome->series[m->outcome->samples++];
+    row[0] = t;
+    row[1] = energy_error;
+    memcpy(row + 2, deviations, sizeof m->invariants0);
+}
+
+static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct measures *m = self;
+    const vti_bodies exact = reference_at(m->reference, t);
+    const double energy_error = model_energy(m->model, bodies) - m->energy0;
+    vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
+    vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
+    vti_integral_add(&m->error_squared, m->h, vti_h1_distance(bodies, &exact));
+
+    double deviation[MODEL_INVARIANTS] = {0.0};
+    model_invariant_values(m->model, bodies, deviation);
+    for (int64_t k = 0; k < m->invariants; ++k) {
+        deviation[k] -= m->invariants0[k];
+        /* written so that a NaN is kept */
+        if (m->invariant[k].is_momentum && !(fabs(deviation[k]) <= m->outcome->momentum_error))
+            m->outcome->momentum_error = fabs(deviation[k]);
+    }
+    if (step % m->sample_every == 0)
+        sample(m, t, energy_error, deviation);
+    if (step == m->outcome->steps)
+        m->outcome->attitude_error = vti_attitude_distance(bodies, &exact);
+    return 0;
+}
+
+static void measures_end(struct measures *m)
+{
+    struct outcome *o = m->outcome;
+    const double norm_squared = reference_norm_squared(m->reference, m->t_end);
+    const double energy_norm = (m->energy0 != 0.0 ? fabs(m->energy0) : 1.0) * sqrt(m->t_end);
+    o->e_error = sqrt(vti_integral_value(&m->energy_squared)) / energy_norm;
+    o->q_error = sqrt(fabs(vti_integral_value(&m->norm_squared) - norm_squared) / norm_squared);
+    o->h1_error = sqrt(vti_integral_value(&m->error_squared) / norm_squared);
+}
+
+/* ---- running ------------------------------------------------------------------------------------------------------- */
+
+struct poller {
+    int (*poll)(void *self, int64_t step);
+    void *self;
+};
+
+static int poll_see(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    const struct poller *p = self;
+    (void)t;
+    (void)bodies;
+    return p->poll(p->self, step);
+}
+
+void trial_run(const struct scene *scene, const struct trial *trial, struct reference *reference,
+               int (*poll)(void *self, int64_t step), void *poll_self, struct outcome *outcome)
+{
+    enum { POLL_EVERY = 2048 };
+    struct model model;
+    struct measures measures;
+    struct poller poller = {poll, poll_self};
+    const struct observer observers[] = {{measure, &measures, 1}, {poll_see, &poller, POLL_EVERY}};
+
+    memset(outcome, 0, sizeof *outcome);
+    outcome->steps = trial->steps;
+    outcome->force_evals = trial->steps * trial->stepper->stages;
+    if (model_create(scene, &model, &outcome->message) != 0) {
+        outcome->failed = 1;
+        return;
+    }
+    measures_begin(&measures, &model, reference, trial, outcome);
+    const double start = MPI_Wtime();
+    outcome->failed = loop_run(&model, trial->stepper, trial->h, trial->steps, observers, poll != NULL ? 2 : 1,
+                               &outcome->message) != 0;
+    outcome->seconds = MPI_Wtime() - start;
+    measures_end(&measures);
+    model_destroy(&model);
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * vti-study: the time-step convergence study. Arguments in, files and a table out; the work is in study/ and io/. */
+#define _POSIX_C_SOURCE 200809L
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "beside.h"
+#include "folder.h"
+#include "number.h"
+#include "progress.h"
+#include "pictures.h"
+#include "study.h"
+#include "study_csv.h"
+#include "study_files.h"
+
+static const char usage[] =
+    "Usage: mpirun -n RANKS vti-study [options] [SCENE.yaml]\n"
+    "\n"
+    "Runs a scene (default: the paper's pendulum) with several steppers and steps, measures every run against a "
+    "reference\n"
+    "solution and fits the orders of convergence. Writes study.h5, study.csv, timing.csv and pictures.\n"
+    "\n"
+    "  --steppers A,B    steppers (default vti1,vti2,vti3)\n"
+    "  --h STEPS         one step, a list, or a ladder by factors of two (default 2^-4:2^-13);\n"
+    "                    numbers may be written 0.01, 1/64 or 2^-6\n"
+    "  --t-end T         end time (default: the scene's). A run takes the whole steps that fit into it\n"
+    "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
+    "  -o FOLDER         output folder (default study-SCENE)\n"
+    "  --no-plot         no pictures\n"
+    "  -h, --help        this text\n";
+
+enum { SETS = 64 };
+
+struct arguments {
+    const char *scene, *steppers, *h, *t_end, *folder;
+    const char *sets[SETS];
+    int sets_count, plot, help;
+};
+
+static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
+{
+    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT };
+    static const struct option options[] = {{"steppers", required_argument, NULL, STEPPERS},
+                                            {"h", required_argument, NULL, H},
+                                            {"t-end", required_argument, NULL, T_END},
+                                            {"set", required_argument, NULL, SET},
+                                            {"no-plot", no_argument, NULL, NO_PLOT},
+                                            {"help", no_argument, NULL, 'h'},
+                                            {NULL, 0, NULL, 0}};
+    const struct arguments defaults = {NULL, "vti1,vti2,vti3", "2^-4:2^-13", NULL, NULL, {NULL}, 0, 1, 0};
+    *a = defaults;
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, ":ho:", options, NULL)) != -1;) {
+        if (c == STEPPERS)
+            a->steppers = optarg;
+        else if (c == H)
+            a->h = optarg;
+        else if (c == T_END)
+            a->t_end = optarg;
+        else if (c == NO_PLOT)
+            a->plot = 0;
+        else if (c == 'h')
+            a->help = 1;
+        else if (c == 'o')
+            a->folder = optarg;
+        else if (c == SET && a->sets_count < SETS)
+            a->sets[a->sets_count++] = optarg;
+        else if (c == SET)
+            return message_set(message, "--set: given more than %d times; put the values into a scene file", SETS);
+        else if (c == ':')
+            return message_set(message, "%s: needs a value; see vti-study --help", argv[optind - 1]);
+        else
+            return message_set(message, "%s: is not an option; see vti-study --help", argv[optind - 1]);
+    }
+    a->scene = optind < argc ? argv[optind] : NULL;
+    if (optind + 1 < argc)
+        return message_set(message, "%s: only one scene can be studied at a time; remove it", argv[optind + 1]);
+    return 0;
+}
+
+static int make_plan(const struct arguments *a, struct scene *scene, struct plan *plan, struct message *message)
+{
+    char shipped[BESIDE_PATH];
+    if (a->scene == NULL && beside_scene("pendulum.yaml", shipped) != 0)
+        return message_set(message,
+                           "the shipped scene pendulum.yaml was not found beside the program; name a scene file");
+    if (scene_read(a->scene != NULL ? a->scene : shipped, a->sets, a->sets_count, scene, message) != 0)
+        return -1;
+    plan->scene = scene;
+    plan->t_end = scene->t_end;
+    if (a->t_end != NULL && (number_read(a->t_end, &plan->t_end) != 0 || !(plan->t_end > 0.0)))
+        return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", a->t_end);
+    if (study_read_steppers(a->steppers, plan, message) != 0)
+        return -1;
+    plan->h_count = ladder_read(a->h, plan->h, message);
+    return plan->h_count > 0 ? 0 : -1;
+}
+
+static void say(const struct study *study, const char *folder)
+{
+    const struct plan *plan = study->plan;
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        if (study->trials[k].t_end != plan->t_end)
+            printf(
+                "note: t_end = %.10g is not a multiple of h = %.10g: those runs take %lld steps and end at t = %.10g\n",
+                plan->t_end, plan->h[k], (long long)study->trials[k].steps, study->trials[k].t_end);
+    study_table_write(study, stdout);
+    printf("\nreference: rk8pd, its energy constant to %.0e, its interpolation good to %.0e; ||q||^2 = %.13g\n",
+           study->reference_energy_error, study->reference_interpolation_error, study->norm_squared);
+    printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,
+           study->seconds, folder);
+}
+
+/** The lowest rank that failed, which is the one that speaks, or -1. Collective. */
+static int first_failure(int failed, int rank)
+{
+    int ranks, first;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    first = failed != 0 ? rank : ranks;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    return first < ranks ? first : -1;
+}
+
+/** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
+static int agree(int failed, int rank, const struct message *message)
+{
+    const int first = first_failure(failed, rank);
+    if (first == rank) {
+        progress_clear();
+        fprintf(stderr, "vti-study: %s\n", message->text);
+    }
+    return first < 0 ? 0 : -1;
+}
+
+static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *wants_plot)
+{
+    static struct scene scene;
+    static struct plan plan;
+    struct arguments arguments;
+    struct study study;
+    struct message message = {""};
+    int failed = read_arguments(argc, argv, &arguments, &message);
+    if (failed == 0 && arguments.help) {
+        if (rank == 0)
+            fputs(usage, stdout);
+        return 0;
+    }
+    if (failed == 0)
+        failed = make_plan(&arguments, &scene, &plan, &message);
+    if (agree(failed, rank, &message) != 0)
+        return -1;
+
+    if (arguments.folder != NULL)
+        snprintf(folder, FOLDER_PATH, "%s", arguments.folder);
+    else
+        snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
+    if (agree(rank == 0 ? folder_create(folder, &message) : 0, rank, &message) != 0)
+        return -1;
+
+    failed = study_run(&plan, MPI_COMM_WORLD, progress_show, &study, &message);
+    progress_clear();
+    if (failed == 0 && rank == 0) {
+        failed = study_files_write(&study, folder, &message);
+        if (failed == 0)
+            say(&study, folder);
+    }
+    study_destroy(&study);
+    *wants_plot = rank == 0 && arguments.plot;
+    return agree(failed, rank, &message);
+}
+
+int main(int argc, char **argv)
+{
+    static char folder[FOLDER_PATH];
+    struct message message;
+    int rank, wants_plot = 0;
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    int failed = run(argc, argv, rank, folder, &wants_plot);
+    fflush(stdout);
+    MPI_Finalize();
+    /* forking is not safe on every transport while MPI is up, so pictures come last */
+    if (failed == 0 && wants_plot && pictures_draw(folder, "study.h5", &message) != 0) {
+        fprintf(stderr, "vti-study: %s\n", message.text);
+        failed = -1;
+    }
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
