@@ -116,7 +116,7 @@ static inline double vti_pair_distance(const double p[4], const double q[4])
     double x[3], d[4];
     vti_cross(p, q, x);
     for (int k = 0; k < 3; ++k)
-        d[k] = (q[3] * p[k] - p[3] * q[k]) + x[k];
+        d[k] = (q[3] * p[k] - p[3] * q[k]) - x[k];
     d[3] = p[3] * q[3] + vti_dot(p, q);
     return vti_pair_angle(d);
 }

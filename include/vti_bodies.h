@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Status codes, and bodies as views of the caller's memory. */
+#ifndef VTI_BODIES_H
+#define VTI_BODIES_H
+
+#include <stdint.h>
+
+#include "vti_rrv.h"
+
+/** Layout of the structs of the interface; vti_bodies.abi must hold it, so that a stale header is refused. */
+#define VTI_ABI 1
+
+#if defined(__GNUC__)
+#define VTI_API __attribute__((visibility("default")))
+#else
+#define VTI_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- status -------------------------------------------------------------------------------------------------- */
+
+enum vti_status {
+    VTI_OK = 0,
+    VTI_E_NULL = -1,
+    VTI_E_ABI = -2,
+    VTI_E_COUNT = -3,
+    VTI_E_VIEW = -4,
+    VTI_E_STRIDE = -5,
+    VTI_E_ALIAS = -6,
+    VTI_E_TIME = -7,
+    VTI_E_MASS = -8,
+    VTI_E_INERTIA = -9,
+    VTI_E_TOO_LARGE = -10,
+    VTI_E_STAGE = -11,
+    VTI_E_STEPPER = -12,
+    VTI_E_FRAME = -13
+};
+
+/** One English sentence for a status, remedy included; never NULL. */
+VTI_API const char *vti_status_text(int status);
+
+/** Where and why a call failed: the body (0-based index into the views, -1 if no body is to blame) and the value. */
+typedef struct vti_fault {
+    int64_t body;
+    double value;
+} vti_fault;
+
+/* ---- bodies as views ----------------------------------------------------------------------------------------- */
+
+/** n three-vectors in the caller's memory: component k of vector i is c[k][i*stride] (stride in doubles).
+ *  c = {NULL, NULL, NULL} means that the quantity, and all physics that needs it, is absent. */
+typedef struct vti_view {
+    double *c[3];
+    int64_t stride;
+} vti_view;
+
+/** n quaternions; component k (x, y, z, w) of quaternion i is xyzw[k][i*stride]. */
+typedef struct vti_quat_view {
+    double *xyzw[4];
+    int64_t stride;
+} vti_quat_view;
+
+/** n positive numbers p[i*stride]; stride 0 is one value for all. */
+typedef struct vti_scalars {
+    const double *p;
+    int64_t stride;
+} vti_scalars;
+
+/** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
+ *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. mass is
+ *  needed for a force and for momenta, inertia for a moment and for spin. Give the attitude as alpha or as a quaternion,
+ *  never as both. Start from vti_bodies_none(). */
+typedef struct vti_bodies {
+    int64_t abi;        /* VTI_ABI */
+    int64_t first;      /* index of the first body of the slice, 0-based */
+    int64_t count;      /* bodies in the slice, >= 0 */
+    vti_view x;         /* position of the centre */
+    vti_view v;         /* velocity of the centre */
+    vti_view force;     /* F */
+    vti_view alpha;     /* attitude, rescaled Rodrigues vector */
+    vti_quat_view quat; /* or attitude, unit quaternion */
+    vti_view omega;     /* Omega, spatial angular velocity */
+    vti_view moment;    /* RM, spatial moment about the centre */
+    vti_scalars mass;
+    vti_scalars inertia; /* J */
+    /* Rounding errors carried along (compensated sums): what x, v, alpha and omega leave out, starting from 0. Each is
+     * absent, or goes with its quantity; then its additions are exact to second order in eps. */
+    vti_view x_low;
+    vti_view v_low;
+    vti_view alpha_low;
+    vti_view omega_low;
+} vti_bodies;
+
+static inline vti_view vti_view_none(void)
+{
+    vti_view view = {{0, 0, 0}, 0};
+    return view;
+}
+
+/** x[n][3] in C, x(3,n) in Fortran. */
+static inline vti_view vti_view_packed(double *p)
+{
+    vti_view view = {{p, p + 1, p + 2}, 3};
+    return view;
+}
+
+/** Three arrays of n; x(n,3) in Fortran is {x, x + n, x + 2n}. */
+static inline vti_view vti_view_separate(double *x, double *y, double *z)
+{
+    vti_view view = {{x, y, z}, 1};
+    return view;
+}
+
+/** A double[3] member of an array of structs: p is the member in element 0, bytes the size of a struct (a multiple of
+ *  sizeof(double)). */
+static inline vti_view vti_view_member(double *p, int64_t bytes)
+{
+    vti_view view = {{p, p + 1, p + 2}, bytes / (int64_t)sizeof(double)};
+    return view;
+}
+
+static inline vti_scalars vti_scalars_one(const double *value)
+{
+    vti_scalars s = {value, 0};
+    return s;
+}
+
+static inline vti_scalars vti_scalars_array(const double *values)
+{
+    vti_scalars s = {values, 1};
+    return s;
+}
+
+/** n bodies of which nothing is known yet. */
+static inline vti_bodies vti_bodies_none(int64_t n)
+{
+    const vti_view none = {{0, 0, 0}, 0};
+    const vti_quat_view no_quat = {{0, 0, 0, 0}, 0};
+    const vti_scalars no_scalars = {0, 0};
+    const vti_bodies b = {VTI_ABI, 0,    n,          none,       none, none, none, no_quat,
+                          none,    none, no_scalars, no_scalars, none, none, none, none};
+    return b;
+}
+
+/** The same bodies, restricted to count of them from first. */
+static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t count)
+{
+    b.first = first;
+    b.count = count;
+    return b;
+}
+
+/** The checks that cost nothing per body: ABI, counts, half-given views, zero strides, two quantities on one memory, mass
+ *  or inertia missing. Every call that moves bodies makes them. */
+VTI_API int vti_bodies_check(const vti_bodies *bodies);
+
+/** All of vti_bodies_check, and every mass and inertia of the slice finite and > 0. fault may be NULL. */
+VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

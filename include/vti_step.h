@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Kick and drift, and the steppers that are lists of them. */
+#ifndef VTI_STEP_H
+#define VTI_STEP_H
+
+#include "vti_bodies.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- the two primitives (EQUATIONS 2) ------------------------------------------------------------------------- */
+
+/** How a drift turns a body by its angular velocity w; s = t|w|. */
+enum vti_law {
+    VTI_LAW_CLOSED = 1, /* dalpha = 2 t w/(1 + sqrt(1 - s^2)), turns by asin s, needs s < 1 */
+    VTI_LAW_CAYLEY = 2  /* dalpha = t w, turns by 2 atan(s/2) */
+};
+
+/** Frame in which omega and moment are given, and in which the increment therefore acts. */
+enum vti_frame { VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1 };
+
+/** v += t F/m, Omega += t RM/J. t finite, of either sign. */
+VTI_API int vti_kick(double t, const vti_bodies *bodies);
+
+/** x += t v, alpha <- alpha (+) dalpha(t Omega) by the law and frame. t finite, of either sign. All or nothing: if any
+ *  body breaks the closed form's bound t|Omega| < 1 (NaN included), VTI_E_TOO_LARGE and nothing is written. */
+VTI_API int vti_drift(int law, int frame, double t, const vti_bodies *bodies, vti_fault *fault);
+
+/* ---- steppers as data ----------------------------------------------------------------------------------------- */
+
+/** One step: for k = 0 ... stages-1: kick(kick[k] h), drift(drift[k] h), forces; then kick(kick[stages] h). */
+typedef struct vti_stepper {
+    const char *name;
+    int64_t law;
+    int64_t frame;
+    int64_t order;       /* of energy and trajectory */
+    int64_t reversible;  /* 1 if time-reversible */
+    int64_t stages;      /* drifts, and force evaluations, of one step */
+    double lag;          /* velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
+    const double *kick;  /* [stages + 1] */
+    const double *drift; /* [stages] */
+    const char *about;
+} vti_stepper;
+
+/** "vti1", "vti2", "vti3" (the paper's maps), "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body"
+ *  (VTI-1 in the body's frame). NULL if there is none of that name. The objects are constants of the library. */
+VTI_API const vti_stepper *vti_stepper_find(const char *name);
+VTI_API int64_t vti_stepper_count(void);
+/** NULL outside 0 <= index < vti_stepper_count(). */
+VTI_API const vti_stepper *vti_stepper_at(int64_t index);
+
+/*  The loop of a host:
+ *
+ *      forces and moments at t = 0                         (once; the first kick needs them)
+ *      vti_step_start(method, h, &bodies);                 (does nothing but for "vti3-leapfrog")
+ *      for every step {
+ *          vti_step_begin(method, h, &bodies, &fault);
+ *          forces and moments at the new positions
+ *          vti_step_finish(method, h, &bodies);
+ *      }
+ *
+ *  Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
+ *  vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish. h is finite and > 0. */
+
+/** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
+ *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is not a number) and that value. */
+VTI_API int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault);
+/** Stage k; vti_step_begin is stage 0. */
+VTI_API int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies, vti_fault *fault);
+/** The last kick. */
+VTI_API int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *bodies);
+
+/** Moves velocities from t to t - lag h, where the method keeps them: kick(-lag h). */
+VTI_API int vti_step_start(const vti_stepper *method, double h, const vti_bodies *bodies);
+/** Moves velocities back to t: kick(lag h). To read without disturbing the run, call it on bodies whose v and omega are
+ *  copies. */
+VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *bodies);
+
+/* ---- the packed door ------------------------------------------------------------------------------------------- */
+
+/** For codes whose arrays are x[n][3] (Fortran x(3,n)) and that want no structs. stepper is an index for
+ *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. NULL arrays are absent physics as above. masses and inertias: 1 (one value
+ *  for all) or n. Same arithmetic, same bits as through views. On failure body receives the 0-based culprit (or -1) and
+ *  value its h|Omega|; both may be NULL. */
+VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
+                             double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
+                             int64_t inertias, const double *inertia, int64_t *body, double *value);
+VTI_API int vti_packed_finish(int64_t stepper, double h, int64_t n, double *v, const double *force, double *omega,
+                              const double *moment, int64_t masses, const double *mass, int64_t inertias,
+                              const double *inertia);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
