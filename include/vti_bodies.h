@@ -36,7 +36,8 @@ enum vti_status {
     VTI_E_TOO_LARGE = -10,
     VTI_E_STAGE = -11,
     VTI_E_STEPPER = -12,
-    VTI_E_FRAME = -13
+    VTI_E_FRAME = -13,
+    VTI_E_BOND = -14
 };
 
 /** One English sentence for a status, remedy included; never NULL. */
@@ -114,11 +115,12 @@ static inline vti_view vti_view_separate(double *x, double *y, double *z)
     return view;
 }
 
-/** A double[3] member of an array of structs: p is the member in element 0, bytes the size of a struct (a multiple of
- *  sizeof(double)). */
+/** A double[3] member of an array of structs: p is the member in element 0, bytes the size of a struct. That must be
+ *  a multiple of sizeof(double); otherwise the view is of stride 0, which is refused for more than one body. */
 static inline vti_view vti_view_member(double *p, int64_t bytes)
 {
-    vti_view view = {{p, p + 1, p + 2}, bytes / (int64_t)sizeof(double)};
+    const int64_t size = (int64_t)sizeof(double);
+    vti_view view = {{p, p + 1, p + 2}, bytes % size == 0 ? bytes / size : 0};
     return view;
 }
 

@@ -26,8 +26,9 @@ static int quat_check(const vti_bodies *b, int64_t end)
     if (given < 4 || vti_has(&b->alpha) || vti_has(&b->alpha_low))
         return VTI_E_VIEW;
     for (int k = 0; k < 4; ++k)
-        if (c[k] == c[(k + 1) % 4] || c[k] == c[(k + 2) % 4])
-            return VTI_E_ALIAS;
+        for (int j = 0; j < k; ++j)
+            if (c[k] == c[j])
+                return VTI_E_ALIAS;
     return b->quat.stride == 0 && end > 1 ? VTI_E_STRIDE : VTI_OK;
 }
 
@@ -68,6 +69,8 @@ int vti_bodies_check(const vti_bodies *b)
         return VTI_E_ABI;
     if (b->first < 0 || b->count < 0 || b->first > INT64_MAX - b->count)
         return VTI_E_COUNT;
+    if (b->count == 0) /* nothing will be touched, and empty arrays may share an address */
+        return VTI_OK;
 
     const int64_t end = b->first + b->count;
     int status = view_check(&b->x, end);

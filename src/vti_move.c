@@ -219,13 +219,15 @@ void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t 
  *  the square root will see. */
 static inline double turn_squared(const vti_bodies *b, double kick_t, double t, int64_t i)
 {
-    double w[3], m[3];
+    double w[3], m[3], low[3] = {0.0, 0.0, 0.0};
     vti_load(&b->omega, i, w);
     if (vti_has(&b->moment)) {
         const double k = kick_t / vti_scalar(&b->inertia, i);
         vti_load(&b->moment, i, m);
+        if (vti_has(&b->omega_low))
+            vti_load(&b->omega_low, i, low);
         for (int c = 0; c < 3; ++c)
-            w[c] += k * m[c];
+            w[c] = vti_has(&b->omega_low) ? add_compensated(w[c], k * m[c], &low[c]) : w[c] + k * m[c];
     }
     for (int c = 0; c < 3; ++c)
         w[c] *= t;

@@ -9,7 +9,7 @@ static const struct {
     {VTI_OK, "no error"},
     {VTI_E_NULL, "a required argument is NULL; pass bodies, stepper and effects that exist"},
     {VTI_E_ABI, "the bodies were made with another version of vti.h than this library; recompile against its header"},
-    {VTI_E_COUNT, "first or count of a slice (or a number of effects) is negative; use values >= 0"},
+    {VTI_E_COUNT, "a number of bodies, effects or values is negative, or neither 1 nor n; correct it"},
     {VTI_E_VIEW,
      "a view is given in part, or the attitude both as alpha and as a quaternion; give all components or none"},
     {VTI_E_STRIDE, "a view of more than one body has stride 0; give the distance of consecutive bodies in doubles"},
@@ -22,6 +22,8 @@ static const struct {
     {VTI_E_STAGE, "the stepper has no such stage; use 0 <= k < stages"},
     {VTI_E_STEPPER, "there is no such stepper or drift law; vti_stepper_at lists the steppers"},
     {VTI_E_FRAME, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY"},
+    {VTI_E_BOND, "a bond is not between two different bodies that exist at different places, or a stiffness of it is "
+                 "negative or not finite; mend that bond"},
 };
 
 const char *vti_status_text(int status)

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Hertzian contact of spheres with each other and with walls (EQUATIONS 3, E4). With o = [1 - gap/D]_+ the overlap as a share
+ * of D:
+ *
+ *     U = 2/5 K o^{5/2},     |F| = (K/D) o^{3/2}                                                                     */
+#include "vti_internal.h"
+
+/** |F| of the overlap o > 0 on the length D. */
+static inline double hertz_force(double stiffness, double length, double o)
+{
+    return stiffness / length * o * sqrt(o);
+}
+
+static inline double hertz_energy(double stiffness, double o)
+{
+    return 0.4 * stiffness * o * o * sqrt(o);
+}
+
+/* ---- pairs ---------------------------------------------------------------------------------------------------------- */
+
+/** d = x_i - x_j and D of pair k; returns 1 if they touch. */
+static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, double d[3], double *length, double *r2)
+{
+    const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+    double xj[3];
+    vti_load(&b->x, i, d);
+    vti_load(&b->x, j, xj);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= xj[c];
+    *length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
+    *r2 = vti_dot(d, d);
+    return *r2 < *length * *length;
+}
+
+/** F_i = (K/D) o^{3/2} n = -F_j */
+static void contacts_apply(const void *self, const vti_bodies *b)
+{
+    const vti_contacts *p = self;
+    for (int64_t k = 0; vti_has(&b->x) && vti_has(&b->force) && k < p->count; ++k) {
+        double d[3], length, r2;
+        if (!touch(p, b, k, d, &length, &r2))
+            continue;
+        const double r = sqrt(r2), inv_r = r > 0.0 ? 1.0 / r : 0.0;
+        const double f = hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
+        const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
+        vti_add(&b->force, p->pair[2 * k] - p->base, force);
+        vti_add(&b->force, p->pair[2 * k + 1] - p->base, back);
+    }
+}
+
+static void contacts_energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_contacts *p = self;
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t k = 0; vti_has(&b->x) && k < p->count; ++k) {
+        double d[3], length, r2;
+        if (touch(p, b, k, d, &length, &r2))
+            vti_sum_add(&sum, hertz_energy(p->stiffness, 1.0 - sqrt(r2) / length));
+    }
+    energies[0] = vti_sum_value(&sum);
+}
+
+vti_effect vti_contacts_effect(const vti_contacts *contacts)
+{
+    static const char *const term[] = {"contact"};
+    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts, 1, term, 0};
+    return effect;
+}
+
+/* ---- walls ---------------------------------------------------------------------------------------------------------- */
+
+/** Overlap with a plane of a body of radius D/2: positive if they touch. */
+static inline double wall_overlap(const vti_walls *p, const vti_bodies *b, const double *plane, int64_t i,
+                                  double *radius)
+{
+    double x[3];
+    vti_load(&b->x, i, x);
+    *radius = 0.5 * vti_scalar(&p->diameter, i);
+    return 1.0 - (vti_dot(plane, x) - plane[3]) / *radius;
+}
+
+/** F = (K/(D/2)) o^{3/2} along the normal */
+static void walls_apply(const void *self, const vti_bodies *b)
+{
+    const vti_walls *p = self;
+    for (int64_t w = 0; vti_has(&b->x) && vti_has(&b->force) && w < p->count; ++w) {
+        const double *plane = p->plane + 4 * w;
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            double radius;
+            const double o = wall_overlap(p, b, plane, i, &radius);
+            if (!(o > 0.0))
+                continue;
+            const double f = hertz_force(p->stiffness, radius, o),
+                         force[3] = {f * plane[0], f * plane[1], f * plane[2]};
+            vti_add(&b->force, i, force);
+        }
+    }
+}
+
+static void walls_energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_walls *p = self;
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t w = 0; vti_has(&b->x) && w < p->count; ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            double radius;
+            const double o = wall_overlap(p, b, p->plane + 4 * w, i, &radius);
+            if (o > 0.0)
+                vti_sum_add(&sum, hertz_energy(p->stiffness, o));
+        }
+    energies[0] = vti_sum_value(&sum);
+}
+
+vti_effect vti_walls_effect(const vti_walls *walls)
+{
+    static const char *const term[] = {"wall"};
+    int64_t breaks = 0;
+    for (int64_t w = 0; w < walls->count; ++w)
+        for (int k = 0; k < 3; ++k)
+            if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
+                breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    const vti_effect effect = {"wall", walls_apply, walls_energy, walls, 1, term, breaks};
+    return effect;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Uniform gravity: F = m g, U = -m g.x. */
+#include "vti_internal.h"
+
+static void apply(const void *self, const vti_bodies *b)
+{
+    const vti_gravity *p = self;
+    if (!vti_has(&b->force) || b->mass.p == NULL)
+        return;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        const double m = vti_scalar(&b->mass, i), force[3] = {m * p->g[0], m * p->g[1], m * p->g[2]};
+        vti_add(&b->force, i, force);
+    }
+}
+
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_gravity *p = self;
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t i = b->first; vti_has(&b->x) && b->mass.p != NULL && i < b->first + b->count; ++i) {
+        double x[3];
+        vti_load(&b->x, i, x);
+        vti_sum_add(&sum, -vti_scalar(&b->mass, i) * vti_dot(p->g, x));
+    }
+    energies[0] = vti_sum_value(&sum);
+}
+
+vti_effect vti_gravity_effect(const vti_gravity *gravity)
+{
+    static const char *const term[] = {"gravity"};
+    int64_t breaks = 0;
+    for (int k = 0; k < 3; ++k)
+        if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */
+            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    const vti_effect effect = {"gravity", apply, energy, gravity, 1, term, breaks};
+    return effect;
+}

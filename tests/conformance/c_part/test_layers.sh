@@ -1,0 +1,90 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Includes point down only. L0 include/ src/: C99, math.h, string.h and the library's own; L2 drivers/sim: L0 and libc, no
+# GSL, HDF5 or MPI; L3 drivers/study, drivers/io: what is below and each other; L4 drivers/*.c: L3 and below, and of the
+# libraries MPI at most, which has to be initialised by main. The core neither allocates nor prints nor ends the program.
+#     test_layers.sh SOURCE_DIRECTORY
+set -eu
+cd "$1"
+failed=0
+
+complain() {
+    echo "$*" >&2
+    failed=1
+}
+
+# system_headers FILE..., own_headers FILE...: "file name" of each #include <name>, or "name"
+system_headers() {
+    grep -HE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' "$@" | sed -E 's/^([^:]*):[^<]*<([^>]*)>.*/\1 \2/' || true
+}
+own_headers() {
+    grep -HE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "$@" | sed -E 's/^([^:]*):[^"]*"([^"]*)".*/\1 \2/' || true
+}
+
+# from LIST FOLDER...: every "file name" of the list names a file of one of the folders
+from() {
+    list=$1
+    shift
+    while read -r file name; do
+        [ -n "$file" ] || continue
+        found=0
+        for folder in "$@"; do
+            case $name in */*) ;; *) [ ! -f "$folder/$name" ] || found=1 ;; esac
+        done
+        [ "$found" = 1 ] || complain "$file includes \"$name\", which is not in: $*"
+    done <<EOF
+$list
+EOF
+}
+
+# without LIST PATTERN: no name of the list matches the extended regular expression
+without() {
+    bad=$(printf '%s\n' "$1" | grep -E " ($2)" || true)
+    [ -z "$bad" ] || complain "includes that point up or sideways:
+$bad"
+}
+
+# L0
+core="include/*.h src/*.h src/*.c"
+# shellcheck disable=SC2086  # patterns of files
+{
+    strangers=$(system_headers $core | grep -vE ' (float|iso646|limits|math|stdarg|stdbool|stddef|stdint|string)\.h$' || true)
+    [ -z "$strangers" ] || complain "the core includes more than C99, math.h and string.h:
+$strangers"
+    from "$(own_headers include/*.h)" include
+    from "$(own_headers $core)" include src
+    calls='(malloc|calloc|realloc|free|alloca|printf|fprintf|sprintf|snprintf|puts|putchar|fopen|exit|_Exit|abort|assert|getenv|setlocale|rand)'
+    bad=$(sed -E 's://.*$::; s:"([^"\\]|\\.)*":"":g' $core | awk '{
+            line = $0
+            while (1) {
+                if (comment) { i = index(line, "*/"); if (!i) next; line = substr(line, i + 2); comment = 0 }
+                i = index(line, "/*"); if (!i) break
+                rest = substr(line, i + 2); printf "%s ", substr(line, 1, i - 1); line = rest; comment = 1
+            }
+            print line }' | grep -nE "(^|[^A-Za-z0-9_])$calls[[:space:]]*\(" || true)
+    [ -z "$bad" ] || complain "the core calls what it must not:
+$bad"
+}
+[ -n "$(own_headers src/*.c)" ] || complain "no includes found in src: this test does not see what it should"
+
+# L2 to L4, as far as they exist
+heavy='gsl/|hdf5|H5|mpi'
+if ls drivers/sim/*.[ch] >/dev/null 2>&1; then
+    without "$(system_headers drivers/sim/*.[ch])" "$heavy"
+    from "$(own_headers drivers/sim/*.[ch])" include drivers/sim
+fi
+for layer in study io; do
+    if ls drivers/$layer/*.[ch] >/dev/null 2>&1; then
+        from "$(own_headers drivers/$layer/*.[ch])" include drivers/sim drivers/study drivers/io
+    fi
+done
+if ls drivers/*.c >/dev/null 2>&1; then
+    without "$(system_headers drivers/*.c)" 'gsl/|hdf5|H5'
+    from "$(own_headers drivers/*.c)" include drivers/sim drivers/study drivers/io
+fi
+
+# the core's private header stays in src
+private=$(grep -rlE '#[[:space:]]*include[[:space:]]*["<].*vti_internal\.h' --include='*.[ch]' include drivers examples fortran tests \
+    2>/dev/null || true)
+[ -z "$private" ] || complain "vti_internal.h is private to src, but included by: $private"
+exit $failed

@@ -1,0 +1,24 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# The shared library exports exactly the functions that the headers declare with VTI_API, all of them vti_..., and calls
+# nothing that allocates, prints or ends the program.
+#     test_symbols.sh SHARED_LIBRARY INCLUDE_DIRECTORY
+set -eu
+library=$1 include=$2
+command -v nm >/dev/null || exit 77
+exported=$(nm -D --defined-only "$library" | awk '{print $NF}' | sed 's/@.*//' | sort)
+declared=$(sed -nE 's/^VTI_API .*[ *](vti_[a-z0-9_]+)\(.*/\1/p' "$include"/*.h | sort)
+[ -n "$declared" ] || { echo "no declarations found in $include" >&2; exit 1; }
+
+foreign=$(printf '%s\n' "$exported" | grep -v '^vti_' || true)
+[ -z "$foreign" ] || { echo "exported without the prefix vti_: $foreign" >&2; exit 1; }
+[ "$exported" = "$declared" ] || {
+    echo "exported and declared differ:" >&2
+    printf '%s\n%s\n' "$exported" "$declared" | sort | uniq -u >&2
+    exit 1
+}
+forbidden=$(nm -D --undefined-only "$library" | awk '{print $NF}' | sed 's/@.*//' |
+    grep -E '^(malloc|calloc|realloc|free|.*printf.*|puts|putchar|fputs|fwrite|fopen|exit|_exit|abort|__assert_fail|getenv)$' ||
+    true)
+[ -z "$forbidden" ] || { echo "the library calls: $forbidden" >&2; exit 1; }
+printf '%s\n' "$exported" | wc -l | sed 's/$/ symbols, as declared/'

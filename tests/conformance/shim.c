@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The C side of the Fortran conformance tests: what C says of the shared types, and the runs that Fortran must repeat
+ * bit by bit. The forces are here only, so that both sides compute them by the same code. */
+#include <stddef.h>
+
+#include "vti.h"
+
+/* ---- types and constants -------------------------------------------------------------------------------------- */
+
+#define SIZE(type) (int64_t)sizeof(type)
+#define AT(type, member) (int64_t) offsetof(type, member)
+
+/* each type: its size, then where each of its members is */
+static const int64_t layout[] = {
+    SIZE(vti_fault),           AT(vti_fault, body),      AT(vti_fault, value),        SIZE(vti_view),
+    AT(vti_view, c),           AT(vti_view, stride),     SIZE(vti_quat_view),         AT(vti_quat_view, xyzw),
+    AT(vti_quat_view, stride), SIZE(vti_scalars),        AT(vti_scalars, p),          AT(vti_scalars, stride),
+    SIZE(vti_bodies),          AT(vti_bodies, abi),      AT(vti_bodies, first),       AT(vti_bodies, count),
+    AT(vti_bodies, x),         AT(vti_bodies, v),        AT(vti_bodies, force),       AT(vti_bodies, alpha),
+    AT(vti_bodies, quat),      AT(vti_bodies, omega),    AT(vti_bodies, moment),      AT(vti_bodies, mass),
+    AT(vti_bodies, inertia),   AT(vti_bodies, x_low),    AT(vti_bodies, v_low),       AT(vti_bodies, alpha_low),
+    AT(vti_bodies, omega_low), SIZE(vti_stepper),        AT(vti_stepper, name),       AT(vti_stepper, law),
+    AT(vti_stepper, frame),    AT(vti_stepper, order),   AT(vti_stepper, reversible), AT(vti_stepper, stages),
+    AT(vti_stepper, lag),      AT(vti_stepper, kick),    AT(vti_stepper, drift),      AT(vti_stepper, about),
+    SIZE(vti_effect),          AT(vti_effect, name),     AT(vti_effect, apply),       AT(vti_effect, energy),
+    AT(vti_effect, self),      AT(vti_effect, terms),    AT(vti_effect, term),        AT(vti_effect, breaks),
+    SIZE(vti_pendulum),        AT(vti_pendulum, weight), AT(vti_pendulum, rho0)};
+
+static const int64_t constants[] = {VTI_ABI,        VTI_OK,          VTI_E_NULL,      VTI_E_ABI,     VTI_E_COUNT,
+                                    VTI_E_VIEW,     VTI_E_STRIDE,    VTI_E_ALIAS,     VTI_E_TIME,    VTI_E_MASS,
+                                    VTI_E_INERTIA,  VTI_E_TOO_LARGE, VTI_E_STAGE,     VTI_E_STEPPER, VTI_E_FRAME,
+                                    VTI_LAW_CLOSED, VTI_LAW_CAYLEY,  VTI_FRAME_SPACE, VTI_FRAME_BODY};
+
+int64_t shim_layout(int64_t room, int64_t *values);
+int64_t shim_constants(int64_t room, int64_t *values);
+
+static int64_t give(const int64_t *from, size_t bytes, int64_t room, int64_t *values)
+{
+    const int64_t n = (int64_t)(bytes / sizeof *from);
+    for (int64_t i = 0; i < n && i < room; ++i)
+        values[i] = from[i];
+    return n;
+}
+
+/** Writes at most room numbers and returns how many there are. */
+int64_t shim_layout(int64_t room, int64_t *values)
+{
+    return give(layout, sizeof layout, room, values);
+}
+
+int64_t shim_constants(int64_t room, int64_t *values)
+{
+    return give(constants, sizeof constants, room, values);
+}
+
+/* ---- runs ------------------------------------------------------------------------------------------------------- */
+
+static const vti_pendulum arm = {0.75, {0.3, -0.4, 0.8}};
+static const double field[3] = {0.5, -0.25, 0.75};
+
+void shim_forces(const vti_bodies *b);
+int shim_run(int64_t stepper, double h, int64_t steps, int64_t n, double *x, double *v, double *alpha, double *quat,
+             double *omega, const double *mass, const double *inertia);
+void shim_measures(const vti_bodies *b, const vti_bodies *other, double values[21]);
+
+/** force = -x; moment = (R rho0) x field, a moment of the attitude with no component that stays 0. */
+void shim_forces(const vti_bodies *b)
+{
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double a[3], moment[3];
+        vti_pendulum_arm(&arm, b, i, a);
+        vti_cross(a, field, moment);
+        for (int k = 0; k < 3; ++k) {
+            b->force.c[k][i * b->force.stride] = -b->x.c[k][i * b->x.stride];
+            b->moment.c[k][i * b->moment.stride] = moment[k];
+        }
+    }
+}
+
+enum { MOST = 16 };
+
+/** The loop of a host on x[n][3] arrays; the attitude is quat[n][4] if alpha is NULL. */
+int shim_run(int64_t stepper, double h, int64_t steps, int64_t n, double *x, double *v, double *alpha, double *quat,
+             double *omega, const double *mass, const double *inertia)
+{
+    const vti_stepper *method = vti_stepper_at(stepper);
+    double force[MOST][3], moment[MOST][3];
+    if (n > MOST || method == NULL)
+        return VTI_E_COUNT;
+
+    vti_bodies b = vti_bodies_none(n);
+    b.x = vti_view_packed(x);
+    b.v = vti_view_packed(v);
+    b.force = vti_view_packed(force[0]);
+    b.omega = vti_view_packed(omega);
+    b.moment = vti_view_packed(moment[0]);
+    b.mass = vti_scalars_array(mass);
+    b.inertia = vti_scalars_array(inertia);
+    if (alpha != NULL) {
+        b.alpha = vti_view_packed(alpha);
+    } else {
+        const vti_quat_view view = {{quat, quat + 1, quat + 2, quat + 3}, 4};
+        b.quat = view;
+    }
+
+    shim_forces(&b);
+    int status = vti_step_start(method, h, &b);
+    for (int64_t i = 0; status == VTI_OK && i < steps; ++i) {
+        for (int64_t k = 0; status == VTI_OK && k < method->stages; ++k) {
+            status = vti_step_stage(method, k, h, &b, NULL);
+            shim_forces(&b);
+        }
+        if (status == VTI_OK)
+            status = vti_step_finish(method, h, &b);
+    }
+    return status == VTI_OK ? vti_step_sync(method, h, &b) : status;
+}
+
+/** Every measure, as C gets it from the bodies that Fortran describes. */
+void shim_measures(const vti_bodies *b, const vti_bodies *other, double values[21])
+{
+    const double about[3] = {0.25, -0.5, 1.0};
+    const vti_effect effect = vti_pendulum_effect(&arm);
+    values[0] = vti_kinetic_translation(b);
+    values[1] = vti_kinetic_rotation(b);
+    values[2] = vti_energy(&effect, 1, b);
+    values[3] = vti_max_turn(0.5, b);
+    values[4] = vti_h1_density(b);
+    values[5] = vti_h1_distance(b, other);
+    values[6] = vti_attitude_distance(b, other);
+    vti_momentum(b, values + 7);
+    vti_spin(b, values + 10);
+    vti_angular_momentum(b, about, values + 13);
+    vti_pendulum_arm(&arm, b, 4, values + 16); /* body 5 of Fortran */
+    values[19] = (double)effect.terms;
+    values[20] = (double)effect.breaks;
+}

@@ -1,0 +1,259 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!> Fortran arrays of any layout, and the packed door, move as C moves them: the same bits after 1000 steps, for every
+!> stepper of the library, and nothing else in the caller's arrays is touched.
+program test_fortran
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr
+    use common
+    implicit none
+
+    !> A host's own type: vectors as members, among other things.
+    type :: particle
+        integer :: id
+        real(c_double) :: radius, x(3), v(3), f(3), alpha(3), omega(3), m(3), mass, inertia
+    end type
+
+    integer(c_int64_t), parameter :: steps = 1000
+    real(c_double), parameter :: h = 1.0_c_double/128, untouched = -7777
+    type(vti_stepper) :: method
+    type(state) :: alpha_run, quat_run
+    integer(c_int64_t) :: k
+
+    do k = 1, vti_stepper_count()
+        method = vti_stepper_at(k)
+        alpha_run = run_in_c(k, .true.)
+        quat_run = run_in_c(k, .false.)
+        call expect(.not. same_bits(alpha_run%omega, quat_run%omega), title()//'the two attitudes are two codes')
+        call columns()
+        call rows()
+        call sections()
+        call members()
+        call quaternions()
+        call slices()
+        call packed(k)
+    end do
+    call finish()
+
+contains
+
+    function title() result(text)
+        character(len=:), allocatable :: text
+        text = vti_text(method%name)//': '
+    end function
+
+    function run_in_c(k, as_alpha) result(s)
+        integer(c_int64_t), intent(in) :: k
+        logical, intent(in) :: as_alpha
+        type(state), target :: s
+        integer(c_int) :: status
+        s = initial()
+        if (as_alpha) then
+            status = shim_run(k - 1, h, steps, n, c_loc(s%x), c_loc(s%v), c_loc(s%alpha), c_null_ptr, c_loc(s%omega), &
+                c_loc(s%mass), c_loc(s%inertia))
+        else
+            status = shim_run(k - 1, h, steps, n, c_loc(s%x), c_loc(s%v), c_null_ptr, c_loc(s%quat), c_loc(s%omega), &
+                c_loc(s%mass), c_loc(s%inertia))
+        end if
+        call expect_status(status, VTI_OK, title()//'the run in C')
+    end function
+
+    !> The loop of a host, over one or more slices of the same bodies.
+    subroutine run(parts, what)
+        type(vti_bodies), intent(in) :: parts(:)
+        character(len=*), intent(in) :: what
+        integer :: i, p
+        integer(c_int64_t) :: stage
+        integer(c_int) :: status
+        type(vti_fault) :: fault
+        do p = 1, size(parts)
+            call expect_status(vti_bodies_check_values(parts(p)), VTI_OK, title()//what//', check')
+            call shim_forces(parts(p))
+            call expect_status(vti_step_start(method, h, parts(p)), VTI_OK, title()//what//', start')
+        end do
+        do i = 1, int(steps)
+            do p = 1, size(parts)
+                do stage = 0, method%stages - 1
+                    if (stage == 0) status = vti_step_begin(method, h, parts(p), fault)
+                    if (stage > 0) status = vti_step_stage(method, stage, h, parts(p), fault)
+                    if (status /= VTI_OK) call expect_status(status, VTI_OK, title()//what//', stage')
+                    call shim_forces(parts(p))
+                end do
+                status = vti_step_finish(method, h, parts(p))
+                if (status /= VTI_OK) call expect_status(status, VTI_OK, title()//what//', finish')
+            end do
+        end do
+        do p = 1, size(parts)
+            call expect_status(vti_step_sync(method, h, parts(p)), VTI_OK, title()//what//', sync')
+        end do
+    end subroutine
+
+    subroutine compare(x, v, alpha, omega, what)
+        real(c_double), intent(in) :: x(:, :), v(:, :), alpha(:, :), omega(:, :)
+        character(len=*), intent(in) :: what
+        call expect(same_bits(x, alpha_run%x), title()//what//', x')
+        call expect(same_bits(v, alpha_run%v), title()//what//', v')
+        call expect(same_bits(alpha, alpha_run%alpha), title()//what//', alpha')
+        call expect(same_bits(omega, alpha_run%omega), title()//what//', omega')
+    end subroutine
+
+    !> Views of the (3,n) arrays of s, with its alpha.
+    function on_columns(s, force, moment) result(b)
+        type(state), intent(in), target :: s
+        real(c_double), intent(in), target :: force(3, n), moment(3, n)
+        type(vti_bodies) :: b
+        b = vti_bodies_none(n)
+        b%x = vti_view_columns(s%x)
+        b%v = vti_view_columns(s%v)
+        b%force = vti_view_columns(force)
+        b%alpha = vti_view_columns(s%alpha)
+        b%omega = vti_view_columns(s%omega)
+        b%moment = vti_view_columns(moment)
+        b%mass = vti_scalars_array(s%mass)
+        b%inertia = vti_scalars_array(s%inertia)
+    end function
+
+    subroutine columns()
+        type(state), target :: s
+        real(c_double), target :: force(3, n), moment(3, n)
+        s = initial()
+        call run([on_columns(s, force, moment)], 'columns')
+        call compare(s%x, s%v, s%alpha, s%omega, 'columns')
+    end subroutine
+
+    subroutine slices()
+        type(state), target :: s
+        real(c_double), target :: force(3, n), moment(3, n)
+        type(vti_bodies) :: b
+        s = initial()
+        b = on_columns(s, force, moment)
+        call run([vti_bodies_slice(b, 4_c_int64_t, n - 3), vti_bodies_slice(b, 1_c_int64_t, 3_c_int64_t)], 'slices')
+        call compare(s%x, s%v, s%alpha, s%omega, 'slices')
+    end subroutine
+
+    subroutine rows()
+        real(c_double), target :: x(n, 3), v(n, 3), force(n, 3), alpha(n, 3), omega(n, 3), moment(n, 3)
+        real(c_double), target :: mass(n), inertia(n)
+        type(state) :: s
+        type(vti_bodies) :: b
+        s = initial()
+        x = transpose(s%x)
+        v = transpose(s%v)
+        alpha = transpose(s%alpha)
+        omega = transpose(s%omega)
+        mass = s%mass
+        inertia = s%inertia
+        b = vti_bodies_none(n)
+        b%x = vti_view_separate(x(:, 1), x(:, 2), x(:, 3))
+        b%v = vti_view_rows(v)
+        b%force = vti_view_rows(force)
+        b%alpha = vti_view_rows(alpha)
+        b%omega = vti_view_rows(omega)
+        b%moment = vti_view_rows(moment)
+        b%mass = vti_scalars_array(mass)
+        b%inertia = vti_scalars_array(inertia)
+        call run([b], 'rows')
+        call compare(transpose(x), transpose(v), transpose(alpha), transpose(omega), 'rows')
+    end subroutine
+
+    !> Every other column of a wider array, rows of a table with bounds of its own, arrays backwards.
+    subroutine sections()
+        real(c_double), target :: wide(3, 2*n), backward(n, 3), scalars(2, n), force(-1:1, n), moment(n, 3)
+        real(c_double), allocatable, target :: table(:, :)
+        type(state) :: s
+        type(vti_bodies) :: b
+        allocate (table(-4:6, 0:int(n) - 1))
+        wide = untouched
+        table = untouched
+        s = initial()
+        wide(:, 2::2) = s%x
+        table(-3:-1, :) = s%v
+        table(2:6:2, :) = s%alpha
+        backward(n:1:-1, :) = transpose(s%omega)
+        scalars(1, :) = s%mass
+        scalars(2, :) = s%inertia
+        b = vti_bodies_none(n)
+        b%x = vti_view_columns(wide(:, 2::2))
+        b%v = vti_view_columns(table(-3:-1, :))
+        b%force = vti_view_columns(force(1:-1:-1, :))
+        b%alpha = vti_view_columns(table(2:6:2, :))
+        b%omega = vti_view_rows(backward(n:1:-1, :))
+        b%moment = vti_view_rows(moment(:, 3:1:-1))
+        b%mass = vti_scalars_member(c_loc(scalars(1, 1)), 16_c_int64_t)
+        b%inertia = vti_scalars_member(c_loc(scalars(2, 1)), 16_c_int64_t)
+        call run([b], 'sections')
+        call compare(wide(:, 2::2), table(-3:-1, :), table(2:6:2, :), transpose(backward(n:1:-1, :)), 'sections')
+        call expect(all(wide(:, 1::2) <= untouched) .and. all(table(-4, :) <= untouched) .and. &
+            all(table(0:1, :) <= untouched) .and. all(table(3:5:2, :) <= untouched), title()//'sections, the rest')
+    end subroutine
+
+    subroutine members()
+        type(particle), target :: p(n)
+        integer(c_int64_t), parameter :: bytes = storage_size(p, c_int64_t)/8
+        type(state) :: s
+        type(vti_bodies) :: b
+        integer :: i
+        s = initial()
+        do i = 1, int(n)
+            p(i) = particle(i, untouched, s%x(:, i), s%v(:, i), 0, s%alpha(:, i), s%omega(:, i), 0, s%mass(i), &
+                s%inertia(i))
+        end do
+        b = vti_bodies_none(n)
+        b%x = vti_view_member(c_loc(p(1)%x), bytes)
+        b%v = vti_view_member(c_loc(p(1)%v), bytes)
+        b%force = vti_view_member(c_loc(p(1)%f), bytes)
+        b%alpha = vti_view_member(c_loc(p(1)%alpha), bytes)
+        b%omega = vti_view_member(c_loc(p(1)%omega), bytes)
+        b%moment = vti_view_member(c_loc(p(1)%m), bytes)
+        b%mass = vti_scalars_member(c_loc(p(1)%mass), bytes)
+        b%inertia = vti_scalars_member(c_loc(p(1)%inertia), bytes)
+        call run([b], 'members')
+        do i = 1, int(n)
+            s%x(:, i) = p(i)%x
+            s%v(:, i) = p(i)%v
+            s%alpha(:, i) = p(i)%alpha
+            s%omega(:, i) = p(i)%omega
+        end do
+        call compare(s%x, s%v, s%alpha, s%omega, 'members')
+        call expect(all(p%id == [(i, i=1, int(n))]) .and. all(p%radius <= untouched), title()//'members, the rest')
+    end subroutine
+
+    subroutine quaternions()
+        type(state), target :: s, r
+        real(c_double), target :: force(3, n), moment(3, n), quat(n, 4)
+        type(vti_bodies) :: b
+        s = initial()
+        b = on_columns(s, force, moment)
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_columns(s%quat)
+        call run([b], 'quaternions')
+        call expect(same_bits(s%quat, quat_run%quat), title()//'quaternions in columns')
+        call expect(same_bits(s%omega, quat_run%omega), title()//'omega with quaternions in columns')
+        r = initial()
+        quat = transpose(r%quat)
+        b = on_columns(r, force, moment)
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_rows(quat)
+        call run([b], 'quaternions')
+        call expect(same_bits(transpose(quat), quat_run%quat), title()//'quaternions in rows')
+    end subroutine
+
+    !> The packed door knows steppers of one stage and has no start and sync.
+    subroutine packed(k)
+        integer(c_int64_t), intent(in) :: k
+        type(state), target :: s
+        real(c_double), target :: force(3, n), moment(3, n)
+        type(vti_bodies) :: b
+        integer(c_int) :: status(2)
+        integer :: i
+        if (method%stages /= 1 .or. abs(method%lag) > 0) return
+        s = initial()
+        b = on_columns(s, force, moment) ! for the forces
+        call shim_forces(b)
+        do i = 1, int(steps)
+            status(1) = vti_packed_begin(k, h, n, s%x, s%v, force, s%alpha, s%omega, moment, n, s%mass, n, s%inertia)
+            call shim_forces(b)
+            status(2) = vti_packed_finish(k, h, n, s%v, force, s%omega, moment, n, s%mass, n, s%inertia)
+            if (any(status /= VTI_OK)) call expect(.false., title()//'packed: '//vti_status_text(minval(status)))
+        end do
+        call compare(s%x, s%v, s%alpha, s%omega, 'packed')
+    end subroutine
+end program

@@ -1,0 +1,128 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!> Effects and measures: what Fortran gets is what C gets, and an effect written in Fortran works in C's loop.
+module spring
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int64_t, c_ptr
+    use common, only: n
+    use vti, only: vti_bodies
+    implicit none
+
+    !> U = stiffness/2 sum |x|^2 on (3,n) arrays of the host, reached through self.
+    type :: springs
+        real(c_double) :: stiffness
+        real(c_double), pointer :: x(:, :), force(:, :)
+    end type
+
+contains
+
+    subroutine spring_apply(self, bodies) bind(c)
+        type(c_ptr), value :: self
+        type(vti_bodies), intent(in) :: bodies
+        type(springs), pointer :: s
+        integer(c_int64_t) :: i
+        call c_f_pointer(self, s)
+        do i = bodies%first + 1, bodies%first + bodies%count
+            s%force(:, i) = s%force(:, i) - s%stiffness*s%x(:, i)
+        end do
+    end subroutine
+
+    subroutine spring_energy(self, bodies, energies) bind(c)
+        type(c_ptr), value :: self
+        type(vti_bodies), intent(in) :: bodies
+        real(c_double), intent(inout) :: energies(*)
+        type(springs), pointer :: s
+        call c_f_pointer(self, s)
+        energies(1) = s%stiffness/2*sum(s%x(:, bodies%first + 1:bodies%first + bodies%count)**2)
+    end subroutine
+end module
+
+program test_fortran_effects
+    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int64_t, c_loc
+    use common
+    use spring
+    implicit none
+
+    type(state), target :: s, other
+    real(c_double), target :: force(3, n), moment(3, n)
+    type(vti_bodies) :: b, r
+
+    s = initial()
+    other = initial()
+    b = bodies_of(s)
+    b%force = vti_view_columns(force)
+    b%moment = vti_view_columns(moment)
+    r = bodies_of(other)
+    other%alpha = -2*other%alpha
+    other%x = other%x + 1
+    call measures()
+    call effects()
+    call finish()
+
+contains
+
+    function bodies_of(s) result(b)
+        type(state), intent(in), target :: s
+        type(vti_bodies) :: b
+        b = vti_bodies_none(n)
+        b%x = vti_view_columns(s%x)
+        b%v = vti_view_columns(s%v)
+        b%alpha = vti_view_columns(s%alpha)
+        b%omega = vti_view_columns(s%omega)
+        b%mass = vti_scalars_array(s%mass)
+        b%inertia = vti_scalars_array(s%inertia)
+    end function
+
+    subroutine measures()
+        real(c_double) :: theirs(21), ours(21)
+        type(vti_pendulum), target :: pendulum = & ! the shim's
+            vti_pendulum(0.75_c_double, [0.3_c_double, -0.4_c_double, 0.8_c_double])
+        type(vti_effect) :: effect
+        integer :: i
+        character(len=2) :: place
+        call shim_measures(b, r, theirs)
+        effect = vti_pendulum_effect(pendulum)
+        ours(1) = vti_kinetic_translation(b)
+        ours(2) = vti_kinetic_rotation(b)
+        ours(3) = vti_energy([effect], b)
+        ours(4) = vti_max_turn(0.5_c_double, b)
+        ours(5) = vti_h1_density(b)
+        ours(6) = vti_h1_distance(b, r)
+        ours(7) = vti_attitude_distance(b, r)
+        call vti_momentum(b, ours(8:10))
+        call vti_spin(b, ours(11:13))
+        call vti_angular_momentum(b, [0.25_c_double, -0.5_c_double, 1.0_c_double], ours(14:16))
+        call vti_pendulum_arm(pendulum, b, 5_c_int64_t, ours(17:19))
+        ours(20:21) = real([effect%terms, effect%breaks], c_double)
+        do i = 1, size(ours)
+            write (place, '(i0)') i
+            call expect(same_bits(ours(i:i), theirs(i:i)), 'measure '//place)
+        end do
+        call expect(vti_text(effect%name) == 'pendulum', 'name of the effect')
+        call expect(abs(vti_max_turn(1.0_c_double, b) - maxval(norm2(s%omega, 1))) <= 4*epsilon(1.0_c_double)* &
+            maxval(norm2(s%omega, 1)), 'largest |Omega|') ! two evaluations of a norm, each good to 2 eps
+    end subroutine
+
+    !> The pendulum of the library and the spring above, together, on a slice.
+    subroutine effects()
+        type(vti_pendulum), target :: pendulum = vti_pendulum(2.0_c_double, [0.0_c_double, 0.0_c_double, 1.0_c_double])
+        type(springs), target :: own
+        type(vti_effect) :: both(2)
+        real(c_double) :: arm(3)
+        own%stiffness = 3
+        own%x => s%x
+        own%force => force
+        both(1) = vti_pendulum_effect(pendulum)
+        both(2)%apply = c_funloc(spring_apply)
+        both(2)%energy = c_funloc(spring_energy)
+        both(2)%self = c_loc(own)
+        both(2)%terms = 1
+        force = 5
+        moment = 5
+        call expect_status(vti_apply(both, vti_bodies_slice(b, 2_c_int64_t, n - 1)), VTI_OK, 'apply')
+        call expect(same_bits(force(:, 2:), -3*s%x(:, 2:)), 'the force of the spring')
+        call vti_pendulum_arm(pendulum, b, n, arm)
+        call expect(same_bits(moment(:, n), [2*arm(2), -2*arm(1), 0.0_c_double]), 'the moment of the pendulum')
+        call expect(all(abs([force(:, 1), moment(:, 1)] - 5) <= 0), 'bodies outside the slice are left alone')
+        call expect(abs(vti_energy(both, b) - vti_energy(both(1:1), b) - 1.5_c_double*sum(s%x**2)) <= &
+            8*epsilon(1.0_c_double)*vti_energy(both, b), 'energies add up') ! three sums, each good to 2 eps
+    end subroutine
+end program

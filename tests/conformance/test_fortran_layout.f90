@@ -1,0 +1,103 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!> The types and constants that Fortran declares are C's: sizes, the place of every member, values, texts.
+program test_fortran_layout
+    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_intptr_t, c_loc, c_ptr, c_sizeof
+    use common
+    implicit none
+    integer(c_int64_t) :: theirs(200), count
+    integer(c_int64_t) :: ours(200) = 0
+    integer :: entries = 0
+
+    call fault()
+    call view()
+    call quat_view()
+    call scalars()
+    call bodies()
+    call stepper()
+    call effect()
+    call pendulum()
+    count = shim_layout(200_c_int64_t, theirs)
+    call compare('size or offset')
+
+    entries = 0
+    call add([VTI_ABI, int([VTI_OK, VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT, VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, &
+        VTI_E_TIME, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, &
+        VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, VTI_FRAME_BODY], c_int64_t)])
+    count = shim_constants(200_c_int64_t, theirs)
+    call compare('constant')
+    call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
+    call expect(vti_status_text(VTI_OK) == 'no error', 'text of VTI_OK')
+    call expect(index(vti_status_text(99_c_int), 'unknown') == 1, 'text of no status')
+    call finish()
+
+contains
+
+    subroutine compare(what)
+        character(len=*), intent(in) :: what
+        character(len=8) :: place
+        integer :: i
+        call expect(count == entries, 'number of entries, '//what)
+        do i = 1, min(int(count), entries)
+            write (place, '(i0)') i
+            call expect(ours(i) == theirs(i), what//' '//trim(place)//' of the table')
+        end do
+    end subroutine
+
+    subroutine add(numbers)
+        integer(c_int64_t), intent(in) :: numbers(:)
+        ours(entries + 1:entries + size(numbers)) = numbers
+        entries = entries + size(numbers)
+    end subroutine
+
+    !> Bytes from the beginning of a variable to each of its members.
+    function offsets(base, members) result(bytes)
+        type(c_ptr), intent(in) :: base, members(:)
+        integer(c_int64_t) :: bytes(size(members))
+        bytes = int(transfer(members, [0_c_intptr_t]) - transfer(base, 0_c_intptr_t), c_int64_t)
+    end function
+
+    subroutine fault()
+        type(vti_fault), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%body), c_loc(t%value)])])
+    end subroutine
+
+    subroutine view()
+        type(vti_view), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%c), c_loc(t%stride)])])
+    end subroutine
+
+    subroutine quat_view()
+        type(vti_quat_view), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%xyzw), c_loc(t%stride)])])
+    end subroutine
+
+    subroutine scalars()
+        type(vti_scalars), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%p), c_loc(t%stride)])])
+    end subroutine
+
+    subroutine bodies()
+        type(vti_bodies), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%first), c_loc(t%count), &
+            c_loc(t%x), c_loc(t%v), c_loc(t%force), c_loc(t%alpha), c_loc(t%quat), c_loc(t%omega), c_loc(t%moment), &
+            c_loc(t%mass), c_loc(t%inertia), c_loc(t%x_low), c_loc(t%v_low), c_loc(t%alpha_low), c_loc(t%omega_low)])])
+    end subroutine
+
+    subroutine stepper()
+        type(vti_stepper), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%law), c_loc(t%frame), &
+            c_loc(t%order), c_loc(t%reversible), c_loc(t%stages), c_loc(t%lag), c_loc(t%kick), c_loc(t%drift), &
+            c_loc(t%about)])])
+    end subroutine
+
+    subroutine effect()
+        type(vti_effect), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%apply), c_loc(t%energy), &
+            c_loc(t%self), c_loc(t%terms), c_loc(t%term), c_loc(t%breaks)])])
+    end subroutine
+
+    subroutine pendulum()
+        type(vti_pendulum), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%weight), c_loc(t%rho0)])])
+    end subroutine
+end program
