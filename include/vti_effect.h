@@ -116,6 +116,23 @@ typedef struct vti_walls {
 /** The effect of *walls, which must outlive it. Energy term: "wall". */
 VTI_API vti_effect vti_walls_effect(const vti_walls *walls);
 
+/* ---- stability -------------------------------------------------------------------------------------------------------- */
+
+/** What can make bodies oscillate; NULL is absent. */
+typedef struct vti_springs {
+    const vti_bonds *bonds;
+    const vti_contacts *contacts; /* every pair of the list counts as touching */
+    const vti_walls *walls;       /* every body counts as touching each of them */
+    const vti_pendulum *pendulum;
+    double overlap; /* largest overlap to reckon with in contacts, as a share of D: Hertz stiffens as its square root */
+} vti_springs;
+
+/** A step h that is stable for every stepper whose limit is h < 2/omega_max: *h = 2/omega with omega >= omega_max of the
+ *  linearised motion, bounded bond by bond (EQUATIONS 5) with equal shares of a body for all that pulls at it. Exact
+ *  eigenvalues lie below, never above; on the torus by 0.2 %. scratch is [count] doubles for the bodies of the slice, which must
+ *  be all that the springs name. *h is infinite if nothing oscillates. */
+VTI_API int vti_stable_step(const vti_springs *springs, const vti_bodies *bodies, double *scratch, double *h);
+
 #ifdef __cplusplus
 }
 #endif
