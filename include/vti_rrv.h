@@ -28,9 +28,9 @@
 #define VTI_RRV_SMALL (1.0 / VTI_RRV_LARGE)
 /** 2^29: up to here both factors of a composition are small enough for its incremental form to stay below 2^60. */
 #define VTI_RRV_NEAR 536870912.0
-/** 2^512, and 2^-520: exact scalings that keep squares and products of huge numbers finite. */
-#define VTI_RRV_UP 1.3407807929942597e154
-#define VTI_RRV_DOWN (1.0 / (256.0 * VTI_RRV_UP))
+/** 2^570 and 2^-520: exact scalings after which squares of tiny and of huge numbers neither vanish nor overflow. */
+#define VTI_RRV_UP 3.8645375230172583e+171
+#define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
 /* ---- three-vectors ------------------------------------------------------------------------------------------- */
 
@@ -54,11 +54,16 @@ static inline double vti_max3(const double a[3])
     return m > z ? m : z;
 }
 
+/** A power of two that brings numbers of size m to where squares are safe. */
+static inline double vti_scale(double m)
+{
+    return m > VTI_RRV_LARGE ? VTI_RRV_DOWN : m < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
+}
+
 /** |a|, without overflow or underflow of the squares. */
 static inline double vti_norm(const double a[3])
 {
-    const double m = vti_max3(a);
-    const double s = m > VTI_RRV_LARGE ? VTI_RRV_DOWN : m < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
+    const double s = vti_scale(vti_max3(a));
     const double b[3] = {s * a[0], s * a[1], s * a[2]};
     return sqrt(vti_dot(b, b)) / s;
 }
@@ -79,8 +84,7 @@ static inline void vti_rrv_to_pair(const double a[3], double q[4])
 /** alpha = 2 v/w of any quaternion but zero, normalised or not. */
 static inline void vti_rrv_from_pair(const double q[4], double a[3])
 {
-    const double m = vti_max3(q), w = fabs(q[3]), most = m > w ? m : w;
-    const double s = most > VTI_RRV_LARGE ? VTI_RRV_DOWN : most < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
+    const double m = vti_max3(q), w = fabs(q[3]), s = vti_scale(m > w ? m : w);
     const double v[3] = {2.0 * s * q[0], 2.0 * s * q[1], 2.0 * s * q[2]};
     const double least = VTI_RRV_SMALL * vti_max3(v), sw = s * w;
     const double d = copysign(sw > least ? sw : least, q[3]);
@@ -138,7 +142,7 @@ static inline int vti_rrv_increment(double c, const double u[3], double side, co
 {
     const double ma = vti_max3(a), mu = vti_max3(u);
     const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
-    const double su = mu > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
+    const double su = vti_scale(mu > fabs(c) ? mu : fabs(c));
     const double A[3] = {sa * a[0], sa * a[1], sa * a[2]}, W = 2.0 * sa;
     const double U[3] = {su * u[0], su * u[1], su * u[2]}, C = su * c;
     const double d = vti_dot(U, A), w = C * W - d;
@@ -205,7 +209,7 @@ static inline void vti_rrv_relative_printed(const double a[3], const double b[3]
 
 static inline void vti_rrv_rotate_side(const double a[3], double side, const double p[3], double r[3])
 {
-    const double s = vti_max3(p) > 1.0 ? VTI_RRV_DOWN : 1.0, back = s < 1.0 ? 256.0 * VTI_RRV_UP : 1.0;
+    const double s = vti_scale(vti_max3(p)), back = 1.0 / s;
     const double sp[3] = {s * p[0], s * p[1], s * p[2]};
     double q[4];
     vti_rrv_to_pair(a, q);

@@ -87,6 +87,12 @@ void vti_spin(const vti_bodies *b, double s[3])
     weighted_sum(&b->omega, &b->inertia, b, s);
 }
 
+/** The larger of the two; a NaN wins and stays. */
+static double larger(double most, double x)
+{
+    return isnan(most) || x <= most ? most : x;
+}
+
 double vti_max_turn(double h, const vti_bodies *b)
 {
     double most = 0.0;
@@ -94,7 +100,7 @@ double vti_max_turn(double h, const vti_bodies *b)
         double w[3];
         vti_load(&b->omega, i, w);
         const double turn = fabs(h) * vti_norm(w);
-        most = turn <= most ? most : turn; /* a NaN is kept */
+        most = larger(most, turn);
     }
     return most;
 }
@@ -156,7 +162,7 @@ double vti_attitude_distance(const vti_bodies *b, const vti_bodies *r)
     double most = 0.0;
     for (int64_t n = 0; vti_has_attitude(b) && n < b->count; ++n) {
         const double d = attitude_distance(b, b->first + n, r, r->first + n);
-        most = d <= most ? most : d; /* a NaN is kept */
+        most = larger(most, d);
     }
     return most;
 }

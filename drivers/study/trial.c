@@ -57,9 +57,9 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     model_invariant_values(m->model, bodies, deviation);
     for (int64_t k = 0; k < m->invariants; ++k) {
         deviation[k] -= m->invariants0[k];
-        /* written so that a NaN is kept */
-        if (m->invariant[k].is_momentum && !(fabs(deviation[k]) <= m->outcome->momentum_error))
-            m->outcome->momentum_error = fabs(deviation[k]);
+        double *worst = &m->outcome->momentum_error; /* once NaN, it stays */
+        if (m->invariant[k].is_momentum && !isnan(*worst) && !(fabs(deviation[k]) <= *worst))
+            *worst = fabs(deviation[k]);
     }
     if (step % m->sample_every == 0)
         sample(m, t, energy_error, deviation);

@@ -1,8 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Includes point down only. L0 include/ src/: C99, math.h, string.h and the library's own; L2 drivers/sim: L0 and libc, no
-# GSL, HDF5 or MPI; L3 drivers/study, drivers/io: what is below and each other; L4 drivers/*.c: L3 and below, and of the
-# libraries MPI at most, which has to be initialised by main. The core neither allocates nor prints nor ends the program.
+# Includes point down only:
+#     L0  include/, src/             C99, math.h, string.h and the library's own
+#     L2  drivers/scene, then sim    L0 and libc; no GSL, HDF5 or MPI
+#     L3  drivers/study, drivers/io  what is below, and each other
+#     L4  drivers/*.c                L3 and below; of the libraries MPI at most, which main has to initialise
+# The core neither allocates nor prints nor ends the program.
 #     test_layers.sh SOURCE_DIRECTORY
 set -eu
 cd "$1"
@@ -67,21 +70,16 @@ $bad"
 }
 [ -n "$(own_headers src/*.c)" ] || complain "no includes found in src: this test does not see what it should"
 
-# L2 to L4, as far as they exist
+# L2 to L4
 heavy='gsl/|hdf5|H5|mpi'
-if ls drivers/sim/*.[ch] >/dev/null 2>&1; then
-    without "$(system_headers drivers/sim/*.[ch])" "$heavy"
-    from "$(own_headers drivers/sim/*.[ch])" include drivers/sim
-fi
+without "$(system_headers drivers/scene/*.[ch] drivers/sim/*.[ch])" "$heavy"
+from "$(own_headers drivers/scene/*.[ch])" include drivers/scene
+from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/sim
 for layer in study io; do
-    if ls drivers/$layer/*.[ch] >/dev/null 2>&1; then
-        from "$(own_headers drivers/$layer/*.[ch])" include drivers/sim drivers/study drivers/io
-    fi
+    from "$(own_headers drivers/$layer/*.[ch])" include drivers/scene drivers/sim drivers/study drivers/io
 done
-if ls drivers/*.c >/dev/null 2>&1; then
-    without "$(system_headers drivers/*.c)" 'gsl/|hdf5|H5'
-    from "$(own_headers drivers/*.c)" include drivers/sim drivers/study drivers/io
-fi
+without "$(system_headers drivers/*.c)" 'gsl/|hdf5|H5'
+from "$(own_headers drivers/*.c)" include drivers/scene drivers/sim drivers/study drivers/io
 
 # the core's private header stays in src
 private=$(grep -rlE '#[[:space:]]*include[[:space:]]*["<].*vti_internal\.h' --include='*.[ch]' include drivers examples fortran tests \

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Numbers and names as a reader wants to see them. Mathtext is matplotlib's own TeX; no TeX is needed."""
+import math
+import re
+
+from matplotlib.mathtext import MathTextParser
+
+
+def stepper_name(key):
+    """vti1 -> VTI-1, vti3-leapfrog -> VTI-3 leapfrog, srkn6 -> SRKN6."""
+    name = re.sub(r"^vti(\d+)", r"VTI-\1", key)
+    name = re.sub(r"^srkn(\d+)", r"SRKN\1", name)
+    return plain(re.sub(r"(?<=\w)-(?=[a-z])", " ", name))
+
+
+def plain(text):
+    """Text from a file, which may hold a dollar sign without meaning mathematics."""
+    return text.replace("$", r"\$")
+
+
+def math_label(text, fallback):
+    """A label from a file, or its plain name where matplotlib cannot set it. Its \\| is a single bar, against TeX."""
+    text = text.replace(r"\|", r"\Vert ")
+    try:
+        MathTextParser("path").parse(text)
+    except (ValueError, RuntimeError):
+        return plain(fallback)
+    return text
+
+
+def step_text(h):
+    """1/64 where h is that, for it is how people write these steps; else the number itself."""
+    inverse = 1 / h
+    power = round(math.log2(inverse)) if 1 < inverse < 2**20 else 0
+    return f"1/{2**power}" if power > 0 and inverse == 2**power else given(h)
+
+
+def number(value, digits=2):
+    """Plain near 1, otherwise with a power of ten: 0.25, 12, 3.1 x 10^-5."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    if -3 < int(exponent) < 5:
+        return f"{value:.{max(0, digits - 1 - int(exponent))}f}"
+    return power_of_ten(mantissa, exponent)
+
+
+def given(value):
+    """A number somebody chose, without the zeros that would claim a measurement: 10, 0.05, 5 x 10^-4."""
+    mantissa, _, exponent = f"{value:.6g}".partition("e")
+    if not exponent and 0 < abs(value) < 0.001:
+        mantissa, exponent = f"{value:.5e}".split("e")
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return power_of_ten(mantissa, exponent) if exponent else mantissa
+
+
+def power_of_ten(mantissa, exponent):
+    factor = "" if mantissa == "1" else rf"{mantissa}\times "
+    return rf"${factor}10^{{{int(exponent)}}}$"
+
+
+def order_text(fit):
+    """2.003 ± 0.001. The interval is rounded up, so that no figure claims more than the fit."""
+    if fit is None:
+        return "no fit"
+    order, interval = fit["order"], fit["interval"]
+    if not math.isfinite(interval):
+        return f"{order:.2f}"
+    digits = 3 if interval < 0.01 else 2
+    return f"{order:.{digits}f} ± {math.ceil(interval * 10**digits) / 10**digits:.{digits}f}"
+
+
+def nearest_order(fit):
+    """The order a method of such a slope is said to have: a multiple of a half if one is near, else one decimal."""
+    half = round(2 * fit["order"]) / 2
+    return half if abs(fit["order"] - half) <= 0.1 else round(fit["order"], 1)
+
+
+def orders_phrase(fits):
+    """What a panel of fits shows, for its title: `order 2`, `orders 1 and 2`, `orders 2 to 8`."""
+    orders = [f"{order:g}" for order in sorted({nearest_order(fit) for fit in fits if fit})]
+    if not orders:
+        return "no order fitted"
+    if len(orders) == 1:
+        return f"order {orders[0]}"
+    if len(orders) > 3:
+        return f"orders {orders[0]} to {orders[-1]}"
+    return f"orders {', '.join(orders[:-1])} and {orders[-1]}"
+
+
+def listing(items):
+    """a, b and c; long lists are cut, because they stand in one line below a picture."""
+    items = list(items)
+    if len(items) > 4:
+        items = items[:3] + [f"{len(items) - 3} more"]
+    return " and ".join([", ".join(items[:-1]), items[-1]] if len(items) > 1 else items)
+
+
+def counted(count, noun):
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

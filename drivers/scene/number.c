@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "number.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- the grammar: decimal numbers only, whatever strtod knows beyond them ---------------------------------------- */
+
+static const char *skip_blanks(const char *p)
+{
+    while (*p == ' ' || *p == '\t')
+        ++p;
+    return p;
+}
+
+static const char *skip_digits(const char *p)
+{
+    while (*p >= '0' && *p <= '9')
+        ++p;
+    return p;
+}
+
+static const char *skip_sign(const char *p)
+{
+    return *p == '+' || *p == '-' ? p + 1 : p;
+}
+
+/** Behind digits[.digits][e[sign]digits] with at least one digit before the exponent; NULL if p starts with no such
+ *  thing. *is_zero: all its digits are 0. */
+static const char *skip_decimal(const char *p, int *is_zero)
+{
+    const char *end = skip_digits(p);
+    int digits = (int)(end > p);
+    if (*end == '.') {
+        const char *fraction = end + 1;
+        end = skip_digits(fraction);
+        digits = digits || end > fraction;
+    }
+    *is_zero = 1;
+    for (const char *q = p; q < end; ++q)
+        *is_zero = *is_zero && (*q == '0' || *q == '.');
+    if (!digits)
+        return NULL;
+    if (*end == 'e' || *end == 'E') {
+        const char *exponent = skip_sign(end + 1);
+        const char *exponent_end = skip_digits(exponent);
+        if (exponent_end > exponent)
+            end = exponent_end;
+    }
+    return end;
+}
+
+/** The decimal number without a sign at *p, which then stands behind it. */
+static int read_decimal(const char **p, double *value)
+{
+    int is_zero;
+    const char *end = skip_decimal(*p, &is_zero);
+    if (end == NULL)
+        return -1;
+    char *stop;
+    const double x = strtod(*p, &stop);
+    /* in a locale with a decimal comma strtod stops early: better no number than a wrong one */
+    if (stop != end || !isfinite(x) || (x == 0.0 && !is_zero))
+        return -1;
+    *p = end;
+    *value = x;
+    return 0;
+}
+
+/* ---- quotients and powers ---------------------------------------------------------------------------------------- */
+
+static int read_second(const char **p, double *value)
+{
+    const double sign = **p == '-' ? -1.0 : 1.0;
+    *p = skip_sign(*p);
+    if (read_decimal(p, value) != 0)
+        return -1;
+    *value *= sign;
+    return 0;
+}
+
+/** a if nothing follows it at *p, else a/b or a^b. */
+static int read_rest(const char **p, double a, double *value)
+{
+    const char operation = **p;
+    double b;
+    *value = a;
+    if (operation != '/' && operation != '^')
+        return 0;
+    *p = skip_blanks(*p + 1);
+    if (read_second(p, &b) != 0)
+        return -1;
+    *value = operation == '/' ? a / b : pow(a, b);
+    return isfinite(*value) && (*value != 0.0 || a == 0.0) ? 0 : -1;
+}
+
+int number_read(const char *text, double *value)
+{
+    const char *p = skip_blanks(text);
+    const double sign = *p == '-' ? -1.0 : 1.0;
+    double a, x;
+    p = skip_sign(p);
+    if (read_decimal(&p, &a) != 0)
+        return -1;
+    p = skip_blanks(p);
+    if (read_rest(&p, a, &x) != 0 || *skip_blanks(p) != '\0')
+        return -1;
+    *value = sign * x;
+    return 0;
+}

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Numbers as people write them, in scene files and on the command line alike: 0.01, 1e-3, 1/64, 2^-6. */
+#ifndef VTI_NUMBER_H
+#define VTI_NUMBER_H
+
+/** Reads one finite number that fills text (blanks around it and around / and ^ are allowed): a decimal number, a
+ *  quotient a/b or a power a^b of two decimal numbers. As in mathematics the sign in front belongs to the whole: -2^-2
+ *  is -1/4. A number too large for a double, or too small to be told from 0, is refused, and so are hexadecimal
+ *  numbers, infinities and NaN. Returns 0, or -1 and leaves *value alone. Does not depend on the locale. */
+int number_read(const char *text, double *value);
+
+#endif

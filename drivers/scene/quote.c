@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "quote.h"
+
+#include <string.h>
+
+static const char dots[] = "...";
+enum { DOTS = sizeof dots - 1 };
+
+/** Inside a UTF-8 character, not at its start. */
+static int continues(char c)
+{
+    return ((unsigned char)c & 0xc0) == 0x80;
+}
+
+static void replace_controls(char *text)
+{
+    for (char *p = text; *p != '\0'; ++p) {
+        const unsigned char c = (unsigned char)p[0], next = (unsigned char)p[1];
+        if (c < 0x20 || c == 0x7f)
+            *p = '?';
+        else if (c == 0xc2 && next >= 0x80 && next <= 0x9f) /* the second set of control characters, two bytes each */
+            p[0] = p[1] = '?';
+    }
+}
+
+char *quote(char *out, size_t size, const char *text)
+{
+    size_t n = strlen(text);
+    const int cut = n >= size;
+    if (cut) {
+        n = size - 1 - DOTS;
+        for (int k = 0; k < 3 && continues(text[n]); ++k)
+            --n;
+    }
+    memcpy(out, text, n);
+    out[n] = '\0';
+    if (cut)
+        append(out, size, dots);
+    replace_controls(out);
+    return out;
+}
+
+char *append(char *out, size_t size, const char *text)
+{
+    const size_t used = strlen(out), n = strlen(text), room = size - 1 - used;
+    memcpy(out + used, text, n < room ? n : room);
+    out[used + (n < room ? n : room)] = '\0';
+    return out;
+}
+
+char *quote_tail(char *out, size_t size, const char *text)
+{
+    const size_t n = strlen(text);
+    if (n < size)
+        return quote(out, size, text);
+    text += n - (size - 1 - DOTS);
+    for (int k = 0; k < 3 && continues(*text); ++k)
+        ++text;
+    memcpy(out, dots, DOTS);
+    quote(out + DOTS, size - DOTS, text);
+    return out;
+}

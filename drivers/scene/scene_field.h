@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The one table of what a scene file may hold: the path of every key, its kind, and where its value goes in struct
+ * scene. The schema for libcyaml, --set, the conversion, the range checks and the lists of known keys in messages are
+ * all made from it, so that a new key is one row, and a new section a row for itself and one for each of its keys. */
+#ifndef VTI_SCENE_FIELD_H
+#define VTI_SCENE_FIELD_H
+
+#include <stddef.h>
+
+enum scene_kind {
+    SCENE_SECTION, /* holds keys; goes to an int that becomes 1 if the file has the section */
+    SCENE_NUMBER,  /* goes to a double */
+    SCENE_VECTOR,  /* three numbers; goes to a double[3] */
+    SCENE_NAME,    /* letters, digits, _ and -; goes to a char[64] */
+    SCENE_STEPPER  /* name of a stepper; goes to a const vti_stepper * */
+};
+
+enum scene_need {
+    SCENE_MAY, /* can be left out */
+    SCENE_MUST /* must be given wherever the section that it is in is given */
+};
+
+enum scene_range { SCENE_ANY, SCENE_POSITIVE, SCENE_NOT_NEGATIVE, SCENE_NOT_ZERO };
+
+enum { SCENE_FIELDS_MAX = 128 };
+#define SCENE_NOWHERE ((size_t)-1)
+
+struct scene_field {
+    const char *path; /* keys joined by dots */
+    enum scene_kind kind;
+    enum scene_need need;
+    enum scene_range range;
+    size_t offset;     /* in struct scene, or SCENE_NOWHERE */
+    const char *about; /* what it is, for messages */
+};
+
+/** Row k of the table; NULL behind its end. A section stands before its keys. */
+const struct scene_field *scene_field_at(int k);
+
+/** The row of a path, NULL if there is none. */
+const struct scene_field *scene_field_find(const char *path);
+
+/** The last key of the field's path if the field is directly in section ("" is the whole scene), else NULL. */
+const char *scene_field_key(const struct scene_field *field, const char *section);
+
+/** Writes the keys of a section, separated by ", ", cut off at size. Returns out. */
+char *scene_field_list(const char *section, char *out, size_t size);
+
+/** Cuts the last key or [index] off a path; "" stays "". */
+void scene_path_up(char *path);
+
+#endif

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-plot: test_plot.py VTI-PLOT. Makes studies by formula, draws them and looks at what came out; then hands it files
+that are not studies and expects one line each. Exit status 77 (skipped) where Python lacks h5py or matplotlib."""
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import matplotlib  # noqa: F401, the program under test needs it
+    import numpy as np
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+EPS = 2.0**-52
+MEASURES = ("e_error", "q_error", "h1_error", "attitude_error")
+LADDER = 2.0 ** -np.arange(3, 13)
+
+# stepper -> per measure (order, error at h = 1); as on the paper's pendulum, EQUATIONS section 4
+PAPER = {
+    "vti1": ((2, 0.44), (1, 0.089), (2, 0.56), (2, 0.4)),
+    "vti2": ((2, 0.05), (1, 0.31), (2, 0.26), (2, 0.2)),
+    "vti3": ((1, 0.56), (0.5, 0.25), (1, 0.22), (1, 0.15)),
+    "vti3-leapfrog": ((2, 0.05), (1, 0.31), (2, 0.26), (2, 0.2)),
+}
+HIGHER = {
+    "vti1-body": ((2, 0.44), (1, 0.089), (2, 0.56), (2, 0.4)),
+    "exact": ((2, 0.1), (1, 0.15), (2, 0.1), (2, 0.1)),
+    "srkn6": ((4, 0.02), (2, 0.03), (4, 0.02), (4, 0.01)),
+    "srkn11": ((6, 0.004), (3, 0.01), (6, 0.004), (6, 0.003)),
+    "srkn14": ((6, 0.0006), (3, 0.004), (6, 0.0007), (6, 0.0005)),
+    "campello$half": ((1, 0.9), (0.5, 0.6), (1, 0.8), (1, 0.8)),
+}
+
+
+def texts(values, fixed):
+    if fixed:
+        return np.array([value.encode() for value in values], dtype=f"S{max(map(len, values), default=1)}")
+    return np.array(values, dtype=h5py.string_dtype())
+
+
+def line_fit(h, error):
+    """order, its interval, log2_constant; NaN where two points or fewer leave no interval."""
+    if len(h) < 3:
+        return np.nan, np.nan, np.nan
+    (order, constant), covariance = np.polyfit(np.log2(h), np.log2(error), 1, cov=True)
+    return order, 2.0 * np.sqrt(covariance[0, 0]), constant
+
+
+def write_study(path, steppers=None, ladder=LADDER, fixed=False, zeros=False, kept=None, t_end=10.0):
+    """A study as vti-study writes it; errors follow their orders down to rounding, the q-error with noise."""
+    steppers = PAPER if steppers is None else steppers
+    random = np.random.default_rng(20240229)
+    runs, orders, series = [], [], []
+    for stepper, laws in steppers.items():
+        errors = []
+        for measure, (order, constant) in zip(MEASURES, laws):
+            noise = 0.08 if measure == "q_error" else 0.01
+            floor = EPS ** 0.5 * 3e-2 if measure == "q_error" else 40 * EPS * (ladder[0] / ladder) ** 0.5
+            error = constant * ladder**order * np.exp(noise * random.standard_normal(len(ladder)))
+            if zeros and measure == "e_error":
+                error[-2:] = 0.0
+            else:
+                error = np.hypot(error, floor)
+            errors.append(error)
+            good = (error > 30 * floor) & (ladder < 0.1)
+            orders.append((stepper, measure, *line_fit(ladder[good], error[good])[:2], good.sum(),
+                           ladder[good].min(initial=np.inf), ladder[good].max(initial=0.0),
+                           line_fit(ladder[good], error[good])[2]))
+        for i, h in enumerate(ladder):
+            runs.append((h, t_end, round(t_end / h), round(t_end / h) + 1, *(error[i] for error in errors), 3 * EPS))
+            series.append((stepper, h, errors[0][i]))
+
+    with h5py.File(path, "w") as file:
+        file.attrs["scene"] = np.bytes_("pendulum") if fixed else "pendulum"
+        file.attrs["vti_version"] = "0.1.0"
+        file.attrs.update({"t_end": t_end, "energy0": 0.747106781186548, "norm_squared": 66.86301608208})
+        names = [stepper for stepper in steppers for _ in ladder]
+        file["runs/stepper"] = texts(names, fixed)
+        file["runs/scene"] = texts(["pendulum"] * len(names), fixed)
+        columns = ("h", "t_end", "steps", "force_evals", *MEASURES, "momentum_error")
+        for column, values in zip(columns, np.array(runs).T):
+            file[f"runs/{column}"] = values.astype("i8") if column in ("steps", "force_evals") else values
+        for column, values in zip(("stepper", "measure", "order", "interval", "points", "h_min", "h_max",
+                                   "log2_constant"), zip(*orders)):
+            file[f"orders/{column}"] = texts(values, fixed) if column in ("stepper", "measure") else np.array(values)
+        file.create_group("series")
+        for row, (stepper, h, size) in enumerate(series):
+            if kept is None or row in kept:
+                write_series(file.create_group(f"series/{row:06d}"), stepper, h, size, t_end, random)
+
+
+def write_series(group, stepper, h, size, t_end, random):
+    group.attrs["stepper"], group.attrs["h"] = stepper, h
+    t = np.arange(round(t_end / h) + 1) * h
+    group["t"] = t
+    group["energy_error"] = size * np.sin(2.3 * t) * (1 + 0.4 * np.sin(5.1 * t + h))
+    for name, label in (("arm_dot_omega", r"$R\rho_0\cdot\Omega$"), ("arm_length", r"$\|R\rho_0\|$"),
+                        ("angular_z", r"$e_3\cdot J\,\Omega$")):
+        walk = 0.3 * np.cumsum(random.standard_normal(len(t))) * EPS
+        group[name] = np.round(np.clip(walk, -1, 1) / EPS) * EPS if name == "arm_length" else walk
+        group[name].attrs["label"] = label
+
+
+def plot(program, *given):
+    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False)
+
+
+def picture(path):
+    """The bytes of a PNG, checked: signature, width and weight."""
+    with open(path, "rb") as file:
+        content = file.read()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is no PNG"
+    width, height = struct.unpack(">II", content[16:24])
+    assert 1590 <= width <= 1610 and height >= 400, f"{path} is {width} x {height}"
+    assert len(content) < 300_000, f"{path} has {len(content)} bytes"
+    return content
+
+
+def draws(program, study, folder, pictures=("convergence.png", "invariants.png")):
+    done = plot(program, study, "-o", folder)
+    assert done.returncode == 0 and done.stderr == "", f"{study}: {done.stderr}"
+    assert sorted(os.listdir(folder)) == sorted(pictures), f"{study}: {os.listdir(folder)}"
+    return [picture(os.path.join(folder, name)) for name in pictures], done.stdout
+
+
+def refuses(program, study, *words, options=()):
+    """Status 1, nothing on stdout, one line that names the file, the problem and a remedy."""
+    done = plot(program, study, *options)
+    assert done.returncode == 1 and done.stdout == "", f"{study}: status {done.returncode}, {done.stdout}{done.stderr}"
+    line = done.stderr
+    assert line.startswith("vti-plot: ") and line.count("\n") == 1 and ";" in line, f"{study}: {line}"
+    for word in words:
+        assert word in line, f"{study}: no '{word}' in: {line}"
+
+
+def test_pictures(program, folder):
+    study = os.path.join(folder, "study.h5")
+    write_study(study)
+    once, said = draws(program, study, os.path.join(folder, "once"))
+    again, _ = draws(program, study, os.path.join(folder, "again"))
+    assert once == again, "the same file gave different bytes"
+    assert "note:" not in said, said
+    assert b"Matplotlib" not in b"".join(once), "a picture names the software that drew it"
+
+    done = plot(program, study)
+    assert done.returncode == 0, done.stderr
+    beside = [picture(os.path.join(folder, name)) for name in ("convergence.png", "invariants.png")]
+    assert beside == once, "-o changed the picture"
+
+    write_study(study, fixed=True)
+    assert draws(program, study, os.path.join(folder, "fixed"))[0] == once, "fixed-length strings gave other pictures"
+
+    write_study(study, steppers={**PAPER, "vti1": ((3, 0.44),) + PAPER["vti1"][1:]})
+    changed, _ = draws(program, study, os.path.join(folder, "changed"))
+    assert changed[0] != once[0], "the energy error changed and the picture did not"
+
+
+def test_edges(program, folder):
+    study = os.path.join(folder, "study.h5")
+    write_study(study, ladder=np.array([0.01]))
+    draws(program, study, os.path.join(folder, "one-h"))
+    write_study(study, steppers={"vti2": PAPER["vti2"]}, ladder=0.002 * 2.0 ** -np.arange(4.0))
+    draws(program, study, os.path.join(folder, "one-stepper"))
+    write_study(study, steppers={**PAPER, **HIGHER})
+    draws(program, study, os.path.join(folder, "ten-steppers"))
+    write_study(study, zeros=True)
+    _, said = draws(program, study, os.path.join(folder, "zeros"))
+    assert "8 points not drawn" in said and "exactly 0" in said, said
+    write_study(study, ladder=np.array([0.01]), steppers={"vti2": ((1, 0.0),) * 4}, zeros=True)
+    draws(program, study, os.path.join(folder, "nothing-but-zero"))
+    write_study(study, kept=())
+    _, said = draws(program, study, os.path.join(folder, "no-series"), pictures=("convergence.png",))
+    assert "/series is empty" in said, said
+    write_study(study, kept=(4, 15))
+    _, said = draws(program, study, os.path.join(folder, "two-series"))
+    assert "VTI-3" in said, said
+
+    write_study(study)
+    with h5py.File(study, "a") as file:
+        file["runs/e_error"][3], file["runs/h1_error"][4] = np.nan, np.inf
+        file["series/000005/energy_error"][100:] = np.inf
+        file["series/000005/arm_length"].attrs["label"] = r"$\frac{"
+    _, said = draws(program, study, os.path.join(folder, "not-finite"))
+    assert said.count("not a finite number") == 2, said
+
+
+def test_refusals(program, folder):
+    path = os.path.join(folder, "study.h5")
+    refuses(program, path, path, "no such file")
+    refuses(program, folder, "is a folder")
+    with open(path, "w", encoding="ascii") as file:
+        file.write("h,e_error\n")
+    refuses(program, path, path, "not an HDF5 file")
+
+    write_study(path)
+    with open(path, "rb") as file:
+        whole = file.read()
+    for part in (len(whole) // 2, len(whole) - 1):
+        with open(path, "wb") as file:
+            file.write(whole[:part])
+        refuses(program, path, path, "truncated")
+    with open(path, "wb") as file:
+        file.write(whole[:512] + b"\xa5" * (len(whole) - 512))
+    refuses(program, path, path, "damaged")
+
+    for gone in ("runs", "orders", "series", "runs/h", "runs/stepper", "runs/h1_error", "orders/log2_constant",
+                 "series/000005/t", "series/000005/energy_error"):
+        write_study(path)
+        with h5py.File(path, "a") as file:
+            del file[gone]
+        refuses(program, path, path, "lacks", "/" + gone)
+    for gone in ("scene", "t_end", "energy0", "norm_squared", "vti_version"):
+        write_study(path)
+        with h5py.File(path, "a") as file:
+            del file.attrs[gone]
+        refuses(program, path, path, "lacks attribute " + gone)
+
+    def replaced(name, values):
+        write_study(path)
+        with h5py.File(path, "a") as file:
+            del file[name]
+            file[name] = values
+
+    replaced("runs/h", LADDER)
+    refuses(program, path, "/runs/h has 10 rows")
+    replaced("runs/h", np.zeros(4 * len(LADDER)))
+    refuses(program, path, "not positive")
+    replaced("runs/e_error", texts(["x"] * 4 * len(LADDER), False))
+    refuses(program, path, "/runs/e_error does not hold numbers")
+    replaced("runs/e_error", np.zeros((4 * len(LADDER), 2)))
+    refuses(program, path, "not one-dimensional")
+    replaced("runs/scene", texts(["pendulum", "torus"] * 2 * len(LADDER), False))
+    refuses(program, path, "mixes the scenes pendulum, torus")
+    replaced("series/000005/angular_z", np.zeros(3))
+    refuses(program, path, "/series/000005/angular_z has 3 values")
+
+    write_study(path)
+    refuses(program, path, "is not a folder", "-o", options=("-o", os.path.join(path, "inside-a-file")))
+    assert not [name for name in os.listdir(folder) if name.endswith((".png", ".part"))], os.listdir(folder)
+
+
+def test_help(program, _folder):
+    done = plot(program, "-h")
+    assert done.returncode == 0 and "study.h5" in done.stdout and "convergence.png" in done.stdout, done.stdout
+    assert plot(program).returncode == 2, "no argument, no complaint"
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: test_plot.py VTI-PLOT")
+    for test in (test_help, test_pictures, test_edges, test_refusals):
+        with tempfile.TemporaryDirectory() as folder:
+            test(os.path.abspath(sys.argv[1]), folder)
+        print(f"{test.__name__}: ok")
+
+
+if __name__ == "__main__":
+    main()

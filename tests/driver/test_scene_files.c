@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Files that are no scene files at all: missing, huge, deeply nested, oddly named. */
+#define _POSIX_C_SOURCE 200809L
+#include "scene_support.h"
+
+static const char spin[] = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\nh: 1/64\nt_end: 1\n";
+
+static void names_of_files(void **state)
+{
+    static const char *const refused[] = {"a b.yaml", "a.b.yaml", ".yaml", "\xc3\xa4.yaml"};
+    (void)state;
+    for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
+        struct scene scene;
+        struct message message;
+        char line[256], base[64];
+        snprintf(base, sizeof base, "%s", refused[k]);
+        *strrchr(base, '.') = '\0';
+        snprintf(line, sizeof line,
+                 "%s:1:1: name: '%s' (from the file's name, for there is no key 'name') cannot name files; "
+                 "write 1 to 63 letters, digits, _ or -",
+                 refused[k], base);
+        write_bytes(refused[k], spin, sizeof spin - 1);
+        assert_refused(refused[k], scene_read(refused[k], NULL, 0, &scene, &message), &message, line);
+        remove(refused[k]);
+    }
+}
+
+static void what_is_no_file(void **state)
+{
+    struct scene scene;
+    struct message message;
+    (void)state;
+    assert_refused("missing", scene_read("no/such.yaml", NULL, 0, &scene, &message), &message,
+                   "no/such.yaml: cannot be read: No such file or directory; give the path of a scene file");
+    assert_refused("directory", scene_read(".", NULL, 0, &scene, &message), &message,
+                   ".: cannot be read: Is a directory; give the path of a scene file");
+    assert_refused("no name", scene_read("", NULL, 0, &scene, &message), &message,
+                   ": cannot be read: No such file or directory; give the path of a scene file");
+}
+
+/** The end of a long path is shown, and nothing that could be mistaken for a second line. */
+static void long_and_wild_paths(void **state)
+{
+    char path[1100];
+    struct scene scene;
+    struct message message;
+    (void)state;
+    memset(path, 'd', sizeof path);
+    snprintf(path + 1000, sizeof path - 1000, "%s", "/a\nb\x1b[31m.yaml");
+    assert_int_equal(scene_read(path, NULL, 0, &scene, &message), -1);
+    assert_one_line(&message);
+    assert_memory_equal(message.text, "...ddd", 6);
+    assert_non_null(strstr(message.text, "ddd/a?b?[31m.yaml: cannot be read: "));
+    for (size_t k = 0; k < 1000; ++k) /* of two bytes each, cut in the middle of one */
+        path[k] = (k & 1) != 0 ? '\xa4' : '\xc3';
+    assert_int_equal(scene_read(path, NULL, 0, &scene, &message), -1);
+    assert_memory_equal(message.text, "...\xc3\xa4\xc3\xa4", 7);
+}
+
+/** 100 MB of holes: refused after the first megabyte. */
+static void a_huge_file(void **state)
+{
+    struct scene scene;
+    struct message message;
+    (void)state;
+    write_bytes("t.yaml", spin, sizeof spin - 1);
+    assert_int_equal(truncate("t.yaml", 100 * 1000 * 1000), 0);
+    assert_refused("100 MB", scene_read("t.yaml", NULL, 0, &scene, &message), &message,
+                   "t.yaml: is larger than 1 MiB; a scene is short, is this the right file?");
+}
+
+/** libyaml takes the square of the depth in time for nested brackets; the reader does not let it. */
+static void deep_and_long_texts(void **state)
+{
+    static const struct {
+        const char *unit, *line;
+    } deep[] = {
+        {"[", "t.yaml:1:17: nested too deeply; a scene has sections, keys and lists and no more"},
+        {"{a: ", "t.yaml:1:65: nested too deeply; a scene has sections, keys and lists and no more"},
+        {"- ", "t.yaml:1:33: nested too deeply; a scene has sections, keys and lists and no more"},
+        {"? ", "t.yaml:1:3: a list or section stands where a key belongs; write 'key: value'"},
+        {"h: 1\n", "t.yaml:2:1: h: given a second time, first on line 1; keep one of them"},
+        {"z\n", NULL},
+    };
+    enum { SIZE = 1 << 20 };
+    char *text = malloc(SIZE);
+    (void)state;
+    assert_non_null(text);
+    for (size_t k = 0; k < sizeof deep / sizeof deep[0]; ++k) {
+        const size_t n = strlen(deep[k].unit);
+        struct scene scene;
+        struct message message;
+        for (size_t i = 0; i < SIZE; ++i)
+            text[i] = deep[k].unit[i % n];
+        write_bytes("t.yaml", text, SIZE / n * n);
+        const int result = scene_read("t.yaml", NULL, 0, &scene, &message);
+        assert_refused(deep[k].unit, result, &message, deep[k].line != NULL ? deep[k].line : message.text);
+    }
+    free(text);
+}
+
+int main(void)
+{
+    static const char *const names[] = {"t.yaml"};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(names_of_files), cmocka_unit_test(what_is_no_file),
+                                       cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
+                                       cmocka_unit_test(deep_and_long_texts)};
+    char directory[64];
+    enter_directory(directory);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    leave_directory(directory, names, 1);
+    return failed;
+}

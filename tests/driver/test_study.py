@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-study as a user runs it: the paper's numbers, the orders, the same bytes for any number of ranks, and every kind of
+bad input.      test_study.py VTI_STUDY MPIRUN"""
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import h5py
+
+STUDY, MPIRUN = sys.argv[1:3]
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
+failures = []
+
+
+def check(condition, what):
+    print(("ok      " if condition else "FAILED  ") + what)
+    if not condition:
+        failures.append(what)
+
+
+def study(ranks, *arguments, folder=None):
+    command = [MPIRUN, "-n", str(ranks), STUDY, "--no-plot", *arguments]
+    if folder is not None:
+        command += ["-o", folder]
+    return subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=120, check=False)
+
+
+def rows(folder):
+    with open(os.path.join(folder, "study.csv"), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def paper_numbers(folder):
+    """EQUATIONS 4, h = 1/64, t_N = 10; each printed digit must come out."""
+    printed = {"vti1": ("1.079e-04", "1.396e-03", "1.367e-04"),
+               "vti2": ("1.232e-05", "4.777e-03", "6.248e-05"),
+               "vti3": ("8.679e-03", "3.134e-02", "3.389e-03")}
+    for row in rows(folder):
+        if float(row["h"]) == 1 / 64 and row["stepper"] in printed:
+            found = tuple("%.3e" % float(row[m]) for m in ("e_error", "q_error", "h1_error"))
+            check(found == printed[row["stepper"]], f"{row['stepper']} at h = 1/64: {found}")
+
+
+def orders(folder, what):
+    """EQUATIONS 4: E 2, 2, 1; q 1, 1, 1/2; true 2, 2, 1; with half kicks VTI-3 is 2, 1, 2. Each inside its interval, and the
+    interval narrow enough to tell one order from another."""
+    expected = {"vti1": (2, 1, 2, 2), "vti2": (2, 1, 2, 2), "vti3": (1, 0.5, 1, 1), "vti3-leapfrog": (2, 1, 2, 2)}
+    measures = ["e_error", "q_error", "h1_error", "attitude_error"]
+    with h5py.File(os.path.join(folder, "study.h5")) as file:
+        table = {name: file["orders"][name][...] for name in file["orders"]}
+    for stepper, measure, order, interval in zip(table["stepper"], table["measure"], table["order"], table["interval"]):
+        stepper, measure = stepper.decode(), measure.decode()
+        want = expected[stepper][measures.index(measure)]
+        check(abs(order - want) <= interval < 0.2, f"{what} {stepper} {measure}: {order:.6f} +- {interval:.6f}, not {want}")
+
+
+def same_bytes(base):
+    """More ranks than runs included."""
+    for ranks in (1, 2, 3, 5):
+        study(ranks, "--h", "2^-4:2^-9", "--steppers", "vti1,vti3", folder=f"{base}/ranks{ranks}")
+        study(ranks, "--h", "1/32", "--steppers", "vti2", folder=f"{base}/few{ranks}")
+    for kind in ("ranks", "few"):
+        for name in ("study.h5", "study.csv"):
+            contents = {open(f"{base}/{kind}{ranks}/{name}", "rb").read() for ranks in (1, 2, 3, 5)}
+            check(len(contents) == 1, f"{kind}: {name} is the same on 1, 2, 3 and 5 ranks")
+
+
+def whole_steps(base):
+    result = study(1, "--h", "0.3", "--t-end", "1", folder=f"{base}/whole")
+    row = rows(f"{base}/whole")[0]
+    check(row["steps"] == "3" and abs(float(row["t_end"]) - 0.9) < 1e-12, "t_end = 1, h = 0.3: 3 steps to 0.9")
+    check("not a multiple" in result.stdout, "... and it says so")
+    study(1, "--h", "0.1", "--t-end", "10", folder=f"{base}/tenths")
+    check(rows(f"{base}/tenths")[0]["steps"] == "100", "t_end = 10, h = 0.1: 100 steps, though neither is exact in binary")
+
+
+def refused(base):
+    scene = f"{base}/scene.yaml"
+    shutil.copy(os.path.join(os.path.dirname(STUDY), "..", "scenes", "pendulum.yaml"), scene)
+    with open(scene) as file:
+        text = file.read()
+
+    def variant(old, new):
+        path = f"{base}/variant.yaml"
+        with open(path, "w") as file:
+            file.write(text.replace(old, new))
+        return path
+
+    blocked = f"{base}/file"
+    open(blocked, "w").close()
+    cases = [
+        ("unknown key", lambda: [variant("inertia:", "inertai:")], ["variant.yaml:", "inertai", "inertia"]),
+        ("wrong type", lambda: [variant("weight: 1 ", "weight: one ")], ["variant.yaml:", "pendulum.weight", "'one'"]),
+        ("negative h in the scene", lambda: [variant("h: 1/64", "h: -1/64")], ["variant.yaml:", "h: '-1/64'"]),
+        ("no such file", lambda: [f"{base}/none.yaml"], ["none.yaml", "cannot be read"]),
+        ("negative h", lambda: [scene, "--h", "-0.1"], ["--h", "'-0.1'"]),
+        ("h of zero", lambda: [scene, "--h", "0"], ["--h", "'0'"]),
+        ("not a ladder", lambda: [scene, "--h", "0.1:0.03"], ["--h", "factors of two"]),
+        ("one step twice", lambda: [scene, "--h", "1/64,2^-6"], ["--h", "twice"]),
+        ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),
+        ("bad t_end", lambda: [scene, "--t-end", "-1"], ["--t-end", "'-1'"]),
+        ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk4"], ["--steppers", "'rk4'", "vti1, vti2, vti3"]),
+        ("unknown option", lambda: [scene, "--frob"], ["--frob", "--help"]),
+        ("two scenes", lambda: [scene, scene], ["only one scene"]),
+        ("bad override", lambda: [scene, "--set", "pendulum.wait=1"], ["--set", "pendulum.wait"]),
+        ("VTI-1 turns too far", lambda: [scene, "--steppers", "vti1", "--h", "1"], ["vti1 at h = 1", "body 0", "h|Omega|", "vti2"]),
+        ("VTI-1 turns too far among good runs", lambda: [scene, "--h", "2,1,1/64,1/128,2^-16"], ["vti1 at h = ", "reduce h"]),
+    ]
+    for what, arguments, expected in cases:
+        for ranks in (1, 3):
+            folder = f"{base}/refused"
+            shutil.rmtree(folder, ignore_errors=True)
+            one_refusal(f"{what}, {ranks} ranks", study(ranks, *arguments(), folder=folder), expected, folder)
+    for ranks in (1, 3):
+        one_refusal(f"option without value, {ranks} ranks", study(ranks, scene, "-o"), ["-o", "needs a value"], None)
+        one_refusal(f"unwritable folder, {ranks} ranks", study(ranks, scene, "--h", "1/64", folder=f"{blocked}/out"),
+                    [f"{blocked}/out", "-o"], None)
+
+
+def one_refusal(what, result, expected, folder):
+    ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
+    check(result.returncode != 0, f"{what}: exit code {result.returncode}")
+    check(len(ours) == 1 and all(word in ours[0] for word in expected), f"{what}: {ours}")
+    left = sorted(os.listdir(folder)) if folder is not None and os.path.isdir(folder) else []
+    check(left == [], f"{what}: leaves nothing behind {left}")
+
+
+def keeps_what_was_there(base):
+    """A study that fails does not touch the files of the one before it."""
+    folder = f"{base}/kept"
+    study(2, "--h", "1/64", folder=folder)
+    before = {name: open(f"{folder}/{name}", "rb").read() for name in sorted(os.listdir(folder))}
+    study(2, "--h", "1,1/64", "--steppers", "vti1", folder=folder)
+    after = {name: open(f"{folder}/{name}", "rb").read() for name in sorted(os.listdir(folder))}
+    check(len(before) == 3 and before == after, "a failed study leaves the files of the one before")
+
+
+with tempfile.TemporaryDirectory() as base:
+    full = study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", folder=f"{base}/full")
+    check(full.returncode == 0 and full.stderr == "", f"the default study runs and is quiet on stderr {full.stderr}")
+    paper_numbers(f"{base}/full")
+    orders(f"{base}/full", "t = 10")
+    study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", "--t-end", "100", folder=f"{base}/hundred")
+    orders(f"{base}/hundred", "t = 100")
+    same_bytes(base)
+    whole_steps(base)
+    refused(base)
+    keeps_what_was_there(base)
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

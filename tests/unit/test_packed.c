@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The packed door: the bits of the views, one mass or n of them, absent arrays, and its refusals. */
+#include "support.h"
+
+enum { N = 300, QUANTITIES = 6, DOUBLES = QUANTITIES * 3 * N };
+
+static double ours[QUANTITIES][3 * N], theirs[QUANTITIES][3 * N], mass[N], inertia[N];
+
+static int sound(void **state)
+{
+    (void)state;
+    rng g = rng_seed(31);
+    for (int q = 0; q < QUANTITIES; ++q)
+        random_vector(&g, 1, ours[q]);
+    for (int q = 0; q < QUANTITIES; ++q)
+        for (int i = 0; i < 3 * N; ++i)
+            ours[q][i] = uniform(&g, -1, 1);
+    for (int i = 0; i < N; ++i) {
+        mass[i] = uniform(&g, 1, 2);
+        inertia[i] = uniform(&g, 1, 2);
+    }
+    memcpy(theirs, ours, sizeof ours);
+    return 0;
+}
+
+static double *present(double (*arrays)[3 * N], int which, int q)
+{
+    return which >> q & 1 ? arrays[q] : NULL;
+}
+
+static void same_bits_as_views(void **state)
+{
+    const double h = 0.25;
+    for (int which = 0; which < 64; ++which)
+        for (int64_t s = 0; s < vti_stepper_count(); ++s)
+            for (int arrays = 0; arrays < 4; ++arrays) {
+                sound(state);
+                const int64_t masses = arrays & 1 ? N : 1, inertias = arrays & 2 ? N : 1;
+                vti_bodies b = vti_bodies_none(N);
+                vti_view *const views[] = {&b.x, &b.v, &b.force, &b.alpha, &b.omega, &b.moment};
+                for (int q = 0; q < QUANTITIES; ++q)
+                    if (which >> q & 1)
+                        *views[q] = vti_view_packed(theirs[q]);
+                b.mass = masses == 1 ? vti_scalars_one(mass) : vti_scalars_array(mass);
+                b.inertia = inertias == 1 ? vti_scalars_one(inertia) : vti_scalars_array(inertia);
+                int64_t body = 5;
+                double value = 5;
+                double *p[QUANTITIES];
+                for (int q = 0; q < QUANTITIES; ++q)
+                    p[q] = present(ours, which, q);
+                assert_int_equal(vti_packed_begin(s, h, N, p[0], p[1], p[2], p[3], p[4], p[5], masses, mass, inertias,
+                                                  inertia, &body, &value),
+                                 VTI_OK);
+                assert_int_equal(body, -1);
+                assert_int_equal(vti_packed_finish(s, h, N, p[1], p[2], p[4], p[5], masses, mass, inertias, inertia),
+                                 VTI_OK);
+                assert_int_equal(vti_step_begin(vti_stepper_at(s), h, &b, NULL), VTI_OK);
+                assert_int_equal(vti_step_finish(vti_stepper_at(s), h, &b), VTI_OK);
+                assert_same_bits(ours, theirs, DOUBLES);
+            }
+}
+
+static int begin(int64_t stepper, double h, int64_t n, int64_t masses, int64_t inertias, int64_t *body, double *value)
+{
+    return vti_packed_begin(stepper, h, n, ours[0], ours[1], ours[2], ours[3], ours[4], ours[5], masses, mass, inertias,
+                            inertia, body, value);
+}
+
+static int finish(int64_t stepper, double h, int64_t n, int64_t masses, int64_t inertias)
+{
+    return vti_packed_finish(stepper, h, n, ours[1], ours[2], ours[4], ours[5], masses, mass, inertias, inertia);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    int64_t body = 5;
+    double value = 5;
+    const int64_t wrong[] = {-1, vti_stepper_count(), INT64_MAX, INT64_MIN};
+    for (int k = 0; k < 4; ++k) {
+        assert_int_equal(begin(wrong[k], 0.1, N, N, N, NULL, NULL), VTI_E_STEPPER);
+        assert_int_equal(finish(wrong[k], 0.1, N, N, N), VTI_E_STEPPER);
+    }
+    const int64_t counts[] = {0, 2, N - 1, N + 1, -1};
+    for (int k = 0; k < 5; ++k) {
+        assert_int_equal(begin(0, 0.1, N, counts[k], N, NULL, NULL), VTI_E_COUNT);
+        assert_int_equal(begin(0, 0.1, N, N, counts[k], NULL, NULL), VTI_E_COUNT);
+        assert_int_equal(finish(0, 0.1, N, counts[k], N), VTI_E_COUNT);
+        assert_int_equal(finish(0, 0.1, N, N, counts[k]), VTI_E_COUNT);
+    }
+    assert_int_equal(begin(0, 0.1, -1, 1, 1, NULL, NULL), VTI_E_COUNT);
+    assert_int_equal(begin(0, NAN, N, N, N, &body, &value), VTI_E_TIME);
+    assert_int_equal(body, -1);
+    assert_int_equal(finish(0, -1, N, N, N), VTI_E_TIME);
+    assert_int_equal(
+        vti_packed_begin(0, 0.1, N, NULL, ours[1], ours[2], NULL, NULL, NULL, 1, NULL, 1, NULL, NULL, NULL),
+        VTI_E_MASS);
+    assert_int_equal(vti_packed_finish(0, 0.1, N, NULL, NULL, ours[4], ours[5], 1, NULL, 1, NULL), VTI_E_INERTIA);
+    assert_int_equal(
+        vti_packed_begin(0, 0.1, N, ours[0], ours[0], NULL, NULL, NULL, NULL, 1, mass, 1, mass, NULL, NULL),
+        VTI_E_ALIAS);
+    assert_same_bits(ours, theirs, DOUBLES);
+
+    ours[5][3 * 77] = ours[5][3 * 77 + 1] = ours[5][3 * 77 + 2] = 0;
+    ours[4][3 * 77] = 3;
+    ours[4][3 * 77 + 1] = 4;
+    ours[4][3 * 77 + 2] = 0;
+    memcpy(theirs, ours, sizeof ours);
+    assert_int_equal(begin(0, 0.5, N, N, N, &body, &value), VTI_E_TOO_LARGE);
+    assert_int_equal(body, 77);
+    assert_close(value, 2.5, 0);
+    assert_same_bits(ours, theirs, DOUBLES);
+}
+
+static void no_bodies(void **state)
+{
+    (void)state;
+    assert_int_equal(begin(0, 0.1, 0, 0, 1, NULL, NULL), VTI_OK);
+    assert_int_equal(finish(0, 0.1, 0, 1, 0), VTI_OK);
+    assert_int_equal(vti_packed_begin(1, 0.1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL), 0);
+    assert_same_bits(ours, theirs, DOUBLES);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_bits_as_views),
+        cmocka_unit_test_setup(refusals, sound),
+        cmocka_unit_test_setup(no_bodies, sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
+#include "support.h"
+
+enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_BOND };
+
+static const vti_stepper *vti1, *vti2;
+static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];
+static double zero[DOUBLES];
+static vti_bodies b;
+
+/** Sound bodies at rest; every test spoils a copy. */
+static int sound(void **state)
+{
+    (void)state;
+    vti1 = vti_stepper_find("vti1");
+    vti2 = vti_stepper_find("vti2");
+    b = vti_bodies_none(N);
+    b.x = vti_view_packed(x);
+    b.v = vti_view_packed(v);
+    b.force = vti_view_packed(f);
+    b.alpha = vti_view_packed(a);
+    b.omega = vti_view_packed(w);
+    b.moment = vti_view_packed(m);
+    b.mass = vti_scalars_array(mass);
+    b.inertia = vti_scalars_array(inertia);
+    for (int i = 0; i < N; ++i)
+        mass[i] = inertia[i] = 1.0;
+    for (int i = 0; i < DOUBLES; ++i) {
+        x[i] = v[i] = f[i] = a[i] = m[i] = 0.125 * (i + 1);
+        w[i] = 0.05 * i;
+    }
+    return 0;
+}
+
+/** Every call that takes bodies refuses them with the status, and writes nothing. */
+static void refused(vti_bodies bad, int status)
+{
+    double before[6][DOUBLES], after[6][DOUBLES];
+    double *const all[6] = {x, v, f, a, w, m};
+    for (int k = 0; k < 6; ++k)
+        memcpy(before[k], all[k], sizeof x);
+    vti_fault fault;
+    assert_int_equal(vti_bodies_check(&bad), status);
+    assert_int_equal(vti_bodies_check_values(&bad, &fault), status);
+    assert_int_equal(vti_kick(0.5, &bad), status);
+    assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0.5, &bad, NULL), status);
+    assert_int_equal(vti_step_begin(vti1, 0.5, &bad, &fault), status);
+    assert_int_equal(vti_step_stage(vti2, 0, 0.5, &bad, NULL), status);
+    assert_int_equal(vti_step_finish(vti1, 0.5, &bad), status);
+    assert_int_equal(vti_step_start(vti1, 0.5, &bad), status);
+    assert_int_equal(vti_step_sync(vti1, 0.5, &bad), status);
+    assert_int_equal(vti_apply(NULL, 0, &bad), status);
+    assert_int_equal(fault.body, -1);
+    for (int k = 0; k < 6; ++k)
+        memcpy(after[k], all[k], sizeof x);
+    assert_same_bits(before, after, 6 * DOUBLES);
+}
+
+static void texts(void **state)
+{
+    (void)state;
+    for (int i = LOWEST; i <= VTI_OK; ++i) {
+        assert_true(strlen(vti_status_text(i)) > 4);
+        assert_string_not_equal(vti_status_text(i), vti_status_text(LOWEST - 1));
+        for (int j = LOWEST; j < i; ++j)
+            assert_string_not_equal(vti_status_text(i), vti_status_text(j));
+    }
+    const int unknown[] = {1, LOWEST - 1, INT32_MAX, INT32_MIN};
+    for (int i = 0; i < 4; ++i)
+        assert_string_equal(vti_status_text(unknown[i]), vti_status_text(LOWEST - 1));
+    assert_string_equal(vti_version(), VTI_VERSION_STRING);
+}
+
+static void sound_bodies_pass(void **state)
+{
+    (void)state;
+    vti_fault fault = {5, 5};
+    assert_int_equal(vti_bodies_check(&b), VTI_OK);
+    assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
+    assert_int_equal(fault.body, -1);
+    const vti_bodies none = vti_bodies_none(N);
+    assert_int_equal(vti_bodies_check(&none), VTI_OK);
+}
+
+static void null(void **state)
+{
+    (void)state;
+    vti_fault fault;
+    assert_int_equal(vti_bodies_check(NULL), VTI_E_NULL);
+    assert_int_equal(vti_bodies_check_values(NULL, NULL), VTI_E_NULL);
+    assert_int_equal(vti_kick(1, NULL), VTI_E_NULL);
+    assert_int_equal(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, 1, NULL, &fault), VTI_E_NULL);
+    assert_int_equal(vti_step_begin(NULL, 1, &b, &fault), VTI_E_NULL);
+    assert_int_equal(vti_step_begin(vti1, 1, NULL, &fault), VTI_E_NULL);
+    assert_int_equal(vti_step_stage(NULL, 0, 1, &b, NULL), VTI_E_NULL);
+    assert_int_equal(vti_step_finish(NULL, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_start(NULL, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_sync(NULL, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_apply(NULL, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_apply(NULL, 0, NULL), VTI_E_NULL);
+}
+
+static void abi_and_count(void **state)
+{
+    (void)state;
+    vti_bodies bad = b;
+    bad.abi = VTI_ABI + 1;
+    refused(bad, VTI_E_ABI);
+    bad.abi = 0;
+    refused(bad, VTI_E_ABI);
+    refused(vti_bodies_slice(b, -1, 1), VTI_E_COUNT);
+    refused(vti_bodies_slice(b, 0, -1), VTI_E_COUNT);
+    refused(vti_bodies_slice(b, INT64_MAX, 1), VTI_E_COUNT);
+    assert_int_equal(vti_apply(NULL, -1, &b), VTI_E_COUNT);
+}
+
+/** Each of the views in turn, in each of the ways to spoil it. */
+static void views(void **state)
+{
+    (void)state;
+    const size_t offsets[] = {offsetof(vti_bodies, x),     offsetof(vti_bodies, v),
+                              offsetof(vti_bodies, force), offsetof(vti_bodies, alpha),
+                              offsetof(vti_bodies, omega), offsetof(vti_bodies, moment),
+                              offsetof(vti_bodies, x_low), offsetof(vti_bodies, alpha_low),
+                              offsetof(vti_bodies, v_low), offsetof(vti_bodies, omega_low)};
+    static double low[4][DOUBLES];
+    b.x_low = vti_view_packed(low[0]);
+    b.v_low = vti_view_packed(low[1]);
+    b.alpha_low = vti_view_packed(low[2]);
+    b.omega_low = vti_view_packed(low[3]);
+    for (size_t i = 0; i < 10; ++i) {
+        vti_bodies bad = b;
+        vti_view *view = (vti_view *)((char *)&bad + offsets[i]);
+        const vti_view good = *view;
+        for (int k = 0; k < 3; ++k) {
+            view->c[k] = NULL;
+            refused(bad, VTI_E_VIEW);
+            view->c[k] = good.c[(k + 1) % 3];
+            refused(bad, VTI_E_ALIAS);
+            *view = good;
+        }
+        view->stride = 0;
+        refused(bad, VTI_E_STRIDE);
+        assert_int_equal(vti_bodies_check(&(vti_bodies){.abi = VTI_ABI, .count = 1, .x = *view}), VTI_OK);
+        *view = good;
+        for (size_t j = 0; j < 10; ++j)
+            if (j != i) {
+                *view = *(const vti_view *)((const char *)&b + offsets[j]);
+                refused(bad, VTI_E_ALIAS);
+            }
+    }
+}
+
+static void quaternion_views(void **state)
+{
+    (void)state;
+    b.quat.stride = 4;
+    for (int k = 0; k < 4; ++k)
+        b.quat.xyzw[k] = quat_ + k;
+    refused(b, VTI_E_VIEW); /* alpha and quaternion */
+    b.alpha = vti_view_none();
+    assert_int_equal(vti_bodies_check(&b), VTI_OK);
+    vti_bodies bad = b;
+    bad.alpha_low = vti_view_packed(zero);
+    refused(bad, VTI_E_VIEW);
+    bad = b;
+    bad.quat.stride = 0;
+    refused(bad, VTI_E_STRIDE);
+    for (int k = 0; k < 4; ++k) {
+        bad = b;
+        bad.quat.xyzw[k] = NULL;
+        refused(bad, VTI_E_VIEW);
+        for (int j = 0; j < k; ++j) {
+            bad = b;
+            bad.quat.xyzw[k] = b.quat.xyzw[j];
+            refused(bad, VTI_E_ALIAS);
+        }
+    }
+    bad = b;
+    for (int k = 0; k < 4; ++k)
+        bad.quat.xyzw[k] = x + k;
+    refused(bad, VTI_E_ALIAS); /* two quantities on one memory */
+}
+
+static void masses(void **state)
+{
+    (void)state;
+    const double wrong[] = {0.0, -0.0, -1.0, NAN, INFINITY, -INFINITY};
+    for (int k = 0; k < 6; ++k) {
+        vti_bodies bad = b;
+        bad.mass = vti_scalars_one(&wrong[k]);
+        refused(bad, VTI_E_MASS);
+        bad = b;
+        bad.inertia = vti_scalars_one(&wrong[k]);
+        refused(bad, VTI_E_INERTIA);
+
+        vti_fault fault;
+        mass[2] = wrong[k];
+        assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_MASS);
+        assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_E_MASS);
+        assert_int_equal(fault.body, 2);
+        assert_same_bits(&fault.value, &wrong[k], 1);
+        const vti_bodies rest = vti_bodies_slice(b, 3, 1);
+        assert_int_equal(vti_bodies_check_values(&rest, &fault), VTI_OK);
+        mass[2] = 1;
+        inertia[3] = wrong[k];
+        assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_INERTIA);
+        assert_int_equal(fault.body, 3);
+        inertia[3] = 1;
+    }
+    vti_bodies bad = b;
+    bad.mass.p = NULL;
+    refused(bad, VTI_E_MASS);
+    bad.force = vti_view_none(); /* nothing divides by the mass now */
+    assert_int_equal(vti_bodies_check(&bad), VTI_OK);
+    bad = b;
+    bad.inertia.p = NULL;
+    refused(bad, VTI_E_INERTIA);
+    bad.omega = vti_view_none();
+    assert_int_equal(vti_bodies_check(&bad), VTI_OK);
+}
+
+static void time(void **state)
+{
+    (void)state;
+    const double wrong[] = {NAN, INFINITY, -INFINITY, 0.0, -1.0};
+    for (int k = 0; k < 5; ++k) {
+        vti_fault fault = {7, 7};
+        assert_int_equal(vti_step_begin(vti1, wrong[k], &b, &fault), VTI_E_TIME);
+        assert_int_equal(fault.body, -1);
+        assert_int_equal(vti_step_stage(vti2, 0, wrong[k], &b, NULL), VTI_E_TIME);
+        assert_int_equal(vti_step_finish(vti1, wrong[k], &b), VTI_E_TIME);
+        assert_int_equal(vti_step_start(vti1, wrong[k], &b), VTI_E_TIME);
+        assert_int_equal(vti_step_sync(vti1, wrong[k], &b), VTI_E_TIME);
+        const int either_sign = k < 3 ? VTI_E_TIME : VTI_OK;
+        assert_int_equal(vti_kick(wrong[k], &b), either_sign);
+        assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, wrong[k], &b, NULL), either_sign);
+    }
+}
+
+static void law_frame_stage_stepper_bond(void **state)
+{
+    (void)state;
+    assert_int_equal(vti_drift(0, VTI_FRAME_SPACE, 0.1, &b, NULL), VTI_E_STEPPER);
+    assert_int_equal(vti_drift(3, VTI_FRAME_BODY, 0.1, &b, NULL), VTI_E_STEPPER);
+    assert_int_equal(vti_drift(VTI_LAW_CLOSED, 0, 0.1, &b, NULL), VTI_E_FRAME);
+    assert_int_equal(vti_drift(VTI_LAW_CAYLEY, 2, 0.1, &b, NULL), VTI_E_FRAME);
+    assert_int_equal(vti_step_stage(vti1, -1, 0.1, &b, NULL), VTI_E_STAGE);
+    assert_int_equal(vti_step_stage(vti1, 1, 0.1, &b, NULL), VTI_E_STAGE);
+    assert_int_equal(vti_step_stage(vti1, INT64_MAX, 0.1, &b, NULL), VTI_E_STAGE);
+    vti_stepper own = *vti1;
+    own.law = 99;
+    assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_STEPPER);
+    own = *vti1;
+    own.frame = 0;
+    assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_FRAME);
+    vti_fault fault;
+    w[4] = 20;
+    assert_int_equal(vti_step_begin(vti1, 0.1, &b, &fault), VTI_E_TOO_LARGE);
+    const int64_t pair[2] = {1, 1};
+    double rest[4] = {7, 7, 7, 7};
+    assert_int_equal(vti_bonds_rest(1, pair, 0, &b.x, rest, &fault), VTI_E_BOND);
+    assert_int_equal(vti_packed_begin(99, 0.1, N, x, v, f, a, w, m, N, mass, N, inertia, NULL, NULL), VTI_E_STEPPER);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(texts),
+        cmocka_unit_test_setup(sound_bodies_pass, sound),
+        cmocka_unit_test_setup(null, sound),
+        cmocka_unit_test_setup(abi_and_count, sound),
+        cmocka_unit_test_setup(views, sound),
+        cmocka_unit_test_setup(quaternion_views, sound),
+        cmocka_unit_test_setup(masses, sound),
+        cmocka_unit_test_setup(time, sound),
+        cmocka_unit_test_setup(law_frame_stage_stepper_bond, sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
