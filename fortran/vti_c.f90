@@ -13,7 +13,7 @@ module vti_c
 
     integer(c_int), parameter :: VTI_OK = 0, VTI_E_NULL = -1, VTI_E_ABI = -2, VTI_E_COUNT = -3, VTI_E_VIEW = -4, &
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
-        VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13
+        VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
 
@@ -45,7 +45,7 @@ module vti_c
     !> A slice of the caller's bodies. What is not given is absent, and with it the physics that needs it; the members
     !> are explained in vti.h. first counts from 0 as in C: set it by vti_bodies_slice.
     type, bind(c) :: vti_bodies
-        integer(c_int64_t) :: abi = VTI_ABI, first = 0, count = 0
+        integer(c_int64_t) :: abi = VTI_ABI, sealed = 0, first = 0, count = 0
         type(vti_view) :: x, v, force, alpha
         type(vti_quat_view) :: quat
         type(vti_view) :: omega, moment
@@ -82,6 +82,12 @@ module vti_c
         function vti_bodies_check(bodies) result(status) bind(c)
             import :: c_int, vti_bodies
             type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+        !> vti_bodies_check once and for all: later calls with these bodies do not check again.
+        function vti_bodies_seal(bodies) result(status) bind(c)
+            import :: c_int, vti_bodies
+            type(vti_bodies), intent(inout) :: bodies
             integer(c_int) :: status
         end function
 

@@ -76,6 +76,7 @@ typedef struct vti_scalars {
  *  never as both. Start from vti_bodies_none(). */
 typedef struct vti_bodies {
     int64_t abi;        /* VTI_ABI */
+    int64_t sealed;     /* 0, or what vti_bodies_seal has put here */
     int64_t first;      /* index of the first body of the slice, 0-based */
     int64_t count;      /* bodies in the slice, >= 0 */
     vti_view x;         /* position of the centre */
@@ -142,7 +143,7 @@ static inline vti_bodies vti_bodies_none(int64_t n)
     const vti_view none = {{0, 0, 0}, 0};
     const vti_quat_view no_quat = {{0, 0, 0, 0}, 0};
     const vti_scalars no_scalars = {0, 0};
-    const vti_bodies b = {VTI_ABI, 0,    n,          none,       none, none, none, no_quat,
+    const vti_bodies b = {VTI_ABI, 0,    0,          n,          none, none, none, none, no_quat,
                           none,    none, no_scalars, no_scalars, none, none, none, none};
     return b;
 }
@@ -155,9 +156,14 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
     return b;
 }
 
-/** The checks that cost nothing per body: ABI, counts, half-given views, zero strides, two quantities on one memory, mass
- *  or inertia missing. Every call that moves bodies makes them. */
+/** What can be seen without looking at a body: ABI, counts, half-given views, zero strides, two views that begin at one
+ *  memory, mass or inertia missing or, where there is one for all, not finite or not positive. Every call that moves bodies
+ *  checks this first. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
+
+/** vti_bodies_check once and for all: if it passes, the bodies are marked, and later calls with them, or with slices of
+ *  them, do not check again. For hosts that step few bodies very often. Seal again after changing a view. */
+VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and every mass and inertia of the slice finite and > 0. fault may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);

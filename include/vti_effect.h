@@ -11,6 +11,9 @@ extern "C" {
 
 /* ---- effects (EQUATIONS 3) ------------------------------------------------------------------------------------ */
 
+/** An effect has at most so many terms. */
+#define VTI_TERMS 8
+
 /** One line of physics. A scene holds an array of those that it calls for; what is not in the array does not exist. The
  *  object behind self stays the caller's. */
 typedef struct vti_effect {
@@ -20,7 +23,7 @@ typedef struct vti_effect {
     /** Writes the effect's energies, one per term. */
     void (*energy)(const void *self, const vti_bodies *bodies, double *energies);
     const void *self;
-    int64_t terms;
+    int64_t terms;           /* at most VTI_TERMS */
     const char *const *term; /* names of the terms, one each */
     int64_t breaks; /* momenta that it does not conserve, bits: 0-2 linear, 3-5 angular about 0, 6-8 sum of J Omega */
 } vti_effect;

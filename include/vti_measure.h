@@ -52,7 +52,7 @@ static inline double vti_integral_value(const vti_integral *q)
 VTI_API double vti_kinetic_translation(const vti_bodies *bodies);
 /** Sum of J|Omega|^2/2; 0 if nothing turns. */
 VTI_API double vti_kinetic_rotation(const vti_bodies *bodies);
-/** Kinetic energies and all energies of the effects. */
+/** Kinetic energies and all energies of the effects; NaN if an effect has more than VTI_TERMS terms. */
 VTI_API double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
 /** Sum of m v. */
 VTI_API void vti_momentum(const vti_bodies *bodies, double p[3]);

@@ -60,7 +60,7 @@ static inline double vti_scale(double m)
     return m > VTI_RRV_LARGE ? VTI_RRV_DOWN : m < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
 }
 
-/** |a|, without overflow or underflow of the squares. */
+/** |a|, without overflow or underflow of the squares (infinite only if |a| > DBL_MAX). */
 static inline double vti_norm(const double a[3])
 {
     const double s = vti_scale(vti_max3(a));

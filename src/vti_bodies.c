@@ -32,20 +32,17 @@ static int quat_check(const vti_bodies *b, int64_t end)
     return b->quat.stride == 0 && end > 1 ? VTI_E_STRIDE : VTI_OK;
 }
 
-static inline int same(const vti_view *a, const vti_view *b)
-{
-    return a->c[0] != NULL && a->c[0] == b->c[0];
-}
-
-/** Quantities that a step reads and writes together begin at memory of their own. */
+/** No two views begin at one memory. */
 static int alias_check(const vti_bodies *b)
 {
-    const int translation = same(&b->x, &b->v) || same(&b->x, &b->force) || same(&b->v, &b->force);
-    const int rotation = same(&b->alpha, &b->omega) || same(&b->alpha, &b->moment) || same(&b->omega, &b->moment);
-    const int across = same(&b->x, &b->alpha) || same(&b->v, &b->omega) || same(&b->force, &b->moment);
-    const int residuals = same(&b->x, &b->x_low) || same(&b->v, &b->v_low) || same(&b->alpha, &b->alpha_low) ||
-                          same(&b->omega, &b->omega_low);
-    return translation || rotation || across || residuals ? VTI_E_ALIAS : VTI_OK;
+    const double *const start[] = {b->x.c[0],         b->v.c[0],         b->force.c[0],  b->alpha.c[0],
+                                   b->omega.c[0],     b->moment.c[0],    b->x_low.c[0],  b->v_low.c[0],
+                                   b->alpha_low.c[0], b->omega_low.c[0], b->quat.xyzw[0]};
+    for (size_t i = 0; i < sizeof start / sizeof start[0]; ++i)
+        for (size_t j = 0; j < i && start[i] != NULL; ++j)
+            if (start[i] == start[j])
+                return VTI_E_ALIAS;
+    return VTI_OK;
 }
 
 static int is_positive(double value)
@@ -92,6 +89,14 @@ int vti_bodies_check(const vti_bodies *b)
     if (mass != VTI_OK)
         return mass;
     return scalars_check(&b->inertia, vti_has(&b->omega) && vti_has(&b->moment), b->count, VTI_E_INERTIA);
+}
+
+int vti_bodies_seal(vti_bodies *b)
+{
+    const int status = vti_bodies_check(b);
+    if (b != NULL)
+        b->sealed = status == VTI_OK ? VTI_SEAL : 0;
+    return status;
 }
 
 static int values_check(const vti_scalars *s, const vti_bodies *b, int error, vti_fault *fault)

@@ -11,7 +11,7 @@ static void clear(const vti_view *view, int64_t begin, int64_t end)
 
 int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
-    const int status = vti_bodies_check(b);
+    const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (n < 0)

@@ -53,6 +53,15 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** Marks sealed bodies: a number that memory does not hold by chance. */
+#define VTI_SEAL INT64_C(0x7674692d7365616c)
+
+/** vti_bodies_check, unless the bodies are sealed. */
+static inline int vti_bodies_ready(const vti_bodies *b)
+{
+    return b != NULL && b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
+}
+
 /** vti_kick and vti_drift of bodies begin <= i < end, which have been checked. */
 void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end);
 void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end);

@@ -4,8 +4,6 @@
  * conservation law is the integrator's rounding, not their own. */
 #include "vti_internal.h"
 
-enum { MAX_TERMS = 8 };
-
 static double sum_of_squares(const vti_view *view, const vti_scalars *weight, const vti_bodies *b)
 {
     vti_sum sum = {0.0, 0.0};
@@ -33,7 +31,9 @@ double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
     vti_sum_add(&sum, vti_kinetic_translation(b));
     vti_sum_add(&sum, vti_kinetic_rotation(b));
     for (int64_t k = 0; k < n; ++k) {
-        double energies[MAX_TERMS] = {0.0};
+        double energies[VTI_TERMS] = {0.0};
+        if (effects[k].terms > VTI_TERMS)
+            return NAN;
         effects[k].energy(effects[k].self, b, energies);
         for (int64_t j = 0; j < effects[k].terms; ++j)
             vti_sum_add(&sum, energies[j]);

@@ -215,35 +215,36 @@ void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t 
 
 /* ---- the bound of the closed form ----------------------------------------------------------------------------- */
 
-/** s^2 = |t (Omega + kick_t RM/J)|^2, by the operations of the kick and the drift, so that what is tested here is what
- *  the square root will see. */
-static inline double turn_squared(const vti_bodies *b, double kick_t, double t, int64_t i)
+/** u = t (Omega + kick_t RM/J), by the operations of the kick and the drift, so that what is tested here is what the
+ *  square root will see. */
+static inline void kicked_turn(const vti_bodies *b, double kick_t, double t, int64_t i, double u[3])
 {
-    double w[3], m[3], low[3] = {0.0, 0.0, 0.0};
-    vti_load(&b->omega, i, w);
+    double m[3], low[3] = {0.0, 0.0, 0.0};
+    vti_load(&b->omega, i, u);
     if (vti_has(&b->moment)) {
         const double k = kick_t / vti_scalar(&b->inertia, i);
         vti_load(&b->moment, i, m);
         if (vti_has(&b->omega_low))
             vti_load(&b->omega_low, i, low);
         for (int c = 0; c < 3; ++c)
-            w[c] = vti_has(&b->omega_low) ? add_compensated(w[c], k * m[c], &low[c]) : w[c] + k * m[c];
+            u[c] = vti_has(&b->omega_low) ? add_compensated(u[c], k * m[c], &low[c]) : u[c] + k * m[c];
     }
     for (int c = 0; c < 3; ++c)
-        w[c] *= t;
-    return vti_dot(w, w);
+        u[c] *= t;
 }
 
-/** The body with the largest s, or the first whose s is not a number. */
+/** The body with the largest s = |u|, or the first whose s is not a number. */
 static void name_worst(const vti_bodies *b, double kick_t, double t, vti_fault *fault)
 {
     double worst = -1.0;
     for (int64_t i = b->first; i < b->first + b->count && !isnan(worst); ++i) {
-        const double s2 = turn_squared(b, kick_t, t, i);
-        if (!(s2 <= worst)) {
-            worst = s2;
+        double u[3];
+        kicked_turn(b, kick_t, t, i, u);
+        const double s = vti_norm(u);
+        if (!(s <= worst)) {
+            worst = s;
             fault->body = i;
-            fault->value = sqrt(s2);
+            fault->value = s;
         }
     }
 }
@@ -253,8 +254,11 @@ int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti
     if (law != VTI_LAW_CLOSED || !vti_has_attitude(b) || !vti_has(&b->omega))
         return VTI_OK;
     int refused = 0;
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        refused |= !(turn_squared(b, kick_t, t, i) < 1.0);
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double u[3];
+        kicked_turn(b, kick_t, t, i, u);
+        refused |= !(vti_dot(u, u) < 1.0);
+    }
     if (refused && fault != NULL)
         name_worst(b, kick_t, t, fault);
     return refused ? VTI_E_TOO_LARGE : VTI_OK;
@@ -271,7 +275,7 @@ int vti_law_check(int law, int frame)
 
 int vti_kick(double t, const vti_bodies *b)
 {
-    const int status = vti_bodies_check(b);
+    const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (!isfinite(t))
@@ -282,7 +286,7 @@ int vti_kick(double t, const vti_bodies *b)
 
 int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
 {
-    int status = vti_bodies_check(b);
+    int status = vti_bodies_ready(b);
     if (status == VTI_OK)
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))

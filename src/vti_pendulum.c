@@ -42,7 +42,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
 {
     static const char *const term[] = {"pendulum"};
-    /* the pivot takes up any linear momentum; of the angular one gravity leaves the component along e3 */
-    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0x1df};
+    /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
+    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0xdf};
     return effect;
 }

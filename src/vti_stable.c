@@ -86,7 +86,7 @@ static double pendulum_frequencies(const vti_pendulum *p, const vti_bodies *b, c
 
 int vti_stable_step(const vti_springs *springs, const vti_bodies *b, double *scratch, double *h)
 {
-    const int status = vti_bodies_check(b);
+    const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (springs == NULL || scratch == NULL || h == NULL)

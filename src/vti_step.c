@@ -51,7 +51,7 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b)
 {
     if (method == NULL)
         return VTI_E_NULL;
-    const int status = vti_bodies_check(b);
+    const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     return isfinite(h) && h > 0.0 ? VTI_OK : VTI_E_TIME;

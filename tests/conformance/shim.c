@@ -12,24 +12,24 @@
 
 /* each type: its size, then where each of its members is */
 static const int64_t layout[] = {
-    SIZE(vti_fault),           AT(vti_fault, body),      AT(vti_fault, value),        SIZE(vti_view),
-    AT(vti_view, c),           AT(vti_view, stride),     SIZE(vti_quat_view),         AT(vti_quat_view, xyzw),
-    AT(vti_quat_view, stride), SIZE(vti_scalars),        AT(vti_scalars, p),          AT(vti_scalars, stride),
-    SIZE(vti_bodies),          AT(vti_bodies, abi),      AT(vti_bodies, first),       AT(vti_bodies, count),
-    AT(vti_bodies, x),         AT(vti_bodies, v),        AT(vti_bodies, force),       AT(vti_bodies, alpha),
-    AT(vti_bodies, quat),      AT(vti_bodies, omega),    AT(vti_bodies, moment),      AT(vti_bodies, mass),
-    AT(vti_bodies, inertia),   AT(vti_bodies, x_low),    AT(vti_bodies, v_low),       AT(vti_bodies, alpha_low),
-    AT(vti_bodies, omega_low), SIZE(vti_stepper),        AT(vti_stepper, name),       AT(vti_stepper, law),
-    AT(vti_stepper, frame),    AT(vti_stepper, order),   AT(vti_stepper, reversible), AT(vti_stepper, stages),
-    AT(vti_stepper, lag),      AT(vti_stepper, kick),    AT(vti_stepper, drift),      AT(vti_stepper, about),
-    SIZE(vti_effect),          AT(vti_effect, name),     AT(vti_effect, apply),       AT(vti_effect, energy),
-    AT(vti_effect, self),      AT(vti_effect, terms),    AT(vti_effect, term),        AT(vti_effect, breaks),
-    SIZE(vti_pendulum),        AT(vti_pendulum, weight), AT(vti_pendulum, rho0)};
+    SIZE(vti_fault),           AT(vti_fault, body),       AT(vti_fault, value),     SIZE(vti_view),
+    AT(vti_view, c),           AT(vti_view, stride),      SIZE(vti_quat_view),      AT(vti_quat_view, xyzw),
+    AT(vti_quat_view, stride), SIZE(vti_scalars),         AT(vti_scalars, p),       AT(vti_scalars, stride),
+    SIZE(vti_bodies),          AT(vti_bodies, abi),       AT(vti_bodies, sealed),   AT(vti_bodies, first),
+    AT(vti_bodies, count),     AT(vti_bodies, x),         AT(vti_bodies, v),        AT(vti_bodies, force),
+    AT(vti_bodies, alpha),     AT(vti_bodies, quat),      AT(vti_bodies, omega),    AT(vti_bodies, moment),
+    AT(vti_bodies, mass),      AT(vti_bodies, inertia),   AT(vti_bodies, x_low),    AT(vti_bodies, v_low),
+    AT(vti_bodies, alpha_low), AT(vti_bodies, omega_low), SIZE(vti_stepper),        AT(vti_stepper, name),
+    AT(vti_stepper, law),      AT(vti_stepper, frame),    AT(vti_stepper, order),   AT(vti_stepper, reversible),
+    AT(vti_stepper, stages),   AT(vti_stepper, lag),      AT(vti_stepper, kick),    AT(vti_stepper, drift),
+    AT(vti_stepper, about),    SIZE(vti_effect),          AT(vti_effect, name),     AT(vti_effect, apply),
+    AT(vti_effect, energy),    AT(vti_effect, self),      AT(vti_effect, terms),    AT(vti_effect, term),
+    AT(vti_effect, breaks),    SIZE(vti_pendulum),        AT(vti_pendulum, weight), AT(vti_pendulum, rho0)};
 
-static const int64_t constants[] = {VTI_ABI,        VTI_OK,          VTI_E_NULL,      VTI_E_ABI,     VTI_E_COUNT,
-                                    VTI_E_VIEW,     VTI_E_STRIDE,    VTI_E_ALIAS,     VTI_E_TIME,    VTI_E_MASS,
-                                    VTI_E_INERTIA,  VTI_E_TOO_LARGE, VTI_E_STAGE,     VTI_E_STEPPER, VTI_E_FRAME,
-                                    VTI_LAW_CLOSED, VTI_LAW_CAYLEY,  VTI_FRAME_SPACE, VTI_FRAME_BODY};
+static const int64_t constants[] = {VTI_ABI,       VTI_OK,          VTI_E_NULL,     VTI_E_ABI,       VTI_E_COUNT,
+                                    VTI_E_VIEW,    VTI_E_STRIDE,    VTI_E_ALIAS,    VTI_E_TIME,      VTI_E_MASS,
+                                    VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE,    VTI_E_STEPPER,   VTI_E_FRAME,
+                                    VTI_E_BOND,    VTI_LAW_CLOSED,  VTI_LAW_CAYLEY, VTI_FRAME_SPACE, VTI_FRAME_BODY};
 
 int64_t shim_layout(int64_t room, int64_t *values);
 int64_t shim_constants(int64_t room, int64_t *values);

@@ -21,7 +21,7 @@ program test_fortran_layout
 
     entries = 0
     call add([VTI_ABI, int([VTI_OK, VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT, VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, &
-        VTI_E_TIME, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, &
+        VTI_E_TIME, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, VTI_E_BOND, &
         VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, VTI_FRAME_BODY], c_int64_t)])
     count = shim_constants(200_c_int64_t, theirs)
     call compare('constant')
@@ -78,7 +78,7 @@ contains
 
     subroutine bodies()
         type(vti_bodies), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%first), c_loc(t%count), &
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%sealed), c_loc(t%first), c_loc(t%count), &
             c_loc(t%x), c_loc(t%v), c_loc(t%force), c_loc(t%alpha), c_loc(t%quat), c_loc(t%omega), c_loc(t%moment), &
             c_loc(t%mass), c_loc(t%inertia), c_loc(t%x_low), c_loc(t%v_low), c_loc(t%alpha_low), c_loc(t%omega_low)])])
     end subroutine
