@@ -5,7 +5,7 @@
 static vti_view packed(const double *p)
 {
     /* force and moment are only read; views have one type for all */
-    return p != NULL ? vti_view_packed((double *)(uintptr_t)p) : vti_view_none();
+    return p != NULL ? vti_view_packed((double *)p) : vti_view_none();
 }
 
 static int scalars(int64_t values, const double *p, int64_t n, vti_scalars *s)

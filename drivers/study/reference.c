@@ -110,7 +110,7 @@ static int rates(double t, const double state[], double rate[], void *self)
     const struct scene *scene = eq->model->scene;
     const int64_t stride = body_width(scene), n = eq->model->bodies.count;
     /* GSL promises not to have its state changed; the views are only read */
-    vti_bodies b = state_bodies(eq->model, (double *)(uintptr_t)state);
+    vti_bodies b = state_bodies(eq->model, (double *)state);
     b.force = scene->translates ? vector_at(eq->loads, 6) : vti_view_none();
     b.moment = scene->turns ? vector_at(eq->loads + 3, 6) : vti_view_none();
     (void)t;
