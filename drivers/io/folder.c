@@ -68,7 +68,7 @@ int folder_keep(const char *folder, const char *name, struct message *message)
 void folder_drop(const char *folder, const char *name)
 {
     char path[FOLDER_PATH];
-    struct message ignored;
+    struct message ignored = {""};
     if (folder_path(folder, name, 1, path, &ignored) == 0)
         unlink(path);
 }

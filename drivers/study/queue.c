@@ -126,9 +126,10 @@ int queue_run(const struct queue *queue, MPI_Comm comm)
     s.report = calloc(1, bytes);
     struct report *own = calloc(1, bytes);
     s.home = calloc((size_t)s.ranks, 1);
-    int failed = s.report == NULL || own == NULL || s.home == NULL;
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
-    if (!failed) {
+    const int without = s.report == NULL || own == NULL || s.home == NULL;
+    int failed;
+    MPI_Allreduce(&without, &failed, 1, MPI_INT, MPI_MAX, comm);
+    if (!failed && !without) {
         if (rank == 0)
             work_root(&s, own);
         else

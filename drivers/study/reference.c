@@ -294,11 +294,13 @@ static double panel_integral(struct reference *r, int64_t p, double end)
     const struct scene *scene = r->model->scene;
     const int64_t width = body_width(scene), w = (scene->translates ? 6 : 0) + 3;
     vti_sum sum = {0.0, 0.0};
-    for (double from = -1.0, to; from < end; from = to) {
-        to = end;
+    double from = -1.0;
+    while (from < end) {
+        double to = end;
         for (int64_t i = 0; scene->turns && i < r->model->bodies.count; ++i)
             to = next_sign_change(&r->panels, p, i * width + w, from, to);
         vti_sum_add(&sum, smooth_integral(r, p, from, to));
+        from = to;
     }
     return vti_sum_value(&sum);
 }

@@ -180,10 +180,11 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
     int rank;
     struct work work = {study, reference, progress, MPI_Wtime(), 0, 0, -1};
     int64_t *order = calloc((size_t)study->runs, sizeof *order);
-    int failed = order == NULL;
+    const int without = order == NULL;
+    int failed;
     MPI_Comm_rank(comm, &rank);
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
-    if (failed) {
+    MPI_Allreduce(&without, &failed, 1, MPI_INT, MPI_MAX, comm);
+    if (failed || without) {
         free(order);
         return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);
     }
