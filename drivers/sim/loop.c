@@ -74,16 +74,27 @@ static int one_step(struct model *model, const vti_stepper *stepper, double h, v
     return vti_step_finish(stepper, h, &model->bodies);
 }
 
-static int show(const struct observer *observers, int n, int64_t step, double h, struct reader *reader,
-                const struct model *model, const vti_stepper *stepper)
+/** What a run consists of. */
+struct run {
+    struct model *model;
+    const vti_stepper *stepper;
+    double h;
+    int64_t last; /* step */
+    const struct observer *observers;
+    int observers_count;
+    struct reader reader;
+};
+
+static int show(struct run *run, int64_t step)
 {
-    const vti_bodies *seen = NULL;
-    for (int k = 0; k < n; ++k) {
-        if (step % observers[k].every != 0)
+    const vti_bodies *in_time = NULL;
+    for (int k = 0; k < run->observers_count; ++k) {
+        const struct observer *o = &run->observers[k];
+        if (step % o->every != 0 && step != run->last)
             continue;
-        if (seen == NULL)
-            seen = reader_read(reader, model, stepper, h);
-        if (observers[k].see(observers[k].self, step, (double)step * h, seen) != 0)
+        if (!o->raw && in_time == NULL)
+            in_time = reader_read(&run->reader, run->model, run->stepper, run->h);
+        if (o->see(o->self, step, (double)step * run->h, o->raw ? &run->model->bodies : in_time) != 0)
             return 1;
     }
     return 0;
@@ -100,22 +111,29 @@ static int refused(int status, const vti_fault *fault, const vti_stepper *steppe
                        (double)(step - 1) * h, vti_status_text(status));
 }
 
-int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t steps, const struct observer *observers,
-             int observers_count, struct message *message)
+/** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
+static int begin(const struct run *run, int64_t from)
 {
-    struct reader reader;
-    if (reader_create(&reader, model, stepper) != 0)
+    const int status = model_forces(run->model, &run->model->bodies);
+    return status != VTI_OK || from > 0 ? status : vti_step_start(run->stepper, run->h, &run->model->bodies);
+}
+
+int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
+             const struct observer *observers, int observers_count, struct message *message)
+{
+    struct run run = {model, stepper, h, steps, observers, observers_count, {model->bodies, NULL}};
+    if (reader_create(&run.reader, model, stepper) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     vti_fault fault = {-1, 0.0};
-    int status = vti_step_start(stepper, h, &model->bodies);
-    int stopped = show(observers, observers_count, 0, h, &reader, model, stepper);
-    int64_t step = 0;
+    int64_t step = from;
+    int status = begin(&run, from);
+    int stopped = status == VTI_OK && show(&run, step);
     while (status == VTI_OK && !stopped && step < steps) {
         status = one_step(model, stepper, h, &fault);
         ++step;
         if (status == VTI_OK)
-            stopped = show(observers, observers_count, step, h, &reader, model, stepper);
+            stopped = show(&run, step);
     }
-    free(reader.memory);
+    free(run.reader.memory);
     return status != VTI_OK ? refused(status, &fault, stepper, h, step, message) : stopped;
 }

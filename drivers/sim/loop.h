@@ -5,21 +5,22 @@
 
 #include "model.h"
 
-/** Sees the bodies at t = step h with position and velocity at the same time, and must not change them. Returns 0 to go
- *  on, anything else to stop the run. */
+/** Sees the bodies at t = step h and must not change them. Returns 0 to go on, anything else to stop the run. */
 struct observer {
     int (*see)(void *self, int64_t step, double t, const vti_bodies *bodies);
     void *self;
-    int64_t every; /* called at steps 0, every, 2 every, ... */
+    int64_t every; /* called at steps 0, every, 2 every, ..., and at the last */
+    int raw;       /* 0: position and velocity are of the same time. 1: the bodies as the stepper keeps them */
 };
 
 /** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple of
  *  h and the last step before it otherwise. */
 int64_t loop_steps(double t_end, double h);
 
-/** Takes steps steps of h and shows steps 0 ... steps to the observers. Returns 0; 1 if an observer stopped it; -1 with one
- *  line in *message if a step was refused. */
-int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t steps, const struct observer *observers,
-             int observers_count, struct message *message);
+/** Takes the model, which is at step from, to step steps by steps of h, and shows steps from ... steps to the observers, in
+ *  their order. With from > 0 the model's bodies must be as a raw observer saw them at that step, and the run goes on with
+ *  the same bits. Returns 0; 1 if an observer stopped it; -1 with one line in *message if a step was refused. */
+int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
+             const struct observer *observers, int observers_count, struct message *message);
 
 #endif

@@ -127,8 +127,8 @@ int queue_run(const struct queue *queue, MPI_Comm comm)
     struct report *own = calloc(1, bytes);
     s.home = calloc((size_t)s.ranks, 1);
     const int without = s.report == NULL || own == NULL || s.home == NULL;
-    int failed;
-    MPI_Allreduce(&without, &failed, 1, MPI_INT, MPI_MAX, comm);
+    int failed = without;
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
     if (!failed && !without) {
         if (rank == 0)
             work_root(&s, own);

@@ -181,9 +181,9 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
     struct work work = {study, reference, progress, MPI_Wtime(), 0, 0, -1};
     int64_t *order = calloc((size_t)study->runs, sizeof *order);
     const int without = order == NULL;
-    int failed;
+    int failed = without;
     MPI_Comm_rank(comm, &rank);
-    MPI_Allreduce(&without, &failed, 1, MPI_INT, MPI_MAX, comm);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
     if (failed || without) {
         free(order);
         return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);

@@ -100,7 +100,7 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
     struct model model;
     struct measures measures;
     struct poller poller = {poll, poll_self};
-    const struct observer observers[] = {{measure, &measures, 1}, {poll_see, &poller, POLL_EVERY}};
+    const struct observer observers[] = {{measure, &measures, 1, 0}, {poll_see, &poller, POLL_EVERY, 0}};
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;
@@ -111,7 +111,7 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
     }
     measures_begin(&measures, &model, reference, trial, outcome);
     const double start = MPI_Wtime();
-    outcome->failed = loop_run(&model, trial->stepper, trial->h, trial->steps, observers, poll != NULL ? 2 : 1,
+    outcome->failed = loop_run(&model, trial->stepper, trial->h, 0, trial->steps, observers, poll != NULL ? 2 : 1,
                                &outcome->message) != 0;
     outcome->seconds = MPI_Wtime() - start;
     measures_end(&measures);
