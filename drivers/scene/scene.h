@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * A scene: the bodies, the effects it calls for and how to step them, as numbers. A section that the file lacks is an
- * effect that does not exist; a body without x and v does not translate, one without alpha and omega does not turn.
+ * effect that does not exist; bodies without positions do not translate, and bodies that nothing turns have no attitude.
  * What a scene file may hold is the table in scene_field.c. */
 #ifndef VTI_SCENE_H
 #define VTI_SCENE_H
@@ -9,14 +9,91 @@
 #include "message.h"
 #include "vti.h"
 
+enum { SCENE_PATH_SIZE = 512, SCENE_PLANES_MAX = 256 };
+
+/** The most bodies of a scene: beyond, memory ends anyway, and products of counts stay far from their ends. */
+enum { SCENE_BODIES_MAX = 100000000 };
+
+/** Where the bodies are. */
+enum scene_arrangement { SCENE_SINGLE, SCENE_IN_RING, SCENE_IN_CHAIN, SCENE_IN_LATTICE, SCENE_IN_TABLE };
+
+/** Body k at the angle 2 pi k/count about center, in the plane z = center[2]. */
+struct scene_ring {
+    int64_t count;
+    double diameter, center[3];
+};
+
+/** Body k at start + k spacing direction/|direction|. */
+struct scene_chain {
+    int64_t count;
+    double spacing, start[3], direction[3];
+};
+
+/** Body i + counts[0] (j + counts[1] k) at corner + spacing (i, j, k). */
+struct scene_lattice {
+    int64_t counts[3];
+    double spacing, corner[3];
+};
+
+/** Added to the velocities of all bodies, uniform in [-v, v) and [-omega, omega) per component (sim/random.h); 0 is none. */
+struct scene_random {
+    int64_t seed;
+    double v, omega;
+};
+
+/** Stiffnesses of all bonds; 0 is a term that the file does not name. */
+struct scene_binder {
+    char table[SCENE_PATH_SIZE]; /* of the bonds, "" for the neighbours of the arrangement */
+    double moment, axial, shear;
+    int64_t shear_form; /* vti_shear */
+};
+
+struct scene_contact {
+    double stiffness;
+    int64_t bonded; /* 1: also between bodies that are bonded */
+};
+
+struct scene_planes {
+    int64_t count;
+    double plane[SCENE_PLANES_MAX][4]; /* n (made unit), d: the plane n.x = d */
+};
+
+struct scene_wall {
+    double stiffness;
+    struct scene_planes planes;
+};
+
+struct tables; /* sim/table.h */
+
 struct scene {
-    char name[64];  /* letters, digits, _ and -; of the file, up to its last dot, if the scene has none */
-    int translates; /* x and v are given */
-    int turns;      /* alpha and omega are given */
-    double mass, inertia;
-    double x[3], v[3], alpha[3], omega[3];
-    int has_pendulum;
+    char name[64]; /* letters, digits, _ and -; of the file, up to its last dot, if the scene has none */
+
+    /* As far as the file itself says; what a table says comes on top, and struct model has the final word. */
+    int translates; /* positions are given */
+    int turns;      /* attitude or angular velocity is given, or an effect turns bodies */
+
+    enum scene_arrangement arrangement;
+    struct scene_ring ring;
+    struct scene_chain chain;
+    struct scene_lattice lattice;
+    char table[SCENE_PATH_SIZE];    /* of the bodies */
+    double mass, inertia, diameter; /* of all bodies; 0 if the file does not say */
+    double x[3];                    /* of a single body */
+    double v[3], alpha[3], omega[3];
+    int has_v, has_alpha, has_omega; /* the file gives them */
+    struct scene_random random;
+
+    int has_binder, has_contact, has_wall, has_gravity, has_pendulum;
+    struct scene_binder binder;
+    struct scene_contact contact;
+    struct scene_wall wall;
+    vti_gravity gravity;
     vti_pendulum pendulum;
+
+    /* What the tables hold, if somebody has read them already; NULL: model_create reads them, which must then be CSV.
+     * Set by the caller after scene_read, and still the caller's. */
+    const struct tables *tables;
+
     const vti_stepper *stepper; /* "vti2" if the file has none; moments are in space */
     double h, t_end;
 };

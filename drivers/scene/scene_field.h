@@ -12,6 +12,12 @@ enum scene_kind {
     SCENE_SECTION, /* holds keys; goes to an int that becomes 1 if the file has the section */
     SCENE_NUMBER,  /* goes to a double */
     SCENE_VECTOR,  /* three numbers; goes to a double[3] */
+    SCENE_COUNT,   /* whole number; goes to an int64_t */
+    SCENE_COUNTS,  /* three whole numbers; goes to an int64_t[3] */
+    SCENE_PLANES,  /* list of rows nx, ny, nz, d; goes to a struct scene_planes */
+    SCENE_YES_NO,  /* yes or no; goes to an int64_t, 1 or 0 */
+    SCENE_SHEAR,   /* form of the shear energy; goes to an int64_t, a vti_shear */
+    SCENE_PATH,    /* of a file, relative to the scene's; goes to a char[SCENE_PATH_SIZE] */
     SCENE_NAME,    /* letters, digits, _ and -; goes to a char[64] */
     SCENE_STEPPER  /* name of a stepper; goes to a const vti_stepper * */
 };

@@ -75,11 +75,12 @@ static cyaml_config_t config_with(struct report *report)
     return config;
 }
 
-const cyaml_config_t *scene_source_config(void)
+void scene_source_free(const cyaml_schema_value_t *schema, struct scene_slot *slot)
 {
-    static const cyaml_config_t config = {
-        .mem_fn = cyaml_mem, .log_level = CYAML_LOG_ERROR, .flags = CYAML_CFG_NO_ALIAS};
-    return &config;
+    const cyaml_config_t config = config_with(NULL);
+    cyaml_free(&config, schema, slot->value, (unsigned)slot->items);
+    slot->value = NULL;
+    slot->items = 0;
 }
 
 /* ---- what the user is told --------------------------------------------------------------------------------------- */
@@ -130,9 +131,9 @@ static int fail_shape(const struct scene_source *source, struct report *report, 
 {
     char text[SCENE_WORDS_SIZE], path[PLACE_PATH];
     struct place place;
-    if (error != CYAML_ERR_INVALID_VALUE) /* too few or too many items: the list, not the last item, is to blame */
-        while (strchr(report->path, '[') != NULL)
-            scene_path_up(report->path);
+    whole_path(source, report->path, path);
+    if (error != CYAML_ERR_INVALID_VALUE && scene_words_indices(path) > scene_words_lists_around(path))
+        scene_path_up(report->path); /* too few or too many items: the list, not the last item, is to blame */
     if (place_find(source->text, source->size, report->path, 1, &place) != 0)
         return scene_source_fail(source, NULL, report->path, cyaml_strerror(error), message);
     whole_path(source, report->path, path);
@@ -152,16 +153,20 @@ static int fail(const struct scene_source *source, struct report *report, cyaml_
     return fail_at(source, report, 1, cyaml_strerror(error), message);
 }
 
-int scene_source_load(const struct scene_source *source, const cyaml_schema_value_t *schema, void **data,
+int scene_source_load(const struct scene_source *source, const cyaml_schema_value_t *schema, struct scene_slot *slot,
                       struct message *message)
 {
     struct place place;
     struct message problem;
     struct report report = {"", 0, ""};
     const cyaml_config_t config = config_with(&report);
-    *data = NULL;
+    unsigned items = 0;
+    slot->value = NULL;
     if (place_check(source->text, source->size, &place, &problem) != 0)
         return scene_source_fail(source, &place, source->path, problem.text, message);
-    const cyaml_err_t error = cyaml_load_data((const uint8_t *)source->text, source->size, &config, schema, data, NULL);
+    const cyaml_err_t error =
+        cyaml_load_data((const uint8_t *)source->text, source->size, &config, schema, &slot->value,
+                        schema->type == CYAML_SEQUENCE ? &items : NULL); /* which libcyaml wants for no other type */
+    slot->items = items;
     return error == CYAML_OK ? 0 : fail(source, &report, error, message);
 }

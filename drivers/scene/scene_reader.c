@@ -54,13 +54,13 @@ static int load_set(struct scene_reader *reader, const char *argument)
     if (field->kind == SCENE_SECTION)
         return fail_section(source, reader->message);
     const cyaml_schema_value_t *schema = scene_schema_value(&reader->schema, source->path);
-    void **slot = scene_schema_slot(&reader->schema, &reader->root, source->path, 1), *data;
+    struct scene_slot *slot = scene_schema_slot(&reader->schema, &reader->root, source->path, 1), loaded;
     if (slot == NULL)
         return scene_source_fail(source, NULL, "", "out of memory", reader->message);
-    if (scene_source_load(source, schema, &data, reader->message) != 0)
+    if (scene_source_load(source, schema, &loaded, reader->message) != 0)
         return -1;
-    cyaml_free(scene_source_config(), schema, *slot, 0);
-    *slot = data;
+    scene_source_free(schema, slot);
+    *slot = loaded;
     return 0;
 }
 
@@ -81,17 +81,28 @@ int scene_reader_open(struct scene_reader *reader, const char *path, const char 
 
 void scene_reader_close(struct scene_reader *reader)
 {
-    cyaml_free(scene_source_config(), &reader->schema.root, reader->root, 0);
+    scene_source_free(&reader->schema.root, &reader->root);
     for (int k = 0; k < reader->sources_count; ++k)
         free(reader->sources[k].text);
     free(reader->sources);
 }
 
+static const struct scene_slot *find_slot(const struct scene_reader *reader, const char *path)
+{
+    struct scene_slot root = reader->root; /* a copy, for without make nothing is written */
+    return scene_schema_slot(&reader->schema, &root, path, 0);
+}
+
 const void *scene_reader_value(const struct scene_reader *reader, const char *path)
 {
-    void *root = reader->root; /* without make nothing is written */
-    void **slot = scene_schema_slot(&reader->schema, &root, path, 0);
-    return slot != NULL ? *slot : NULL;
+    const struct scene_slot *slot = find_slot(reader, path);
+    return slot != NULL ? slot->value : NULL;
+}
+
+int64_t scene_reader_items(const struct scene_reader *reader, const char *path)
+{
+    const struct scene_slot *slot = find_slot(reader, path);
+    return slot != NULL ? (int64_t)slot->items : 0;
 }
 
 /* ---- places ------------------------------------------------------------------------------------------------------ */

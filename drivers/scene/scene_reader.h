@@ -8,7 +8,7 @@
 
 struct scene_reader {
     struct scene_schema schema;
-    void *root;
+    struct scene_slot root;
     struct scene_source *sources; /* the file, then the --set arguments */
     int sources_count;
     struct message *message;
@@ -21,8 +21,10 @@ int scene_reader_open(struct scene_reader *reader, const char *path, const char 
 void scene_reader_close(struct scene_reader *reader);
 
 /** The value at a path of the table, NULL if it is not given: of type char for single values, char *const [3] for
- *  vectors; of a section only whether it is NULL counts. */
+ *  vectors, char *const (*const [items])[4] for lists of rows; of a section only whether it is NULL counts. */
 const void *scene_reader_value(const struct scene_reader *reader, const char *path);
+/** The length of a list of rows. */
+int64_t scene_reader_items(const struct scene_reader *reader, const char *path);
 
 /** Writes one line about the value at path and returns -1. Its place is that of the value (of the key, if it is a
  *  section); for a value that is not given, of the section that lacks it. */

@@ -9,6 +9,9 @@ enum {
 
 static const cyaml_schema_value_t text = {CYAML_VALUE_STRING(OPTIONAL, char, 0, CYAML_UNLIMITED)};
 static const cyaml_schema_value_t vector = {CYAML_VALUE_SEQUENCE_FIXED(OPTIONAL, char *, &text, 3)};
+static const cyaml_schema_value_t row_of_four = {CYAML_VALUE_SEQUENCE_FIXED(OPTIONAL, char *, &text, 4)};
+static const cyaml_schema_value_t rows = {
+    CYAML_VALUE_SEQUENCE(OPTIONAL, char *(*)[4], &row_of_four, 0, CYAML_UNLIMITED)};
 
 /* ---- from the table to the schema -------------------------------------------------------------------------------- */
 
@@ -18,7 +21,9 @@ static cyaml_schema_value_t field_value(struct scene_schema *schema, const struc
 {
     if (field->kind == SCENE_SECTION)
         return section_value(schema, field->path);
-    return field->kind == SCENE_VECTOR ? vector : text;
+    if (field->kind == SCENE_PLANES)
+        return rows;
+    return field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS ? vector : text;
 }
 
 static int count_keys(const char *section)
@@ -41,13 +46,15 @@ static cyaml_schema_value_t section_value(struct scene_schema *schema, const cha
         if (key == NULL)
             continue;
         row->key = key;
-        row->data_offset = (uint32_t)((size_t)(row - first) * sizeof(void *));
+        row->data_offset = (uint32_t)((size_t)(row - first) * sizeof(struct scene_slot));
+        row->count_offset = row->data_offset + (uint32_t)offsetof(struct scene_slot, items);
+        row->count_size = sizeof(uint64_t);
         row->value = field_value(schema, field);
         ++row;
     }
     const cyaml_schema_value_t value = {.type = CYAML_MAPPING,
                                         .flags = (enum cyaml_flag)OPTIONAL,
-                                        .data_size = (uint32_t)((size_t)keys * sizeof(void *)),
+                                        .data_size = (uint32_t)((size_t)keys * sizeof(struct scene_slot)),
                                         .mapping = {first}};
     return value;
 }
@@ -87,17 +94,18 @@ void *scene_schema_zeros(size_t bytes)
     return p;
 }
 
-void **scene_schema_slot(const struct scene_schema *schema, void **root, const char *path, int make)
+struct scene_slot *scene_schema_slot(const struct scene_schema *schema, struct scene_slot *root, const char *path,
+                                     int make)
 {
     const cyaml_schema_value_t *value = &schema->root;
-    void **slot = root;
+    struct scene_slot *slot = root;
     while (path != NULL) {
-        if (*slot == NULL && make)
-            *slot = scene_schema_zeros(value->data_size);
-        if (*slot == NULL)
+        if (slot->value == NULL && make)
+            slot->value = scene_schema_zeros(value->data_size);
+        if (slot->value == NULL)
             return NULL;
         const cyaml_schema_field_t *row = step(value, &path);
-        slot = (void **)*slot + row->data_offset / sizeof(void *);
+        slot = (struct scene_slot *)slot->value + row->data_offset / sizeof(struct scene_slot);
         value = &row->value;
     }
     return slot;

@@ -25,13 +25,12 @@ int scene_source_file(const char *path, struct scene_source *source, struct mess
 /** Takes "path=value" apart. Does not look whether the path is known. Returns and allocates likewise. */
 int scene_source_set(const char *argument, struct scene_source *source, struct message *message);
 
-/** Loads the text with the schema of its value. Returns 0 and what cyaml_free must free, NULL if the text is an empty
- *  section; or -1 with one line in *message. */
-int scene_source_load(const struct scene_source *source, const cyaml_schema_value_t *schema, void **data,
+/** Loads the text with the schema of its value. Returns 0 and what scene_source_free must free, a NULL value if the text
+ *  is an empty section; or -1 with one line in *message. */
+int scene_source_load(const struct scene_source *source, const cyaml_schema_value_t *schema, struct scene_slot *slot,
                       struct message *message);
 
-/** The configuration for cyaml_free. */
-const cyaml_config_t *scene_source_config(void);
+void scene_source_free(const cyaml_schema_value_t *schema, struct scene_slot *slot);
 
 /** Writes the line "PLACE: PATH: TEXT" and returns -1. A NULL place is the source as a whole. */
 int scene_source_fail(const struct scene_source *source, const struct place *place, const char *path, const char *text,

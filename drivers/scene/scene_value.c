@@ -3,51 +3,8 @@
 
 #include <string.h>
 
-#include "number.h"
+#include "scene_number.h"
 #include "scene_words.h"
-
-/* ---- numbers ----------------------------------------------------------------------------------------------------- */
-
-static int read_component(const struct scene_reader *reader, const char *path, const char *text, double *value)
-{
-    if (number_read(text, value) == 0)
-        return 0;
-    char shown[QUOTE_SIZE];
-    return scene_reader_fail(reader, path, "'%s' is not a number; %s", quote(shown, sizeof shown, text),
-                             SCENE_WORDS_NUMBER);
-}
-
-static int read_number(const struct scene_reader *reader, const struct scene_field *field, const void *value,
-                       double *number)
-{
-    char shown[QUOTE_SIZE];
-    if (read_component(reader, field->path, value, number) != 0)
-        return -1;
-    quote(shown, sizeof shown, value);
-    if (field->range == SCENE_POSITIVE && !(*number > 0.0))
-        return scene_reader_fail(reader, field->path, "'%s' is not positive; the %s must be > 0", shown, field->about);
-    if (field->range == SCENE_NOT_NEGATIVE && !(*number >= 0.0))
-        return scene_reader_fail(reader, field->path, "'%s' is negative; the %s must be >= 0", shown, field->about);
-    return 0;
-}
-
-static int read_vector(const struct scene_reader *reader, const struct scene_field *field, const void *value,
-                       double vector[3])
-{
-    char *const *text = value;
-    for (size_t k = 0; k < 3; ++k) {
-        char path[PLACE_PATH];
-        path[0] = '\0';
-        append(path, sizeof path, field->path);
-        place_append_item(path, k);
-        if (read_component(reader, path, text[k], &vector[k]) != 0)
-            return -1;
-    }
-    if (field->range == SCENE_NOT_ZERO && vector[0] == 0.0 && vector[1] == 0.0 && vector[2] == 0.0)
-        return scene_reader_fail(reader, field->path, "'[%.20s, %.20s, %.20s]' has no length; the %s must not be zero",
-                                 text[0], text[1], text[2], field->about);
-    return 0;
-}
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
 
@@ -60,6 +17,50 @@ int scene_value_name(const struct scene_reader *reader, const char *name, const 
         return scene_reader_fail(reader, "name", "'%s'%s cannot name files; write 1 to 63 letters, digits, _ or -",
                                  quote(shown, sizeof shown, name), whose);
     memcpy(out, name, n + 1);
+    return 0;
+}
+
+/** A word that stands for a number. */
+struct word {
+    const char *word;
+    int64_t value;
+};
+
+static const struct word yes_no[] = {{"yes", 1}, {"no", 0}, {NULL, 0}};
+static const struct word shear_forms[] = {{"objective", VTI_SHEAR_OBJECTIVE},
+                                          {"quartic", VTI_SHEAR_QUARTIC},
+                                          {"printed", VTI_SHEAR_PRINTED},
+                                          {NULL, 0}};
+
+static int read_word(const struct scene_reader *reader, const struct scene_field *field, const char *text,
+                     const struct word *words, int64_t *value)
+{
+    char shown[QUOTE_SIZE], known[128] = "";
+    for (const struct word *w = words; w->word != NULL; ++w) {
+        if (strcmp(w->word, text) == 0) {
+            *value = w->value;
+            return 0;
+        }
+        append(append(known, sizeof known, known[0] != '\0' ? ", " : ""), sizeof known, w->word);
+    }
+    return scene_reader_fail(reader, field->path, "'%s' is not one of %s; take one of them",
+                             quote(shown, sizeof shown, text), known);
+}
+
+/** Relative to the folder of the scene file, so that a scene and its tables travel together. */
+static int read_path(const struct scene_reader *reader, const struct scene_field *field, const char *text,
+                     char out[SCENE_PATH_SIZE])
+{
+    const char *scene = reader->sources[0].name, *slash = strrchr(scene, '/');
+    const size_t folder = text[0] != '/' && slash != NULL ? (size_t)(slash - scene) + 1 : 0, n = strlen(text);
+    char shown[QUOTE_SIZE];
+    if (n == 0)
+        return scene_reader_fail(reader, field->path, "'' is not a path; name the %s", field->about);
+    if (folder + n >= SCENE_PATH_SIZE)
+        return scene_reader_fail(reader, field->path, "'%s' is too long; keep folder and name below %d letters",
+                                 quote(shown, sizeof shown, text), SCENE_PATH_SIZE);
+    memcpy(out, scene, folder);
+    memcpy(out + folder, text, n + 1);
     return 0;
 }
 
@@ -103,9 +104,21 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
         *(int *)target = 1;
         return 0;
     case SCENE_NUMBER:
-        return read_number(reader, field, value, target);
+        return scene_number_read(reader, field, value, target);
     case SCENE_VECTOR:
-        return read_vector(reader, field, value, target);
+        return scene_number_vector(reader, field, value, target);
+    case SCENE_COUNT:
+        return scene_number_count(reader, field, field->path, value, target);
+    case SCENE_COUNTS:
+        return scene_number_counts(reader, field, value, target);
+    case SCENE_PLANES:
+        return scene_number_planes(reader, field, value, target);
+    case SCENE_YES_NO:
+        return read_word(reader, field, value, yes_no, target);
+    case SCENE_SHEAR:
+        return read_word(reader, field, value, shear_forms, target);
+    case SCENE_PATH:
+        return read_path(reader, field, value, target);
     case SCENE_NAME:
         return scene_value_name(reader, value, "", target);
     case SCENE_STEPPER:

@@ -111,11 +111,12 @@ static void exact_values(void **state)
 {
     (void)state;
     pair p;
-    const double e3[3] = {0, 0, 1}, rest[4] = {1, 0, 0, 0.5}, value[3][3] = {
-                                                                   {PI * PI / 8, 0.5, 1},
-                                                                   {PI * PI / 8, 0.5, 0.5},
-                                                                   {PI * PI / 8, 0.5, 0.5},
-                                                               };
+    const double e3[3] = {0, 0, 1}, rest[4] = {1, 0, 0, 0.5},
+                 value[3][3] = {
+                     {PI * PI / 8, 0.5, 1},
+                     {PI * PI / 8, 0.5, 0.5},
+                     {PI * PI / 8, 0.5, 0.5},
+                 };
     for (int form = VTI_SHEAR_OBJECTIVE; form <= VTI_SHEAR_PRINTED; ++form) {
         double energies[3];
         crowd_clear(&p.c, 2, CROWD_ALPHA);

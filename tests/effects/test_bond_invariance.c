@@ -173,8 +173,8 @@ static void long_run(int form, double change[9])
     }
     /* a run that had blown up, or stood still, would prove nothing */
     assert_close(vti_energy(&effect, 1, &b), energy, 0.3 * energy);
-    print_message("form %d: P %.2g, L %.2g, sum J Omega %.2g, |x| %.3g, h %g\n", form, vti_max3(change), vti_max3(change + 3),
-                  vti_max3(change + 6), vti_max3(c.x[0]), h);
+    print_message("form %d: P %.2g, L %.2g, sum J Omega %.2g, |x| %.3g, h %g\n", form, vti_max3(change),
+                  vti_max3(change + 3), vti_max3(change + 6), vti_max3(c.x[0]), h);
 }
 
 /* At random, 1e5 steps of ten bodies make sqrt(1e6) = 1e3 roundings. Of the momenta, of the size 0.5: 1e3 * eps/2 = 1e-13.
@@ -206,10 +206,8 @@ static void ten_bodies_printed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rigid_motion),
-        cmocka_unit_test(printed_shear_sees_a_rotation),
-        cmocka_unit_test(swap_of_the_bodies),
-        cmocka_unit_test(ten_bodies_objective),
+        cmocka_unit_test(rigid_motion),       cmocka_unit_test(printed_shear_sees_a_rotation),
+        cmocka_unit_test(swap_of_the_bodies), cmocka_unit_test(ten_bodies_objective),
         cmocka_unit_test(ten_bodies_printed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

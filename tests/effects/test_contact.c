@@ -239,8 +239,10 @@ static void forces_are_minus_the_gradient(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pairs_have_their_values),       cmocka_unit_test(walls_have_their_values),
-        cmocka_unit_test(exact_values),                  cmocka_unit_test(touch_and_coincidence),
+        cmocka_unit_test(pairs_have_their_values),
+        cmocka_unit_test(walls_have_their_values),
+        cmocka_unit_test(exact_values),
+        cmocka_unit_test(touch_and_coincidence),
         cmocka_unit_test(forces_are_minus_the_gradient),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
