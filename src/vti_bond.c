@@ -21,8 +21,8 @@ static inline double stiffness(const vti_scalars *s, int64_t k)
     return s->p[k * s->stride];
 }
 
-static inline void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
-                          struct block *s)
+VTI_FORMULA void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
+                        struct block *s)
 {
     for (int l = 0; l < lanes; ++l) {
         const int64_t k = first + l;
@@ -55,7 +55,7 @@ static inline void gather(int terms, const vti_bonds *bonds, const vti_bodies *b
 
 /* ---- evaluate ---------------------------------------------------------------------------------------------------------- */
 
-static inline void load_lane(int terms, const struct block *s, int l, struct bond_state *b)
+VTI_FORMULA void load_lane(int terms, const struct block *s, int l, struct bond_state *b)
 {
     for (int c = 0; c < 3; ++c) {
         b->d[c] = terms & (TERM_AXIAL | TERM_SHEAR) ? s->d[c][l] : 0.0;
@@ -71,7 +71,7 @@ static inline void load_lane(int terms, const struct block *s, int l, struct bon
     b->shear = terms & TERM_SHEAR ? s->shear[l] : 0.0;
 }
 
-static inline void evaluate_loads(int terms, int form, struct block *s, int lanes)
+VTI_FORMULA void evaluate_loads(int terms, int form, struct block *s, int lanes)
 {
     for (int l = 0; l < lanes; ++l) {
         struct bond_state bond;
@@ -86,7 +86,7 @@ static inline void evaluate_loads(int terms, int form, struct block *s, int lane
     }
 }
 
-static inline void evaluate_energies(int terms, int form, struct block *s, int lanes)
+VTI_FORMULA void evaluate_energies(int terms, int form, struct block *s, int lanes)
 {
     for (int l = 0; l < lanes; ++l) {
         struct bond_state bond;
@@ -100,8 +100,8 @@ static inline void evaluate_energies(int terms, int form, struct block *s, int l
 
 /* ---- scatter ----------------------------------------------------------------------------------------------------------- */
 
-static inline void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
-                           const struct block *s)
+VTI_FORMULA void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
+                         const struct block *s)
 {
     const int has_force = terms & (TERM_AXIAL | TERM_SHEAR) && vti_has(&b->force);
     const int has_moment = terms & (TERM_MOMENT | TERM_SHEAR) && vti_has(&b->moment);
@@ -121,7 +121,7 @@ static inline void scatter(int terms, const vti_bonds *bonds, const vti_bodies *
 
 /* ---- kernels ----------------------------------------------------------------------------------------------------------- */
 
-static inline void apply_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b)
+VTI_FORMULA void apply_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b)
 {
     struct block block;
     for (int64_t first = 0; first < bonds->count; first += LANES) {
@@ -132,7 +132,7 @@ static inline void apply_all(int terms, int form, const vti_bonds *bonds, const 
     }
 }
 
-static inline void energy_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, double *energies)
+VTI_FORMULA void energy_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, double *energies)
 {
     struct block block;
     vti_sum sum[TERMS] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};

@@ -7,6 +7,13 @@
 
 #include "vti.h"
 
+/** Formulas that a loop over many bodies or bonds is made of: only inlined whole can they be done for several at once. */
+#if defined(__GNUC__)
+#define VTI_FORMULA static inline __attribute__((always_inline))
+#else
+#define VTI_FORMULA static inline
+#endif
+
 static inline int vti_has(const vti_view *view)
 {
     return view->c[0] != NULL;

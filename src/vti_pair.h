@@ -28,39 +28,35 @@ struct bond_loads {
 };
 
 /** atan(sqrt y)/sqrt y on [0, 1]: Chebyshev's fit of degree 20 (5e-18), below one ulp in double precision. */
-static inline double atan_ratio(double y)
+VTI_FORMULA double atan_ratio(double y)
 {
-    static const double c[] = {1.0,
-                               -0.3333333333333286,
-                               0.19999999999929946,
-                               -0.14285714281592693,
-                               0.11111110982087126,
-                               -0.09090906605656898,
-                               0.0769227555520563,
-                               -0.06666371187721098,
-                               0.05880342002401543,
-                               -0.052527255573225747,
-                               0.04719723992321112,
-                               -0.042125723963855326,
-                               0.03651081352721035,
-                               -0.02970071773623423,
-                               0.021740213830758134,
-                               -0.013674139288399478,
-                               0.007038646202989813,
-                               -0.0028047655531701315,
-                               0.0008033604181626027,
-                               -0.00014617088163625013,
-                               1.2631178430477426e-05};
-    double p = c[20];
-    for (int k = 19; k >= 0; --k)
-        p = p * y + c[k];
-    return p;
+    double p = 1.2631178430477426e-05;
+    p = p * y - 0.00014617088163625013;
+    p = p * y + 0.0008033604181626027;
+    p = p * y - 0.0028047655531701315;
+    p = p * y + 0.007038646202989813;
+    p = p * y - 0.013674139288399478;
+    p = p * y + 0.021740213830758134;
+    p = p * y - 0.02970071773623423;
+    p = p * y + 0.03651081352721035;
+    p = p * y - 0.042125723963855326;
+    p = p * y + 0.04719723992321112;
+    p = p * y - 0.052527255573225747;
+    p = p * y + 0.05880342002401543;
+    p = p * y - 0.06666371187721098;
+    p = p * y + 0.0769227555520563;
+    p = p * y - 0.09090906605656898;
+    p = p * y + 0.11111110982087126;
+    p = p * y - 0.14285714281592693;
+    p = p * y + 0.19999999999929946;
+    p = p * y - 0.3333333333333286;
+    return p * y + 1.0;
 }
 
 /** theta_ij = log(R_i R_j^T), |theta| <= pi, of the quaternion (v, w) = q_i q_j^-1, without libm:
  *      theta = sgn(w) (4/k) A(v.v/k^2) v,  k = |w| + sqrt(w^2 + v.v),  A(y) = atan(sqrt y)/sqrt y.
  *  sgn(w) matters: bodies turn past pi, and w then turns negative. */
-static inline void relative_rotation(const double qi[4], const double qj[4], double theta[3])
+VTI_FORMULA void relative_rotation(const double qi[4], const double qj[4], double theta[3])
 {
     double x[3], v[3];
     vti_cross(qi, qj, x);
@@ -74,7 +70,7 @@ static inline void relative_rotation(const double qi[4], const double qj[4], dou
 }
 
 /** Moment: U = K/2 |theta_ij|^2, T_i = -K theta_ij = -T_j. */
-static inline void moment_term(const struct bond_state *b, struct bond_loads *out)
+VTI_FORMULA void moment_term(const struct bond_state *b, struct bond_loads *out)
 {
     double theta[3];
     relative_rotation(b->qi, b->qj, theta);
@@ -86,7 +82,7 @@ static inline void moment_term(const struct bond_state *b, struct bond_loads *ou
 }
 
 /** Axial: U = K/2 (r/L0 - 1)^2, F_i = -(K/L0)(r/L0 - 1) n = -F_j. */
-static inline void axial_term(const struct bond_state *b, double r, const double n[3], struct bond_loads *out)
+VTI_FORMULA void axial_term(const struct bond_state *b, double r, const double n[3], struct bond_loads *out)
 {
     const double stretch = (r - b->length) / b->length, f = -b->axial / b->length * stretch;
     for (int k = 0; k < 3; ++k)
@@ -97,8 +93,8 @@ static inline void axial_term(const struct bond_state *b, double r, const double
 /** Objective shear: m = b_i + b_j, mh = m/|m|, c = mh.n; with e = n - mh is 1 - c = |e|^2/2 without cancellation.
  *      U = K (1 - c),  F_i = (K/r) P mh = -F_j,  T_a = b_a x (K/|m|)(n - c mh);
  *  the printed exponent, U = K/2 (1 - c)^2, has K (1 - c) in place of K. */
-static inline void objective_shear(int form, const struct bond_state *b, double inv_r, const double n[3],
-                                   struct bond_loads *out)
+VTI_FORMULA void objective_shear(int form, const struct bond_state *b, double inv_r, const double n[3],
+                                 struct bond_loads *out)
 {
     double bi[3], bj[3], m[3], e[3], pull[3], ti[3], tj[3];
     vti_pair_rotate(b->qi, 1.0, b->n0, bi);
@@ -129,7 +125,7 @@ static inline void objective_shear(int form, const struct bond_state *b, double 
 /** Shear as printed: c = (R_i n0).(R_j n), g = R_j^T R_i n0,
  *      U = K/2 (1 - c)^2,  F_i = (K (1 - c)/r) P g = -F_j,  T_i = K (1 - c)(R_i n0) x (R_j n) = -T_j.
  *  Not symmetric in i and j, and not frame-indifferent (E11). */
-static inline void printed_shear(const struct bond_state *b, double inv_r, const double n[3], struct bond_loads *out)
+VTI_FORMULA void printed_shear(const struct bond_state *b, double inv_r, const double n[3], struct bond_loads *out)
 {
     double bi[3], nj[3], g[3], e[3], t[3];
     vti_pair_rotate(b->qi, 1.0, b->n0, bi);
@@ -148,7 +144,7 @@ static inline void printed_shear(const struct bond_state *b, double inv_r, const
 }
 
 /** All terms of the mask. What the caller does not read of *out is not computed. */
-static inline void bond_evaluate(int terms, int form, const struct bond_state *b, struct bond_loads *out)
+VTI_FORMULA void bond_evaluate(int terms, int form, const struct bond_state *b, struct bond_loads *out)
 {
     for (int k = 0; k < 3; ++k)
         out->force[k] = out->moment_i[k] = out->moment_j[k] = out->energy[k] = 0.0;
