@@ -32,22 +32,29 @@
 #define VTI_RRV_UP 3.8645375230172583e+171
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
+/* Inlined whole, so that a loop over bonds can be vectorised. */
+#if defined(__GNUC__)
+#define VTI_INLINE static inline __attribute__((always_inline))
+#else
+#define VTI_INLINE static inline
+#endif
+
 /* ---- three-vectors ------------------------------------------------------------------------------------------- */
 
-static inline double vti_dot(const double a[3], const double b[3])
+VTI_INLINE double vti_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /** r = a x b = S(a) b. r must not overlap a or b. */
-static inline void vti_cross(const double a[3], const double b[3], double r[3])
+VTI_INLINE void vti_cross(const double a[3], const double b[3], double r[3])
 {
     r[0] = a[1] * b[2] - a[2] * b[1];
     r[1] = a[2] * b[0] - a[0] * b[2];
     r[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static inline double vti_max3(const double a[3])
+VTI_INLINE double vti_max3(const double a[3])
 {
     const double x = fabs(a[0]), y = fabs(a[1]), z = fabs(a[2]);
     const double m = x > y ? x : y;
@@ -55,7 +62,7 @@ static inline double vti_max3(const double a[3])
 }
 
 /** A power of two that brings numbers of size m to where squares are safe. */
-static inline double vti_scale(double m)
+VTI_INLINE double vti_scale(double m)
 {
     return m > VTI_RRV_LARGE ? VTI_RRV_DOWN : m < VTI_RRV_SMALL ? VTI_RRV_UP : 1.0;
 }
@@ -72,7 +79,7 @@ static inline double vti_norm(const double a[3])
 
 /** q ~ (alpha, 2): the quaternion (x, y, z, w) of alpha up to a positive factor, with |q_k| <= VTI_RRV_LARGE and q.q
  *  far from 0. R depends on the direction of q only, so no square root is needed. */
-static inline void vti_rrv_to_pair(const double a[3], double q[4])
+VTI_INLINE void vti_rrv_to_pair(const double a[3], double q[4])
 {
     const double m = vti_max3(a), s = m > VTI_RRV_LARGE ? 1.0 / m : 1.0;
     q[0] = s * a[0];
@@ -97,7 +104,7 @@ static inline void vti_rrv_from_pair(const double q[4], double a[3])
  *      R p = [ (w^2 - v.v) p + 2 (v.p) v + 2 w v x p ] / (w^2 + v.v),
  *  which is R(alpha) p = p + 4/(4+|alpha|^2) [S(alpha) + S(alpha)^2/2] p with (v, w) = (alpha, 2).
  *  side = +1 gives R p, side = -1 its inverse R^T p. q.q must be finite and not 0. r may be p. */
-static inline void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
+VTI_INLINE void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
 {
     const double vv = vti_dot(q, q), ww = q[3] * q[3], k = 1.0 / (ww + vv);
     const double cp = (ww - vv) * k, cv = 2.0 * k * vti_dot(q, p), cx = 2.0 * k * side * q[3];
@@ -138,7 +145,7 @@ static inline double vti_pair_distance(const double p[4], const double q[4])
  *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total
  *  and free of branches. c and u must be finite and not both 0.
  *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). */
-static inline int vti_rrv_increment(double c, const double u[3], double side, const double a[3], double add[3])
+VTI_INLINE int vti_rrv_increment(double c, const double u[3], double side, const double a[3], double add[3])
 {
     const double ma = vti_max3(a), mu = vti_max3(u);
     const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
@@ -159,7 +166,7 @@ static inline int vti_rrv_increment(double c, const double u[3], double side, co
     return near;
 }
 
-static inline void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+VTI_INLINE void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
 {
     double add[3];
     const int near = vti_rrv_increment(c, u, side, a, add);
@@ -167,7 +174,7 @@ static inline void vti_rrv_turn_side(double c, const double u[3], double side, d
         a[k] = (near ? a[k] : 0.0) + add[k];
 }
 
-static inline void vti_rrv_turn(double c, const double u[3], double a[3])
+VTI_INLINE void vti_rrv_turn(double c, const double u[3], double a[3])
 {
     vti_rrv_turn_side(c, u, 1.0, a);
 }

@@ -5,13 +5,11 @@
  * branches, add the loads to the bodies in the order of the bonds, so that the bits do not depend on the vector width. */
 #include "vti_pair.h"
 
-enum { LANES = 64 };
-
 /** A block, one array per number. */
 struct block {
-    double d[3][LANES], qi[4][LANES], qj[4][LANES], n0[3][LANES], length[LANES];
-    double moment[LANES], axial[LANES], shear[LANES];
-    double force[3][LANES], moment_i[3][LANES], moment_j[3][LANES], energy[TERMS][LANES];
+    double d[3][VTI_LANES], qi[4][VTI_LANES], qj[4][VTI_LANES], n0[3][VTI_LANES], length[VTI_LANES];
+    double moment[VTI_LANES], axial[VTI_LANES], shear[VTI_LANES];
+    double force[3][VTI_LANES], moment_i[3][VTI_LANES], moment_j[3][VTI_LANES], energy[TERMS][VTI_LANES];
 };
 
 /* ---- gather ------------------------------------------------------------------------------------------------------------ */
@@ -21,8 +19,8 @@ static inline double stiffness(const vti_scalars *s, int64_t k)
     return s->p[k * s->stride];
 }
 
-VTI_FORMULA void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
-                        struct block *s)
+VTI_INLINE void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
+                       struct block *s)
 {
     for (int l = 0; l < lanes; ++l) {
         const int64_t k = first + l;
@@ -55,7 +53,7 @@ VTI_FORMULA void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, 
 
 /* ---- evaluate ---------------------------------------------------------------------------------------------------------- */
 
-VTI_FORMULA void load_lane(int terms, const struct block *s, int l, struct bond_state *b)
+VTI_INLINE void load_lane(int terms, const struct block *s, int l, struct bond_state *b)
 {
     for (int c = 0; c < 3; ++c) {
         b->d[c] = terms & (TERM_AXIAL | TERM_SHEAR) ? s->d[c][l] : 0.0;
@@ -71,7 +69,7 @@ VTI_FORMULA void load_lane(int terms, const struct block *s, int l, struct bond_
     b->shear = terms & TERM_SHEAR ? s->shear[l] : 0.0;
 }
 
-VTI_FORMULA void evaluate_loads(int terms, int form, struct block *s, int lanes)
+VTI_INLINE void evaluate_loads(int terms, int form, struct block *s, int lanes)
 {
     for (int l = 0; l < lanes; ++l) {
         struct bond_state bond;
@@ -86,7 +84,7 @@ VTI_FORMULA void evaluate_loads(int terms, int form, struct block *s, int lanes)
     }
 }
 
-VTI_FORMULA void evaluate_energies(int terms, int form, struct block *s, int lanes)
+VTI_INLINE void evaluate_energies(int terms, int form, struct block *s, int lanes)
 {
     for (int l = 0; l < lanes; ++l) {
         struct bond_state bond;
@@ -100,8 +98,8 @@ VTI_FORMULA void evaluate_energies(int terms, int form, struct block *s, int lan
 
 /* ---- scatter ----------------------------------------------------------------------------------------------------------- */
 
-VTI_FORMULA void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
-                         const struct block *s)
+VTI_INLINE void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
+                        const struct block *s)
 {
     const int has_force = terms & (TERM_AXIAL | TERM_SHEAR) && vti_has(&b->force);
     const int has_moment = terms & (TERM_MOMENT | TERM_SHEAR) && vti_has(&b->moment);
@@ -121,23 +119,23 @@ VTI_FORMULA void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b,
 
 /* ---- kernels ----------------------------------------------------------------------------------------------------------- */
 
-VTI_FORMULA void apply_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b)
+VTI_INLINE void apply_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b)
 {
     struct block block;
-    for (int64_t first = 0; first < bonds->count; first += LANES) {
-        const int lanes = (int)(bonds->count - first < LANES ? bonds->count - first : LANES);
+    for (int64_t first = 0; first < bonds->count; first += VTI_LANES) {
+        const int lanes = (int)(bonds->count - first < VTI_LANES ? bonds->count - first : VTI_LANES);
         gather(terms, bonds, b, first, lanes, &block);
         evaluate_loads(terms, form, &block, lanes);
         scatter(terms, bonds, b, first, lanes, &block);
     }
 }
 
-VTI_FORMULA void energy_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, double *energies)
+VTI_INLINE void energy_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, double *energies)
 {
     struct block block;
     vti_sum sum[TERMS] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
-    for (int64_t first = 0; first < bonds->count; first += LANES) {
-        const int lanes = (int)(bonds->count - first < LANES ? bonds->count - first : LANES);
+    for (int64_t first = 0; first < bonds->count; first += VTI_LANES) {
+        const int lanes = (int)(bonds->count - first < VTI_LANES ? bonds->count - first : VTI_LANES);
         gather(terms, bonds, b, first, lanes, &block);
         evaluate_energies(terms, form, &block, lanes);
         for (int c = 0; c < TERMS; ++c)

@@ -7,13 +7,6 @@
 
 #include "vti.h"
 
-/** Formulas that a loop over many bodies or bonds is made of: only inlined whole can they be done for several at once. */
-#if defined(__GNUC__)
-#define VTI_FORMULA static inline __attribute__((always_inline))
-#else
-#define VTI_FORMULA static inline
-#endif
-
 static inline int vti_has(const vti_view *view)
 {
     return view->c[0] != NULL;
@@ -68,6 +61,9 @@ static inline int vti_bodies_ready(const vti_bodies *b)
 {
     return b != NULL && b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
 }
+
+/** Bodies or bonds that are gathered into arrays of their numbers and done together. */
+enum { VTI_LANES = 64 };
 
 /** vti_kick and vti_drift of bodies begin <= i < end, which have been checked. */
 void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end);

@@ -28,7 +28,7 @@ struct bond_loads {
 };
 
 /** atan(sqrt y)/sqrt y on [0, 1]: Chebyshev's fit of degree 20 (5e-18), below one ulp in double precision. */
-VTI_FORMULA double atan_ratio(double y)
+VTI_INLINE double atan_ratio(double y)
 {
     double p = 1.2631178430477426e-05;
     p = p * y - 0.00014617088163625013;
@@ -56,7 +56,7 @@ VTI_FORMULA double atan_ratio(double y)
 /** theta_ij = log(R_i R_j^T), |theta| <= pi, of the quaternion (v, w) = q_i q_j^-1, without libm:
  *      theta = sgn(w) (4/k) A(v.v/k^2) v,  k = |w| + sqrt(w^2 + v.v),  A(y) = atan(sqrt y)/sqrt y.
  *  sgn(w) matters: bodies turn past pi, and w then turns negative. */
-VTI_FORMULA void relative_rotation(const double qi[4], const double qj[4], double theta[3])
+VTI_INLINE void relative_rotation(const double qi[4], const double qj[4], double theta[3])
 {
     double x[3], v[3];
     vti_cross(qi, qj, x);
@@ -70,7 +70,7 @@ VTI_FORMULA void relative_rotation(const double qi[4], const double qj[4], doubl
 }
 
 /** Moment: U = K/2 |theta_ij|^2, T_i = -K theta_ij = -T_j. */
-VTI_FORMULA void moment_term(const struct bond_state *b, struct bond_loads *out)
+VTI_INLINE void moment_term(const struct bond_state *b, struct bond_loads *out)
 {
     double theta[3];
     relative_rotation(b->qi, b->qj, theta);
@@ -82,7 +82,7 @@ VTI_FORMULA void moment_term(const struct bond_state *b, struct bond_loads *out)
 }
 
 /** Axial: U = K/2 (r/L0 - 1)^2, F_i = -(K/L0)(r/L0 - 1) n = -F_j. */
-VTI_FORMULA void axial_term(const struct bond_state *b, double r, const double n[3], struct bond_loads *out)
+VTI_INLINE void axial_term(const struct bond_state *b, double r, const double n[3], struct bond_loads *out)
 {
     const double stretch = (r - b->length) / b->length, f = -b->axial / b->length * stretch;
     for (int k = 0; k < 3; ++k)
@@ -93,8 +93,8 @@ VTI_FORMULA void axial_term(const struct bond_state *b, double r, const double n
 /** Objective shear: m = b_i + b_j, mh = m/|m|, c = mh.n; with e = n - mh is 1 - c = |e|^2/2 without cancellation.
  *      U = K (1 - c),  F_i = (K/r) P mh = -F_j,  T_a = b_a x (K/|m|)(n - c mh);
  *  the printed exponent, U = K/2 (1 - c)^2, has K (1 - c) in place of K. */
-VTI_FORMULA void objective_shear(int form, const struct bond_state *b, double inv_r, const double n[3],
-                                 struct bond_loads *out)
+VTI_INLINE void objective_shear(int form, const struct bond_state *b, double inv_r, const double n[3],
+                                struct bond_loads *out)
 {
     double bi[3], bj[3], m[3], e[3], pull[3], ti[3], tj[3];
     vti_pair_rotate(b->qi, 1.0, b->n0, bi);
@@ -125,7 +125,7 @@ VTI_FORMULA void objective_shear(int form, const struct bond_state *b, double in
 /** Shear as printed: c = (R_i n0).(R_j n), g = R_j^T R_i n0,
  *      U = K/2 (1 - c)^2,  F_i = (K (1 - c)/r) P g = -F_j,  T_i = K (1 - c)(R_i n0) x (R_j n) = -T_j.
  *  Not symmetric in i and j, and not frame-indifferent (E11). */
-VTI_FORMULA void printed_shear(const struct bond_state *b, double inv_r, const double n[3], struct bond_loads *out)
+VTI_INLINE void printed_shear(const struct bond_state *b, double inv_r, const double n[3], struct bond_loads *out)
 {
     double bi[3], nj[3], g[3], e[3], t[3];
     vti_pair_rotate(b->qi, 1.0, b->n0, bi);
@@ -144,7 +144,7 @@ VTI_FORMULA void printed_shear(const struct bond_state *b, double inv_r, const d
 }
 
 /** All terms of the mask. What the caller does not read of *out is not computed. */
-VTI_FORMULA void bond_evaluate(int terms, int form, const struct bond_state *b, struct bond_loads *out)
+VTI_INLINE void bond_evaluate(int terms, int form, const struct bond_state *b, struct bond_loads *out)
 {
     for (int k = 0; k < 3; ++k)
         out->force[k] = out->moment_i[k] = out->moment_j[k] = out->energy[k] = 0.0;

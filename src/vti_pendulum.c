@@ -12,17 +12,20 @@ void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t
     vti_pair_rotate(q, 1.0, pendulum->rho0, arm);
 }
 
-/** RM += m g (R rho0) x e3 */
+/** RM += m g (R rho0) x e3. Copies of what the loop needs: a store to a moment could change *b or *p for all that the
+ *  compiler knows. */
 static void apply(const void *self, const vti_bodies *b)
 {
-    const vti_pendulum *p = self;
-    if (!vti_has(&b->moment) || !vti_has_attitude(b))
+    const vti_pendulum p = *(const vti_pendulum *)self;
+    const vti_bodies c = *b;
+    if (!vti_has(&c.moment) || !vti_has_attitude(&c))
         return;
-    for (int64_t i = b->first; i < b->first + b->count; ++i) {
-        double arm[3];
-        vti_pendulum_arm(p, b, i, arm);
-        const double moment[3] = {p->weight * arm[1], -p->weight * arm[0], 0.0};
-        vti_add(&b->moment, i, moment);
+    for (int64_t i = c.first; i < c.first + c.count; ++i) {
+        double q[4], arm[3];
+        vti_load_pair(&c, i, q);
+        vti_pair_rotate(q, 1.0, p.rho0, arm);
+        c.moment.c[0][i * c.moment.stride] += p.weight * arm[1];
+        c.moment.c[1][i * c.moment.stride] -= p.weight * arm[0];
     }
 }
 
