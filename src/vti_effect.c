@@ -9,8 +9,8 @@ static void clear(const vti_view *view, int64_t begin, int64_t end)
     if (!vti_has(view) || begin >= end)
         return;
     double *const *c = view->c;
-    if (view->stride == 3 && c[1] == c[0] + 1 && c[2] == c[0] + 2) {
-        /* x[n][3] is one piece of memory; in small parts, for which no C library falls back to storing bytes */
+    if (vti_is_packed(view)) {
+        /* in small parts, for which no C library falls back to storing bytes */
         for (int64_t first = begin; first < end; first += VTI_LANES)
             memset(c[0] + 3 * first, 0,
                    (size_t)(end - first < VTI_LANES ? end - first : VTI_LANES) * 3 * sizeof(double));

@@ -12,6 +12,12 @@ static inline int vti_has(const vti_view *view)
     return view->c[0] != NULL;
 }
 
+/** x[n][3]: all vectors are one piece of memory. */
+static inline int vti_is_packed(const vti_view *view)
+{
+    return view->stride == 3 && view->c[1] == view->c[0] + 1 && view->c[2] == view->c[0] + 2;
+}
+
 static inline int vti_has_attitude(const vti_bodies *b)
 {
     return b->alpha.c[0] != NULL || b->quat.xyzw[0] != NULL;

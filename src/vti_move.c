@@ -5,8 +5,8 @@
  *     kick(t):  v += t F/m,  Omega += t RM/J
  *     drift(t): x += t v,    alpha <- alpha (+) dalpha(t Omega)
  *
- * Each loop is written once, for any stride, and compiled for the strides 1 and 3 as well, which changes its speed and
- * not its bits. `restrict` stands on parameters because compilers do not honour it on pointers taken from a struct. */
+ * Each loop is written once, for any stride, and compiled for the usual strides as well, which changes its speed and not
+ * its bits. `restrict` stands on parameters because compilers do not honour it on pointers taken from a struct. */
 #include "vti_internal.h"
 
 /** a += b with the rounding error of the sum carried in *low (two-sum, exact whatever the magnitudes). */
@@ -28,6 +28,13 @@ static void add_view(double t, const vti_view *a, const vti_view *b, const vti_s
             *p = add_compensated(*p, k * b->c[c][i * b->stride], low->c[c] + i * low->stride);
         }
     }
+}
+
+/** a += k b of n numbers: what kick and translation are where vectors lie packed and one mass serves all. */
+static void add_packed(double *restrict a, const double *restrict b, double k, int64_t n)
+{
+    for (int64_t i = 0; i < n; ++i)
+        a[i] += k * b[i];
 }
 
 /* ---- kick ---------------------------------------------------------------------------------------------------- */
@@ -54,8 +61,8 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
     }
 #define KICK(SV, SF, SM)                                                                                               \
     kick_loop(v->c[0], v->c[1], v->c[2], SV, f->c[0], f->c[1], f->c[2], SF, m->p, SM, t, begin, end)
-    if (v->stride == 3 && f->stride == 3 && m->stride == 0)
-        KICK(3, 3, 0);
+    if (vti_is_packed(v) && vti_is_packed(f) && m->stride == 0)
+        add_packed(v->c[0] + 3 * begin, f->c[0] + 3 * begin, t / *m->p, 3 * (end - begin));
     else if (v->stride == 3 && f->stride == 3 && m->stride == 1)
         KICK(3, 3, 1);
     else if (v->stride == 1 && f->stride == 1 && m->stride == 0)
@@ -96,8 +103,8 @@ static void translate(double t, const vti_view *x, const vti_view *v, const vti_
         return;
     }
 #define TRANSLATE(SX, SV) translate_loop(x->c[0], x->c[1], x->c[2], SX, v->c[0], v->c[1], v->c[2], SV, t, begin, end)
-    if (x->stride == 3 && v->stride == 3)
-        TRANSLATE(3, 3);
+    if (vti_is_packed(x) && vti_is_packed(v))
+        add_packed(x->c[0] + 3 * begin, v->c[0] + 3 * begin, t, 3 * (end - begin));
     else if (x->stride == 1 && v->stride == 1)
         TRANSLATE(1, 1);
     else

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not depend
+on what else the machine does. Prints the table of the README.      test_cost.py COST VALGRIND"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+COST, VALGRIND = sys.argv[1:3]
+BODIES, STEPS = 512, 40
+failures = 0
+
+
+def check(condition, what):
+    global failures
+    print(("ok      " if condition else "FAILED  ") + what)
+    failures += not condition
+
+
+def callgrind(config, steps):
+    """Instructions of the whole program and the names of all functions that ran."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "out")
+        result = subprocess.run([VALGRIND, "--tool=callgrind", f"--callgrind-out-file={out}", COST, config, str(steps)],
+                                capture_output=True, text=True, check=True)
+        with open(out) as file:
+            names = set(re.findall(r"^c?fn=\(\d+\) (\S+)", file.read(), re.MULTILINE))
+    return int(re.search(r"Collected : (\d+)", result.stderr)[1]), names
+
+
+def per_body(config):
+    """Instructions per body and step, start-up taken off, and the functions."""
+    start, _ = callgrind(config, 0)
+    total, names = callgrind(config, STEPS)
+    return (total - start) / (STEPS * BODIES), names
+
+
+base, _ = per_body("trl")
+drift_x, names_x = per_body("t")
+drift, _ = per_body("tr")
+cost = {"position (drift)": drift_x, "attitude (drift)": drift - drift_x, "kicks and clearing of loads": base - drift}
+for name, letters in {"binder: moment": "m", "binder: axial": "a", "binder: shear": "s", "binder: moment, axial": "ma",
+                      "binder: moment, axial, shear": "mas", "contact (touching pair)": "c", "wall (touching)": "w",
+                      "gravity": "g"}.items():
+    cost[name] = per_body("trl" + letters)[0] - base
+pendulum, _ = per_body("rlp")
+hand, _ = per_body("h")
+
+print("\n| what | instructions per body (bond, pair) and step |\n|---|---|")
+for name, value in cost.items():
+    print(f"| {name} | {value:.0f} |")
+print(f"| pendulum, whole step | {pendulum:.0f} |\n| the same by hand in one loop | {hand:.0f} |\n")
+
+whole, names_whole = per_body("trlmascwg")
+parts = base + sum(cost[k] for k in ("binder: moment, axial, shear", "contact (touching pair)", "wall (touching)", "gravity"))
+check(abs(parts / whole - 1) < 0.05, f"the sum of the parts, {parts:.0f}, explains the whole, {whole:.0f}, within 5 %")
+check(pendulum < 1.10 * hand, f"a pendulum scene costs {pendulum / hand:.3f} times a hand-written loop of the same arithmetic")
+
+_, names = per_body("trlma")
+shear = re.compile("objective|quartic|printed|shear")
+check(not any(map(shear.search, names)), "a scene without shear calls no function of shear")
+check(any(map(shear.search, names_whole)), "... and one with shear does")
+rotation = re.compile("turn|rotate|moment")
+_, names = per_body("tla")
+check(not any(map(rotation.search, names)), "a scene in which nothing can turn calls no function of rotation")
+kernels = [n for n in names_whole if re.match("apply_|energy_", n)]
+check(kernels == ["apply_moment_axial_objective"], f"one kernel of bonds, and no energy unless asked: {kernels}")
+sys.exit(1 if failures else 0)
