@@ -2,6 +2,7 @@
  * vti-study: the time-step convergence study. Arguments in, files and a table out; the work is in study/ and io/. */
 #define _POSIX_C_SOURCE 200809L
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -22,8 +23,9 @@ static const char usage[] =
     "solution and fits the orders of convergence. Writes study.h5, study.csv, timing.csv and pictures.\n"
     "\n"
     "  --steppers A,B    steppers (default vti1,vti2,vti3)\n"
-    "  --h STEPS         one step, a list, or a ladder by factors of two (default 2^-4:2^-13);\n"
-    "                    numbers may be written 0.01, 1/64 or 2^-6\n"
+    "  --h STEPS         one step, a list, or a ladder by factors of two (default: seven or ten from\n"
+    "                    around the scene's h, 2^-4:2^-13 for the pendulum); numbers may be written 0.01, 1/64 or "
+    "2^-6\n"
     "  --t-end T         end time (default: the scene's). A run takes the whole steps that fit into it\n"
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  -o FOLDER         output folder (default study-SCENE)\n"
@@ -48,7 +50,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"no-plot", no_argument, NULL, NO_PLOT},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
-    const struct arguments defaults = {NULL, "vti1,vti2,vti3", "2^-4:2^-13", NULL, NULL, {NULL}, 0, 1, 0};
+    const struct arguments defaults = {NULL, "vti1,vti2,vti3", NULL, NULL, NULL, {NULL}, 0, 1, 0};
     *a = defaults;
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, ":ho:", options, NULL)) != -1;) {
@@ -79,6 +81,16 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
     return 0;
 }
 
+/** From four times the scene's h down by factors of two, or from h itself where a larger one might not be stable. */
+static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
+{
+    const int stiff = scene->has_binder || scene->has_contact || scene->has_wall;
+    const int64_t n = stiff ? 7 : 10;
+    for (int64_t k = 0; k < n; ++k)
+        h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));
+    return n;
+}
+
 static int make_plan(const struct arguments *a, struct scene *scene, struct plan *plan, struct message *message)
 {
     char shipped[BESIDE_PATH];
@@ -93,7 +105,7 @@ static int make_plan(const struct arguments *a, struct scene *scene, struct plan
         return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", a->t_end);
     if (study_read_steppers(a->steppers, plan, message) != 0)
         return -1;
-    plan->h_count = ladder_read(a->h, plan->h, message);
+    plan->h_count = a->h != NULL ? ladder_read(a->h, plan->h, message) : ladder_around(scene, plan->h);
     return plan->h_count > 0 ? 0 : -1;
 }
 
@@ -106,8 +118,11 @@ static void say(const struct study *study, const char *folder)
                 "note: t_end = %.10g is not a multiple of h = %.10g: those runs take %lld steps and end at t = %.10g\n",
                 plan->t_end, plan->h[k], (long long)study->trials[k].steps, study->trials[k].t_end);
     study_table_write(study, stdout);
-    printf("\nreference: rk8pd, its energy constant to %.0e, its interpolation good to %.0e; ||q||^2 = %.13g\n",
-           study->reference_energy_error, study->reference_interpolation_error, study->norm_squared);
+    printf("\nreference: rk8pd, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
+           study->reference_energy_error, study->reference_uncertainty, study->norm_squared);
+    if (study->reference_uncertainty > 1e-3)
+        printf("the motion is chaotic: no method can follow it to the end, and errors of trajectories mean nothing "
+               "there\n");
     printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,
            study->seconds, folder);
 }

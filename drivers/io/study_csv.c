@@ -65,4 +65,12 @@ void study_table_write(const struct study *study, FILE *file)
             print_order(&study->orders[s][m], file);
         fputc('\n', file);
     }
+    for (int64_t k = 0; k < plan->steppers_count * STUDY_MEASURES; ++k)
+        if (isnan(study->orders[k / STUDY_MEASURES][k % STUDY_MEASURES].order)) {
+            fprintf(
+                file,
+                "- no order: fewer than three errors above rounding and above what the solution is known to (%.0e)\n",
+                study->reference_uncertainty);
+            return;
+        }
 }

@@ -203,12 +203,11 @@ int study_hdf5_write(const struct study *study, const char *path, struct message
                            "%s: cannot be made; check the folder's rights and space, or choose another with -o", path);
     text_attribute(file.place, &file, "scene", study->plan->scene->name);
     text_attribute(file.place, &file, "vti_version", vti_version());
-    attribute(file.place, &file, "t_end", H5T_NATIVE_DOUBLE, &study->plan->t_end);
+    attribute(file.place, &file, "t_end", H5T_NATIVE_DOUBLE, &study->t_end);
     attribute(file.place, &file, "energy0", H5T_NATIVE_DOUBLE, &study->energy0);
     attribute(file.place, &file, "norm_squared", H5T_NATIVE_DOUBLE, &study->norm_squared);
     attribute(file.place, &file, "reference_energy_error", H5T_NATIVE_DOUBLE, &study->reference_energy_error);
-    attribute(file.place, &file, "reference_interpolation_error", H5T_NATIVE_DOUBLE,
-              &study->reference_interpolation_error);
+    attribute(file.place, &file, "reference_uncertainty", H5T_NATIVE_DOUBLE, &study->reference_uncertainty);
     write_runs(&file, study);
     write_orders(&file, study);
     write_series(&file, study);

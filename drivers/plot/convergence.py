@@ -24,13 +24,15 @@ PANELS = (
 )
 
 LEGEND_LINE = 0.21      # inches
+LOST = 0.1              # of the solution: a true error above it
+CHAOTIC = 1e-3          # of the solution: a reference of this uncertainty, as vti-study has it
 
 
 def draw(study):
     steppers = study.steppers()
     looks = style.looks(steppers)
     legend_height = LEGEND_LINE * (len(steppers) + 1.3)
-    notes = [note for panel in PANELS for note in _left_out(study, panel)]
+    notes = [note for panel in PANELS for note in _left_out(study, panel)] + list(_lost(study, steppers))
 
     figure = style.new_figure(4.6 + legend_height + 0.18 * (len(notes) + 1))
     figure.suptitle(f"{words.plain(study.scene)}: error against the time step, "
@@ -49,16 +51,26 @@ def draw(study):
 
 
 def _facts(study):
-    fitted = np.any(np.isfinite(study.orders["order"]))
+    fitted = np.any(study.orders["interval"] <= words.RESOLVED)
     return ((r"Lines: fits over the range of $h$ they used; pale points: left out of the fit.   " if fitted else "")
             + rf"$E_0$ = {words.given(study.energy0)},  $‖q‖^2_{{H^1}}$ = {words.given(study.norm_squared)},  "
             f"vti {words.plain(study.version)}")
 
 
+def _lost(study, steppers):
+    """A trajectory that is nowhere near the reference at any h is not one that converges slowly."""
+    if study.uncertainty > CHAOTIC:
+        yield (f"the motion is chaotic: the reference itself is known to {words.plain_number(study.uncertainty)} of the solution only, and "
+               "errors of trajectories of that size have no order")
+    lost = [stepper for stepper in steppers if np.all(study.errors(stepper, "h1_error")[1] > LOST)]
+    if lost:
+        yield (f"{words.listing(map(words.stepper_name, lost))}: the true error is above {LOST:g} at every h, so the "
+               "trajectory is lost: the motion is chaotic, or h too large")
+
+
 def _points(study, stepper, measure):
     """h and error of the stepper's runs, and which of them a logarithmic axis can show."""
-    mine = study.runs["stepper"] == stepper
-    h, error = study.runs["h"][mine], study.runs[measure][mine]
+    h, error = study.errors(stepper, measure)
     return h, error, np.isfinite(error) & (error > 0)
 
 
@@ -82,7 +94,7 @@ def _draw_panel(axes, study, panel, fits, looks):
         h, error, usable = _points(study, stepper, panel.measure)
         h, error = h[usable], error[usable]
         fitted = np.ones(len(h), bool)
-        if fit:
+        if words.resolved(fit):
             slack = 1 + 1e-9    # the ends of the range are values of h, give or take a rounding
             fitted = (h >= fit["h_min"] / slack) & (h <= fit["h_max"] * slack)
             ends = np.array([fit["h_min"], fit["h_max"]])
@@ -99,7 +111,7 @@ def _draw_panel(axes, study, panel, fits, looks):
         axes.text(0.5, 0.5, "no error above 0", transform=axes.transAxes, ha="center", color=style.GREY)
         axes.set(xticks=[], yticks=[])
         return
-    slopes = sorted({words.nearest_order(fit) for fit in fits.values() if fit})
+    slopes = sorted({words.nearest_order(fit) for fit in fits.values() if words.resolved(fit)})
     _set_limits(axes, study, np.array(shown_h), np.array(shown_error), slopes)
 
 
@@ -152,7 +164,7 @@ def _draw_slope_key(axes, key, slopes, line_height):
 def _draw_legend(axes, fits, looks):
     handles = [Line2D([], [], color=looks[stepper].colour, marker=looks[stepper].marker, markerfacecolor="none",
                       markersize=looks[stepper].size, markeredgewidth=1.3, linewidth=1.2,
-                      linestyle=looks[stepper].line if fit else "none",
+                      linestyle=looks[stepper].line if words.resolved(fit) else "none",
                       label=f"{words.stepper_name(stepper)}: {words.order_text(fit)}")
                for stepper, fit in fits.items()]
     axes.legend(handles=handles, loc="upper center", borderaxespad=0, title="fitted order ± 95 % interval",

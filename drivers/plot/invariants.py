@@ -7,10 +7,9 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from . import style, words
+from . import curves, style, words
+from .curves import EPS
 
-EPS = 2.0**-52
-SLICES = 500            # of time; more than that a panel cannot show
 MANY_EPS = 1e4          # beyond this a deviation is no longer rounding and is shown as a plain number
 
 
@@ -84,50 +83,25 @@ def _choose_runs(study):
     return chosen
 
 
-def _finite(t, values):
-    """What can be drawn; of a long run the smallest and the largest value of every slice, so that no peak is lost."""
-    good = np.isfinite(t) & np.isfinite(values)
-    t, values = t[good], values[good]
-    if len(t) <= 4 * SLICES:
-        return t, values
-    keep = {0, len(t) - 1}
-    for part in np.array_split(np.arange(len(t)), SLICES):
-        keep |= {part[np.argmin(values[part])], part[np.argmax(values[part])]}
-    keep = np.array(sorted(keep))
-    return t[keep], values[keep]
-
-
-def _first_lost(t, values):
-    """When a run blew up, as text; None for one that did not."""
-    if len(t) == 0:
-        return "0"
-    lost = ~(np.isfinite(t) & np.isfinite(values))
-    return words.number(t[np.argmax(lost)], 3) if np.any(lost) else None
-
-
-def _largest(values):
-    return float(np.max(np.abs(values))) if len(values) else 0.0
-
-
 def _draw_energy(axes, study, stepper, series, look):
     scale = abs(study.energy0)
     symbol = r"$(E_h-E_0)\,/\,|E_0|$" if scale > 0 else r"$E_h-E_0$"
-    t, error = _finite(series.t, series.energy_error / (scale or 1.0))
-    largest = _largest(error)
+    t, error = curves.finite(series.t, series.energy_error / (scale or 1.0))
+    largest = curves.largest(error)
     power = math.floor(math.log10(largest)) if largest > 0 else 0
     axes.plot(t, error / 10.0**power, color=look.colour, linewidth=1.0)
     axes.axhline(0, color=style.GREY, linewidth=0.6, zorder=1)
-    lost = _first_lost(series.t, series.energy_error)
+    lost = curves.first_lost(series.t, series.energy_error)
     axes.set_title(f"{words.stepper_name(stepper)}\n"
                    + (f"at most {words.number(largest)}" if lost is None else f"not finite from $t$ = {lost} on"))
     axes.set_ylabel(symbol + (rf"  in $10^{{{power}}}$" if power else ""))
-    _time_axis(axes)
+    curves.time_axis(axes)
 
 
 def _draw_invariant(axes, label, lines, looks):
-    lost = [stepper for stepper, line in lines.items() if _first_lost(*line) is not None]
-    lines = {stepper: _finite(*line) for stepper, line in lines.items()}
-    maxima = {stepper: _largest(values) for stepper, (_, values) in lines.items()}
+    lost = [stepper for stepper, line in lines.items() if curves.first_lost(*line) is not None]
+    lines = {stepper: curves.finite(*line) for stepper, line in lines.items()}
+    maxima = {stepper: curves.largest(values) for stepper, (_, values) in lines.items()}
     worst = max(maxima, key=maxima.get)
     largest, smallest = maxima[worst], min(maxima.values())
     unit = EPS if smallest <= MANY_EPS * EPS else 10.0 ** math.floor(math.log10(largest))
@@ -146,7 +120,7 @@ def _draw_invariant(axes, label, lines, looks):
             _linear_then_log(axes, 10 * max(1.0, smallest / unit), largest / unit)
     axes.set_ylabel(r"deviation / $\varepsilon$" if unit == EPS
                     else rf"deviation in $10^{{{round(math.log10(unit))}}}$")
-    _time_axis(axes)
+    curves.time_axis(axes)
 
 
 def _linear_then_log(axes, threshold, largest):
@@ -156,8 +130,3 @@ def _linear_then_log(axes, threshold, largest):
     decades = 10.0 ** np.arange(first, last + 1, max(1, math.ceil((last - first + 1) / 4)))
     axes.yaxis.set_major_locator(FixedLocator(np.concatenate([-decades[::-1], [0.0], decades])))
     axes.yaxis.set_minor_locator(NullLocator())
-
-
-def _time_axis(axes):
-    axes.set_xlabel("time $t$")
-    axes.margins(x=0)

@@ -75,8 +75,8 @@ def looks(steppers):
     return chosen
 
 
-def new_figure(height):
-    figure = Figure(figsize=(WIDTH, height), dpi=DPI, layout="constrained")
+def new_figure(height, width=WIDTH):
+    figure = Figure(figsize=(width, height), dpi=DPI, layout="constrained")
     FigureCanvasAgg(figure)
     figure.set_constrained_layout_pads(w_pad=0.09, h_pad=0.06)
     return figure
@@ -113,13 +113,16 @@ def _mantissa_and_power(value, _position):
 
 
 def save(figure, path):
-    """All of the picture or nothing: it is drawn in memory, written beside its place and then moved there."""
-    picture = _png(figure)
+    write(_png(figure), path)
+
+
+def write(content, path):
+    """All of it or nothing: it is made in memory, written beside its place and then moved there."""
     partial = f"{path}.part"
     try:
         os.makedirs(os.path.dirname(path) or os.curdir, exist_ok=True)
         with open(partial, "wb") as file:
-            file.write(picture)
+            file.write(content)
         os.replace(partial, path)
     except (FileExistsError, NotADirectoryError):
         raise Trouble(os.path.dirname(path), "is not a folder", "name another one with -o") from None

@@ -29,10 +29,12 @@ def math_label(text, fallback):
 
 
 def step_text(h):
-    """1/64 where h is that, for it is how people write these steps; else the number itself."""
-    inverse = 1 / h
-    power = round(math.log2(inverse)) if 1 < inverse < 2**20 else 0
-    return f"1/{2**power}" if power > 0 and inverse == 2**power else given(h)
+    """1/64 or 1/12000 where h is that and its decimals say less, for it is how people write these steps."""
+    whole = round(1 / h) if h < 1 else 0
+    if not 1 < whole <= 2**20 or abs(whole * h - 1) > 1e-12:
+        return given(h)
+    power_of_two = whole & (whole - 1) == 0
+    return f"1/{whole}" if power_of_two or (whole >= 1000 and len(f"{h:.15g}".strip("0.").split("e")[0]) > 1) else given(h)
 
 
 def number(value, digits=2):
@@ -43,6 +45,13 @@ def number(value, digits=2):
     if -3 < int(exponent) < 5:
         return f"{value:.{max(0, digits - 1 - int(exponent))}f}"
     return power_of_ten(mantissa, exponent)
+
+
+def plain_number(value, digits=2):
+    """Without mathtext: 3.1e-05."""
+    if value == 0 or 0.01 <= abs(value) < 1e4:
+        return f"{value:.{max(digits, 3 if abs(value) >= 100 else 0)}g}"
+    return f"{value:.{digits - 1}e}"
 
 
 def given(value):
@@ -59,6 +68,14 @@ def power_of_ten(mantissa, exponent):
     return rf"${factor}10^{{{int(exponent)}}}$"
 
 
+RESOLVED = 0.5      # an interval wider than this, or than the order, cannot tell it from the next
+
+
+def resolved(fit):
+    """Whether the points of a fit say which order it is."""
+    return fit is not None and not fit["interval"] > min(RESOLVED, fit["order"])
+
+
 def order_text(fit):
     """2.003 ± 0.001. The interval is rounded up, so that no figure claims more than the fit."""
     if fit is None:
@@ -66,21 +83,25 @@ def order_text(fit):
     order, interval = fit["order"], fit["interval"]
     if not math.isfinite(interval):
         return f"{order:.2f}"
-    digits = 3 if interval < 0.01 else 2
-    return f"{order:.{digits}f} ± {math.ceil(interval * 10**digits) / 10**digits:.{digits}f}"
+    digits = 3 if interval < 0.01 else 2 if interval < RESOLVED else 1
+    text = f"{order:.{digits}f} ± {math.ceil(interval * 10**digits) / 10**digits:.{digits}f}"
+    return text if resolved(fit) else f"not resolved ({text})"
 
 
 def nearest_order(fit):
-    """The order a method of such a slope is said to have: a multiple of a half if one is near, else one decimal."""
+    """The order a method of such a slope is said to have: a multiple of a half if one is near or within the interval, else
+    one decimal."""
     half = round(2 * fit["order"]) / 2
-    return half if abs(fit["order"] - half) <= 0.1 else round(fit["order"], 1)
+    near = max(0.1, fit["interval"] if math.isfinite(fit["interval"]) else 0.0)
+    return half if abs(fit["order"] - half) <= near else round(fit["order"], 1)
 
 
 def orders_phrase(fits):
     """What a panel of fits shows, for its title: `order 2`, `orders 1 and 2`, `orders 2 to 8`."""
-    orders = [f"{order:g}" for order in sorted({nearest_order(fit) for fit in fits if fit})]
+    fits = [fit for fit in fits if fit]
+    orders = [f"{order:g}" for order in sorted({nearest_order(fit) for fit in fits if resolved(fit)})]
     if not orders:
-        return "no order fitted"
+        return "no order resolved" if fits else "no order fitted"
     if len(orders) == 1:
         return f"order {orders[0]}"
     if len(orders) > 3:

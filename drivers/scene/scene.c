@@ -1,18 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The scene reader: the text of every field becomes a value (scene_value.h), then the checks that concern several
- * fields at once. What a file may hold at all is the table in scene_field.c. */
+ * The scene reader: the text of every field becomes a value (scene_value.h), then come the checks that concern several
+ * fields at once (scene_check.h). What a file may hold at all is the table in scene_field.c. */
 #include "scene.h"
 
 #include <string.h>
 
-#include "scene_reader.h"
+#include "scene_check.h"
 #include "scene_value.h"
-
-static int has(const struct scene_reader *reader, const char *path)
-{
-    return scene_reader_value(reader, path) != NULL;
-}
 
 /* ---- field by field ---------------------------------------------------------------------------------------------- */
 
@@ -32,63 +27,13 @@ static int check_missing(const struct scene_reader *reader)
         char section[PLACE_PATH];
         memcpy(section, field->path, strlen(field->path) + 1);
         scene_path_up(section);
-        if (field->need != SCENE_MUST || has(reader, field->path) || (section[0] != '\0' && !has(reader, section)))
+        if (field->need != SCENE_MUST || scene_reader_has(reader, field->path) ||
+            (section[0] != '\0' && !scene_reader_has(reader, section)))
             continue;
         return scene_reader_fail(reader, field->path, "missing; add '%s:', the %s", scene_field_key(field, section),
                                  field->about);
     }
     return 0;
-}
-
-/* ---- fields that need each other --------------------------------------------------------------------------------- */
-
-/** Both fields or neither; *given: both. */
-static int check_pair(const struct scene_reader *reader, const char *a, const char *b, int *given)
-{
-    const int has_a = has(reader, a), has_b = has(reader, b);
-    *given = has_a && has_b;
-    if (has_a == has_b)
-        return 0;
-    return scene_reader_fail(reader, has_a ? a : b, "given without %s; give both or neither", has_a ? b : a);
-}
-
-/** x and v need a mass, alpha and omega an inertia. */
-static int check_needed(const struct scene_reader *reader, int needed, const char *path, const char *by)
-{
-    if (!needed || has(reader, path))
-        return 0;
-    return scene_reader_fail(reader, path, "missing; bodies with %s need it, the %s", by,
-                             scene_field_find(path)->about);
-}
-
-static int check_bodies(const struct scene_reader *reader, struct scene *scene)
-{
-    if (check_pair(reader, "bodies.x", "bodies.v", &scene->translates) != 0 ||
-        check_pair(reader, "bodies.alpha", "bodies.omega", &scene->turns) != 0)
-        return -1;
-    if (!scene->translates && !scene->turns)
-        return scene_reader_fail(reader, "bodies", "nothing moves; give x and v, or alpha and omega, or all four");
-    if (check_needed(reader, scene->translates, "bodies.mass", "x and v") != 0)
-        return -1;
-    return check_needed(reader, scene->turns, "bodies.inertia", "alpha and omega");
-}
-
-static int check_effects(const struct scene_reader *reader, const struct scene *scene)
-{
-    if (scene->has_pendulum && !scene->turns)
-        return scene_reader_fail(reader, "pendulum", "a pendulum turns; give bodies.alpha and bodies.omega");
-    return 0;
-}
-
-/** Steps are counted in a double (t = step h), which holds whole numbers up to 2^53. */
-static int check_steps(const struct scene_reader *reader, const struct scene *scene)
-{
-    if (scene->t_end / scene->h <= 0x1p53)
-        return 0;
-    char t_end[QUOTE_SIZE], h[QUOTE_SIZE];
-    return scene_reader_fail(reader, "t_end", "'%s' is more than 2^53 steps of h = %s; take a larger h",
-                             quote(t_end, sizeof t_end, scene_reader_value(reader, "t_end")),
-                             quote(h, sizeof h, scene_reader_value(reader, "h")));
 }
 
 /* ---- the scene --------------------------------------------------------------------------------------------------- */
@@ -105,11 +50,11 @@ static int take_name_of_file(const struct scene_reader *reader, const char *path
 
 static int read_scene(const struct scene_reader *reader, const char *path, struct scene *scene)
 {
-    if (read_values(reader, scene) != 0 || check_missing(reader) != 0 || check_bodies(reader, scene) != 0 ||
-        check_effects(reader, scene) != 0 || check_steps(reader, scene) != 0)
+    scene->chain.direction[0] = 1.0;
+    scene->binder.shear_form = VTI_SHEAR_OBJECTIVE;
+    scene->stepper = vti_stepper_find("vti2");
+    if (read_values(reader, scene) != 0 || check_missing(reader) != 0 || scene_check(reader, scene) != 0)
         return -1;
-    if (scene->stepper == NULL)
-        scene->stepper = vti_stepper_find("vti2");
     return scene->name[0] != '\0' ? 0 : take_name_of_file(reader, path, scene);
 }
 

@@ -105,4 +105,7 @@ struct scene {
  *  from an override is placed by "--set path=value" instead of file, line and column. *scene needs no freeing. */
 int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message);
 
+/** How many bodies the scene has; 0 if only its table knows. */
+int64_t scene_bodies(const struct scene *scene);
+
 #endif

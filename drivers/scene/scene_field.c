@@ -44,7 +44,7 @@ static const struct scene_field fields[] = {
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(binder.moment), "stiffness K^m"},
     {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(binder.axial), "stiffness K^a"},
     {"binder.shear", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "shear of bonds"},
-    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(binder.shear), "stiffness K^s"},
+    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(binder.shear), "stiffness K^s"},
     {"binder.shear.form", SCENE_SHEAR, SCENE_MAY, SCENE_ANY, AT(binder.shear_form), "form of the shear energy"},
 
     {"contact", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_contact), "contact of the spheres"},
@@ -53,7 +53,7 @@ static const struct scene_field fields[] = {
 
     {"wall", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_wall), "rigid planes"},
     {"wall.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(wall.stiffness), "stiffness K^pw"},
-    {"wall.planes", SCENE_PLANES, SCENE_MUST, SCENE_ANY, AT(wall.planes), "planes nx x + ny y + nz z = d"},
+    {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, AT(wall.planes), "planes nx x + ny y + nz z = d"},
 
     {"gravity", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(gravity), "acceleration g"},
 

@@ -131,9 +131,8 @@ static int fail_shape(const struct scene_source *source, struct report *report, 
 {
     char text[SCENE_WORDS_SIZE], path[PLACE_PATH];
     struct place place;
-    whole_path(source, report->path, path);
-    if (error != CYAML_ERR_INVALID_VALUE && scene_words_indices(path) > scene_words_lists_around(path))
-        scene_path_up(report->path); /* too few or too many items: the list, not the last item, is to blame */
+    if (error != CYAML_ERR_INVALID_VALUE && strchr(report->path, '[') != NULL)
+        scene_path_up(report->path); /* too few or too many items: the list, not its last item, is to blame */
     if (place_find(source->text, source->size, report->path, 1, &place) != 0)
         return scene_source_fail(source, NULL, report->path, cyaml_strerror(error), message);
     whole_path(source, report->path, path);

@@ -99,6 +99,11 @@ const void *scene_reader_value(const struct scene_reader *reader, const char *pa
     return slot != NULL ? slot->value : NULL;
 }
 
+int scene_reader_has(const struct scene_reader *reader, const char *path)
+{
+    return scene_reader_value(reader, path) != NULL;
+}
+
 int64_t scene_reader_items(const struct scene_reader *reader, const char *path)
 {
     const struct scene_slot *slot = find_slot(reader, path);

@@ -21,8 +21,10 @@ int scene_reader_open(struct scene_reader *reader, const char *path, const char 
 void scene_reader_close(struct scene_reader *reader);
 
 /** The value at a path of the table, NULL if it is not given: of type char for single values, char *const [3] for
- *  vectors, char *const (*const [items])[4] for lists of rows; of a section only whether it is NULL counts. */
+ *  vectors, char *const *const [items] for lists of rows; of a section only whether it is NULL counts. */
 const void *scene_reader_value(const struct scene_reader *reader, const char *path);
+/** Whether the value or section at a path of the table is given. */
+int scene_reader_has(const struct scene_reader *reader, const char *path);
 /** The length of a list of rows. */
 int64_t scene_reader_items(const struct scene_reader *reader, const char *path);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The table of scene_field.h as a schema of libcyaml. A section is loaded into an array of slots, one for each of its
- * keys, that point to such an array again (section), to char *[3] (vector), to char *(*[items])[4] (list of rows) or to
+ * keys, that point to such an array again (section), to char *[3] (vector), to char **[items] (list of rows) or to
  * char (all else); NULL where the file lacks the key. Numbers are left as text here, because libcyaml knows neither 1/64
  * nor 2^-6. */
 #ifndef VTI_SCENE_SCHEMA_H

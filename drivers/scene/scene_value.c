@@ -27,10 +27,8 @@ struct word {
 };
 
 static const struct word yes_no[] = {{"yes", 1}, {"no", 0}, {NULL, 0}};
-static const struct word shear_forms[] = {{"objective", VTI_SHEAR_OBJECTIVE},
-                                          {"quartic", VTI_SHEAR_QUARTIC},
-                                          {"printed", VTI_SHEAR_PRINTED},
-                                          {NULL, 0}};
+static const struct word shear_forms[] = {
+    {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
 
 static int read_word(const struct scene_reader *reader, const struct scene_field *field, const char *text,
                      const struct word *words, int64_t *value)

@@ -36,7 +36,8 @@ static const struct scene_field *field_around(const char *path)
     return scene_field_find(field_path);
 }
 
-int scene_words_indices(const char *path)
+/** How many [index] steps a path has. */
+static int count_indices(const char *path)
 {
     int n = 0;
     for (const char *p = path; (p = strchr(p, '[')) != NULL; ++p)
@@ -44,19 +45,13 @@ int scene_words_indices(const char *path)
     return n;
 }
 
-int scene_words_lists_around(const char *path)
-{
-    const struct scene_field *field = field_around(path);
-    return field != NULL && field->kind == SCENE_PLANES ? 1 : 0;
-}
-
 /** What belongs where a list of n numbers belongs. */
 static void write_list(const char *what, const char *example, const struct place *place, const char *found,
                        char text[SCENE_WORDS_SIZE])
 {
     if (place->kind == PLACE_LIST)
-        snprintf(text, SCENE_WORDS_SIZE, "%lu values in a list of %s; write them as in %s",
-                 (unsigned long)place->items, what, example);
+        snprintf(text, SCENE_WORDS_SIZE, "%lu values in a list of %s; write them as in %s", (unsigned long)place->items,
+                 what, example);
     else
         snprintf(text, SCENE_WORDS_SIZE, "%s is not a list of %s; write them as in %s", found, what, example);
 }
@@ -75,7 +70,7 @@ void scene_words_shape(const char *path, const struct place *place, char text[SC
     char found[2 * QUOTE_SIZE], list[LIST_SIZE];
     write_found(place, found);
     const struct scene_field *field = field_around(path);
-    const int indices = scene_words_indices(path);
+    const int indices = count_indices(path);
     const enum scene_kind kind = field == NULL ? SCENE_SECTION : field->kind;
     if (kind == SCENE_SECTION)
         snprintf(text, SCENE_WORDS_SIZE, "%s is not a %s; write its keys, each on a line of its own: %s", found,

@@ -14,10 +14,6 @@ enum { SCENE_WORDS_SIZE = 512 };
 /** No such key in the section ("" is the whole scene). */
 void scene_words_unknown(const char *section, const char *key, char text[SCENE_WORDS_SIZE]);
 
-/** How many [index] steps a path has, and how many of them lead to a row of a list of rows. */
-int scene_words_indices(const char *path);
-int scene_words_lists_around(const char *path);
-
 /** What stands at place is not of the shape that path calls for. */
 void scene_words_shape(const char *path, const struct place *place, char text[SCENE_WORDS_SIZE]);
 

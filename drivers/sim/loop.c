@@ -100,15 +100,15 @@ static int show(struct run *run, int64_t step)
     return 0;
 }
 
-static int refused(int status, const vti_fault *fault, const vti_stepper *stepper, double h, int64_t step,
-                   struct message *message)
+static int refused(const struct model *model, int status, const vti_fault *fault, const vti_stepper *stepper, double h,
+                   int64_t step, struct message *message)
 {
     if (status == VTI_E_TOO_LARGE)
         return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): body %lld has h|Omega| = %.6g; %s",
                            stepper->name, h, (long long)step, (double)(step - 1) * h, (long long)fault->body,
                            fault->value, vti_status_text(status));
     return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): %s", stepper->name, h, (long long)step,
-                       (double)(step - 1) * h, vti_status_text(status));
+                       (double)(step - 1) * h, model_text(model, status));
 }
 
 /** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
@@ -135,5 +135,5 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
             stopped = show(&run, step);
     }
     free(run.reader.memory);
-    return status != VTI_OK ? refused(status, &fault, stepper, h, step, message) : stopped;
+    return status != VTI_OK ? refused(model, status, &fault, stepper, h, step, message) : stopped;
 }

@@ -1,124 +1,76 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "model.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- bodies ---------------------------------------------------------------------------------------------------- */
+#include "model_parts.h"
 
-/** The next packed view of n three-vectors, all set to value (or 0). */
-static vti_view take(double **memory, int64_t n, const double value[3])
-{
-    double *p = *memory;
-    for (int64_t i = 0; i < n; ++i)
-        memcpy(p + 3 * i, value, 3 * sizeof *p);
-    *memory += 3 * n;
-    return vti_view_packed(p);
-}
+/* ---- from the scene --------------------------------------------------------------------------------------------------- */
 
-static void place_bodies(struct model *model, double *memory)
+static int make(struct model *model, const struct tables *tables, struct message *message)
 {
-    const struct scene *s = model->scene;
-    const double zero[3] = {0.0, 0.0, 0.0};
-    vti_bodies *b = &model->bodies;
-    const int64_t n = b->count;
-    if (s->translates) {
-        b->x = take(&memory, n, s->x);
-        b->v = take(&memory, n, s->v);
-        b->mass = vti_scalars_one(&s->mass);
-    }
-    if (s->turns) {
-        b->alpha = take(&memory, n, s->alpha);
-        b->omega = take(&memory, n, s->omega);
-        b->inertia = vti_scalars_one(&s->inertia);
-    }
-    if (s->has_pendulum)
-        b->moment = take(&memory, n, zero);
+    if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0 ||
+        model_add_effects(model, tables, message) != 0)
+        return -1;
+    const int status = model_forces(model, &model->bodies);
+    return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, model_text(model, status));
 }
 
 int model_create(const struct scene *scene, struct model *model, struct message *message)
 {
-    enum { VECTORS = 6 };
+    struct tables own;
+    memset(&own, 0, sizeof own);
     memset(model, 0, sizeof *model);
     model->scene = scene;
-    model->bodies = vti_bodies_none(1);
-    model->memory = calloc((size_t)(3 * VECTORS * model->bodies.count), sizeof *model->memory);
-    if (model->memory == NULL)
-        return message_set(message, "%s: out of memory for %lld bodies; use fewer", scene->name,
-                           (long long)model->bodies.count);
-    place_bodies(model, model->memory);
-    if (scene->has_pendulum)
-        model->effects[model->effects_count++] = vti_pendulum_effect(&scene->pendulum);
-    const int status = model_forces(model, &model->bodies);
-    if (status != VTI_OK) {
+    int result = 0;
+    if (scene->tables == NULL)
+        result = model_read_tables(scene, &own, message);
+    if (result == 0)
+        result = make(model, scene->tables != NULL ? scene->tables : &own, message);
+    table_destroy(&own.bodies);
+    table_destroy(&own.bonds);
+    if (result != 0)
         model_destroy(model);
-        return message_set(message, "%s: %s", scene->name, vti_status_text(status));
-    }
-    return 0;
+    return result;
 }
 
 void model_destroy(struct model *model)
 {
+    neighbours_destroy(&model->neighbours);
     free(model->memory);
-    model->memory = NULL;
+    free(model->bond_memory);
+    free(model->bond_pairs);
+    memset(model, 0, sizeof *model);
 }
 
-int model_forces(const struct model *model, const vti_bodies *bodies)
+/* ---- forces and energy ------------------------------------------------------------------------------------------------ */
+
+int model_find_pairs(struct model *model, const vti_bodies *bodies)
 {
-    return vti_apply(model->effects, model->effects_count, bodies);
+    if (!model->scene->has_contact)
+        return VTI_OK;
+    const int result = neighbours_update(&model->neighbours, &bodies->x, &model->trouble);
+    model->contacts.count = model->neighbours.count;
+    model->contacts.pair = model->neighbours.pair;
+    return result < 0 ? MODEL_E_PAIRS : VTI_OK;
 }
 
-double model_energy(const struct model *model, const vti_bodies *bodies)
+int model_forces(struct model *model, const vti_bodies *bodies)
 {
+    const int status = model_find_pairs(model, bodies);
+    return status == VTI_OK ? vti_apply(model->effects, model->effects_count, bodies) : status;
+}
+
+double model_energy(struct model *model, const vti_bodies *bodies)
+{
+    if (model_find_pairs(model, bodies) != VTI_OK)
+        return NAN;
     return vti_energy(model->effects, model->effects_count, bodies);
 }
 
-/* ---- invariants ------------------------------------------------------------------------------------------------- */
-
-static const struct invariant momenta[6] = {
-    {"momentum_x", "$P_x$", 1}, {"momentum_y", "$P_y$", 1}, {"momentum_z", "$P_z$", 1},
-    {"angular_x", "$L_x$", 1},  {"angular_y", "$L_y$", 1},  {"angular_z", "$L_z$", 1},
-};
-/* the sphere's spin about its arm, and the arm's length (EQUATIONS 3) */
-static const struct invariant arm_dot_omega = {"arm_dot_omega", "$R\\rho_0\\cdot\\Omega$", 1};
-static const struct invariant arm_length = {"arm_length", "$|R\\rho_0|$", 0};
-
-/** Momentum k (0-2 linear, 3-5 angular about the origin) exists in the scene and no effect breaks it. */
-static int conserves(const struct model *model, int k)
+const char *model_text(const struct model *model, int status)
 {
-    for (int64_t e = 0; e < model->effects_count; ++e)
-        if (model->effects[e].breaks >> k & 1)
-            return 0;
-    return k < 3 ? model->scene->translates : 1;
-}
-
-int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS])
-{
-    int64_t n = 0;
-    for (int k = 0; k < 6; ++k)
-        if (conserves(model, k))
-            list[n++] = momenta[k];
-    if (model->scene->has_pendulum) {
-        list[n++] = arm_dot_omega;
-        list[n++] = arm_length;
-    }
-    return n;
-}
-
-void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
-{
-    const double origin[3] = {0.0, 0.0, 0.0};
-    double pl[6];
-    int64_t n = 0;
-    vti_momentum(bodies, pl);
-    vti_angular_momentum(bodies, origin, pl + 3);
-    for (int k = 0; k < 6; ++k)
-        if (conserves(model, k))
-            values[n++] = pl[k];
-    if (model->scene->has_pendulum) {
-        double arm[3];
-        vti_pendulum_arm(&model->scene->pendulum, bodies, 0, arm);
-        values[n++] = arm[0] * bodies->omega.c[0][0] + arm[1] * bodies->omega.c[1][0] + arm[2] * bodies->omega.c[2][0];
-        values[n++] = vti_norm(arm);
-    }
+    return status == MODEL_E_PAIRS ? model->trouble.text : vti_status_text(status);
 }

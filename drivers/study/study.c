@@ -62,6 +62,33 @@ int study_read_steppers(const char *list, struct plan *plan, struct message *mes
     return 0;
 }
 
+/** Where the reference can be read at any time, runs are compared at every step. Elsewhere at the multiples of the longest step, or
+ *  of a multiple of it if the states would not fit into memory, which all steps must divide. */
+static int choose_interval(struct study *study, struct message *message)
+{
+    static const double most_bytes = 1e9;
+    const struct plan *plan = study->plan;
+    study->t_end = plan->t_end;
+    if (reference_is_smooth(&study->model))
+        return 0;
+    const double width = (double)equations_width(&study->model) * (double)sizeof(double);
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        study->interval = fmax(study->interval, plan->h[k]);
+    for (int64_t k = 0; k < plan->h_count; ++k) {
+        const double ratio = study->interval / plan->h[k];
+        if (fabs(ratio - rint(ratio)) > 1e-9 * ratio)
+            return message_set(
+                message,
+                "--h: %.10g does not divide the longest step %.10g, and runs of scenes with contacts, walls "
+                "or many bodies are compared at common times; use a ladder such as 1/1000:1/8000",
+                plan->h[k], study->interval);
+    }
+    while (plan->t_end / study->interval * width > most_bytes)
+        study->interval *= 2.0;
+    study->t_end = (double)loop_steps(plan->t_end, study->interval) * study->interval;
+    return 0;
+}
+
 static int make_trials(struct study *study, struct message *message)
 {
     const struct plan *plan = study->plan;
@@ -69,8 +96,9 @@ static int make_trials(struct study *study, struct message *message)
         struct trial *trial = &study->trials[r];
         trial->stepper = plan->steppers[r / plan->h_count];
         trial->h = plan->h[r % plan->h_count];
-        trial->steps = loop_steps(plan->t_end, trial->h);
+        trial->steps = loop_steps(study->t_end, trial->h);
         trial->t_end = (double)trial->steps * trial->h;
+        trial->compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
         if (trial->steps < 1)
             return message_set(message, "--h: %.17g is longer than t_end = %.17g; use a smaller step", trial->h,
                                plan->t_end);
@@ -136,11 +164,15 @@ static void longest_first(const struct study *study, int64_t *order)
 
 /* ---- orders -------------------------------------------------------------------------------------------------------- */
 
-/** Below this a measure is rounding: errors of attitude grow as t sqrt(steps) eps, the q-error is a square root. */
-static double rounding_floor(int measure, const struct trial *trial)
+/** Below this a measure is rounding, since errors of attitude grow as t sqrt(steps) eps, or no more than the reference is known
+ *  to. The q-error is a square root. */
+static double least_error(const struct study *study, int measure, const struct trial *trial)
 {
-    const double floor = 16.0 * DBL_EPSILON * sqrt((double)trial->steps) * fmax(1.0, trial->t_end);
-    return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(floor) : floor;
+    const double rounding = 16.0 * DBL_EPSILON * sqrt((double)trial->steps) * fmax(1.0, trial->t_end);
+    const double known = fmax(rounding, 10.0 * study->reference_uncertainty);
+    if (strcmp(study_measures[measure], "e_error") == 0)
+        return rounding;
+    return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(known) : known;
 }
 
 static void fit_orders(struct study *study)
@@ -152,7 +184,7 @@ static void fit_orders(struct study *study)
             for (int64_t k = 0; k < plan->h_count; ++k) {
                 const int64_t run = s * plan->h_count + k;
                 error[k] = study_measure(&study->outcomes[run], m);
-                floor[k] = rounding_floor(m, &study->trials[run]);
+                floor[k] = least_error(study, m, &study->trials[run]);
             }
             study->orders[s][m] = fit_order(plan->h, error, floor, plan->h_count);
         }
@@ -214,17 +246,19 @@ int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, s
     int failed =
         allocate(study, rank) ? 0 : message_set(message, "out of memory for %lld runs", (long long)study->runs);
     if (failed == 0)
-        failed = make_trials(study, message);
-    if (failed == 0)
         failed = model_create(plan->scene, &study->model, message);
+    if (failed == 0)
+        failed = choose_interval(study, message);
+    if (failed == 0)
+        failed = make_trials(study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
-    if (failed != 0 || reference_create(&study->model, plan->t_end, comm, &reference, message) != 0)
+    if (failed != 0 || reference_create(&study->model, study->t_end, study->interval, comm, &reference, message) != 0)
         return -1;
     if (rank == 0) {
         study->energy0 = model_energy(&study->model, &study->model.bodies);
-        study->norm_squared = reference_norm_squared(&reference, plan->t_end);
+        study->norm_squared = reference_norm_squared(&reference, study->t_end);
         study->reference_energy_error = reference.energy_error;
-        study->reference_interpolation_error = reference.interpolation_error;
+        study->reference_uncertainty = reference.uncertainty;
     }
     failed = run_all(study, &reference, comm, progress, message);
     reference_destroy(&reference);

@@ -33,8 +33,10 @@ struct study {
     int *ranks;                             /* [runs] that did it */
     struct order (*orders)[STUDY_MEASURES]; /* [steppers_count] */
     double energy0, norm_squared;
-    double reference_energy_error, reference_interpolation_error;
-    double seconds; /* for all runs, reference excluded */
+    double t_end;    /* the plan's, or the last common time of all runs before it */
+    double interval; /* at which runs are compared with the reference; 0 is every step */
+    double reference_energy_error, reference_uncertainty; /* the second relative, of the solution */
+    double seconds;                                       /* for all runs, reference excluded */
 };
 
 /** Shows progress on rank 0: steps done of all steps, both weighted by steps, and the seconds since the start. */

@@ -12,7 +12,8 @@ struct trial {
     const vti_stepper *stepper;
     double h;
     int64_t steps;
-    double t_end; /* where the run ends: steps h */
+    double t_end;          /* where the run ends: steps h */
+    int64_t compare_every; /* steps from one state that the reference knows to the next */
 };
 
 /** What a run measured. A flat record, so that it can travel and be stored as bytes. */

@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "quote.h"
 #include "scene.h"
 
 enum { TEXT_SIZE = 8192 };

@@ -1,25 +1,60 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Damaged scene files: every truncation of the shipped pendulum (the argument), and seeded changes of bytes and of
+ * Damaged scene files: every truncation of the shipped scenes that are the arguments, and seeded changes of bytes and of
  * pieces of YAML. Each gives a scene whose numbers make sense or one whole line; sanitizers watch the memory. */
 #define _POSIX_C_SOURCE 200809L
 #include "scene_support.h"
 
 enum { MUTATIONS = 20000 };
 
-static char original[TEXT_SIZE];
-static size_t original_size;
+/** The scenes to be damaged; overrides are damaged on top of the first. */
+enum { ORIGINALS = 2 };
+static char original[ORIGINALS][TEXT_SIZE];
+static size_t original_size[ORIGINALS];
+static int originals;
 
 static int positive(double x)
 {
     return isfinite(x) && x > 0.0;
 }
 
+static int is_unit(const double *n)
+{
+    return fabs(vti_norm(n) - 1.0) <= 4 * EPS;
+}
+
+static void check_effects(const struct scene *s)
+{
+    const int64_t bodies = scene_bodies(s);
+    const int known = s->arrangement != SCENE_IN_TABLE;
+    if (s->has_binder) {
+        assert_true(!known || bodies > 1);
+        assert_true(s->binder.table[0] != '\0' || s->binder.moment > 0.0 || s->binder.axial > 0.0 ||
+                    s->binder.shear > 0.0);
+        assert_in_range(s->binder.shear_form, VTI_SHEAR_OBJECTIVE, VTI_SHEAR_PRINTED);
+    }
+    assert_true(!known || s->translates || !(s->has_contact || s->has_wall || s->has_gravity));
+    assert_true(!s->has_contact || (positive(s->contact.stiffness) && s->contact.bonded >> 1 == 0));
+    if (s->has_wall) {
+        assert_true(positive(s->wall.stiffness));
+        assert_in_range(s->wall.planes.count, 1, SCENE_PLANES_MAX);
+        for (int64_t k = 0; k < s->wall.planes.count; ++k)
+            assert_true(is_unit(s->wall.planes.plane[k]) && isfinite(s->wall.planes.plane[k][3]));
+    }
+    assert_true(!s->has_pendulum || (s->turns && !s->translates && s->pendulum.weight >= 0.0));
+    assert_true(all_finite(s->pendulum.rho0, 3) && all_finite(s->gravity.g, 3));
+}
+
 static void check_scene(const struct scene *s)
 {
-    assert_true(s->translates || s->turns);
-    assert_true(!s->translates || (positive(s->mass) && all_finite(s->x, 3) && all_finite(s->v, 3)));
-    assert_true(!s->turns || (positive(s->inertia) && all_finite(s->alpha, 3) && all_finite(s->omega, 3)));
-    assert_true(!s->has_pendulum || (s->turns && s->pendulum.weight >= 0.0 && all_finite(s->pendulum.rho0, 3)));
+    const int known = s->arrangement != SCENE_IN_TABLE, formula = known && s->arrangement != SCENE_SINGLE;
+    const int sphere = positive(s->mass) && (positive(s->diameter) || formula);
+    assert_true(!known || s->translates || s->turns);
+    assert_true(!known || !s->translates || positive(s->mass));
+    assert_true(!known || !s->turns || positive(s->inertia) || sphere);
+    assert_true(all_finite(s->x, 3) && all_finite(s->v, 3) && all_finite(s->alpha, 3) && all_finite(s->omega, 3));
+    assert_true(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0');
+    assert_true(s->arrangement != SCENE_IN_RING || s->ring.count >= 3);
+    check_effects(s);
     assert_true(positive(s->h) && positive(s->t_end) && s->t_end / s->h <= 0x1p53);
     assert_non_null(s->stepper);
     assert_in_range(strlen(s->name), 1, sizeof s->name - 1);
@@ -45,8 +80,10 @@ static int try_text(const char *text, size_t size, const char *const *sets, int 
 static void every_truncation(void **state)
 {
     (void)state;
-    for (size_t size = 0; size <= original_size; ++size)
-        assert_true(try_text(original, size, NULL, 0) || size < original_size);
+    assert_int_equal(originals, ORIGINALS);
+    for (int k = 0; k < originals; ++k)
+        for (size_t size = 0; size <= original_size[k]; ++size)
+            assert_true(try_text(original[k], size, NULL, 0) || size < original_size[k]);
 }
 
 /** Changes, removes or inserts a byte. */
@@ -104,6 +141,13 @@ static size_t mutate_piece(rng *g, char *text, size_t size)
                                          "x: [1, 2, 3]\n",
                                          "bodies:",
                                          "pendulum:",
+                                         "binder: {axial: 1}\n",
+                                         "ring: ",
+                                         "[[1, 0, 0, 0]]",
+                                         "table: a.csv",
+                                         "[4, 4, 4]",
+                                         "yes",
+                                         "1e9",
                                          "# ",
                                          "\xc3",
                                          "\xff\xfe",
@@ -126,35 +170,38 @@ static size_t mutate_piece(rng *g, char *text, size_t size)
 static void mutations(void **state)
 {
     rng g = rng_seed(20240229);
-    int scenes = 0;
     (void)state;
-    for (int k = 0; k < MUTATIONS; ++k) {
-        char text[TEXT_SIZE + 256];
-        size_t size = original_size;
-        memcpy(text, original, size);
-        for (int changes = 1 + rng_below(&g, 4); changes > 0; --changes)
-            size = rng_below(&g, 2) ? mutate_byte(&g, text, size) : mutate_piece(&g, text, size);
-        scenes += try_text(text, size, NULL, 0);
+    for (int from = 0; from < originals; ++from) {
+        int scenes = 0;
+        for (int k = 0; k < MUTATIONS; ++k) {
+            char text[TEXT_SIZE + 256];
+            size_t size = original_size[from];
+            memcpy(text, original[from], size);
+            for (int changes = 1 + rng_below(&g, 4); changes > 0; --changes)
+                size = rng_below(&g, 2) ? mutate_byte(&g, text, size) : mutate_piece(&g, text, size);
+            scenes += try_text(text, size, NULL, 0);
+        }
+        /* comments can be damaged without harm, keys and numbers cannot: both must have been met */
+        assert_in_range(scenes, MUTATIONS / 50, MUTATIONS - MUTATIONS / 50);
     }
-    /* comments can be damaged without harm, keys and numbers cannot: both must have been met */
-    assert_in_range(scenes, MUTATIONS / 50, MUTATIONS - MUTATIONS / 50);
 }
 
 /** The same damage to what follows --set. */
 static void mutated_overrides(void **state)
 {
-    static const char *const arguments[] = {"bodies.omega=[0.1, 2e-3, 1/64]", "pendulum.weight=2^-6", "stepper=vti3"};
+    static const char *const arguments[] = {"bodies.omega=[0.1, 2e-3, 1/64]", "pendulum.weight=2^-6", "stepper=vti3",
+                                            "wall.planes=[[1, 0, 0, 0], [0, 1, 0, 2]]", "binder.shear.form=printed"};
     rng g = rng_seed(5);
     (void)state;
     for (int k = 0; k < MUTATIONS / 4; ++k) {
         char text[512];
         const char *const sets[] = {text};
-        snprintf(text, sizeof text, "%s", arguments[rng_below(&g, 3)]);
+        snprintf(text, sizeof text, "%s", arguments[rng_below(&g, 5)]);
         size_t size = strlen(text);
         for (int changes = 1 + rng_below(&g, 3); changes > 0; --changes)
             size = rng_below(&g, 2) ? mutate_byte(&g, text, size) : mutate_piece(&g, text, size);
         text[size] = '\0';
-        try_text(original, original_size, sets, 1);
+        try_text(original[0], original_size[0], sets, 1);
     }
 }
 
@@ -164,7 +211,9 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_truncation), cmocka_unit_test(mutations),
                                        cmocka_unit_test(mutated_overrides)};
     char directory[64];
-    original_size = read_bytes(argc > 1 ? argv[1] : "pendulum.yaml", original);
+    originals = argc - 1 < ORIGINALS ? argc - 1 : ORIGINALS;
+    for (int k = 0; k < originals; ++k)
+        original_size[k] = read_bytes(argv[k + 1], original[k]);
     enter_directory(directory);
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     leave_directory(directory, names, 1);

@@ -7,8 +7,10 @@
 #define BODIES "bodies:\n  inertia: 1\n  alpha: [0, 0, 0]\n  omega: [0, 0, 1]\n"
 #define TIME "h: 1/64\nt_end: 1\n"
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
-#define ROOT_KEYS "name, bodies, pendulum, stepper, h, t_end"
-#define BODY_KEYS "mass, inertia, x, v, alpha, omega"
+#define ROOT_KEYS "name, bodies, binder, contact, wall, gravity, pendulum, stepper, h, t_end"
+#define BODY_KEYS "ring, chain, lattice, table, mass, inertia, diameter, x, v, alpha, omega, random"
+#define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
+#define NOTHING "t.yaml:1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"
 #define STEPPERS "vti1, vti2, vti3, vti3-leapfrog"
 #define BRACKETS "; look at the brackets, quotes and indentation here and just above"
 
@@ -51,7 +53,7 @@ static const struct {
      "t.yaml:4:1: ääääääääääääääääääääääääääääää...: unknown key 'ääääääääääääääääääääääääääääää...'; known "
      "here: " ROOT_KEYS},
     {SPIN TIME "<<: {h: 1}\n", "t.yaml:4:1: <<: unknown key '<<'; known here: " ROOT_KEYS},
-    {SPIN TIME "binder:\n  moment: 1\n", "t.yaml:4:1: binder: unknown key 'binder'; known here: " ROOT_KEYS},
+    {SPIN TIME "bonds:\n  moment: 1\n", "t.yaml:4:1: bonds: unknown key 'bonds'; known here: " ROOT_KEYS},
     {BODIES "  omga: [0, 0, 1]\n" TIME, "t.yaml:5:3: bodies.omga: unknown key 'omga'; known in bodies: " BODY_KEYS},
     {BODIES "  h: 1\n" TIME, "t.yaml:5:3: bodies.h: unknown key 'h'; known in bodies: " BODY_KEYS},
     {BODIES "  \"a b\": 1\n" TIME, "t.yaml:5:3: bodies.a b: unknown key 'a b'; known in bodies: " BODY_KEYS},
@@ -71,12 +73,12 @@ static const struct {
      "t.yaml:1:9: bodies: '3' is not a section; write its keys, each on a line of its own: " BODY_KEYS},
     {"bodies: [1]\n" TIME,
      "t.yaml:1:9: bodies: a list of 1 is not a section; write its keys, each on a line of its own: " BODY_KEYS},
-    {"bodies: {}\n" TIME, "t.yaml:1:1: bodies: nothing moves; give x and v, or alpha and omega, or all four"},
-    {"bodies: {inertia: 1}\n" TIME, "t.yaml:1:1: bodies: nothing moves; give x and v, or alpha and omega, or all four"},
+    {"bodies: {}\n" TIME, NOTHING},
+    {"bodies: {inertia: 1}\n" TIME, NOTHING},
     {"bodies: {alpha: [0, 0, 0], omega: [0, 0, 1]}\n" TIME,
-     "t.yaml:1:1: bodies.inertia: missing; bodies with alpha and omega need it, the moment of inertia J"},
+     "t.yaml:1:1: bodies.inertia: missing; bodies that turn need it, the moment of inertia J"},
     {"bodies: {x: [0, 0, 0], v: [0, 0, 1]}\n" TIME,
-     "t.yaml:1:1: bodies.mass: missing; bodies with x and v need it, the mass m"},
+     "t.yaml:1:1: bodies.mass: missing; bodies that translate need it, the mass m"},
     {"bodies: {inertia: 1, alpha: [0, 0, 0]}\n" TIME,
      "t.yaml:1:29: bodies.alpha: given without bodies.omega; give both or neither"},
     {"bodies: {inertia: 1, omega: [0, 0, 0]}\n" TIME,
@@ -122,7 +124,7 @@ static const struct {
     {SPIN "pendulum:\n  weight: 1\n  rho0: [0, -0, 0.0]\n" TIME,
      "t.yaml:4:9: pendulum.rho0: '[0, -0, 0.0]' has no length; the arm in the body's frame must not be zero"},
     {"bodies: {mass: 1, x: [0, 0, 0], v: [0, 0, 1]}\npendulum: {weight: 1, rho0: [0, 0, 1]}\n" TIME,
-     "t.yaml:2:1: pendulum: a pendulum turns; give bodies.alpha and bodies.omega"},
+     "t.yaml:2:1: pendulum: hangs bodies on fixed pivots, where they turn and cannot translate; remove it or bodies.x"},
     {SPIN "h:\nt_end: 1\n", "t.yaml:2:3: h: ''" NUMBER},
     {SPIN "h: 0\nt_end: 1\n", "t.yaml:2:4: h: '0' is not positive; the time step must be > 0"},
     {SPIN "h: -1e-3\nt_end: 1\n", "t.yaml:2:4: h: '-1e-3' is not positive; the time step must be > 0"},

@@ -25,7 +25,7 @@ typedef struct web {
     vti_bonds bonds;
 } web;
 
-/* ---- crowds --------------------------------------------------------------------------------------------------------- */
+/* ---- crowds ------------------------------------------------------------------------------------------------------ */
 
 static inline vti_bodies crowd_bodies(crowd *c)
 {
@@ -129,7 +129,7 @@ static inline void crowd_momenta(crowd *c, double momenta[9])
     vti_spin(&b, momenta + 6);
 }
 
-/* ---- webs ----------------------------------------------------------------------------------------------------------- */
+/* ---- webs -------------------------------------------------------------------------------------------------------- */
 
 /** The first `count` bonds of the web with the terms of the mask. */
 static inline void web_terms(web *w, int64_t count, int terms, int form)
@@ -147,7 +147,17 @@ static inline void web_terms(web *w, int64_t count, int terms, int form)
         w->bonds.shear = vti_scalars_array(w->shear);
 }
 
-/** A random tree over the bodies and `extra` more bonds, at rest in the present positions, stiffnesses in [low, high]. */
+/** The same bonds, their bodies counted from base. */
+static inline void web_base(web *w, int64_t base)
+{
+    for (int64_t k = 0; k < w->bonds.count; ++k)
+        for (int side = 0; side < 2; ++side)
+            w->pair[k][side] += base - w->bonds.base;
+    w->bonds.base = base;
+}
+
+/** A random tree over the bodies and `extra` more bonds, at rest in the present positions, stiffnesses in [low,
+ *  high]. */
 static inline int64_t web_grow(web *w, rng *g, const crowd *c, int extra, double low, double high)
 {
     int64_t count = 0;

@@ -90,8 +90,8 @@ static inline mat mat_rodrigues(vec v, long double w, long double f)
     return r;
 }
 
-/** R of body i from the numbers that the caller stores: I + 4/(4 + |alpha|^2) [S + S^2/2], or the matrix of a quaternion
- *  of any length. */
+/** R of body i from the numbers that the caller stores: I + 4/(4 + |alpha|^2) [S + S^2/2], or the matrix of a
+ *  quaternion of any length. */
 static inline mat mat_of(const crowd *c, int i)
 {
     if (c->storage == CROWD_ALPHA) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The energy of every term of a bond against its formula (EQUATIONS 3), evaluated with rotation matrices and libm in long
- * double, and the angle of the relative rotation, which the library finds without libm. */
+ * The energy of every term of a bond against its formula (EQUATIONS 3), evaluated with rotation matrices and libm in
+ * long double, and the angle of the relative rotation, which the library finds without libm. */
 #include "pair.h"
 
-/* ---- the formulas ---------------------------------------------------------------------------------------------------- */
+/* ---- the formulas ------------------------------------------------------------------------------------------------ */
 
 typedef struct expected {
     long double energy, tolerance;
@@ -28,8 +28,9 @@ static expected axial_energy(const pair *p)
     return e;
 }
 
-/** 1 - c = 2 sin^2(gamma/2) of the angle gamma between the bond and its direction at rest, which is a chord of the length
- *  2 sin(gamma/2). The ends of the chord round by 8 eps for each rotation, over |m|/2 where a middle is made of two. */
+/** 1 - c = 2 sin^2(gamma/2) of the angle gamma between the bond and its direction at rest, which is a chord of the
+ *  length 2 sin(gamma/2). The ends of the chord round by 8 eps for each rotation, over |m|/2 where a middle is made
+ *  of two. */
 static expected shear_energy(const pair *p, int form)
 {
     const vec n = vec_add(vec_of(p->c.x[0]), -1, vec_of(p->c.x[1])), n0 = vec_of(p->w.rest[0]);
@@ -62,7 +63,7 @@ static void compare(pair *p, int terms, int form)
     assert_int_equal(effect.terms, n);
 }
 
-/* ---- states ---------------------------------------------------------------------------------------------------------- */
+/* ---- states ------------------------------------------------------------------------------------------------------ */
 
 /** Any two attitudes, any bond. */
 static void anywhere(pair *p, rng *g, enum crowd_storage storage)
@@ -135,10 +136,10 @@ static void exact_values(void **state)
     }
 }
 
-/* ---- the angle ------------------------------------------------------------------------------------------------------- */
+/* ---- the angle --------------------------------------------------------------------------------------------------- */
 
-/** -T_i of a moment bond with K = 1 is the rotation vector. Body j has not turned, so that the relative quaternion is that
- *  of body i, exactly. */
+/** -T_i of a moment bond with K = 1 is the rotation vector. Body j has not turned, so that the relative quaternion
+ *  is that of body i, exactly. */
 static void rotation_vector(const double quat[4], double theta[3])
 {
     pair p;
@@ -155,9 +156,9 @@ static void rotation_vector(const double quat[4], double theta[3])
         theta[k] = -p.c.moment[0][k];
 }
 
-/* The sum of the roundings in units of eps of theta: k 1 (half of a root's, which is of a sum of squares), its inverse 1/2,
- * the polynomial 3/4, two products 1, less what they share of opposite sign. 1.99 is the most on 2e6 points; libm's own
- * angle is within 0.53 ulp, and the difference of both is then at most 3 ulp. */
+/* The sum of the roundings in units of eps of theta: k 1 (half of a root's, which is of a sum of squares), its
+ * inverse 1/2, the polynomial 3/4, two products 1, less what they share of opposite sign. 1.99 is the most on 2e6
+ * points; libm's own angle is within 0.53 ulp, and the difference of both is then at most 3 ulp. */
 #define ANGLE (2.5 * EPS)
 
 /** Against libm along one axis, where |theta| is a component. */

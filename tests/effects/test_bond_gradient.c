@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Forces and moments of every combination of binder terms are minus the derivatives of its energy, by the positions and by
- * spatial rotations of both bodies, and they balance. */
+ * Forces and moments of every combination of binder terms are minus the derivatives of its energy, by the positions
+ * and by spatial rotations of both bodies, and they balance. */
 #include "pair.h"
 
 /** The energy with coordinate k of body i, 0-2 its position and 3-5 a rotation, moved by t; *moved is by how much. */
@@ -31,10 +31,10 @@ static double slope(pair *p, int i, int k, double t)
     return (4 * d[1] - d[0]) / 3;
 }
 
-/* With a step of tau times the distance s to the nearest singularity of the energy (bond of no length, b_i = -b_j), which
- * bounds the fifth derivative by 5! U/s^5 (Cauchy), the extrapolated difference errs by
+/* With a step of tau times the distance s to the nearest singularity of the energy (bond of no length, b_i = -b_j),
+ * which bounds the fifth derivative by 5! U/s^5 (Cauchy), the extrapolated difference errs by
  *     tau^4/480 * 120 U/s                     truncation
- *     3 * 16 eps U/(tau s)                    rounding of the energies, by 16 eps of the largest energy about
+ *     3 * 16 eps U/(tau s)                    rounding of the energies, of which 16 eps are reckoned with
  * and tau makes both about equal. */
 static double share_of_step(void)
 {
@@ -104,7 +104,8 @@ static void loads_balance(void **state)
     assert_true(unbalanced > 0.1);
 }
 
-/** apply adds to the loads that are there, as a force and a moment each; without a view it leaves the other as it is. */
+/** apply adds to the loads that are there, as a force and a moment each; without a view it leaves the other as it
+ *  is. */
 static void loads_are_added(void **state)
 {
     (void)state;
@@ -141,7 +142,8 @@ static void loads_are_added(void **state)
     }
 }
 
-/** Where there is no direction there is no force of it, and never a NaN: coincident centres, b_i = -b_j, half a turn. */
+/** Where there is no direction there is no force of it, and never a NaN: coincident centres, b_i = -b_j, half a
+ *  turn. */
 static void singular_bonds_stay_finite(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a bond does not see: a rigid motion of the whole, the order of its bodies. The objective forms do not; the printed
- * form does (E11). */
+ * What a bond does not see: a rigid motion of the whole, the order of its bodies. The objective forms do not; the
+ * printed form does (E11). */
 #include "pair.h"
 
 enum { PRINTED_FROM = 11 }; /* combinations 0-10 are objective or without shear, 11-14 have the printed shear */
@@ -61,8 +61,8 @@ static void rigid_motion(void **state)
         loads(&moved, terms, form);
         web_terms(&p.w, 1, terms, form); /* its own bonds, not those of the copy */
         compare(&p, &moved, q, &load, &energy);
-        /* the moved state is rounded by 8 eps (|x| <= 5), the unmoved evaluation by 16 eps; energies change by size/s and
-         * loads by 2 size/s^2 per length */
+        /* the moved state is rounded by 8 eps (|x| <= 5), the unmoved evaluation by 16 eps; energies change by
+         * size/s and loads by 2 size/s^2 per length */
         if (trial % 15 < PRINTED_FROM) {
             assert_below(energy, 24 * EPS * size / s);
             assert_below(load, 48 * EPS * size / (s * s));
@@ -105,8 +105,8 @@ static void printed_shear_sees_a_rotation(void **state)
     }
 }
 
-/** Bond (j, i) with -n0. By the formulas the same sums are made in another order or with another sign, so that loads agree
- *  to rounding. */
+/** Bond (j, i) with -n0. By the formulas the same sums are made in another order or with another sign, so that loads
+ *  agree to rounding. */
 static void swap_of_the_bodies(void **state)
 {
     (void)state;
@@ -139,7 +139,7 @@ static void swap_of_the_bodies(void **state)
     assert_true(seen > 0.9 * printed);
 }
 
-/* ---- ten free bodies -------------------------------------------------------------------------------------------------- */
+/* ---- ten free bodies --------------------------------------------------------------------------------------------- */
 
 /** 1e5 steps of VTI-2 at half the stable step; the largest change of each momentum over the run. */
 static void long_run(int form, double change[9])
@@ -177,8 +177,9 @@ static void long_run(int form, double change[9])
                   vti_max3(change + 3), vti_max3(change + 6), vti_max3(c.x[0]), h);
 }
 
-/* At random, 1e5 steps of ten bodies make sqrt(1e6) = 1e3 roundings. Of the momenta, of the size 0.5: 1e3 * eps/2 = 1e-13.
- * Of positions, which travel to |x| = 160, times those momenta: 1e3 * 0.5 * 160 * eps/4 = 4e-12 of angular momentum. */
+/* At random, 1e5 steps of ten bodies make sqrt(1e6) = 1e3 roundings. Of the momenta, of the size 0.5: 1e3 * eps/2 =
+ * 1e-13. Of positions, which travel to |x| = 160, times those momenta: 1e3 * 0.5 * 160 * eps/4 = 4e-12 of angular
+ * momentum. */
 #define KEPT 1e-11
 
 static void ten_bodies_objective(void **state)

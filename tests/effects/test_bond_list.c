@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Bonds as a list: many at once are the sum of one at a time, to the bit, whatever their number, base, stiffnesses (one each
- * or one for all), storage and slice; rest configurations, and what the check refuses. */
+ * Bonds as a list: many at once are the sum of one at a time, to the bit, whatever their number, base, stiffnesses
+ * (one each or one for all), storage and slice; rest configurations, and what the check refuses. */
 #include "crowd.h"
 
 static crowd c;
@@ -60,6 +60,45 @@ static void many_are_the_sum_of_one_at_a_time(void **state)
         assert_same_bits(one.moment[0], c.moment[0], 3 * c.n);
         for (int t = 0; t < effect.terms; ++t) /* the sum here is plain */
             assert_close(energies[t], sum[t], (double)count * EPS * sum[t]);
+    }
+}
+
+/** Stiffnesses with strides: one for all bonds is an array of equal ones, and every third number of an array another. */
+static void strides(void **state)
+{
+    (void)state;
+    rng g = rng_seed(3045);
+    for (int trial = 0; trial < 15; ++trial) {
+        static double spread[3][3 * WEB_MAX];
+        static crowd plain;
+        int terms, form;
+        const int64_t count = draw(&g, 80, 60, trial & 1 ? CROWD_QUAT : CROWD_ALPHA);
+        const vti_bodies b = crowd_bodies(&c);
+        double *const own[3] = {w.moment, w.axial, w.shear};
+        web_combination(trial, &terms, &form);
+        for (int one = 0; one < 2; ++one) {
+            web_terms(&w, count, terms, form);
+            vti_scalars *const all[3] = {&w.bonds.moment, &w.bonds.axial, &w.bonds.shear};
+            for (int t = 0; t < 3; ++t)
+                for (int k = 0; k < count; ++k) {
+                    own[t][k] = one ? own[t][0] : own[t][k];
+                    spread[t][3 * k] = own[t][k];
+                    spread[t][3 * k + 1] = spread[t][3 * k + 2] = NAN;
+                }
+            vti_effect effect = vti_bonds_effect(&w.bonds);
+            vti_apply(&effect, 1, &b);
+            plain = c;
+            for (int t = 0; t < 3; ++t)
+                if (all[t]->p != NULL) {
+                    all[t]->p = spread[t];
+                    all[t]->stride = one ? 0 : 3;
+                }
+            effect = vti_bonds_effect(&w.bonds);
+            vti_apply(&effect, 1, &b);
+            assert_same_bits(c.force[0], plain.force[0], 3 * c.n);
+            assert_same_bits(c.moment[0], plain.moment[0], 3 * c.n);
+            assert_int_equal(vti_bonds_check(&w.bonds, c.n, NULL), VTI_OK);
+        }
     }
 }
 
@@ -160,6 +199,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_are_the_sum_of_one_at_a_time),
+        cmocka_unit_test(strides),
         cmocka_unit_test(slice_and_nothing),
         cmocka_unit_test(rest_configuration),
         cmocka_unit_test(check_names_the_bond),

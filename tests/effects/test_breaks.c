@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * vti_effect.breaks names the momenta that an effect does not conserve, and no others: random scenes of one effect each are
- * run, and of the nine momenta exactly those that are not named stay as they are. */
+ * vti_effect.breaks names the momenta that an effect does not conserve, and no others: random scenes of one effect
+ * each are run, and of the nine momenta exactly those that are not named stay as they are. */
 #include "crowd.h"
 
 enum { BODIES = 6, PAIRS = BODIES * (BODIES - 1) / 2, STEPS = 400 };

@@ -3,7 +3,7 @@
  * Contact of spheres with each other and with walls, and gravity: values, gradients, and what must not act. */
 #include "crowd.h"
 
-/* ---- values ---------------------------------------------------------------------------------------------------------- */
+/* ---- values ------------------------------------------------------------------------------------------------------ */
 
 /** 2/5 K o^{5/2} and (K/D) o^{3/2} with o = [1 - gap/D]_+ in long double. */
 static void hertz(double stiffness, long double length, long double gap, long double *energy, long double *force)
@@ -13,8 +13,8 @@ static void hertz(double stiffness, long double length, long double gap, long do
     *force = stiffness * powl(o, 1.5L) / length;
 }
 
-/** The overlap rounds by 4 eps of (gap/D + o), and the force and the energy by 4 eps more of themselves; their derivatives
- *  by o are 3/2 K/D o^{1/2} and K o^{3/2}. */
+/** The overlap rounds by 4 eps of (gap/D + o), and the force and the energy by 4 eps more of themselves; their
+ *  derivatives by o are 3/2 K/D o^{1/2} and K o^{3/2}. */
 static double force_tolerance(double stiffness, long double length, long double o, long double rounding)
 {
     return (double)(stiffness / length * (1.5L * sqrtl(o + rounding) * rounding + 4 * EPS * powl(o, 1.5L)));
@@ -149,7 +149,7 @@ static void exact_values(void **state)
     assert_true(c.force[1][0] == 2 && c.force[1][1] == -4 && c.force[1][2] == 8 && energy == 12);
 }
 
-/* ---- nothing where nothing touches -------------------------------------------------------------------------------------- */
+/* ---- nothing where nothing touches ------------------------------------------------------------------------------- */
 
 /** At exact touch and beyond there is neither force nor energy; coincident centres have energy but no direction. */
 static void touch_and_coincidence(void **state)
@@ -181,7 +181,7 @@ static void touch_and_coincidence(void **state)
     }
 }
 
-/* ---- gradients ----------------------------------------------------------------------------------------------------------- */
+/* ---- gradients --------------------------------------------------------------------------------------------------- */
 
 /** All three effects at once on a crowd that overlaps, against central differences of the sum of their energies. */
 static void forces_are_minus_the_gradient(void **state)
@@ -220,9 +220,9 @@ static void forces_are_minus_the_gradient(void **state)
         still.v = still.omega = vti_view_none();
         for (int i = 0; i < N; ++i)
             for (int k = 0; k < 3; ++k) {
-                /* U'' of a contact jumps in its slope at touch, U''' ~ o^{-1/2}: within t of touch the difference errs by
-                 * K/D (t/D)^{3/2}, elsewhere by less. At most 7 contacts act on a body, K <= 20, D >= 1/2 (pairs) and 1/4
-                 * (walls). Energies up to 4000 round by 4 eps. */
+                /* U'' of a contact jumps in its slope at touch, U''' ~ o^{-1/2}: within t of touch the difference
+                 * errs by K/D (t/D)^{3/2}, elsewhere by less. At most 7 contacts act on a body, K <= 20, D >= 1/2
+                 * (pairs) and 1/4 (walls). Energies up to 4000 round by 4 eps. */
                 const double t = 1e-6;
                 double energy[2];
                 for (int side = 0; side < 2; ++side) {

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "checkpoint.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "digest.h"
+#include "state.h"
+#include "sync.h"
+
+/* The file: this, the state, and the digest of both. */
+struct head {
+    char magic[16];
+    struct checkpoint checkpoint;
+};
+
+static const char magic[16] = "vti checkpoint1";
+
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
+
+static int fail(const char *path, struct message *message)
+{
+    return message_set(message, "%s: cannot be written: %s; make space there and go on with --resume", path,
+                       strerror(errno));
+}
+
+static int write_all(const char *path, const void *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    if (file == NULL)
+        return -1;
+    const int failed = fwrite(bytes, 1, size, file) != size || sync_file(file) != 0;
+    return fclose(file) != 0 || failed ? -1 : 0;
+}
+
+/** The file as it will be, in memory from malloc; NULL if there is none. */
+static unsigned char *pack(const struct checkpoint *checkpoint, const vti_bodies *bodies, size_t *size)
+{
+    struct head head;
+    const size_t state = sizeof(double) * (size_t)checkpoint->state_doubles;
+    unsigned char *bytes = malloc(sizeof head + state + sizeof(uint64_t));
+    if (bytes == NULL)
+        return NULL;
+    memset(&head, 0, sizeof head); /* padding has a value too */
+    memcpy(head.magic, magic, sizeof magic);
+    head.checkpoint = *checkpoint;
+    memcpy(bytes, &head, sizeof head);
+    state_get(bodies, (double *)(void *)(bytes + sizeof head));
+    const uint64_t digest = digest_add(DIGEST_START, bytes, sizeof head + state);
+    memcpy(bytes + sizeof head + state, &digest, sizeof digest);
+    *size = sizeof head + state + sizeof digest;
+    return bytes;
+}
+
+int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
+                     struct message *message)
+{
+    char part[FOLDER_PATH], path[FOLDER_PATH];
+    size_t size = 0;
+    if (folder_path(journal->folder, "checkpoint", 1, part, message) != 0 ||
+        folder_path(journal->folder, "checkpoint", 0, path, message) != 0 || journal_sync(journal, message) != 0)
+        return -1;
+    checkpoint->row_doubles = journal->rows.doubles;
+    checkpoint->rows = journal->rows.count;
+    checkpoint->frame_doubles = journal->frames.doubles;
+    checkpoint->frames = journal->frames.count;
+    checkpoint->state_doubles = state_size(bodies);
+    unsigned char *bytes = pack(checkpoint, bodies, &size);
+    if (bytes == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", path);
+    int failed = write_all(part, bytes, size) != 0 ? fail(part, message) : 0;
+    free(bytes);
+    if (failed == 0 && rename(part, path) != 0)
+        failed = fail(path, message);
+    if (failed == 0 && sync_path(journal->folder) != 0)
+        failed = fail(journal->folder, message);
+    if (failed != 0)
+        unlink(part);
+    return failed;
+}
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
+
+static int damaged(const struct journal *journal, const char *path, const char *what, struct message *message)
+{
+    return message_set(message, "%s: %s; delete %s and start the run anew", path, what, journal->folder);
+}
+
+/** All bytes of the file, from malloc. Returns 1, 0 if there is no file, or -1. */
+static int read_all(const char *path, unsigned char **bytes, size_t *size)
+{
+    struct stat info;
+    FILE *file = fopen(path, "rb");
+    *bytes = NULL;
+    if (file == NULL)
+        return errno == ENOENT ? 0 : -1;
+    if (fstat(fileno(file), &info) == 0 && S_ISREG(info.st_mode)) {
+        *size = (size_t)info.st_size;
+        *bytes = malloc(*size + 1);
+    }
+    const int ok = *bytes != NULL && fread(*bytes, 1, *size, file) == *size;
+    fclose(file);
+    return ok ? 1 : -1;
+}
+
+static int check_identity(const struct identity *have, const struct identity *want, const char *path,
+                          struct message *message)
+{
+    if (strncmp(have->version, want->version, sizeof have->version) != 0)
+        return message_set(message,
+                           "%s: is of vti %.16s and this is vti %.16s; resume with that version, or start anew "
+                           "with -o elsewhere",
+                           path, have->version, want->version);
+    const char *other = have->scene != want->scene           ? "the scene file has another text"
+                        : have->overrides != want->overrides ? "--set, --h or --stepper differ"
+                        : have->model != want->model         ? "the scene has other bodies or bonds"
+                                                             : NULL;
+    if (other == NULL)
+        return 0;
+    return message_set(message,
+                       "%s: is of another run: %s; resume with the scene and options of that run, or start "
+                       "anew with -o elsewhere",
+                       path, other);
+}
+
+/** Whether the bytes are a whole checkpoint; takes its head. */
+static int unpack(const unsigned char *bytes, size_t size, struct head *head)
+{
+    uint64_t digest;
+    if (size < sizeof *head + sizeof digest)
+        return 0;
+    memcpy(head, bytes, sizeof *head);
+    memcpy(&digest, bytes + size - sizeof digest, sizeof digest);
+    return memcmp(head->magic, magic, sizeof magic) == 0 &&
+           digest == digest_add(DIGEST_START, bytes, size - sizeof digest);
+}
+
+int checkpoint_read(const struct journal *journal, const struct identity *identity, struct checkpoint *checkpoint,
+                    const vti_bodies *bodies, struct message *message)
+{
+    struct head head;
+    char path[FOLDER_PATH];
+    unsigned char *bytes;
+    size_t size = 0;
+    memset(&head, 0, sizeof head);
+    if (folder_path(journal->folder, "checkpoint", 0, path, message) != 0)
+        return -1;
+    int result = read_all(path, &bytes, &size);
+    if (result < 0)
+        result = damaged(journal, path, "cannot be read", message);
+    else if (result > 0 && !unpack(bytes, size, &head))
+        result = damaged(journal, path, "is no checkpoint of vti-run, or is damaged", message);
+    else if (result > 0 && check_identity(&head.checkpoint.identity, identity, path, message) != 0)
+        result = -1;
+    else if (result > 0 && (head.checkpoint.state_doubles != state_size(bodies) ||
+                            size != sizeof head + 8 * (size_t)state_size(bodies) + sizeof(uint64_t)))
+        result = damaged(journal, path, "holds other quantities than this program does", message);
+    if (result > 0) {
+        *checkpoint = head.checkpoint;
+        state_put((const double *)(const void *)(bytes + sizeof head), bodies);
+    }
+    free(bytes);
+    return result;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A checkpoint of a run, in the journal's folder: what run it is, how far it is, and the state of the bodies. It is
+ * written under a temporary name, brought to the disk and renamed, so that there is always a whole one. */
+#ifndef VTI_CHECKPOINT_H
+#define VTI_CHECKPOINT_H
+
+#include "journal.h"
+#include "vti.h"
+
+/** What a run is; a checkpoint goes on only as the same run. The end time is no part of it: a run may be prolonged. */
+struct identity {
+    char version[16];   /* of vti */
+    uint64_t scene;     /* digest of the text of the scene file */
+    uint64_t overrides; /* of the values from --set, --h and --stepper, in their order */
+    uint64_t model;     /* of bodies and bonds at t = 0 */
+};
+
+struct checkpoint {
+    struct identity identity;
+    int64_t step;                       /* not yet recorded */
+    int64_t record_every, frames_every; /* steps between rows and between frames */
+    int64_t row_doubles, rows;          /* of the journal */
+    int64_t frame_doubles, frames;
+    int64_t state_doubles; /* of the bodies */
+};
+
+/** Brings the journal and then a checkpoint of the bodies to the disk; lengths and sizes in *checkpoint are set from
+ *  them. Returns 0, or -1 with one line in *message and the checkpoint before it as it was. */
+int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
+                     struct message *message);
+
+/** Reads the checkpoint in the journal's folder for these bodies, which get its state. Returns 1, 0 if there is
+ *  none, or -1 with one line in *message: it is damaged, or of another run than *identity. */
+int checkpoint_read(const struct journal *journal, const struct identity *identity, struct checkpoint *checkpoint,
+                    const vti_bodies *bodies, struct message *message);
+
+#endif

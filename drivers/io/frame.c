@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "frame.h"
+
+#include <stddef.h>
+
+#include "shape.h"
+
+void frame_layout_of(const struct model *model, struct frame_layout *layout)
+{
+    const vti_bodies *b = &model->bodies;
+    int64_t next = 2;
+    const struct frame_layout empty = {model, b->count, b->v.c[0] != NULL, b->omega.c[0] != NULL, next, 0, 0, 0, 0};
+    *layout = empty;
+    next += 3 * b->count;
+    if (layout->translates) {
+        layout->v = next;
+        next += 3 * b->count;
+    }
+    if (layout->turns) {
+        layout->omega = next;
+        layout->alpha = next + 3 * b->count;
+        next += 6 * b->count;
+    }
+    layout->doubles = next;
+}
+
+static void copy(const vti_view *view, int64_t n, double *to)
+{
+    for (int64_t i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            to[3 * i + k] = view->c[k][i * view->stride];
+}
+
+void frame_take(const struct frame_layout *layout, int64_t step, double t, const vti_bodies *bodies, double *frame)
+{
+    frame[0] = (double)step;
+    frame[1] = t;
+    for (int64_t i = 0; i < layout->n; ++i)
+        shape_centre(layout->model, bodies, i, frame + layout->x + 3 * i);
+    if (layout->translates)
+        copy(&bodies->v, layout->n, frame + layout->v);
+    if (layout->turns) {
+        copy(&bodies->omega, layout->n, frame + layout->omega);
+        copy(&bodies->alpha, layout->n, frame + layout->alpha);
+    }
+}
+
+void frame_attitudes(const struct frame_layout *layout, const double *frame, double *xyzw)
+{
+    for (int64_t i = 0; i < layout->n; ++i)
+        vti_rrv_to_quat_xyzw(frame + layout->alpha + 3 * i, xyzw + 4 * i);
+}

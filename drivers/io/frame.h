@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A frame of a trajectory: all bodies at one time, in doubles: step, t, then x[n][3], v[n][3] if the bodies
+ * translate, and omega[n][3] and alpha[n][3] if they turn. */
+#ifndef VTI_FRAME_H
+#define VTI_FRAME_H
+
+#include "model.h"
+
+struct frame_layout {
+    const struct model *model; /* must outlive the layout */
+    int64_t n;
+    int translates, turns;
+    int64_t x, v, omega, alpha; /* where they are in the frame; 0 is absent */
+    int64_t doubles;            /* of the whole frame */
+};
+
+void frame_layout_of(const struct model *model, struct frame_layout *layout);
+void frame_take(const struct frame_layout *layout, int64_t step, double t, const vti_bodies *bodies, double *frame);
+/** Unit quaternions xyzw[n][4] of a frame whose bodies turn. */
+void frame_attitudes(const struct frame_layout *layout, const double *frame, double *xyzw);
+
+#endif

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "hdf5_sink.h"
+
+#include <string.h>
+
+static void check(struct hdf5_sink *s, herr_t status)
+{
+    s->failed |= status < 0;
+}
+
+/* ---- files and groups -------------------------------------------------------------------------------------------- */
+
+void hdf5_start(void)
+{
+    H5dont_atexit();                       /* after a failed write it would try again at exit, and crash */
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* one line of ours instead of HDF5's stack */
+}
+
+struct hdf5_sink hdf5_file(const char *path)
+{
+    const hid_t properties = H5Pcreate(H5P_FILE_CREATE);
+    H5Pset_obj_track_times(properties, 0);
+    struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_TRUNC, properties, H5P_DEFAULT), 0};
+    H5Pclose(properties);
+    s.failed = s.place < 0;
+    return s;
+}
+
+struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name)
+{
+    const hid_t properties = H5Pcreate(H5P_GROUP_CREATE);
+    H5Pset_obj_track_times(properties, 0);
+    struct hdf5_sink s = {H5Gcreate2(parent->place, name, H5P_DEFAULT, properties, H5P_DEFAULT), 0};
+    H5Pclose(properties);
+    s.failed = s.place < 0;
+    return s;
+}
+
+void hdf5_close(struct hdf5_sink *parent, struct hdf5_sink *s)
+{
+    check(s, H5Gclose(s->place));
+    parent->failed |= s->failed;
+}
+
+int hdf5_close_file(struct hdf5_sink *s)
+{
+    check(s, H5Fclose(s->place));
+    return s->failed ? -1 : 0;
+}
+
+/* ---- datasets ---------------------------------------------------------------------------------------------------- */
+
+void hdf5_dataset(struct hdf5_sink *s, const char *name, hid_t type, int rank, const hsize_t *dims, const void *data)
+{
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t space = rank > 0 ? H5Screate_simple(rank, dims, NULL) : H5Screate(H5S_SCALAR);
+    H5Pset_obj_track_times(properties, 0);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER); /* every number is written */
+    const hid_t set = H5Dcreate2(s->place, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    if (data != NULL)
+        check(s, H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    check(s, H5Dclose(set));
+    H5Sclose(space);
+    H5Pclose(properties);
+}
+
+void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data)
+{
+    hsize_t start[2] = {first, 0}, block[2] = {count, 1};
+    const hid_t set = H5Dopen2(s->place, name, H5P_DEFAULT), space = H5Dget_space(set);
+    hsize_t dims[2] = {0, 1};
+    const int rank = H5Sget_simple_extent_ndims(space);
+    check(s, rank == 1 || rank == 2 ? H5Sget_simple_extent_dims(space, dims, NULL) : -1);
+    block[1] = dims[1];
+    check(s, H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, block, NULL));
+    const hid_t memory = H5Screate_simple(2, block, NULL);
+    check(s, H5Dwrite(set, type, memory, space, H5P_DEFAULT, data));
+    H5Sclose(memory);
+    H5Sclose(space);
+    check(s, H5Dclose(set));
+}
+
+/* ---- attributes -------------------------------------------------------------------------------------------------- */
+
+void hdf5_attribute(struct hdf5_sink *s, const char *name, hid_t type, hsize_t count, const void *values)
+{
+    const hid_t space = count > 1 ? H5Screate_simple(1, &count, NULL) : H5Screate(H5S_SCALAR);
+    const hid_t set = H5Acreate2(s->place, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    check(s, H5Awrite(set, type, values));
+    check(s, H5Aclose(set));
+    H5Sclose(space);
+}
+
+void hdf5_text(struct hdf5_sink *s, const char *name, const char *text)
+{
+    const size_t length = strlen(text);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, length > 0 ? length : 1);
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    hdf5_attribute(s, name, type, 1, text);
+    H5Tclose(type);
+}

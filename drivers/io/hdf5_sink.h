@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Writing HDF5 whose bytes depend on the content only: no clocks, fixed sizes. */
+#ifndef VTI_HDF5_SINK_H
+#define VTI_HDF5_SINK_H
+
+#include <hdf5.h>
+#include <stdint.h>
+
+/** A group or file, and whether anything has failed in it: HDF5 ids below 0 fall through every later call. */
+struct hdf5_sink {
+    hid_t place;
+    int failed;
+};
+
+/** Before anything else is done with HDF5. */
+void hdf5_start(void);
+
+struct hdf5_sink hdf5_file(const char *path);
+struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name);
+/** Closes a group and hands its failure on. */
+void hdf5_close(struct hdf5_sink *parent, struct hdf5_sink *s);
+/** Closes a file. Returns 0, or -1 if anything has failed. */
+int hdf5_close_file(struct hdf5_sink *s);
+
+/** A number, or dims[rank] of them with rank <= 2; data == NULL leaves them for hdf5_rows. */
+void hdf5_dataset(struct hdf5_sink *s, const char *name, hid_t type, int rank, const hsize_t *dims, const void *data);
+/** Writes count rows, from row first on, of a dataset of any rank <= 2. */
+void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data);
+
+void hdf5_attribute(struct hdf5_sink *s, const char *name, hid_t type, hsize_t count, const void *values);
+/** ASCII, of the text's own length. */
+void hdf5_text(struct hdf5_sink *s, const char *name, const char *text);
+
+#endif

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sync.h"
+
+static int fail(const struct journal *journal, const char *name, struct message *message)
+{
+    return message_set(message, "%s/%s: %s; make space there and go on with --resume, or choose another place with -o",
+                       journal->folder, name, strerror(errno));
+}
+
+int journal_name(struct journal *journal, const char *output, struct message *message)
+{
+    memset(journal, 0, sizeof *journal);
+    const int length = snprintf(journal->folder, sizeof journal->folder, "%s.run", output);
+    if (length < 0 || length >= (int)sizeof journal->folder - 32) /* room for the names in it */
+        return message_set(message, "-o: the path is longer than %d bytes; use a shorter one", FOLDER_PATH - 32);
+    return 0;
+}
+
+int journal_exists(const struct journal *journal)
+{
+    struct stat info;
+    return lstat(journal->folder, &info) == 0;
+}
+
+/* ---- opening ----------------------------------------------------------------------------------------------------- */
+
+/** Locked until it is closed or the program ends, however it ends. */
+static int lock(const struct journal *journal, int fd, const char *name, struct message *message)
+{
+    struct flock whole;
+    memset(&whole, 0, sizeof whole);
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (fcntl(fd, F_SETLK, &whole) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS)
+        return 0; /* there are file systems without locks */
+    if (errno == EACCES || errno == EAGAIN)
+        return message_set(message, "%s: another vti-run is writing there; wait for it or choose another place with -o",
+                           journal->folder);
+    return fail(journal, name, message);
+}
+
+/** Cuts the file to its records and moves to the end. */
+static int cut(const struct journal *journal, const struct journal_file *file, int fd, struct message *message)
+{
+    struct stat info;
+    const int64_t bytes = 8 * file->doubles * file->count;
+    if (fstat(fd, &info) != 0)
+        return fail(journal, file->name, message);
+    if (info.st_size < bytes)
+        return message_set(message,
+                           "%s/%s: has %lld bytes where its checkpoint counts %lld; delete %s and start the run anew",
+                           journal->folder, file->name, (long long)info.st_size, (long long)bytes, journal->folder);
+    if (ftruncate(fd, bytes) != 0 || lseek(fd, 0, SEEK_END) != bytes)
+        return fail(journal, file->name, message);
+    return 0;
+}
+
+static int open_file(struct journal *journal, struct journal_file *file, struct message *message)
+{
+    char path[FOLDER_PATH];
+    if (folder_path(journal->folder, file->name, 0, path, message) != 0)
+        return -1;
+    const int fd = open(path, O_RDWR | O_CREAT, 0666);
+    if (fd < 0)
+        return fail(journal, file->name, message);
+    if (lock(journal, fd, file->name, message) != 0 || cut(journal, file, fd, message) != 0) {
+        close(fd);
+        return -1;
+    }
+    file->stream = fdopen(fd, "r+b");
+    if (file->stream != NULL)
+        return 0;
+    close(fd);
+    return fail(journal, file->name, message);
+}
+
+int journal_open(struct journal *journal, int64_t row_doubles, int64_t rows, int64_t frame_doubles, int64_t frames,
+                 struct message *message)
+{
+    const struct journal_file of_rows = {NULL, "rows", row_doubles, rows},
+                              of_frames = {NULL, "frames", frame_doubles, frames};
+    journal->rows = of_rows;
+    journal->frames = of_frames;
+    if (mkdir(journal->folder, 0777) != 0 && errno != EEXIST)
+        return message_set(message, "%s: the folder cannot be made: %s; choose another place with -o", journal->folder,
+                           strerror(errno));
+    return open_file(journal, &journal->rows, message) != 0 || open_file(journal, &journal->frames, message) != 0 ? -1
+                                                                                                                  : 0;
+}
+
+/* ---- records ----------------------------------------------------------------------------------------------------- */
+
+int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message)
+{
+    if (fwrite(record, 8, (size_t)file->doubles, file->stream) != (size_t)file->doubles)
+        return fail(journal, file->name, message);
+    ++file->count;
+    return 0;
+}
+
+int journal_sync(struct journal *journal, struct message *message)
+{
+    if (sync_file(journal->rows.stream) != 0)
+        return fail(journal, journal->rows.name, message);
+    if (sync_file(journal->frames.stream) != 0)
+        return fail(journal, journal->frames.name, message);
+    return 0;
+}
+
+int journal_read(const struct journal *journal, const struct journal_file *file, int64_t first, int64_t count,
+                 double *records, struct message *message)
+{
+    const size_t wanted = (size_t)(count * file->doubles);
+    if (fseeko(file->stream, (off_t)(8 * file->doubles * first), SEEK_SET) == 0 &&
+        fread(records, 8, wanted, file->stream) == wanted)
+        return 0;
+    return message_set(message, "%s/%s: cannot be read: %s; delete %s and start the run anew", journal->folder,
+                       file->name, feof(file->stream) ? "it is too short" : strerror(errno), journal->folder);
+}
+
+/* ---- the end ----------------------------------------------------------------------------------------------------- */
+
+void journal_close(struct journal *journal)
+{
+    struct journal_file *const files[] = {&journal->rows, &journal->frames};
+    for (int k = 0; k < 2; ++k) {
+        if (files[k]->stream != NULL)
+            fclose(files[k]->stream);
+        files[k]->stream = NULL;
+    }
+}
+
+void journal_remove(struct journal *journal)
+{
+    static const char *const names[] = {"checkpoint", "checkpoint.part", "rows", "frames"};
+    char path[FOLDER_PATH];
+    struct message ignored;
+    journal_close(journal);
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
+        if (folder_path(journal->folder, names[k], 0, path, &ignored) == 0)
+            unlink(path);
+    rmdir(journal->folder);
+}

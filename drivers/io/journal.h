@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The journal of a run: a folder beside its output, OUT.h5.run, with the files "rows" and "frames", which only grow,
+ * and "checkpoint" (checkpoint.h). The output is made from it when the run ends, so that a run that dies leaves all
+ * that it has recorded, and the output of an earlier run is not touched before there is a new one. */
+#ifndef VTI_JOURNAL_H
+#define VTI_JOURNAL_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "folder.h"
+
+/** One file of records of equal size. */
+struct journal_file {
+    FILE *stream;
+    const char *name;
+    int64_t doubles; /* of a record */
+    int64_t count;   /* records */
+};
+
+struct journal {
+    char folder[FOLDER_PATH];
+    struct journal_file rows, frames;
+};
+
+/** Sets the folder for an output file. Returns 0, or -1 with one line in *message. */
+int journal_name(struct journal *journal, const char *output, struct message *message);
+/** Whether the folder is there. */
+int journal_exists(const struct journal *journal);
+
+/** Makes the folder if need be, locks it against other programs and opens the two files with rows and frames
+ *  records, which they must have at least; what is behind them is cut off. Returns 0, or -1 with one line in
+ *  *message. */
+int journal_open(struct journal *journal, int64_t row_doubles, int64_t rows, int64_t frame_doubles, int64_t frames,
+                 struct message *message);
+
+/** Appends one record. Returns 0, or -1 with one line in *message. */
+int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message);
+/** Brings all records to the disk. Returns 0, or -1 with one line in *message. */
+int journal_sync(struct journal *journal, struct message *message);
+/** Reads count records from the first; after it nothing may be added. Returns 0, or -1 with one line in *message. */
+int journal_read(const struct journal *journal, const struct journal_file *file, int64_t first, int64_t count,
+                 double *records, struct message *message);
+
+/** Closes the files and leaves them where they are; harmless on a journal that is not open. */
+void journal_close(struct journal *journal);
+/** Closes and removes them and the folder. */
+void journal_remove(struct journal *journal);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "record.h"
+
+#include <stdlib.h>
+
+static double *memory(int64_t doubles, const struct record *record, struct message *message)
+{
+    double *p = malloc(sizeof *p * (size_t)doubles);
+    if (p == NULL)
+        message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
+    return p;
+}
+
+int record_rows(const struct record *record, int (*take)(void *self, int64_t first, int64_t count, const double *rows),
+                void *self, struct message *message)
+{
+    enum { BLOCK = 4096 };
+    const struct journal_file *file = &record->journal->rows;
+    double *rows = memory(BLOCK * file->doubles, record, message);
+    int failed = rows == NULL;
+    for (int64_t first = 0; !failed && first < file->count; first += BLOCK) {
+        const int64_t count = file->count - first < BLOCK ? file->count - first : BLOCK;
+        failed = journal_read(record->journal, file, first, count, rows, message) != 0 ||
+                 take(self, first, count, rows) != 0;
+    }
+    free(rows);
+    return failed ? -1 : 0;
+}
+
+int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
+                  struct message *message)
+{
+    const struct journal_file *file = &record->journal->frames;
+    double *frame = memory(file->doubles, record, message);
+    int failed = frame == NULL;
+    for (int64_t k = 0; !failed && k < file->count; ++k)
+        failed = journal_read(record->journal, file, k, 1, frame, message) != 0 || take(self, k, frame) != 0;
+    free(frame);
+    return failed ? -1 : 0;
+}

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "run.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "hdf5_sink.h"
+#include "loop.h"
+#include "run_identity.h"
+#include "run_signals.h"
+
+/* ---- opening ----------------------------------------------------------------------------------------------------- */
+
+static int open_scene(struct run *run, struct message *message)
+{
+    const struct run_request *r = run->request;
+    if (scene_read(r->scene, r->sets, r->sets_count, &run->scene, message) != 0 ||
+        tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
+        return -1;
+    run->steps = loop_steps(run->scene.t_end, run->scene.h);
+    return run_identity(r->scene, r->sets, r->sets_count, &run->model, &run->checkpoint.identity, message);
+}
+
+static int open_files(struct run *run, struct message *message)
+{
+    const int asked = run->request->output != NULL;
+    snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
+             asked ? "" : ".h5");
+    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 ||
+        journal_name(&run->journal, run->output, message) != 0)
+        return -1;
+    if (!run->request->resume && journal_exists(&run->journal))
+        return message_set(
+            message, "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
+            run->journal.folder);
+    /* before hours of computing, not after */
+    return folder_create(run->files.folder, message);
+}
+
+/** Steps between records: as asked for, as in the run that is resumed, or so that there are about so many. */
+static int choose_every(const char *option, int64_t asked, int64_t resumed, int64_t otherwise, int64_t *every,
+                        struct message *message)
+{
+    if (asked > 0 && resumed > 0 && asked != resumed)
+        return message_set(message, "%s: %lld is not the %lld of the run that is resumed; leave it out", option,
+                           (long long)asked, (long long)resumed);
+    *every = resumed > 0 ? resumed : asked > 0 ? asked : otherwise;
+    return 0;
+}
+
+static int open_checkpoint(struct run *run, struct message *message)
+{
+    const struct identity identity = run->checkpoint.identity;
+    struct checkpoint *c = &run->checkpoint;
+    const int found =
+        run->request->resume ? checkpoint_read(&run->journal, &identity, c, &run->model.bodies, message) : 0;
+    if (found < 0)
+        return -1;
+    run->from = c->step;
+    if (found && (c->row_doubles != run->record.columns.count || c->frame_doubles != run->record.frames.doubles))
+        return message_set(message, "%s: records other quantities than this program does; delete it and start anew",
+                           run->journal.folder);
+    if (run->steps < run->from)
+        return message_set(message, "--t-end: %.10g lies before the checkpoint at t = %.10g; give that or more",
+                           run->scene.t_end, (double)run->from * run->scene.h);
+    if (choose_every("--record", run->request->record_every, c->record_every, run->steps / 1000 + 1, &c->record_every,
+                     message) != 0)
+        return -1;
+    return choose_every("--frames", run->request->frames_every, c->frames_every, run->steps / 100 + 1, &c->frames_every,
+                        message);
+}
+
+int run_open(const struct run_request *request, struct run *run, struct message *message)
+{
+    memset(run, 0, sizeof *run);
+    run->request = request;
+    run_signals_catch();
+    hdf5_start();
+    if (open_scene(run, message) != 0)
+        return -1;
+    const struct record record = {&run->model, run->scene.stepper, run->scene.h, 0, {0}, {0}, &run->journal};
+    run->record = record;
+    columns_of(&run->model, &run->record.columns);
+    frame_layout_of(&run->model, &run->record.frames);
+    run->frame = malloc(sizeof *run->frame * (size_t)run->record.frames.doubles);
+    if (run->frame == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
+    if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)
+        return -1;
+    return journal_open(&run->journal, run->record.columns.count, run->checkpoint.rows, run->record.frames.doubles,
+                        run->checkpoint.frames, message);
+}
+
+void run_close(struct run *run)
+{
+    journal_close(&run->journal);
+    free(run->frame);
+    run->frame = NULL;
+    model_destroy(&run->model);
+    tables_destroy(&run->tables);
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * One scene from t = 0 or a checkpoint to its end, recorded in a journal (journal.h) and then in files
+ * (run_files.h). However a run ends, its files are the same bytes as those of one that was never interrupted, or
+ * those of an earlier run. */
+#ifndef VTI_RUN_H
+#define VTI_RUN_H
+
+#include "checkpoint.h"
+#include "record.h"
+#include "run_files.h"
+#include "table_hdf5.h"
+
+struct run_request {
+    const char *scene;       /* path of the file */
+    const char *const *sets; /* overrides, see scene_read */
+    int sets_count;
+    const char *output;                 /* path of the HDF5 file; NULL: the scene's name and .h5 */
+    int64_t record_every, frames_every; /* steps; 0: about 1000 rows and 100 frames */
+    double checkpoint_seconds;
+    int resume; /* go on from the checkpoint, if there is one */
+    int dump;   /* write the LAMMPS dump */
+};
+
+/** How a run has ended. */
+enum run_end {
+    RUN_COMPLETE,
+    RUN_STOPPED, /* by a signal; it can be resumed */
+    RUN_BROKEN,  /* a step was refused or a number is not finite; what was recorded before is in the files */
+    RUN_FAILED   /* files cannot be written; what was recorded is in the journal */
+};
+
+struct run {
+    const struct run_request *request;
+    struct scene scene;
+    struct tables tables;
+    struct model model;
+    struct run_files files;
+    char output[FOLDER_PATH]; /* path of the HDF5 file */
+    struct journal journal;
+    struct checkpoint checkpoint;
+    struct record record;
+    int64_t from, steps;
+    double *frame; /* one */
+
+    /* while it goes */
+    enum run_end end;
+    double began, saved; /* clock: this program's start, the last checkpoint */
+    int64_t poll_every;
+    struct message *message;
+
+    /* after it */
+    double seconds, energy0, energy1, drift; /* drift: the largest |E - E_0| recorded */
+    double t;                                /* of the last row */
+};
+
+/** Reads the scene, makes the model and opens the journal; with request->resume from where it was. request must
+ *  outlive the run. Returns 0, or -1 with one line in *message. run_close is due after either. */
+int run_open(const struct run_request *request, struct run *run, struct message *message);
+
+/** Runs and writes the files. The line in *message is that of all ends but RUN_COMPLETE. progress is shown as in
+ *  progress.h. */
+enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
+                    struct message *message);
+
+void run_close(struct run *run);
+
+#endif

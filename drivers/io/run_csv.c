@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "run_text.h"
+
+struct writer {
+    FILE *file;
+    int columns;
+};
+
+static int take_rows(void *self, int64_t first, int64_t count, const double *rows)
+{
+    const struct writer *w = self;
+    (void)first;
+    for (int64_t k = 0; k < count * w->columns; ++k)
+        fprintf(w->file, "%.17g%c", rows[k], (k + 1) % w->columns == 0 ? '\n' : ',');
+    return 0;
+}
+
+int run_csv_write(const struct record *record, FILE *file, struct message *message)
+{
+    struct writer w = {file, record->columns.count};
+    for (int c = 0; c < w.columns; ++c)
+        fprintf(file, "%s%c", record->columns.name[c], c + 1 == w.columns ? '\n' : ',');
+    return record_rows(record, take_rows, &w, message);
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "run_files.h"
+
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "run_hdf5.h"
+#include "run_text.h"
+#include "sync.h"
+
+enum { HDF5, CSV, XDMF, DUMP, KINDS };
+
+/* ---- names ------------------------------------------------------------------------------------------------------- */
+
+int run_files_name(struct run_files *files, const char *output, int dump, struct message *message)
+{
+    static const char *const endings[] = {".h5", ".hdf5", ".hdf", ".vtkhdf"};
+    const char *slash = strrchr(output, '/'), *name = slash != NULL ? slash + 1 : output, *dot = strrchr(name, '.');
+    int known = 0;
+    for (size_t k = 0; dot != NULL && dot != name && k < sizeof endings / sizeof endings[0]; ++k)
+        known |= strcmp(dot, endings[k]) == 0;
+    if (!known)
+        return message_set(message, "-o: '%.200s' does not end in .h5, .hdf5, .hdf or .vtkhdf; write OUT.h5", output);
+    const size_t folder = slash != NULL ? (size_t)(slash - output) : 0, stem = (size_t)(dot - name);
+    if (folder >= sizeof files->folder - sizeof files->hdf5 - 8 || stem >= sizeof files->stem - 16)
+        return message_set(message, "-o: '%.200s...' is too long; use a shorter path", output);
+    memset(files, 0, sizeof *files);
+    if (folder > 0)
+        memcpy(files->folder, output, folder);
+    else
+        files->folder[0] = slash != NULL ? '/' : '.';
+    memcpy(files->stem, name, stem);
+    snprintf(files->hdf5, sizeof files->hdf5, "%s", name);
+    files->dump = dump;
+    return 0;
+}
+
+static void name_of(const struct run_files *files, int kind, char name[264])
+{
+    static const char *const endings[KINDS] = {NULL, ".csv", ".xdmf", ".dump"};
+    if (kind == HDF5)
+        snprintf(name, 264, "%s", files->hdf5);
+    else
+        snprintf(name, 264, "%s%s", files->stem, endings[kind]);
+}
+
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
+
+static int fail(const char *path, struct message *message)
+{
+    return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
+}
+
+static int write_text(const struct run_files *files, const struct record *record, int kind, const char *path,
+                      struct message *message)
+{
+    FILE *file = fopen(path, "wb");
+    if (file == NULL)
+        return fail(path, message);
+    message->text[0] = '\0';
+    int failed = kind == CSV    ? run_csv_write(record, file, message)
+                 : kind == XDMF ? run_xdmf_write(record, files->hdf5, file, message)
+                                : run_dump_write(record, file, message);
+    if (ferror(file) && message->text[0] == '\0')
+        failed = fail(path, message);
+    return fclose(file) != 0 && failed == 0 ? fail(path, message) : failed;
+}
+
+static int write_part(const struct run_files *files, const struct record *record, int kind, struct message *message)
+{
+    char name[264], path[FOLDER_PATH];
+    name_of(files, kind, name);
+    if (folder_path(files->folder, name, 1, path, message) != 0)
+        return -1;
+    const int failed =
+        kind == HDF5 ? run_hdf5_write(record, path, message) : write_text(files, record, kind, path, message);
+    return failed == 0 && sync_path(path) != 0 ? fail(path, message) : failed;
+}
+
+/** A dump of an earlier run beside the files of this one would only mislead. */
+static void remove_dump(const struct run_files *files)
+{
+    char name[264], path[FOLDER_PATH];
+    struct message ignored;
+    name_of(files, DUMP, name);
+    if (folder_path(files->folder, name, 0, path, &ignored) == 0)
+        unlink(path);
+}
+
+int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
+{
+    const int kinds = files->dump ? KINDS : DUMP;
+    char name[264];
+    int failed = 0;
+    for (int kind = 0; failed == 0 && kind < kinds; ++kind)
+        failed = write_part(files, record, kind, message);
+    for (int kind = 0; kind < kinds; ++kind) {
+        name_of(files, kind, name);
+        if (failed == 0)
+            failed = folder_keep(files->folder, name, message);
+        else
+            folder_drop(files->folder, name);
+    }
+    if (failed == 0 && !files->dump)
+        remove_dump(files);
+    return failed == 0 && sync_path(files->folder) != 0 ? fail(files->folder, message) : failed;
+}

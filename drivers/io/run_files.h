@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The files of a run, together. */
+#ifndef VTI_RUN_FILES_H
+#define VTI_RUN_FILES_H
+
+#include "record.h"
+
+/** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump. */
+struct run_files {
+    char folder[FOLDER_PATH];
+    char stem[256]; /* OUT */
+    char hdf5[264]; /* OUT.h5, or with the other ending that was asked for */
+    int dump;       /* whether OUT.dump is wanted */
+};
+
+/** Takes the name of the HDF5 file apart. Returns 0, or -1 with one line in *message. */
+int run_files_name(struct run_files *files, const char *output, int dump, struct message *message);
+
+/** Writes the files: all under temporary names, to the disk, then all under their real ones, so that a failure
+ *  leaves what was there before. Returns 0, or -1 with one line in *message. */
+int run_files_write(const struct run_files *files, const struct record *record, struct message *message);
+
+#endif

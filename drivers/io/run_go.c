@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A run while it goes: who looks at the bodies, and what happens at the end. */
+#define _POSIX_C_SOURCE 200809L
+#include "run.h"
+
+#include <math.h>
+#include <time.h>
+
+#include "loop.h"
+#include "run_signals.h"
+#include "state.h"
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int stop(struct run *run, enum run_end end)
+{
+    run->end = end;
+    return 1;
+}
+
+/* ---- numbers that are none --------------------------------------------------------------------------------------- */
+
+/** Ends the run at a state that is not finite, or whose energies are not; row may be NULL. */
+static int broken(struct run *run, int64_t step, double t, const vti_bodies *bodies, const double *row)
+{
+    const struct columns *columns = &run->record.columns;
+    const double square_root_of_infinity = 1e154;
+    struct message what;
+    if (state_watch(bodies, square_root_of_infinity, &what) == 0) {
+        int c = 0;
+        while (row != NULL && c < columns->total && isfinite(row[c]))
+            ++c;
+        message_set(&what, "all bodies are finite, but the energy '%s' is %g", columns->name[c],
+                    row != NULL ? row[c] : 0.0);
+    }
+    message_set(run->message, "%s at h = %.10g: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
+                run->scene.h, (long long)step, t, what.text);
+    return stop(run, RUN_BROKEN);
+}
+
+/* ---- observers --------------------------------------------------------------------------------------------------- */
+
+static int save(struct run *run, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct message ignored;
+    if (state_watch(bodies, INFINITY, &ignored) != 0)
+        return broken(run, step, t, bodies, NULL);
+    run->checkpoint.step = step;
+    run->saved = now();
+    return checkpoint_write(&run->journal, &run->checkpoint, bodies, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+}
+
+struct poll {
+    struct run *run;
+    void (*progress)(int64_t done, int64_t all, double seconds);
+};
+
+/** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the
+ *  journal. */
+static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    const struct poll *p = self;
+    struct run *run = p->run;
+    if (step == run->steps)
+        return save(run, step, t, bodies);
+    if (run_signals_seen() != NULL) {
+        if (save(run, step, t, bodies) != 0)
+            return 1;
+        message_set(run->message,
+                    "%s: stopped at step %lld of %lld (t = %.10g); the same command with --resume goes on",
+                    run_signals_seen(), (long long)step, (long long)run->steps, t);
+        return stop(run, RUN_STOPPED);
+    }
+    if (step % run->poll_every != 0)
+        return 0;
+    p->progress(step - run->from, run->steps - run->from, now() - run->began);
+    return now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
+}
+
+static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = self;
+    double row[COLUMNS];
+    columns_values(&run->record.columns, t, bodies, row);
+    if (!isfinite(row[run->record.columns.total]))
+        return broken(run, step, t, bodies, row);
+    return journal_add(&run->journal, &run->journal.rows, row, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+}
+
+static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = self;
+    struct message ignored;
+    if (state_watch(bodies, INFINITY, &ignored) != 0)
+        return broken(run, step, t, bodies, NULL);
+    frame_take(&run->record.frames, step, t, bodies, run->frame);
+    return journal_add(&run->journal, &run->journal.frames, run->frame, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+}
+
+/* ---- the end ----------------------------------------------------------------------------------------------------- */
+
+static int measure_drift(void *self, int64_t first, int64_t count, const double *rows)
+{
+    struct run *run = self;
+    const int columns = run->record.columns.count, total = run->record.columns.total;
+    for (int64_t k = 0; k < count; ++k) {
+        const double energy = rows[k * columns + total];
+        if (first + k == 0)
+            run->energy0 = energy;
+        run->energy1 = energy;
+        run->drift = fmax(run->drift, fabs(energy - run->energy0));
+        run->t = rows[k * columns];
+    }
+    return 0;
+}
+
+static enum run_end write_files(struct run *run)
+{
+    struct message problem;
+    run->record.complete = run->end == RUN_COMPLETE;
+    if (journal_sync(&run->journal, run->message) != 0)
+        return RUN_FAILED;
+    if (record_rows(&run->record, measure_drift, run, &problem) == 0 &&
+        run_files_write(&run->files, &run->record, &problem) == 0) {
+        journal_remove(&run->journal);
+        return run->end;
+    }
+    message_set(run->message, "%.600s; the run is kept in %.300s: make space and use --resume", problem.text,
+                run->journal.folder);
+    return RUN_FAILED;
+}
+
+enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
+                    struct message *message)
+{
+    enum { POLL_BODIES = 8192 };
+    struct poll poller = {run, progress};
+    const struct observer observers[] = {{poll, &poller, 1, 1},
+                                         {see_row, run, run->checkpoint.record_every, 0},
+                                         {see_frame, run, run->checkpoint.frames_every, 0}};
+    run->message = message;
+    run->end = RUN_COMPLETE;
+    run->began = run->saved = now();
+    run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
+    if (loop_run(&run->model, run->scene.stepper, run->scene.h, run->from, run->steps, observers, 3, message) < 0)
+        run->end = RUN_BROKEN;
+    if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
+        run->end = write_files(run);
+    run->seconds = now() - run->began;
+    return run->end;
+}

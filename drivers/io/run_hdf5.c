@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "run_hdf5.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "hdf5_sink.h"
+#include "vtkhdf.h"
+
+struct writer {
+    const struct columns *columns;
+    struct hdf5_sink *place;
+    double *values;
+};
+
+static int take_rows(void *self, int64_t first, int64_t count, const double *rows)
+{
+    struct writer *w = self;
+    double *values = realloc(w->values, sizeof *values * (size_t)count);
+    if (values == NULL)
+        return -1;
+    w->values = values;
+    for (int c = 0; c < w->columns->count; ++c) {
+        for (int64_t k = 0; k < count; ++k)
+            values[k] = rows[k * w->columns->count + c];
+        hdf5_rows(w->place, w->columns->name[c], H5T_NATIVE_DOUBLE, (hsize_t)first, (hsize_t)count, values);
+    }
+    return w->place->failed ? -1 : 0;
+}
+
+/** "t,kinetic_rotation,...", as in the first line of the CSV file. */
+static void names(struct hdf5_sink *s, const struct columns *columns)
+{
+    enum { NAME = 32 };
+    char text[COLUMNS * NAME] = "";
+    for (int c = 0; c < columns->count; ++c) {
+        const size_t used = strlen(text);
+        snprintf(text + used, sizeof text - used, "%s%s", c > 0 ? "," : "", columns->name[c]);
+    }
+    hdf5_text(s, "columns", text);
+}
+
+static int energies_write(const struct record *record, struct hdf5_sink *file, struct message *message)
+{
+    const hsize_t count = (hsize_t)record->journal->rows.count;
+    struct hdf5_sink s = hdf5_group(file, "energies");
+    struct writer w = {&record->columns, &s, NULL};
+    names(&s, &record->columns);
+    for (int c = 0; c < record->columns.count; ++c)
+        hdf5_dataset(&s, record->columns.name[c], H5T_NATIVE_DOUBLE, 1, &count, NULL);
+    if (s.failed || record_rows(record, take_rows, &w, message) != 0)
+        s.failed = 1;
+    free(w.values);
+    hdf5_close(file, &s);
+    return file->failed ? -1 : 0;
+}
+
+int run_hdf5_write(const struct record *record, const char *path, struct message *message)
+{
+    struct hdf5_sink file = hdf5_file(path);
+    message->text[0] = '\0';
+    if (!file.failed) {
+        hdf5_text(&file, "scene", record->model->scene->name);
+        hdf5_text(&file, "stepper", record->stepper->name);
+        hdf5_text(&file, "vti_version", vti_version());
+        hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
+        hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
+    }
+    const int failed =
+        file.failed || vtkhdf_write(record, &file, message) != 0 || energies_write(record, &file, message) != 0;
+    if (hdf5_close_file(&file) == 0 && !failed)
+        return 0;
+    return message->text[0] != '\0' ? -1 : message_set(message, "%s: cannot be written; the disk may be full", path);
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off). /VTKHDF: the
+ * trajectory (vtkhdf.h). /energies: a dataset per column of out.csv, and their order in its attribute "columns". The
+ * bytes depend on the results only. */
+#ifndef VTI_RUN_HDF5_H
+#define VTI_RUN_HDF5_H
+
+#include "record.h"
+
+/** Writes the file at path. Returns 0, or -1 with one line in *message. */
+int run_hdf5_write(const struct record *record, const char *path, struct message *message);
+
+#endif

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "run_identity.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "digest.h"
+#include "shape.h"
+#include "state.h"
+
+static int digest_file(const char *path, uint64_t *digest, struct message *message)
+{
+    unsigned char block[4096];
+    FILE *file = fopen(path, "rb");
+    *digest = DIGEST_START;
+    if (file == NULL)
+        return message_set(message, "%s: cannot be read: %s", path, strerror(errno));
+    for (size_t n; (n = fread(block, 1, sizeof block, file)) > 0;)
+        *digest = digest_add(*digest, block, n);
+    const int failed = ferror(file);
+    fclose(file);
+    return failed ? message_set(message, "%s: cannot be read to its end", path) : 0;
+}
+
+static int is_end_time(const char *override)
+{
+    static const char key[] = "t_end";
+    override += strspn(override, " ");
+    if (strncmp(override, key, strlen(key)) != 0)
+        return 0;
+    override += strlen(key);
+    return override[strspn(override, " ")] == '=';
+}
+
+static double scalar(const vti_scalars *s, int64_t i)
+{
+    return s->p != NULL ? s->p[i * s->stride] : 0.0;
+}
+
+static uint64_t digest_bodies(uint64_t digest, const struct model *model, const double *state, int64_t size)
+{
+    const vti_bodies *b = &model->bodies;
+    for (int64_t k = 0; k < size; ++k)
+        digest = digest_number(digest, state[k]);
+    for (int64_t i = 0; i < b->count; ++i) {
+        digest = digest_number(digest, scalar(&b->mass, i));
+        digest = digest_number(digest, scalar(&b->inertia, i));
+        digest = digest_number(digest, shape_diameter(model, i));
+    }
+    return digest;
+}
+
+static uint64_t digest_bonds(uint64_t digest, const struct model *model)
+{
+    const vti_bonds *bonds = &model->bonds;
+    for (int64_t k = 0; k < shape_bonds(model); ++k) {
+        int64_t pair[2];
+        shape_bond(model, k, pair);
+        digest = digest_integer(digest, (uint64_t)pair[0]);
+        digest = digest_integer(digest, (uint64_t)pair[1]);
+        digest = digest_number(digest, scalar(&bonds->moment, k));
+        digest = digest_number(digest, scalar(&bonds->axial, k));
+        digest = digest_number(digest, scalar(&bonds->shear, k));
+    }
+    return digest;
+}
+
+/** Bodies and bonds, which may come from tables. */
+static int digest_model(const struct model *model, uint64_t *digest)
+{
+    const int64_t size = state_size(&model->bodies);
+    double *state = calloc((size_t)size + 1, sizeof *state);
+    if (state == NULL)
+        return -1;
+    state_get(&model->bodies, state);
+    *digest = digest_bonds(digest_bodies(DIGEST_START, model, state, size), model);
+    free(state);
+    return 0;
+}
+
+int run_identity(const char *path, const char *const *overrides, int n, const struct model *model,
+                 struct identity *identity, struct message *message)
+{
+    memset(identity, 0, sizeof *identity);
+    snprintf(identity->version, sizeof identity->version, "%s", vti_version());
+    identity->overrides = DIGEST_START;
+    for (int k = 0; k < n; ++k)
+        if (!is_end_time(overrides[k]))
+            identity->overrides = digest_add(identity->overrides, overrides[k], strlen(overrides[k]) + 1);
+    if (digest_model(model, &identity->model) != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", path);
+    return digest_file(path, &identity->scene, message);
+}

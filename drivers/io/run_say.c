@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "run_say.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shape.h"
+
+/* ---- before ------------------------------------------------------------------------------------------------------ */
+
+static void say_bodies(const struct run *run, FILE *file)
+{
+    static const char *const motions[2][2][2] = {
+        {{"does nothing", "do nothing"}, {"turns and does not translate", "turn and do not translate"}},
+        {{"translates and does not turn", "translate and do not turn"},
+         {"translates and turns", "translate and turn"}}};
+    const struct frame_layout *f = &run->record.frames;
+    fprintf(file, "%s: %lld %s that %s\n", run->scene.name, (long long)f->n, f->n == 1 ? "body" : "bodies",
+            motions[f->translates][f->turns][f->n != 1]);
+}
+
+static void say_effects(const struct run *run, FILE *file)
+{
+    const struct model *m = &run->model;
+    int pairs = 0;
+    fputs("effects: ", file);
+    for (int64_t e = 0; e < m->effects_count; ++e) {
+        const vti_effect *effect = &m->effects[e];
+        fprintf(file, "%s%s", e > 0 ? ", " : "", effect->name);
+        for (int64_t j = 0; effect->terms > 1 && j < effect->terms; ++j)
+            fprintf(file, "%s%s%s", j > 0 ? ", " : " (", effect->term[j], j + 1 == effect->terms ? ")" : "");
+        pairs |= strcmp(effect->name, "contact") == 0;
+    }
+    if (m->effects_count == 0)
+        fputs("none", file);
+    if (shape_bonds(m) > 0)
+        fprintf(file, "; %lld bonds", (long long)shape_bonds(m));
+    fprintf(file, "; %s\n", pairs ? "pairs in contact are searched for" : "no pairs are searched for");
+}
+
+static void say_step(const struct run *run, FILE *file)
+{
+    const double h = run->scene.h, degrees = 180.0 / acos(-1.0), overlap = model_overlap(&run->model);
+    double stable = NAN;
+    struct message ignored;
+    if (model_stable_step(&run->model, overlap, &stable, &ignored) != 0)
+        stable = NAN;
+    fprintf(file, "%s, h = %.10g: %lld steps to t = %.10g; ", run->scene.stepper->name, h, (long long)run->steps,
+            (double)run->steps * h);
+    if (isinf(stable))
+        fputs("nothing oscillates", file);
+    else if (isnan(stable))
+        fputs("the stable step is not known", file);
+    else
+        fprintf(file, "h is %.3g of the stable %.4g", h / stable, stable);
+    if (overlap > 0.0)
+        fprintf(file, " (contacts with an overlap of %.2g)", overlap);
+    if (run->record.frames.turns)
+        fprintf(file, "; at most %.3g degrees per step at t = %.10g", degrees * vti_max_turn(h, &run->model.bodies),
+                (double)run->from * h);
+    fputc('\n', file);
+    if (h > stable)
+        fprintf(file, "warning: h = %.10g is above the stable step %.4g: the run may blow up\n", h, stable);
+}
+
+void run_say_start(const struct run *run, FILE *file)
+{
+    const double wanted = run->scene.t_end, h = run->scene.h;
+    say_bodies(run, file);
+    say_effects(run, file);
+    say_step(run, file);
+    if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
+        fprintf(file, "note: t_end = %.10g is not a multiple of h: the run ends at t = %.10g\n", wanted,
+                (double)run->steps * h);
+    fprintf(file, "a row every %lld and a frame every %lld steps\n", (long long)run->checkpoint.record_every,
+            (long long)run->checkpoint.frames_every);
+    if (run->request->resume && run->from > 0)
+        fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
+    else if (run->request->resume)
+        fputs("no checkpoint: starts at t = 0\n", file);
+    fflush(file);
+}
+
+/* ---- after ------------------------------------------------------------------------------------------------------- */
+
+void run_say_end(const struct run *run, FILE *file)
+{
+    const double scale = run->energy0 != 0.0 ? fabs(run->energy0) : 1.0;
+    fprintf(file, "energy: %.10g at t = 0, %.10g at t = %.10g; change %.3g, at most %.3g%s\n", run->energy0,
+            run->energy1, run->t, (run->energy1 - run->energy0) / scale, run->drift / scale,
+            run->energy0 != 0.0 ? " of it" : "");
+    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv, .xdmf%s%s\n",
+            (long long)run->journal.rows.count, (long long)run->journal.frames.count, run->seconds, run->output,
+            run->files.dump ? ", .dump" : "", run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _XOPEN_SOURCE 700 /* SIGXFSZ */
+#include "run_signals.h"
+
+#include <signal.h>
+#include <stddef.h>
+#include <string.h>
+
+static volatile sig_atomic_t seen = 0;
+
+static void note(int number)
+{
+    seen = number;
+}
+
+void run_signals_catch(void)
+{
+    static const int numbers[] = {SIGTERM, SIGUSR1, SIGINT};
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
+        sigaction(numbers[k], &action, NULL);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGXFSZ, &action, NULL);
+}
+
+const char *run_signals_seen(void)
+{
+    const int number = seen;
+    return number == 0 ? NULL : number == SIGTERM ? "SIGTERM" : number == SIGUSR1 ? "SIGUSR1" : "SIGINT";
+}

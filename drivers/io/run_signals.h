@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Signals that ask a run to stop: batch systems send SIGTERM or SIGUSR1 before they kill, people press Ctrl-C. */
+#ifndef VTI_RUN_SIGNALS_H
+#define VTI_RUN_SIGNALS_H
+
+/** From now on SIGTERM, SIGUSR1 and SIGINT are noted, and a file that grows too large is an error, not a signal. */
+void run_signals_catch(void);
+/** "SIGTERM", "SIGUSR1" or "SIGINT" if one has come, else NULL. */
+const char *run_signals_seen(void);
+
+#endif

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "vtkhdf.h"
+
+#include <stdlib.h>
+
+#include "shape.h"
+
+/* ---- small arrays ------------------------------------------------------------------------------------------------ */
+
+/** name[count], or name[count][columns] with columns > 1: k step + start in row k. */
+static void sequence(struct hdf5_sink *s, const char *name, int64_t count, int64_t columns, int64_t start, int64_t step)
+{
+    const hsize_t dims[2] = {(hsize_t)count, (hsize_t)columns};
+    int64_t *values = malloc(sizeof *values * (size_t)(count * columns + 1));
+    s->failed |= values == NULL;
+    for (int64_t k = 0; values != NULL && k < count * columns; ++k)
+        values[k] = start + k / columns * step;
+    if (values != NULL)
+        hdf5_dataset(s, name, H5T_NATIVE_INT64, columns > 1 ? 2 : 1, dims, values);
+    free(values);
+}
+
+static void integers(struct hdf5_sink *s, const char *name, int64_t count, const int64_t *values)
+{
+    const hsize_t n = (hsize_t)count;
+    hdf5_dataset(s, name, H5T_NATIVE_INT64, 1, &n, values);
+}
+
+/* ---- cells ------------------------------------------------------------------------------------------------------- */
+
+/** One of the four kinds of cells, each of size points. */
+static void cells(struct hdf5_sink *root, const char *name, int64_t count, int64_t size, const int64_t *points)
+{
+    struct hdf5_sink s = hdf5_group(root, name);
+    sequence(&s, "NumberOfCells", 1, 1, count, 0);
+    sequence(&s, "NumberOfConnectivityIds", 1, 1, count * size, 0);
+    sequence(&s, "Offsets", count + 1, 1, 0, size);
+    if (points != NULL)
+        integers(&s, "Connectivity", count * size, points);
+    else
+        sequence(&s, "Connectivity", count * size, 1, 0, 1);
+    hdf5_close(root, &s);
+}
+
+static void all_cells(struct hdf5_sink *root, const struct record *record)
+{
+    const int64_t bonds = shape_bonds(record->model);
+    int64_t *pairs = calloc((size_t)(2 * bonds + 1), sizeof *pairs);
+    root->failed |= pairs == NULL;
+    for (int64_t k = 0; pairs != NULL && k < bonds; ++k)
+        shape_bond(record->model, k, pairs + 2 * k);
+    cells(root, "Vertices", record->frames.n, 1, NULL);
+    cells(root, "Lines", bonds, 2, pairs);
+    cells(root, "Polygons", 0, 1, NULL);
+    cells(root, "Strips", 0, 1, NULL);
+    free(pairs);
+}
+
+/* ---- point data -------------------------------------------------------------------------------------------------- */
+
+/** A quantity that changes: its name, where it is in a frame (0: absent), components. */
+struct quantity {
+    const char *name;
+    int64_t place;
+    int64_t components;
+};
+
+enum { QUANTITIES = 4 };
+
+static void quantities_of(const struct frame_layout *layout, struct quantity list[QUANTITIES])
+{
+    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3},
+                                             {"omega", layout->omega, 3},
+                                             {"alpha", layout->alpha, 3},
+                                             {"attitude_xyzw", layout->alpha, 4}};
+    for (int q = 0; q < QUANTITIES; ++q)
+        list[q] = all[q];
+}
+
+static void fixed_data(struct hdf5_sink *s, const struct record *record)
+{
+    const int64_t n = record->frames.n;
+    const hsize_t count = (hsize_t)n;
+    double *values = malloc(sizeof *values * (size_t)(n + 1));
+    s->failed |= values == NULL;
+    for (int64_t i = 0; values != NULL && i < n; ++i)
+        values[i] = shape_diameter(record->model, i);
+    if (values != NULL && shape_has_diameters(record->model))
+        hdf5_dataset(s, "diameter", H5T_NATIVE_DOUBLE, 1, &count, values);
+    free(values);
+    sequence(s, "body", n, 1, 0, 1);
+}
+
+static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const struct record *record)
+{
+    const hsize_t points = (hsize_t)record->frames.n * (hsize_t)record->journal->frames.count;
+    struct quantity list[QUANTITIES];
+    quantities_of(&record->frames, list);
+    hdf5_dataset(root, "Points", H5T_NATIVE_DOUBLE, 2, (const hsize_t[]){points, 3}, NULL);
+    for (int q = 0; q < QUANTITIES; ++q)
+        if (list[q].place != 0)
+            hdf5_dataset(data, list[q].name, H5T_NATIVE_DOUBLE, 2,
+                         (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
+}
+
+/* ---- frames ------------------------------------------------------------------------------------------------------ */
+
+struct writer {
+    const struct record *record;
+    struct hdf5_sink *root, *data;
+    double *xyzw, *times;
+};
+
+static int take_frame(void *self, int64_t k, const double *frame)
+{
+    struct writer *w = self;
+    const struct frame_layout *layout = &w->record->frames;
+    const hsize_t n = (hsize_t)layout->n, first = n * (hsize_t)k;
+    struct quantity list[QUANTITIES];
+    quantities_of(layout, list);
+    w->times[k] = frame[1];
+    if (layout->turns)
+        frame_attitudes(layout, frame, w->xyzw);
+    hdf5_rows(w->root, "Points", H5T_NATIVE_DOUBLE, first, n, frame + layout->x);
+    for (int q = 0; q < QUANTITIES; ++q)
+        if (list[q].place != 0)
+            hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n,
+                      list[q].components == 4 ? w->xyzw : frame + list[q].place);
+    return w->root->failed || w->data->failed ? -1 : 0;
+}
+
+static void write_steps(struct hdf5_sink *root, const struct record *record, const double *times)
+{
+    const int64_t frames = record->journal->frames.count, n = record->frames.n;
+    const hsize_t count = (hsize_t)frames;
+    struct quantity list[QUANTITIES];
+    quantities_of(&record->frames, list);
+    struct hdf5_sink s = hdf5_group(root, "Steps");
+    hdf5_attribute(&s, "NSteps", H5T_NATIVE_INT64, 1, &frames);
+    hdf5_dataset(&s, "Values", H5T_NATIVE_DOUBLE, 1, &count, times);
+    /* all frames share part 0, so that counts and cells are written once; readers before VTK 9.4 would not find the
+     * cells of part 1 at the offset of part 0 */
+    sequence(&s, "PartOffsets", frames, 1, 0, 0);
+    sequence(&s, "NumberOfParts", frames, 1, 1, 0);
+    sequence(&s, "PointOffsets", frames, 1, 0, n);
+    sequence(&s, "CellOffsets", frames, 4, 0, 0);
+    sequence(&s, "ConnectivityIdOffsets", frames, 4, 0, 0);
+    struct hdf5_sink offsets = hdf5_group(&s, "PointDataOffsets");
+    for (int q = 0; q < QUANTITIES; ++q)
+        if (list[q].place != 0)
+            sequence(&offsets, list[q].name, frames, 1, 0, n);
+    if (shape_has_diameters(record->model))
+        sequence(&offsets, "diameter", frames, 1, 0, 0);
+    sequence(&offsets, "body", frames, 1, 0, 0);
+    hdf5_close(&s, &offsets);
+    hdf5_close(root, &s);
+}
+
+int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct message *message)
+{
+    const int64_t frames = record->journal->frames.count, n = record->frames.n;
+    struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData");
+    struct writer w = {record, &root, &data, malloc(sizeof(double) * (size_t)(4 * n + 1)),
+                       calloc((size_t)(frames + 1), sizeof(double))};
+    root.failed |= w.xyzw == NULL || w.times == NULL;
+    hdf5_text(&root, "Type", "PolyData");
+    hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
+    sequence(&root, "NumberOfPoints", 1, 1, n, 0);
+    all_cells(&root, record);
+    empty_data(&root, &data, record);
+    fixed_data(&data, record);
+    if (!root.failed && !data.failed && record_frames(record, take_frame, &w, message) == 0)
+        write_steps(&root, record, w.times);
+    else
+        root.failed = 1;
+    free(w.xyzw);
+    free(w.times);
+    hdf5_close(&root, &data);
+    hdf5_close(file, &root);
+    return file->failed ? -1 : 0;
+}

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The film of a run: what shapes.png shows, moving. MP4 by ffmpeg where there is one, else GIF."""
+import io
+import os
+import shutil
+import subprocess
+import tempfile
+
+import numpy as np
+from PIL import Image
+
+from . import scenery, style, words
+from .trouble import Trouble
+
+SECONDS = 10
+RATE = 20                   # pictures per second; GIF counts in hundredths of a second
+LARGEST = 1_500_000         # bytes
+WIDTH, NARROWEST = 960, 320 # pixels; as wide as is light enough
+COLOURS = 32                # of a GIF: bodies, marks, wall, letters and their smoothed edges
+
+
+def make(run, folder):
+    """The path of the film."""
+    if not run.translates:
+        raise Trouble(run.path, "has no positions over time to film", "film a scene whose bodies translate")
+    if len(run.times) < 2:
+        raise Trouble(run.path, "holds fewer than two frames", "run it again with more --frames")
+    count = min(len(run.times), SECONDS * RATE)
+    frames = [run.frame(k) for k in np.round(np.linspace(0, len(run.times) - 1, count)).astype(int)]
+    scene = scenery.Scenery(run, frames)
+    ffmpeg = shutil.which("ffmpeg")
+    width = WIDTH
+    while True:
+        pictures = _pictures(run, scene, frames, width)
+        film = _mp4(ffmpeg, pictures) if ffmpeg else _gif(pictures)
+        if len(film) <= LARGEST or width == NARROWEST:
+            break
+        width = max(NARROWEST, 2 * int(0.47 * width * LARGEST / len(film)))     # outlines weigh as their length
+    path = os.path.join(folder, "film.mp4" if ffmpeg else "film.gif")
+    style.write(film, path)
+    return path
+
+
+def _pictures(run, scene, frames, width):
+    inches = 8.0
+    # Even numbers of pixels, which H.264 asks for.
+    height = 2 * round(0.5 * width * min(1.5, (0.9 + (inches - 0.9) * scene.half[1] / scene.half[0]) / inches))
+    figure = style.new_figure(inches * height / width, inches)
+    figure.set_dpi(width / inches)
+    axes = figure.add_subplot()
+    for k, frame in enumerate(frames):
+        axes.clear()
+        scene.draw(axes, frame)
+        axes.set(xlabel=f"${scene.axis_names()[0]}$", ylabel=f"${scene.axis_names()[1]}$")
+        axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.2f}")
+        figure.canvas.draw()
+        if k == 0:
+            figure.set_layout_engine("none")    # the layout is found once: nothing may jump
+        yield Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[:height, :width, :3])
+
+
+def _gif(pictures):
+    """One palette for all, so that what does not move does not flicker and costs nothing."""
+    pictures = list(pictures)
+    palette = pictures[len(pictures) // 2].quantize(COLOURS, method=Image.Quantize.MEDIANCUT)
+    colours = np.reshape(palette.getpalette()[:3 * COLOURS], (-1, 3))
+    colours[np.all(colours > 245, axis=1)] = 255    # a mean of whites is not white
+    palette.putpalette(colours.flatten().tolist())
+    frames = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    memory = io.BytesIO()
+    frames[0].save(memory, "GIF", save_all=True, append_images=frames[1:], duration=1000 // RATE, loop=0, optimize=False)
+    return memory.getvalue()
+
+
+def _mp4(ffmpeg, pictures):
+    """Raw pictures in, H.264 out, without anything that says when or by which version it was made."""
+    first = next(pictures)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "film.mp4")
+        command = [ffmpeg, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{first.width}x{first.height}",
+                   "-r", str(RATE), "-i", "-", "-c:v", "libx264", "-crf", "26", "-pix_fmt", "yuv420p", "-threads", "1",
+                   "-movflags", "+faststart", "-fflags", "+bitexact", "-flags:v", "+bitexact", path]
+        raw = first.tobytes() + b"".join(picture.tobytes() for picture in pictures)
+        done = subprocess.run(command, input=raw, capture_output=True, check=False)
+        if done.returncode != 0:
+            said = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it said nothing"]
+            raise Trouble(ffmpeg, f"failed ({said[-1]})", "repair it, or take it off the PATH for a GIF")
+        with open(path, "rb") as file:
+            return file.read()

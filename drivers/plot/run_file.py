@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reading the out.h5 of a run, and refusing it in one sentence where it is not what vti-run writes.
+
+    attributes of the file   scene, stepper, h, vti_version
+    /energies/<column>       a column of out.csv: t, energies, total, momenta; one row per recorded time
+    /walls                   planes n.x = d as rows nx, ny, nz, d, if the scene has any
+    /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (bonds), Steps/Values (times)
+"""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .hdf5_file import RUN, Reader, opened, text
+
+NOT_ENERGIES = ("t", "total")
+VECTORS = ("momentum", "spin", "angular")
+BLOWN = 10      # times all energies at t = 0: an error of this size is no error any more
+
+
+@dataclass
+class Frame:
+    """All bodies at one time; what the scene lacks is None."""
+    t: float
+    x: np.ndarray           # n, 3
+    attitude: np.ndarray    # n, 4: unit quaternions x, y, z, w
+
+
+@dataclass
+class Run:
+    path: str
+    scene: str
+    stepper: str
+    h: float
+    version: str
+    columns: dict           # name -> values over time, all of one length
+    times: np.ndarray       # of the frames
+    bodies: int
+    translates: bool
+    turns: bool
+    diameter: np.ndarray    # of the bodies, or None
+    bonds: np.ndarray       # k, 2: pairs of bodies
+    walls: np.ndarray       # k, 4
+    lost: float = None      # when the run blew up; what follows is left out of all but total_to_the_end
+    total_to_the_end: tuple = None  # t, total
+
+    def notes(self):
+        return [] if self.lost is None else [f"the run blew up: from t = {self.lost:.4g} on its energy is off by more than "
+                                             f"{BLOWN} times what it began with"]
+
+    def energies(self):
+        """Kinetic and potential energies by name, in the order of the paper."""
+        return {name: values for name, values in self.columns.items()
+                if name not in NOT_ENERGIES and name[:-2] not in VECTORS}
+
+    def vector(self, name):
+        """Columns of momentum, spin or angular momentum as an array [time][3], or None."""
+        parts = [self.columns.get(f"{name}_{axis}") for axis in "xyz"]
+        return None if any(part is None for part in parts) else np.stack(parts, axis=1)
+
+    def frame(self, k):
+        """Read on demand: a trajectory may be larger than the memory."""
+        rows = slice(k * self.bodies, (k + 1) * self.bodies)
+        with opened(self.path) as file:
+            reader = Reader(self.path, file, RUN)
+            x = reader.numbers("/VTKHDF/Points", 2, rows)
+            attitude = reader.numbers("/VTKHDF/PointData/attitude_xyzw", 2, rows) if self.turns else None
+        return Frame(float(self.times[k]), x, attitude)
+
+
+def read_run(path):
+    """The whole file but for the frames, checked."""
+    with opened(path) as file:
+        reader = Reader(path, file, RUN)
+        columns = {name: reader.numbers(f"/energies/{name}") for name in _column_names(reader)}
+        reader.same_lengths(columns, "/energies")
+        if len(columns["t"]) == 0:
+            raise reader.trouble("holds no recorded times")
+        times, data = reader.numbers("/VTKHDF/Steps/Values"), reader.group("/VTKHDF/PointData")
+        points = reader.dataset("/VTKHDF/Points", 2)
+        bodies = len(points) // max(1, len(times))
+        _must_have_shape(reader, "/VTKHDF/Points", (bodies * len(times), 3))
+        if "attitude_xyzw" in data:
+            _must_have_shape(reader, "/VTKHDF/PointData/attitude_xyzw", (bodies * len(times), 4))
+        diameter = None
+        if "diameter" in data:
+            _must_have_shape(reader, "/VTKHDF/PointData/diameter", (bodies,))
+            diameter = reader.numbers("/VTKHDF/PointData/diameter")
+        bonds = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
+        if len(bonds) % 2 or len(bonds) and not 0 <= bonds.min() <= bonds.max() < bodies:
+            raise reader.trouble("/VTKHDF/Lines/Connectivity names a body that does not exist, or none")
+        walls = reader.numbers("/walls", 2) if "walls" in file else np.zeros((0, 4))
+        if walls.shape[1] != 4:
+            raise reader.trouble(f"/walls has {walls.shape[1]} columns instead of 4")
+        run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
+                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
+                   "attitude_xyzw" in data, diameter, bonds.reshape(-1, 2), walls)
+        _cut(run)
+        if len(run.columns["t"]) == 0 or len(run.times) == 0:
+            raise reader.trouble("holds no number that is finite")
+        return run
+
+
+def _cut(run):
+    """Leaves out what follows the blow-up of a run that was too coarse: it would hide all that came before."""
+    values = np.array(list(run.columns.values()))
+    sound = np.all(np.isfinite(values), axis=0)
+    size = sum(abs(energy[0]) for energy in run.energies().values())
+    if size > 0:
+        error = np.where(sound, run.columns["total"] - run.columns["total"][0], np.inf)
+        sound &= np.abs(error) <= BLOWN * size
+    if not np.all(sound):
+        first = int(np.argmin(sound))
+        run.lost = float(run.columns["t"][first])
+        run.total_to_the_end = run.columns["t"], run.columns["total"]
+        run.columns = {name: column[:first] for name, column in run.columns.items()}
+        run.times = run.times[run.times < run.lost]
+
+
+def _must_have_shape(reader, name, shape):
+    dataset = reader.dataset(name, len(shape))
+    if dataset.shape != shape:
+        raise reader.trouble(f"{name} has the shape {dataset.shape} instead of {shape}")
+
+
+def _column_names(reader):
+    """In the order of out.csv where the file knows it: HDF5 itself lists by name."""
+    found = list(reader.group("/energies"))
+    order = text(reader.file["energies"].attrs.get("columns", ",".join(PAPER_ORDER))).split(",")
+    for name in NOT_ENERGIES:
+        if name not in found:
+            raise reader.trouble(f"lacks dataset /energies/{name}")
+    return [name for name in order if name in found] + [name for name in found if name not in order]
+
+
+PAPER_ORDER = ("t", "kinetic_translation", "kinetic_rotation", "binder_moment", "binder_axial", "binder_shear", "contact",
+               "wall", "gravity", "pendulum", "total")

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies as circles in a plane, with what shapes.png and the film have in common: one plane and one window for all
+frames, walls, bonds, marks that turn with the bodies, and contacts."""
+import numpy as np
+from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.patches import Polygon
+
+from . import style
+
+MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
+FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
+BODY, RIM, MARK, CONTACT, WALL = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
+
+
+class Scenery:
+    def __init__(self, run, frames):
+        """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get."""
+        self.run = run
+        self.detailed = run.bodies <= MOST_MARKED
+        self.plane = _plane(frames)
+        self.radius = _radius(run, frames[0])
+        extents = [self._extent(frame) for frame in frames]
+        largest = max(np.max(high - low) for low, high in extents)
+        low, high = np.min([low for low, _ in extents], axis=0), np.max([high for _, high in extents], axis=0)
+        self.follows = np.max(high - low) > FAR * largest
+        if self.follows:
+            low, high = np.zeros(2), np.max([high - low for low, high in extents], axis=0)
+        margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
+        self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
+        self.outward = _outward(frames[0], self.plane) if run.turns else None
+        self.bonded = {tuple(sorted(pair)) for pair in run.bonds.tolist()}
+
+    def _extent(self, frame):
+        radius = self.radius[:, None]
+        return np.min(frame.x - radius, axis=0)[self.plane], np.max(frame.x + radius, axis=0)[self.plane]
+
+    def window(self, frame):
+        middle = np.mean(self._extent(frame), axis=0) if self.follows else self.middle
+        return middle - self.half, middle + self.half
+
+    def axis_names(self):
+        return ["xyz"[axis] for axis in self.plane]
+
+    def draw(self, axes, frame):
+        """Returns whether any body is in contact."""
+        run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
+        behind_first = np.argsort(frame.x[:, 3 - sum(self.plane)], kind="stable")
+        touching = self._touching(frame)
+        for plane in run.walls:
+            self._draw_wall(axes, plane, window)
+        axes.add_collection(_circles(axes, xy[behind_first], self.radius[behind_first],
+                                     np.where(touching[behind_first], CONTACT, BODY)))
+        if self.detailed:
+            if len(run.bonds):
+                axes.add_collection(LineCollection(xy[run.bonds], colors=RIM, linewidths=0.7))
+            if run.turns:
+                tips = xy + 2 * self.radius[:, None] * _turned(frame.attitude, self.outward)[:, self.plane]
+                axes.add_collection(LineCollection(np.stack([xy, tips], axis=1), colors=MARK, linewidths=0.6))
+        (left, bottom), (right, top) = window
+        axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+        axes.grid(False)
+        return bool(np.any(touching))
+
+    def _draw_wall(self, axes, plane, window):
+        """The half plane behind it, if it stands on the plane of the picture."""
+        normal, distance = plane[:3][self.plane], plane[3]
+        if abs(np.hypot(*normal) - np.linalg.norm(plane[:3])) > 1e-9 or not np.any(normal):
+            return
+        (left, bottom), (right, top) = window
+        corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+        outline, heights = [], corners @ normal - distance
+        for k in range(4):
+            here, after = heights[k - 1], heights[k]
+            if here * after < 0:
+                outline.append(corners[k - 1] + (corners[k] - corners[k - 1]) * here / (here - after))
+            if after <= 0:
+                outline.append(corners[k])
+        if len(outline) > 2:
+            axes.add_patch(Polygon(outline, facecolor="#DDDDDD", edgecolor=WALL, linewidth=0.8, zorder=0.5))
+
+    def _touching(self, frame):
+        """Bodies that overlap a wall, or another body to which no bond ties them."""
+        touching = np.zeros(len(frame.x), bool)
+        if self.run.diameter is None or not self.detailed:
+            return touching
+        for plane in self.run.walls:
+            touching |= frame.x @ plane[:3] - plane[3] < self.radius * np.linalg.norm(plane[:3])
+        for i in range(len(frame.x) - 1):
+            distance = np.linalg.norm(frame.x[i + 1:] - frame.x[i], axis=1)
+            for j in i + 1 + np.flatnonzero(distance < self.radius[i] + self.radius[i + 1:]):
+                if (i, j) not in self.bonded:
+                    touching[[i, j]] = True
+        return touching
+
+
+def _plane(frames):
+    """The two coordinates to draw; left out is the one in which bodies move least, z if that does not tell."""
+    moved = np.max([np.max(np.abs(frame.x - frames[0].x), axis=0) for frame in frames], axis=0)
+    least = max(axis for axis in range(3) if moved[axis] <= np.min(moved) + 1e-9 * np.max(moved))
+    return [axis for axis in range(3) if axis != least]
+
+
+def _radius(run, frame):
+    """Half the diameters; bodies without any are drawn as dots a fiftieth of the scene wide."""
+    if run.diameter is not None:
+        return 0.5 * run.diameter
+    return np.full(run.bodies, 0.01 * max(np.max(np.ptp(frame.x, axis=0)), 1e-3))
+
+
+def _outward(frame, plane):
+    """The body-fixed direction of each mark. At t = 0 it is in the picture's plane and points away from the middle of all
+    bodies; bodies in a row have it across the row, where it cannot be taken for a bond."""
+    away = frame.x[:, plane] - frame.x[:, plane].mean(axis=0)
+    spread, directions = np.linalg.eigh(away.T @ away)
+    if spread[0] <= 1e-12 * spread[1]:
+        away = np.tile(directions[:, 0], (len(away), 1))
+    length = np.linalg.norm(away, axis=1, keepdims=True)
+    marks = np.zeros((len(away), 3))
+    marks[:, plane] = np.where(length > 1e-12 * max(np.max(length), 1e-300), away / np.maximum(length, 1e-300), (1.0, 0.0))
+    return _turned(frame.attitude * (-1, -1, -1, 1), marks)
+
+
+def _turned(attitude, vectors):
+    """R(attitude) vectors for unit quaternions x, y, z, w."""
+    axis, w = attitude[:, :3], attitude[:, 3:]
+    twice = 2 * np.cross(axis, vectors)
+    return vectors + w * twice + np.cross(axis, twice)
+
+
+def _circles(axes, centres, radius, colours):
+    return EllipseCollection(2 * radius, 2 * radius, np.zeros(len(radius)), units="xy", offsets=centres,
+                             transOffset=axes.transData, facecolors=colours, edgecolors=RIM, linewidths=0.5)

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "scene_check.h"
+
+#include <string.h>
+
+#include "scene_words.h"
+
+static int has(const struct scene_reader *reader, const char *path)
+{
+    return scene_reader_has(reader, path);
+}
+
+/* ---- where the bodies are ---------------------------------------------------------------------------------------- */
+
+#define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
+
+/** In the order of enum scene_arrangement. */
+static const char *const arrangements[] = {"bodies.x", "bodies.ring", "bodies.chain", "bodies.lattice", "bodies.table"};
+enum { ARRANGEMENTS = sizeof arrangements / sizeof arrangements[0] };
+
+static int check_arrangement(const struct scene_reader *reader, struct scene *scene)
+{
+    const char *first = NULL;
+    for (int k = 0; k < ARRANGEMENTS; ++k) {
+        if (!has(reader, arrangements[k]))
+            continue;
+        if (first != NULL)
+            return scene_reader_fail(reader, arrangements[k],
+                                     "given besides %s; positions come from one of x, ring, chain, lattice and table",
+                                     first);
+        first = arrangements[k];
+        scene->arrangement = (enum scene_arrangement)k;
+    }
+    return 0;
+}
+
+static int check_count(const struct scene_reader *reader, const char *path, int64_t count)
+{
+    if (count <= SCENE_BODIES_MAX)
+        return 0;
+    return scene_reader_fail(reader, path, "more than %d bodies; give fewer", SCENE_BODIES_MAX);
+}
+
+/** Their number, factor by factor, so that no product overflows. */
+static int check_lattice(const struct scene_reader *reader, const struct scene_lattice *lattice)
+{
+    double count = 1.0;
+    for (int k = 0; k < 3; ++k)
+        count *= (double)lattice->counts[k];
+    return check_count(reader, "bodies.lattice.counts", count > 0x1p62 ? INT64_MAX : (int64_t)count);
+}
+
+static int check_counts(const struct scene_reader *reader, const struct scene *scene)
+{
+    switch (scene->arrangement) {
+    case SCENE_IN_RING:
+        if (scene->ring.count < 3)
+            return scene_reader_fail(reader, "bodies.ring.count", "'%lld' bodies make no ring; give at least 3",
+                                     (long long)scene->ring.count);
+        return check_count(reader, "bodies.ring.count", scene->ring.count);
+    case SCENE_IN_CHAIN:
+        return check_count(reader, "bodies.chain.count", scene->chain.count);
+    case SCENE_IN_LATTICE:
+        return check_lattice(reader, &scene->lattice);
+    case SCENE_SINGLE:
+    case SCENE_IN_TABLE:
+        break;
+    }
+    return 0;
+}
+
+/** The ring, chain or lattice, of which positions and the diameter are known. */
+static int is_formula(const struct scene *scene)
+{
+    return scene->arrangement != SCENE_SINGLE && scene->arrangement != SCENE_IN_TABLE;
+}
+
+int64_t scene_bodies(const struct scene *scene)
+{
+    const int64_t *n = scene->lattice.counts;
+    return scene->arrangement == SCENE_IN_RING      ? scene->ring.count
+           : scene->arrangement == SCENE_IN_CHAIN   ? scene->chain.count
+           : scene->arrangement == SCENE_IN_LATTICE ? n[0] * n[1] * n[2]
+           : scene->arrangement == SCENE_IN_TABLE   ? 0
+                                                    : 1;
+}
+
+/* ---- how they move ----------------------------------------------------------------------------------------------- */
+
+/** Both fields or neither, of a single body. */
+static int check_pair(const struct scene_reader *reader, const struct scene *scene, const char *a, const char *b)
+{
+    const int has_a = has(reader, a), has_b = has(reader, b);
+    if (scene->arrangement != SCENE_SINGLE || has_a == has_b)
+        return 0;
+    return scene_reader_fail(reader, has_a ? a : b, "given without %s; give both or neither", has_a ? b : a);
+}
+
+static int check_random(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (!has(reader, "bodies.random"))
+        return 0;
+    if (scene->random.v == 0.0 && scene->random.omega == 0.0)
+        return scene_reader_fail(reader, "bodies.random", "neither v nor omega; give one of them or both");
+    if (scene->random.v != 0.0 && !scene->translates && scene->arrangement != SCENE_IN_TABLE)
+        return scene_reader_fail(reader, "bodies.random.v", "nothing translates; give " POSITIONS);
+    return 0;
+}
+
+static int check_motion(const struct scene_reader *reader, struct scene *scene)
+{
+    if (check_pair(reader, scene, "bodies.x", "bodies.v") != 0 ||
+        check_pair(reader, scene, "bodies.alpha", "bodies.omega") != 0)
+        return -1;
+    scene->has_v = has(reader, "bodies.v");
+    scene->has_alpha = has(reader, "bodies.alpha");
+    scene->has_omega = has(reader, "bodies.omega");
+    scene->has_gravity = has(reader, "gravity");
+    scene->translates = is_formula(scene) || has(reader, "bodies.x");
+    scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0 || scene->binder.moment != 0.0 ||
+                   scene->binder.shear != 0.0 || scene->has_pendulum;
+    if (!scene->translates && !scene->turns && scene->arrangement != SCENE_IN_TABLE)
+        return scene_reader_fail(reader, "bodies",
+                                 "nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega");
+    return check_random(reader, scene);
+}
+
+/* ---- what they need ---------------------------------------------------------------------------------------------- */
+
+static int check_needed(const struct scene_reader *reader, int needed, const char *path, const char *who)
+{
+    if (!needed || has(reader, path))
+        return 0;
+    return scene_reader_fail(reader, path, "missing; %s need it, the %s", who, scene_field_find(path)->about);
+}
+
+/** Without a table nobody else says. */
+static int check_properties(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (scene->arrangement == SCENE_IN_TABLE)
+        return 0;
+    const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter");
+    const int is_sphere = has_diameter && has(reader, "bodies.mass"); /* solid: inertia follows */
+    if (check_needed(reader, scene->translates, "bodies.mass", "bodies that translate") != 0 ||
+        check_needed(reader, scene->turns && !is_sphere, "bodies.inertia", "bodies that turn") != 0)
+        return -1;
+    return check_needed(reader, (scene->has_contact || scene->has_wall) && !has_diameter, "bodies.diameter",
+                        "spheres in contact");
+}
+
+/* ---- effects ----------------------------------------------------------------------------------------------------- */
+
+static int check_binder(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (!scene->has_binder)
+        return 0;
+    if (scene->arrangement == SCENE_IN_TABLE && scene->binder.table[0] == '\0')
+        return scene_reader_fail(reader, "binder", "bodies of a table have no neighbours; give table, a file of bonds");
+    if (scene->arrangement != SCENE_IN_TABLE && scene_bodies(scene) < 2)
+        return scene_reader_fail(reader, "binder",
+                                 "a single body has no bonds; give bodies.ring, chain, lattice or table");
+    if (scene->binder.table[0] == '\0' && scene->binder.moment == 0.0 && scene->binder.axial == 0.0 &&
+        scene->binder.shear == 0.0)
+        return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");
+    return 0;
+}
+
+static int check_translating(const struct scene_reader *reader, const struct scene *scene, int given, const char *path)
+{
+    if (!given || scene->translates || scene->arrangement == SCENE_IN_TABLE)
+        return 0;
+    return scene_reader_fail(reader, path, "acts on bodies that translate; give " POSITIONS);
+}
+
+static int check_effects(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (check_binder(reader, scene) != 0 || check_translating(reader, scene, scene->has_contact, "contact") != 0 ||
+        check_translating(reader, scene, scene->has_wall, "wall") != 0 ||
+        check_translating(reader, scene, scene->has_gravity, "gravity") != 0)
+        return -1;
+    if (scene->has_wall && scene->wall.planes.count == 0)
+        return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
+    if (scene->has_pendulum && scene->translates)
+        return scene_reader_fail(reader, "pendulum",
+                                 "hangs bodies on fixed pivots, where they turn and cannot translate; remove it or %s",
+                                 arrangements[scene->arrangement]);
+    return 0;
+}
+
+/* ---- time -------------------------------------------------------------------------------------------------------- */
+
+/** Steps are counted in a double (t = step h), which holds whole numbers up to 2^53. */
+static int check_steps(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (scene->t_end / scene->h <= 0x1p53)
+        return 0;
+    char t_end[QUOTE_SIZE], h[QUOTE_SIZE];
+    return scene_reader_fail(reader, "t_end", "'%s' is more than 2^53 steps of h = %s; take a larger h",
+                             quote(t_end, sizeof t_end, scene_reader_value(reader, "t_end")),
+                             quote(h, sizeof h, scene_reader_value(reader, "h")));
+}
+
+int scene_check(const struct scene_reader *reader, struct scene *scene)
+{
+    if (check_arrangement(reader, scene) != 0 || check_counts(reader, scene) != 0 || check_motion(reader, scene) != 0 ||
+        check_effects(reader, scene) != 0 || check_properties(reader, scene) != 0)
+        return -1;
+    return check_steps(reader, scene);
+}

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "cells.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Longer by what rounding can take off distances and displacements, with room to spare. */
+static const double rounding = 1.0 + 16.0 * DBL_EPSILON;
+
+/** Cells are counted to 2^40 either way, where x/width is rounded to 2^-13 of a cell: as they are 2^-10 wider than any reach,
+ *  bodies in reach are never more than one cell apart. What is farther out shares the last cells. */
+static const double last_cell = 0x1p40;
+static const double cell_margin = 1.0 + 0x1p-10;
+
+/** A body as its cell stores it, so that cells are read in one go. */
+struct member {
+    double x[3], radius;
+    int64_t body;
+};
+
+struct cell {
+    int64_t q[3], begin, end; /* its members */
+};
+
+/* ---- cells -------------------------------------------------------------------------------------------------------- */
+
+static void cell_of(const struct cells *s, const double x[3], int64_t q[3])
+{
+    for (int k = 0; k < 3; ++k)
+        q[k] = (int64_t)floor(fmax(-last_cell, fmin(x[k] / s->width, last_cell)));
+}
+
+/** The slot of the cell q, or the empty one where it belongs. */
+static int64_t *slot_of(const struct cells *s, const int64_t q[3])
+{
+    uint64_t h = 0;
+    for (int k = 0; k < 3; ++k) {
+        h = (h ^ (uint64_t)q[k]) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 32;
+    }
+    const uint64_t mask = (uint64_t)s->slots - 1;
+    for (h &= mask;; h = (h + 1) & mask) {
+        const int64_t c = s->slot[h] - 1;
+        if (c < 0 || memcmp(s->cell[c].q, q, sizeof s->cell[c].q) == 0)
+            return &s->slot[h];
+    }
+}
+
+/** The cell of each body, and of each cell how many bodies it has, in end. */
+static void count_members(struct cells *s)
+{
+    memset(s->slot, 0, (size_t)s->slots * sizeof *s->slot);
+    s->count = 0;
+    for (int64_t i = 0; i < s->n; ++i) {
+        int64_t q[3];
+        cell_of(s, s->x + 3 * i, q);
+        int64_t *const slot = slot_of(s, q);
+        if (*slot == 0) {
+            const struct cell empty = {{q[0], q[1], q[2]}, 0, 0};
+            s->cell[s->count] = empty;
+            *slot = ++s->count;
+        }
+        s->home[i] = *slot - 1;
+        ++s->cell[*slot - 1].end;
+    }
+}
+
+static void fill_cells(struct cells *s)
+{
+    count_members(s);
+    int64_t begin = 0;
+    for (int64_t c = 0; c < s->count; ++c) {
+        const int64_t members = s->cell[c].end;
+        s->cell[c].begin = s->cell[c].end = begin;
+        begin += members;
+    }
+    for (int64_t i = 0; i < s->n; ++i) {
+        const double *const x = s->x + 3 * i;
+        const struct member m = {{x[0], x[1], x[2]}, s->radius[i], i};
+        s->member[s->cell[s->home[i]].end++] = m;
+    }
+}
+
+/* ---- search ------------------------------------------------------------------------------------------------------- */
+
+static int add(struct pairs *found, int64_t i, int64_t j)
+{
+    if (found->count == found->room) {
+        const int64_t room = 2 * found->room + 64;
+        int64_t *const pair = realloc(found->pair, (size_t)room * 2 * sizeof *pair);
+        if (pair == NULL)
+            return -1;
+        found->pair = pair;
+        found->room = room;
+    }
+    found->pair[2 * found->count] = i < j ? i : j;
+    found->pair[2 * found->count + 1] = i < j ? j : i;
+    ++found->count;
+    return 0;
+}
+
+/** The pairs of one member with the members begin <= k < end. */
+static int search_members(const struct cells *s, double skin, const struct member *a, int64_t begin, int64_t end,
+                          struct pairs *found)
+{
+    for (int64_t k = begin; k < end; ++k) {
+        const struct member *const b = &s->member[k];
+        const double d[3] = {a->x[0] - b->x[0], a->x[1] - b->x[1], a->x[2] - b->x[2]};
+        const double reach = (a->radius + b->radius + skin) * rounding;
+        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach && add(found, a->body, b->body) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int search_two_cells(const struct cells *s, double skin, const struct cell *cell, const struct cell *next,
+                            struct pairs *found)
+{
+    for (int64_t k = cell->begin; k < cell->end; ++k) {
+        const int64_t begin = cell == next ? k + 1 : next->begin;
+        if (search_members(s, skin, &s->member[k], begin, next->end, found) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/** The cell with itself and with 13 of the 26 around it, for which it is one of the other 13. */
+static int search_around(const struct cells *s, double skin, const struct cell *cell, struct pairs *found)
+{
+    for (int step = 13; step < 27; ++step) {
+        const int64_t q[3] = {cell->q[0] + step / 9 - 1, cell->q[1] + step / 3 % 3 - 1, cell->q[2] + step % 3 - 1};
+        const int64_t next = *slot_of(s, q) - 1;
+        if (next >= 0 && search_two_cells(s, skin, cell, &s->cell[next], found) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+int cells_search(struct cells *cells, double longest, double skin, struct pairs *found)
+{
+    found->count = 0;
+    cells->width = (2.0 * longest + skin) * cell_margin;
+    fill_cells(cells);
+    for (int64_t c = 0; c < cells->count; ++c)
+        if (search_around(cells, skin, &cells->cell[c], found) != 0)
+            return -1;
+    return 0;
+}
+
+/* ---- create and destroy ------------------------------------------------------------------------------------------- */
+
+/** NULL if memory is out, never for being empty. */
+static void *array(int64_t count, size_t size)
+{
+    return calloc(count > 0 ? (size_t)count : 1, size);
+}
+
+static int allocate(struct cells *cells, int64_t n)
+{
+    cells->n = n;
+    cells->radius = array(n, sizeof *cells->radius);
+    cells->x = array(n, 3 * sizeof *cells->x);
+    cells->home = array(n, sizeof *cells->home);
+    cells->cell = array(n, sizeof *cells->cell);
+    cells->member = array(n, sizeof *cells->member);
+    if (!cells->radius || !cells->x || !cells->home || !cells->cell || !cells->member)
+        return -1;
+    /* at least half of the slots stay empty, so that probes are short and end */
+    for (cells->slots = 2; cells->slots < 2 * n;)
+        cells->slots *= 2;
+    cells->slot = array(cells->slots, sizeof *cells->slot);
+    return cells->slot ? 0 : -1;
+}
+
+int cells_create(struct cells *cells, int64_t n)
+{
+    memset(cells, 0, sizeof *cells);
+    if (allocate(cells, n) == 0)
+        return 0;
+    cells_destroy(cells);
+    return -1;
+}
+
+void cells_destroy(struct cells *cells)
+{
+    free(cells->radius);
+    free(cells->x);
+    free(cells->home);
+    free(cells->cell);
+    free(cells->member);
+    free(cells->slot);
+    memset(cells, 0, sizeof *cells);
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist. */
+#ifndef VTI_CELLS_H
+#define VTI_CELLS_H
+
+#include <stdint.h>
+
+/** A list of pairs that grows. */
+struct pairs {
+    int64_t count, room;
+    int64_t *pair; /* [room][2], of which count are used */
+};
+
+struct cells {
+    int64_t n;      /* bodies */
+    double *radius; /* [n] > 0, for the caller to fill in */
+    double *x;      /* [n][3] finite, likewise */
+    double width;
+    int64_t *home; /* [n] cell of a body */
+    struct cell *cell;
+    int64_t count;         /* of cells, at most n */
+    struct member *member; /* [n] by cell */
+    int64_t *slot;         /* [slots], a power of 2: hash table, number of a cell + 1, 0 for none */
+    int64_t slots;
+};
+
+/** Room for n >= 0 bodies; returns 0, or -1 if memory is out, with *cells as after cells_destroy. */
+int cells_create(struct cells *cells, int64_t n);
+
+/** Sets *found to the pairs i < j whose gap, the distance less both radii, is below the skin, in no order that the caller
+ *  may rely on. longest is the largest radius. Returns 0, or -1 if memory is out. */
+int cells_search(struct cells *cells, double longest, double skin, struct pairs *found);
+
+void cells_destroy(struct cells *cells);
+
+#endif

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "columns.h"
+
+#include <string.h>
+
+/* Everything there is to record, in one array: these, then the terms of all effects in the model's order. */
+enum { T, TRANSLATION, ROTATION, TOTAL, MOMENTUM, SPIN = MOMENTUM + 3, ANGULAR = SPIN + 3, TERMS = ANGULAR + 3 };
+enum { SOURCES = TERMS + COLUMNS };
+
+static void add(struct columns *c, const char *name, int source)
+{
+    if (c->count == COLUMNS || source >= SOURCES)
+        return;
+    c->name[c->count] = name;
+    c->source[c->count++] = source;
+}
+
+/** Columns of the terms called name, or, without a name, of those that the order does not know. */
+static void add_terms(struct columns *c, const char *const *order, size_t orders, const char *name)
+{
+    int source = TERMS;
+    for (int64_t e = 0; e < c->model->effects_count; ++e)
+        for (int64_t j = 0; j < c->model->effects[e].terms; ++j, ++source) {
+            const char *term = c->model->effects[e].term[j];
+            int known = 0;
+            for (size_t k = 0; k < orders; ++k)
+                known |= strcmp(term, order[k]) == 0;
+            if (name != NULL ? strcmp(term, name) == 0 : !known)
+                add(c, term, source);
+        }
+}
+
+void columns_of(const struct model *model, struct columns *c)
+{
+    static const char *const order[] = {"binder_moment", "binder_axial", "binder_shear", "contact",
+                                        "wall",          "gravity",      "pendulum"};
+    static const char *const momentum[] = {"momentum_x", "momentum_y", "momentum_z"};
+    static const char *const spin[] = {"spin_x", "spin_y", "spin_z"};
+    static const char *const angular[] = {"angular_x", "angular_y", "angular_z"};
+    const size_t orders = sizeof order / sizeof order[0];
+    const int translates = model->bodies.v.c[0] != NULL, turns = model->bodies.omega.c[0] != NULL;
+    memset(c, 0, sizeof *c);
+    c->model = model;
+    add(c, "t", T);
+    if (translates)
+        add(c, "kinetic_translation", TRANSLATION);
+    if (turns)
+        add(c, "kinetic_rotation", ROTATION);
+    for (size_t k = 0; k < orders; ++k)
+        add_terms(c, order, orders, order[k]);
+    add_terms(c, order, orders, NULL);
+    c->total = c->count;
+    add(c, "total", TOTAL);
+    for (int k = 0; translates && k < 3; ++k)
+        add(c, momentum[k], MOMENTUM + k);
+    for (int k = 0; turns && k < 3; ++k)
+        add(c, spin[k], SPIN + k);
+    for (int k = 0; k < 3; ++k)
+        add(c, angular[k], ANGULAR + k);
+}
+
+void columns_values(const struct columns *c, double t, const vti_bodies *b, double row[COLUMNS])
+{
+    const double origin[3] = {0.0, 0.0, 0.0};
+    double value[SOURCES] = {0.0};
+    vti_sum total = {0.0, 0.0};
+    int source = TERMS;
+    value[T] = t;
+    value[TRANSLATION] = vti_kinetic_translation(b);
+    value[ROTATION] = vti_kinetic_rotation(b);
+    vti_sum_add(&total, value[TRANSLATION]);
+    vti_sum_add(&total, value[ROTATION]);
+    for (int64_t e = 0; e < c->model->effects_count; ++e) {
+        const vti_effect *effect = &c->model->effects[e];
+        if (source + effect->terms > SOURCES)
+            break;
+        effect->energy(effect->self, b, value + source);
+        for (int64_t j = 0; j < effect->terms; ++j)
+            vti_sum_add(&total, value[source++]);
+    }
+    value[TOTAL] = vti_sum_value(&total);
+    vti_momentum(b, value + MOMENTUM);
+    vti_spin(b, value + SPIN);
+    vti_angular_momentum(b, origin, value + ANGULAR);
+    for (int k = 0; k < c->count; ++k)
+        row[k] = value[c->source[k]];
+}

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include <stdlib.h>
+
+#include "arrange.h"
+#include "model_parts.h"
+#include "random.h"
+
+/* ---- one block of memory ---------------------------------------------------------------------------------------------- */
+
+/** The next n doubles of the block. */
+static double *take(double **block, int64_t n)
+{
+    double *p = *block;
+    *block += n;
+    return p;
+}
+
+struct loads model_loads(const struct scene *scene, const struct tables *tables)
+{
+    const int shear = model_has_term(scene, tables, BOND_SHEAR);
+    const struct loads loads = {model_has_term(scene, tables, BOND_AXIAL) || shear || scene->has_contact ||
+                                    scene->has_wall || scene->has_gravity,
+                                model_has_term(scene, tables, BOND_MOMENT) || shear || scene->has_pendulum};
+    return loads;
+}
+
+/** Inertia of each body follows from mass and diameter, of which one differs from body to body. */
+static int derives_inertia(const struct model *model, const struct table *bodies)
+{
+    return model->turns && model->scene->inertia == 0.0 && !table_has(bodies, BODY_INERTIA) &&
+           (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER));
+}
+
+/** Doubles per body. */
+static int64_t body_width(const struct model *model, const struct tables *tables)
+{
+    const struct loads loads = model_loads(model->scene, tables);
+    int64_t width = derives_inertia(model, &tables->bodies);
+    width += model->translates ? 6 + 3 * loads.force : 0;
+    width += model->turns ? 6 + 3 * loads.moment : 0;
+    for (int k = BODY_MASS; k <= BODY_DIAMETER; ++k)
+        width += table_has(&tables->bodies, k);
+    return width;
+}
+
+/* ---- vectors ---------------------------------------------------------------------------------------------------------- */
+
+/** n vectors, [n][3]: columns k, k+1, k+2 of the table if it has them, else value for all. */
+static double *place(double **block, int64_t n, const struct table *bodies, int k, const double value[3])
+{
+    double *p = take(block, 3 * n);
+    for (int64_t i = 0; i < n; ++i)
+        for (int c = 0; c < 3; ++c)
+            p[3 * i + c] = table_has(bodies, k) ? bodies->column[k + c][i] : value[c];
+    return p;
+}
+
+/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, the next three for omega. p is [n][3]. */
+static void add_random(double *p, int64_t n, int64_t seed, int64_t first, double most)
+{
+    for (int64_t i = 0; i < n && most != 0.0; ++i)
+        for (int64_t c = 0; c < 3; ++c)
+            p[3 * i + c] += random_symmetric((uint64_t)seed, (uint64_t)(6 * i + first + c), most);
+}
+
+static void place_vectors(struct model *model, const struct tables *tables, double **block)
+{
+    const struct scene *s = model->scene;
+    const struct table *t = &tables->bodies;
+    const struct loads loads = model_loads(s, tables);
+    vti_bodies *b = &model->bodies;
+    const int64_t n = b->count;
+    if (model->translates) {
+        double *x = place(block, n, t, BODY_X, s->x), *v = place(block, n, t, BODY_V, s->v);
+        if (s->arrangement != SCENE_IN_TABLE)
+            arrange_positions(s, x);
+        add_random(v, n, s->random.seed, 0, s->random.v);
+        b->x = vti_view_packed(x);
+        b->v = vti_view_packed(v);
+        if (loads.force)
+            b->force = vti_view_packed(take(block, 3 * n));
+    }
+    if (model->turns) {
+        double *alpha = place(block, n, t, BODY_ALPHA, s->alpha), *omega = place(block, n, t, BODY_OMEGA, s->omega);
+        add_random(omega, n, s->random.seed, 3, s->random.omega);
+        b->alpha = vti_view_packed(alpha);
+        b->omega = vti_view_packed(omega);
+        if (loads.moment)
+            b->moment = vti_view_packed(take(block, 3 * n));
+    }
+}
+
+/* ---- mass, inertia, diameter ------------------------------------------------------------------------------------------ */
+
+/** Column k of the table, or the value for all if it is not 0; else nothing. */
+static vti_scalars property(double **block, int64_t n, const struct table *bodies, int k, const double *value)
+{
+    const vti_scalars none = {NULL, 0};
+    if (!table_has(bodies, k))
+        return *value != 0.0 ? vti_scalars_one(value) : none;
+    double *p = take(block, n);
+    for (int64_t i = 0; i < n; ++i)
+        p[i] = bodies->column[k][i];
+    return vti_scalars_array(p);
+}
+
+/** J of a solid sphere. */
+static double solid_sphere(double mass, double diameter)
+{
+    return 0.4 * mass * (0.5 * diameter) * (0.5 * diameter);
+}
+
+static void place_properties(struct model *model, const struct tables *tables, double **block)
+{
+    const struct scene *s = model->scene;
+    const struct table *t = &tables->bodies;
+    vti_bodies *b = &model->bodies;
+    model->mass = s->mass;
+    model->sphere = s->diameter != 0.0 ? s->diameter : arrange_touching(s);
+    model->inertia = s->inertia != 0.0 ? s->inertia : solid_sphere(model->mass, model->sphere);
+    const vti_scalars mass = property(block, b->count, t, BODY_MASS, &model->mass);
+    model->diameter = property(block, b->count, t, BODY_DIAMETER, &model->sphere);
+    if (model->translates)
+        b->mass = mass;
+    if (!model->turns)
+        return;
+    if (derives_inertia(model, t)) {
+        double *inertia = take(block, b->count);
+        for (int64_t i = 0; i < b->count; ++i)
+            inertia[i] = solid_sphere(mass.p[i * mass.stride], model->diameter.p[i * model->diameter.stride]);
+        b->inertia = vti_scalars_array(inertia);
+    } else {
+        b->inertia = property(block, b->count, t, BODY_INERTIA, &model->inertia);
+    }
+}
+
+/* ---- together --------------------------------------------------------------------------------------------------------- */
+
+int model_place_bodies(struct model *model, const struct tables *tables, struct message *message)
+{
+    const int64_t n = model->scene->arrangement == SCENE_IN_TABLE ? tables->bodies.rows : scene_bodies(model->scene);
+    const int64_t doubles = n * body_width(model, tables);
+    model->bodies = vti_bodies_none(n);
+    model->memory = calloc((size_t)(doubles > 0 ? doubles : 1), sizeof *model->memory);
+    if (model->memory == NULL)
+        return message_set(message, "%s: out of memory for %lld bodies; use fewer", model->scene->name, (long long)n);
+    double *block = model->memory;
+    place_vectors(model, tables, &block);
+    place_properties(model, tables, &block);
+    return 0;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The continuous equations of a model, for GSL:
+ *
+ *     x' = v,  v' = F/m,  q' = (1/2) Omega q,  Omega' = RM/J,  (||q||^2)' = |x|^2 + |v|^2 + theta^2 + |Omega|^2
+ *
+ * with the attitude as a quaternion. They share the effects' forces with the steppers and nothing else. */
+#ifndef VTI_EQUATIONS_H
+#define VTI_EQUATIONS_H
+
+#include <gsl/gsl_odeiv2.h>
+
+#include "model.h"
+
+struct equations {
+    struct model *model; /* its contacts follow the states that are looked at */
+    int64_t width;       /* doubles in a state: all bodies, then ||q||^2 up to now */
+    double *loads;       /* force and moment of every body */
+    gsl_odeiv2_system system;
+    gsl_odeiv2_driver *driver;
+};
+
+/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is. Returns 0, or -1
+ *  if there is no memory. */
+int equations_create(struct equations *equations, struct model *model, double tolerance);
+void equations_destroy(struct equations *equations);
+
+/** Doubles of one body in a state: x v if it translates, q Omega if it turns. */
+int64_t equations_body_width(const struct model *model);
+int64_t equations_width(const struct model *model);
+/** The model's bodies at t = 0 as a state. */
+void equations_start(const struct model *model, double *state);
+/** A state seen as bodies: nothing is copied. */
+vti_bodies equations_bodies(const struct model *model, double *state);
+/** Takes the state from *t to to. Returns 0, or -1 with one line in *message. */
+int equations_advance(struct equations *equations, double *t, double to, double *state, struct message *message);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The reference of a model whose motion has kinks (contacts, walls) or whose bodies are many: states at multiples of an
+ * interval, and an estimate of how well they are known, from a second integration. */
+#ifndef VTI_SAMPLED_H
+#define VTI_SAMPLED_H
+
+#include "equations.h"
+
+struct sampled {
+    struct model *model;
+    int64_t width, count; /* doubles in a state; states 0 ... count - 1 */
+    double interval;
+    double *states;      /* [count][width] */
+    double energy_error; /* largest |E - E_0| of a state */
+    double spread;       /* ||q' - q||_{H1}/||q||_{H1} of a solution q' of a tolerance 100 times larger */
+};
+
+/** Room for states at 0, interval, ..., intervals interval. */
+int sampled_create(struct sampled *sampled, struct model *model, double interval, int64_t intervals,
+                   struct message *message);
+void sampled_destroy(struct sampled *sampled);
+/** Fills the states, twice. Returns 0, or -1 with one line in *message. */
+int sampled_integrate(struct sampled *sampled, struct message *message);
+
+/** State k; the views point into the reference. */
+vti_bodies sampled_state(struct sampled *sampled, int64_t k);
+
+#endif

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * From scene to model: what the scene names is there, what it does not name is not, and what is conserved follows. */
+#define _POSIX_C_SOURCE 200809L
+#include "model_support.h"
+
+#define CHAIN "bodies: {mass: 1, chain: {count: 4, spacing: 1}"
+#define WALL "wall: {stiffness: 10, planes: [[0, 0, 2, -6]]}\n"
+
+/* ---- absence ---------------------------------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *text;
+    int translates, force, turns, moment;
+    const char *effects, *invariants;
+} cases[] = {
+    {CHAIN "}\n", 1, 0, 0, 0, "", "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN ", omega: [0, 0, 1]}\n", 1, 0, 1, 0, "", "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN ", alpha: [0, 0, 1]}\n", 1, 0, 1, 0, "", "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN ", random: {seed: 1, omega: 1}}\n", 1, 0, 1, 0, "",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN ", random: {seed: 1, v: 1}}\n", 1, 0, 0, 0, "",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {"bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\n", 0, 0, 1, 0, "", "angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {axial: 1}\n", 1, 1, 0, 0, "binder",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {moment: 1}\n", 1, 0, 1, 1, "binder",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {shear: {stiffness: 1}}\n", 1, 1, 1, 1, "binder",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {shear: {stiffness: 1, form: quartic}}\n", 1, 1, 1, 1, "binder",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {shear: {stiffness: 1, form: printed}}\n", 1, 1, 1, 1, "binder",
+     "momentum_x momentum_y momentum_z spin_x spin_y spin_z"},
+    {CHAIN "}\ncontact: {stiffness: 1}\n", 1, 1, 0, 0, "contact",
+     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\n" WALL, 1, 1, 0, 0, "wall", "momentum_x momentum_y angular_z"},
+    /* what turns on its own keeps its spin at the wall, which turns nothing */
+    {CHAIN ", omega: [0, 0, 1]}\n" WALL, 1, 1, 1, 0, "wall", "momentum_x momentum_y angular_z spin_x spin_y"},
+    {CHAIN "}\n" WALL "binder: {shear: {stiffness: 1, form: printed}}\n", 1, 1, 1, 1, "binder wall",
+     "momentum_x momentum_y spin_x spin_y spin_z"},
+    {CHAIN "}\ngravity: [0, 0, -1]\n", 1, 1, 0, 0, "gravity", "momentum_x momentum_y angular_z"},
+    {CHAIN "}\ngravity: [1, 2, 3]\n", 1, 1, 0, 0, "gravity", ""},
+    {CHAIN "}\ngravity: [0, 0, -1]\n" WALL "contact: {stiffness: 1}\nbinder: {axial: 2, moment: 1}\n", 1, 1, 1, 1,
+     "binder contact wall gravity", "momentum_x momentum_y angular_z spin_x spin_y"},
+    {"bodies: {inertia: 1}\npendulum: {weight: 1, rho0: [0, 0, 1]}\n", 0, 0, 1, 1, "pendulum",
+     "angular_z arm_dot_omega arm_length"},
+};
+
+static void what_is_there(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
+        char text[512];
+        struct scene scene;
+        struct model model;
+        snprintf(text, sizeof text, "%s" TIME, cases[k].text);
+        make_model(text, &scene, &model);
+        const vti_bodies *b = &model.bodies;
+        const int there[] = {b->x.c[0] != NULL,     b->v.c[0] != NULL,     b->mass.p != NULL,
+                             b->force.c[0] != NULL, b->alpha.c[0] != NULL, b->omega.c[0] != NULL,
+                             b->inertia.p != NULL,  b->moment.c[0] != NULL};
+        const int expected[] = {cases[k].translates, cases[k].translates, cases[k].translates, cases[k].force,
+                                cases[k].turns,      cases[k].turns,      cases[k].turns,      cases[k].moment};
+        if (memcmp(there, expected, sizeof there) != 0)
+            fail_msg("wrong views: %s", text);
+        assert_int_equal(model.translates, cases[k].translates);
+        assert_int_equal(model.turns, cases[k].turns);
+        assert_true(scene.translates == model.translates && scene.turns == model.turns); /* no table adds to it */
+        assert_effects(&model, cases[k].effects);
+        assert_invariants(&model, cases[k].invariants);
+        assert_int_equal(model.bonds.count, strstr(cases[k].effects, "binder") != NULL ? 3 : 0);
+        assert_true((model.neighbours.search != NULL) == (strstr(cases[k].effects, "contact") != NULL));
+        model_destroy(&model);
+    }
+}
+
+/** A stiffness that is not named is a term that is not there. */
+static void terms(void **state)
+{
+    struct scene scene;
+    struct model model;
+    (void)state;
+    make_model(CHAIN "}\nbinder: {moment: 3, shear: {stiffness: 5, form: quartic}}\n" TIME, &scene, &model);
+    assert_true(model.bonds.moment.p[0] == 3.0 && model.bonds.shear.p[0] == 5.0 && model.bonds.axial.p == NULL);
+    assert_int_equal(model.bonds.shear_form, VTI_SHEAR_QUARTIC);
+    assert_int_equal(model.effects[0].terms, 2);
+    assert_string_equal(model.effects[0].term[1], "binder_shear");
+    model_destroy(&model);
+}
+
+static void planes_are_made_unit(void **state)
+{
+    struct scene scene;
+    struct model model;
+    (void)state;
+    make_model(CHAIN "}\nwall: {stiffness: 10, planes: [[0, 0, 2, -6], [3e200, 0, -4e200, 5e200]]}\n" TIME, &scene,
+               &model);
+    const double expected[8] = {0, 0, 1, -3, 0.6, 0, -0.8, 1};
+    for (int k = 0; k < 8; ++k)
+        assert_close(model.walls.plane[k], expected[k], EPS);
+    assert_int_equal(model.walls.count, 2);
+    model_destroy(&model);
+}
+
+/* ---- contacts --------------------------------------------------------------------------------------------------------- */
+
+/** Neighbours of a chain that is pressed together: 1 - 0.8/1 = 0.2 of overlap. Bonds keep them from contact unless asked. */
+static void contact_inside_bonds(void **state)
+{
+    static const char *const bonded[] = {"", ", bonded: no", ", bonded: yes"};
+    const double energy = 0.4 * 100.0 * pow(0.2, 2.5);
+    struct scene scene;
+    struct model model;
+    (void)state;
+    for (int k = 0; k < 3; ++k) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "bodies: {mass: 1, diameter: 1, chain: {count: 4, spacing: 0.8}}\nbinder: {axial: 1}\n"
+                 "contact: {stiffness: 100%s}\n" TIME,
+                 bonded[k]);
+        make_model(text, &scene, &model);
+        assert_close(model_energy(&model, &model.bodies), k == 2 ? 3 * energy : 0.0, 1e-13);
+        assert_true((model.bodies.force.c[0][0] < 0.0) == (k == 2));
+        model_destroy(&model);
+    }
+}
+
+/** Forces and energy are those of the bodies that are passed in, wherever their views lie and however far they have gone. */
+static void contacts_follow_the_bodies(void **state)
+{
+    double x[4][3] = {{0, 0, 0}, {100, 0, 0}, {200, 0, 0}, {0, 0.5, 0}}, force[4][3]; /* 0 and 3 were far apart */
+    struct scene scene;
+    struct model model;
+    (void)state;
+    make_model(CHAIN "}\ncontact: {stiffness: 100}\n" TIME, &scene, &model);
+    vti_bodies other = model.bodies;
+    other.x = vti_view_packed(x[0]);
+    other.force = vti_view_packed(force[0]);
+    assert_close(model_energy(&model, &other), 0.4 * 100.0 * pow(0.5, 2.5), 1e-13);
+    assert_int_equal(model_forces(&model, &model.bodies), VTI_OK);
+    assert_int_equal(model_forces(&model, &other), VTI_OK);
+    assert_close(force[3][1], 100.0 * pow(0.5, 1.5), 1e-13);
+    assert_close(force[0][1], -100.0 * pow(0.5, 1.5), 1e-13);
+    assert_true(force[2][0] == 0.0 && model.bodies.force.c[0][0] == 0.0);
+    assert_true(model_energy(&model, &model.bodies) == 0.0); /* its own bodies just touch */
+    model_destroy(&model);
+}
+
+/** A body that is nowhere is named, by the model and by the loop. */
+static void a_body_that_is_nowhere(void **state)
+{
+    struct scene scene;
+    struct model model;
+    struct message message;
+    (void)state;
+    make_model(CHAIN "}\ncontact: {stiffness: 100}\n" TIME, &scene, &model);
+    model.bodies.v.c[0][6] = NAN;
+    assert_int_equal(loop_run(&model, scene.stepper, 0.1, 0, 3, NULL, 0, &message), -1);
+    assert_one_line(&message);
+    assert_non_null(strstr(message.text, "vti2 at h = 0.1"));
+    assert_non_null(strstr(message.text, "step 1"));
+    assert_non_null(strstr(message.text, "body 2"));
+    model.bodies.x.c[0][6] = NAN;
+    assert_int_equal(model_forces(&model, &model.bodies), MODEL_E_PAIRS);
+    assert_string_equal(model_text(&model, MODEL_E_PAIRS), model.trouble.text);
+    assert_true(isnan(model_energy(&model, &model.bodies)));
+    assert_string_equal(model_text(&model, VTI_E_MASS), vti_status_text(VTI_E_MASS));
+    model_destroy(&model);
+}
+
+/* ---- the stable step -------------------------------------------------------------------------------------------------- */
+
+static double stable(struct model *model)
+{
+    struct message message;
+    double h;
+    assert_int_equal(model_stable_step(model, model_overlap(model), &h, &message), 0);
+    return h;
+}
+
+/** Overlaps by hand, 2/5 K o^{5/2} = e; the bound is vti_stable_step's, which has tests of its own. */
+static void overlaps_and_stable_steps(void **state)
+{
+    struct scene scene;
+    struct model model;
+    (void)state;
+    make_model("bodies: {mass: 2, diameter: 1, x: [0, 0, 5], v: [0, 0, -3]}\ngravity: [0, 0, -10]\n"
+               "wall: {stiffness: 1000, planes: [[0, 0, 1, 0], [1, 0, 0, -9], [0, 0, -1, -9]]}\n" TIME,
+               &scene, &model);
+    /* e = m v^2 + m g (z - D/2) = 18 + 90; two planes are not in its way */
+    assert_close(model_overlap(&model), pow(2.5 * 108.0 / 1000.0, 0.4), 4 * EPS);
+    /* three planes, a third of the body at each: omega^2 = 1.5 K sqrt(o) (3/m)/(D/2)^2 */
+    assert_close(stable(&model), 2.0 / sqrt(1500.0 * sqrt(model_overlap(&model)) * 1.5 / 0.25), 1e-15);
+    model_destroy(&model);
+    make_model("bodies: {mass: 1, x: [0, 0, 5], v: [0, 0, -3]}\ngravity: [0, 0, -10]\n" TIME, &scene, &model);
+    assert_true(model_overlap(&model) == 0.0 && isinf(stable(&model)));
+    model_destroy(&model);
+    make_model(CHAIN ", v: [1e9, 0, 0]}\ncontact: {stiffness: 1e-9}\n" TIME, &scene, &model);
+    assert_true(model_overlap(&model) == 1.0); /* no deeper than the centre */
+    model_destroy(&model);
+    make_model(CHAIN "}\nbinder: {axial: 100}\n" TIME, &scene, &model);
+    /* inner bodies have two bonds: omega^2 = K (2/m + 2/m)/L0^2 */
+    assert_close(stable(&model), 2.0 / sqrt(400.0), 1e-16);
+    model_destroy(&model);
+}
+
+int main(void)
+{
+    static const char *const files[] = {"t.yaml"};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_there),
+                                       cmocka_unit_test(terms),
+                                       cmocka_unit_test(planes_are_made_unit),
+                                       cmocka_unit_test(contact_inside_bonds),
+                                       cmocka_unit_test(contacts_follow_the_bodies),
+                                       cmocka_unit_test(a_body_that_is_nowhere),
+                                       cmocka_unit_test(overlaps_and_stable_steps)};
+    char directory[64];
+    enter_directory(directory);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    leave_directory(directory, files, 1);
+    return failed;
+}

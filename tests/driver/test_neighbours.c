@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A new list of neighbours against brute force, and what is refused. */
+#include "bed.h"
+
+#include <sys/resource.h>
+
+static bed b;
+
+/** Under the address sanitizer memory is to run out as it does without. */
+const char *__asan_default_options(void);
+const char *__asan_default_options(void)
+{
+    return "allocator_may_return_null=1";
+}
+
+/* ---- one build ---------------------------------------------------------------------------------------------------- */
+
+/** A new list holds the pairs with a gap below the skin and no others. Returns how many. */
+static int64_t holds_the_near(double skin)
+{
+    bed_create(&b, skin);
+    assert_int_equal(bed_update(&b), 1);
+    const int64_t count = b.list.count;
+    assert_int_equal(assert_complete(&b, b.list.skin), count);
+    neighbours_destroy(&b.list);
+    return count;
+}
+
+static void finds_the_near_of_random_beds(void **state)
+{
+    (void)state;
+    int64_t found = 0;
+    for (uint64_t seed = 1; seed <= 60; ++seed) {
+        rng g = rng_seed(seed);
+        const double ratio = seed % 3 == 0 ? 6.0 : 1.0 + 0.5 * (double)(seed % 3);
+        bed_scatter(&b, &g, 1 + rng_below(&g, BED_MAX), uniform(&g, 0.4, 9.0), ratio);
+        if (seed % 2 == 0)
+            bed_exclude(&b, &g, BED_MAX);
+        found += holds_the_near(seed % 5 == 0 ? 0.0 : uniform(&g, 0.01, 1.5));
+    }
+    assert_true(found > 10000);
+}
+
+static void finds_the_near_in_any_place(void **state)
+{
+    const double far[] = {0.0, -1e3, 1e6, -1e6, 1e9, 1e13, -1e15, 1e19, -1e300, DBL_MAX};
+    (void)state;
+    for (size_t k = 0; k < sizeof far / sizeof far[0]; ++k) {
+        rng g = rng_seed(100 + k);
+        bed_scatter(&b, &g, 300, 3.0, 2.0);
+        for (int i = 0; i < b.n; ++i)
+            for (int c = 0; c < 3; ++c)
+                b.x[i][c] += i % 2 == 0 ? far[k] : -0.5 * far[k]; /* two groups */
+        assert_true(holds_the_near(0.3) > 0);
+    }
+}
+
+/** Spheres on a lattice, each with those around it just in reach: every direction from cell to cell, and every face. */
+static void finds_the_near_of_lattices(void **state)
+{
+    (void)state;
+    for (int shift = 0; shift < 40; ++shift) {
+        memset(&b, 0, sizeof b);
+        b.n = 8 * 8 * 8;
+        for (int i = 0; i < b.n; ++i) {
+            const double place[3] = {i % 8, i / 8 % 8, i / 64};
+            for (int c = 0; c < 3; ++c)
+                b.x[i][c] = 0.999999 * place[c] - 4.0 + 0.1 * shift;
+            b.diameter[i] = 0.5;
+        }
+        assert_int_equal(holds_the_near(0.5), 3 * 7 * 8 * 8);
+        assert_int_equal(holds_the_near(0.5 + 0.7321), 3 * 7 * 8 * 8 + 6 * 7 * 7 * 8 + 4 * 7 * 7 * 7);
+    }
+}
+
+/** Pairs that are as far apart as they may be, anywhere: also where numbers are so large that cells round. */
+static void finds_the_near_across_faces(void **state)
+{
+    rng g = rng_seed(7);
+    (void)state;
+    for (int k = 0; k < 100000; ++k) {
+        memset(&b, 0, sizeof b);
+        b.n = 2;
+        b.diameter[0] = b.diameter[1] = 0.5;
+        const double skin = uniform(&g, 0.01, 2.0), reach = 0.5 + skin;
+        const double place[3] = {uniform(&g, -1.0, 1.0), 1.0, 1.0 + 0x1p-10}; /* faces of cells as wide as the reach */
+        double *const low = &b.x[0][k % 3], *const high = &b.x[1][k % 3];
+        *low = nextafter(ldexp(reach * place[k / 3 % 3], rng_below(&g, 54)), -INFINITY);
+        *high = *low + reach;
+        while (!(bed_gap(&b, 0, 1) < skin))
+            *high = nextafter(*high, -INFINITY);
+        assert_int_equal(holds_the_near(skin), 1);
+    }
+}
+
+static void few_bodies_and_coincident_ones(void **state)
+{
+    rng g = rng_seed(3);
+    (void)state;
+    bed_scatter(&b, &g, 0, 1.0, 1.0);
+    assert_int_equal(holds_the_near(0.0), 0);
+    assert_int_equal(holds_the_near(1.0), 0);
+    bed_scatter(&b, &g, 1, 1.0, 1.0);
+    assert_int_equal(holds_the_near(0.0), 0);
+    bed_scatter(&b, &g, 2, 0.2, 1.0);
+    assert_int_equal(holds_the_near(0.0), 1);
+    bed_scatter(&b, &g, 2, 0.2, 1.0);
+    b.x[1][2] += 2.0;
+    assert_int_equal(holds_the_near(0.01), 0);
+    bed_scatter(&b, &g, 100, 0.0, 1.0); /* all in one place */
+    assert_int_equal(holds_the_near(0.0), 100 * 99 / 2);
+}
+
+static void default_skin_is_a_share_of_the_mean_diameter(void **state)
+{
+    const double diameters[3] = {1.0, 2.0, 6.0};
+    const vti_scalars many = vti_scalars_array(diameters), one = vti_scalars_one(&diameters[1]);
+    struct neighbours list;
+    (void)state;
+    assert_int_equal(neighbours_create(&list, 3, &many, 0.0, 0, NULL, &b.message), 0);
+    assert_close(list.skin, 0.2 * 3.0, 8 * EPS);
+    neighbours_destroy(&list);
+    neighbours_destroy(&list);
+    assert_int_equal(neighbours_create(&list, 5, &one, 0.0, 0, NULL, &b.message), 0);
+    assert_close(list.skin, 0.2 * 2.0, 8 * EPS);
+    neighbours_destroy(&list);
+}
+
+/* ---- many --------------------------------------------------------------------------------------------------------- */
+
+/** A bed of 1e5 spheres, 1e5 of its pairs excluded, a few bodies far away. */
+static void builds_for_many(void **state)
+{
+    enum { N = 100000 };
+    rng g = rng_seed(9);
+    double *x = malloc(3 * N * sizeof *x), one = 1.0;
+    struct neighbours all, some;
+    const vti_scalars diameter = vti_scalars_one(&one);
+    const vti_view view = vti_view_packed(x);
+    (void)state;
+    assert_non_null(x);
+    for (int k = 0; k < 3 * N; ++k)
+        x[k] = uniform(&g, -22.0, 22.0) * (k % 10007 == 0 ? 1e9 : 1.0);
+    assert_int_equal(neighbours_create(&all, N, &diameter, 0.0, 0, NULL, &b.message), 0);
+    assert_int_equal(neighbours_update(&all, &view, &b.message), 1);
+    assert_true(all.count > 3 * N && all.count < 6 * N);
+    assert_int_equal(neighbours_create(&some, N, &diameter, 0.0, N, all.pair, &b.message), 0);
+    assert_int_equal(neighbours_update(&some, &view, &b.message), 1);
+    assert_int_equal(some.count, all.count - N);
+    assert_memory_equal(some.pair, all.pair + 2 * N, (size_t)some.count * 2 * sizeof *some.pair);
+    neighbours_destroy(&all);
+    neighbours_destroy(&some);
+    free(x);
+}
+
+/* ---- refused ------------------------------------------------------------------------------------------------------ */
+
+static void assert_message(const char *part)
+{
+    if (strstr(b.message.text, part) == NULL)
+        fail_msg("'%s' is not in: %s", part, b.message.text);
+}
+
+static void refuses_positions_that_are_no_numbers(void **state)
+{
+    const double bad[] = {NAN, INFINITY, -INFINITY};
+    (void)state;
+    for (int k = 0; k < 18; ++k) {
+        rng g = rng_seed((uint64_t)k);
+        bed_scatter(&b, &g, 20, 1.0, 1.0);
+        bed_create(&b, 0.0);
+        const vti_view x = bed_x(&b);
+        if (k < 9)
+            bed_update(&b);
+        const double good = b.x[17][k % 3];
+        b.x[17][k % 3] = bad[k / 3 % 3];
+        for (int again = 0; again < 2; ++again) {
+            assert_int_equal(neighbours_update(&b.list, &x, &b.message), -1);
+            assert_message("body 17 ");
+            assert_int_equal(b.list.count, 0);
+        }
+        b.x[17][k % 3] = good;
+        assert_int_equal(bed_update(&b), 1);
+        assert_true(assert_complete(&b, b.list.skin) > 0);
+        neighbours_destroy(&b.list);
+    }
+}
+
+static void assert_refused(int64_t n, const double *diameter, double skin, const int64_t pair[2], const char *part)
+{
+    const vti_scalars diameters = vti_scalars_array(diameter);
+    struct neighbours list;
+    memset(&list, 1, sizeof list);
+    assert_int_equal(neighbours_create(&list, n, &diameters, skin, pair ? 1 : 0, pair, &b.message), -1);
+    assert_message(part);
+    assert_true(list.pair == NULL && list.search == NULL && list.count == 0);
+}
+
+static void refuses_what_makes_no_list(void **state)
+{
+    const double good[3] = {1.0, 2.0, 1.0}, zero[3] = {1.0, 0.0, 1.0}, negative[3] = {1.0, 1.0, -1.0},
+                 none[3] = {NAN, 1.0, 1.0}, infinite[3] = {1.0, INFINITY, 1.0};
+    const int64_t low[2] = {-1, 2}, high[2] = {0, 3};
+    (void)state;
+    assert_refused(3, zero, 0.0, NULL, "body 1 ");
+    assert_refused(3, negative, 0.0, NULL, "body 2 ");
+    assert_refused(3, none, 0.0, NULL, "body 0 ");
+    assert_refused(3, infinite, 0.0, NULL, "body 1 ");
+    assert_refused(3, good, -0.1, NULL, "skin");
+    assert_refused(3, good, NAN, NULL, "skin");
+    assert_refused(3, good, INFINITY, NULL, "skin");
+    assert_refused(3, good, 0.0, low, "body -1;");
+    assert_refused(3, good, 0.0, high, "body 3;");
+    assert_refused(INT64_MAX / 4, good, 0.0, NULL, "out of memory");
+}
+
+static void limit_memory(rlim_t bytes)
+{
+    struct rlimit limit;
+    assert_int_equal(getrlimit(RLIMIT_DATA, &limit), 0);
+    limit.rlim_cur = bytes < limit.rlim_max ? bytes : limit.rlim_max;
+    assert_int_equal(setrlimit(RLIMIT_DATA, &limit), 0);
+}
+
+/** As long as the pairs do not fit into memory there is no list; as soon as they do there is one. */
+static void memory_is_out(int n, rlim_t bytes, int times)
+{
+    double *x = calloc(3 * (size_t)n, sizeof *x), one = 1.0;
+    const vti_scalars diameter = vti_scalars_one(&one);
+    const vti_view view = vti_view_packed(x);
+    struct neighbours list;
+    assert_non_null(x);
+    assert_int_equal(neighbours_create(&list, n, &diameter, 0.0, 0, NULL, &b.message), 0);
+    for (int time = 0; time <= times; ++time) {
+        for (int i = 0; i < n; ++i)
+            x[3 * i] = 1.1 * i;
+        assert_int_equal(neighbours_update(&list, &view, &b.message), 1);
+        assert_int_equal(list.count, n - 1);
+        memset(x, 0, 3 * (size_t)n * sizeof *x);
+        for (int again = 0; again < 2 && time < times; ++again) {
+            limit_memory(bytes);
+            const int result = neighbours_update(&list, &view, &b.message);
+            limit_memory(RLIM_INFINITY);
+            assert_int_equal(result, -1);
+            assert_message("out of memory for the pairs of ");
+            assert_int_equal(list.count, 0);
+        }
+    }
+    neighbours_destroy(&list);
+    free(x);
+}
+
+static void tells_when_memory_is_out(void **state)
+{
+    (void)state;
+    memory_is_out(20000, 512u << 20, 2); /* 3 GB to find the pairs */
+    memory_is_out(4000, 200u << 20, 1);  /* 134 MB to find them, as much to sort them */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(finds_the_near_of_random_beds),
+        cmocka_unit_test(finds_the_near_in_any_place),
+        cmocka_unit_test(finds_the_near_of_lattices),
+        cmocka_unit_test(finds_the_near_across_faces),
+        cmocka_unit_test(few_bodies_and_coincident_ones),
+        cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
+        cmocka_unit_test(builds_for_many),
+        cmocka_unit_test(refuses_positions_that_are_no_numbers),
+        cmocka_unit_test(refuses_what_makes_no_list),
+        cmocka_unit_test(tells_when_memory_is_out),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

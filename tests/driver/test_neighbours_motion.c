@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The list of neighbours over time: no touching pair is missed, and what a list went through leaves no trace in the forces. */
+#include "bed.h"
+
+static bed b, other;
+
+static void move(bed *bodies, double h)
+{
+    for (int i = 0; i < bodies->n; ++i)
+        for (int c = 0; c < 3; ++c)
+            bodies->x[i][c] += h * bodies->v[i][c];
+}
+
+/** Forces of the contacts of the list, for the bits. */
+static void contact_forces(bed *bodies, double force[][3])
+{
+    const vti_contacts contacts = {bodies->list.count, bodies->list.pair, 0, vti_scalars_array(bodies->diameter), 1.0};
+    const vti_effect effect = vti_contacts_effect(&contacts);
+    vti_bodies view = vti_bodies_none(bodies->n);
+    const double mass = 1.0;
+    view.x = bed_x(bodies);
+    view.force = vti_view_packed(force[0]);
+    view.mass = vti_scalars_one(&mass);
+    assert_int_equal(vti_apply(&effect, 1, &view), VTI_OK);
+}
+
+/** Whatever happened before, no touching pair is missed, and the forces have the bits that a new list gives. */
+static void no_touch_is_missed_in_motion(void **state)
+{
+    static double force[BED_MAX][3], expected[BED_MAX][3];
+    (void)state;
+    for (uint64_t seed = 1; seed <= 4; ++seed) {
+        rng g = rng_seed(seed);
+        int kept = 0;
+        bed_scatter(&b, &g, 300, 3.0, seed % 2 ? 1.0 : 3.0);
+        bed_exclude(&b, &g, 200);
+        for (int i = 0; i < b.n; ++i)
+            random_vector(&g, 1.0, b.v[i]);
+        bed_create(&b, 0.0);
+        for (int step = 0; step < 300; ++step) {
+            kept += bed_update(&b) == 0;
+            assert_true(assert_complete(&b, 0.0) > 0);
+            other = b;
+            bed_create(&other, 0.05);
+            bed_update(&other);
+            contact_forces(&b, force);
+            contact_forces(&other, expected);
+            assert_same_bits(force, expected, 3 * b.n);
+            neighbours_destroy(&other.list);
+            move(&b, step % 60 == 59 ? -1.0 : 0.01); /* now and then far, and back */
+        }
+        assert_int_equal(b.list.builds, 300 - kept);
+        assert_true(kept > 150 && kept < 295);
+        neighbours_destroy(&b.list);
+    }
+}
+
+/** Two spheres approach each other: the worst case of the criterion. They must be listed before they touch. */
+static void a_head_on_pair_is_listed_in_time(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2000; ++k) {
+        rng g = rng_seed((uint64_t)k);
+        const double h = uniform(&g, 1e-3, 0.1), offset = uniform(&g, -1e3, 1e3);
+        bed_scatter(&b, &g, 2, 0.0, 1.0);
+        b.x[0][k % 3] = offset - 1.0;
+        b.x[1][k % 3] = offset + 1.0;
+        b.v[0][k % 3] = 1.0;
+        b.v[1][k % 3] = -1.0;
+        bed_create(&b, uniform(&g, 0.01, 0.5));
+        for (int step = 0; (double)step * h < 1.0; ++step) {
+            bed_update(&b);
+            assert_complete(&b, 0.0);
+            move(&b, h);
+        }
+        neighbours_destroy(&b.list);
+    }
+}
+
+/** The same for skins of a few roundings, with distances as the contact computes them. */
+static void rounding_hides_no_touch(void **state)
+{
+    rng g = rng_seed(11);
+    (void)state;
+    for (int k = 0; k < 200000; ++k) {
+        const double skin = uniform(&g, 0.5, 8.0) * EPS, r = 1.0 + skin + uniform(&g, -4.0, 4.0) * EPS;
+        double n[3];
+        random_unit(&g, 3, n);
+        bed_scatter(&b, &g, 2, 1e-16, 1.0);
+        for (int c = 0; c < 3; ++c) {
+            b.v[0][c] = n[c];
+            b.v[1][c] = -n[c];
+            b.x[1][c] = r * n[c];
+        }
+        bed_create(&b, skin);
+        bed_update(&b);
+        move(&b, 0.5 * skin);
+        bed_update(&b);
+        const double d[3] = {b.x[0][0] - b.x[1][0], b.x[0][1] - b.x[1][1], b.x[0][2] - b.x[1][2]};
+        assert_true(b.list.count == 1 || !(vti_dot(d, d) < 1.0));
+        neighbours_destroy(&b.list);
+    }
+}
+
+static void grows_and_shrinks_with_the_pairs(void **state)
+{
+    const double sizes[] = {1e3, 6.0, 0.3, 6.0, 1e3, 0.0};
+    rng g = rng_seed(13);
+    (void)state;
+    bed_scatter(&b, &g, BED_MAX, 1e3, 1.5);
+    bed_create(&b, 0.0);
+    for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
+        for (int i = 0; i < b.n; ++i)
+            random_vector(&g, sizes[k], b.x[i]);
+        assert_int_equal(bed_update(&b), 1);
+        assert_int_equal(assert_complete(&b, b.list.skin), b.list.count);
+    }
+    assert_int_equal(b.list.count, BED_MAX * (BED_MAX - 1) / 2);
+    neighbours_destroy(&b.list);
+}
+
+static void is_built_anew_after_half_the_skin(void **state)
+{
+    rng g = rng_seed(5);
+    (void)state;
+    bed_scatter(&b, &g, 50, 3.0, 1.0);
+    bed_create(&b, 0.5);
+    assert_int_equal(bed_update(&b), 1);
+    assert_int_equal(bed_update(&b), 0);
+    for (int i = 0; i < b.n; ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double x = b.x[i][c];
+            b.x[i][c] = x + 0.2499;
+            assert_int_equal(bed_update(&b), 0);
+            b.x[i][c] = x - 0.2501;
+            assert_int_equal(bed_update(&b), 1);
+            assert_complete(&b, 0.5);
+            b.x[i][c] = x;
+            bed_update(&b);
+        }
+    assert_int_equal(b.list.builds, 1 + 2 * 3 * b.n);
+    b.x[0][0] += 0.2;
+    assert_int_equal(bed_update(&b), 0);
+    b.x[0][1] -= 0.2; /* 0.28 across */
+    assert_int_equal(bed_update(&b), 1);
+    neighbours_destroy(&b.list);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_touch_is_missed_in_motion),      cmocka_unit_test(a_head_on_pair_is_listed_in_time),
+        cmocka_unit_test(rounding_hides_no_touch),           cmocka_unit_test(grows_and_shrinks_with_the_pairs),
+        cmocka_unit_test(is_built_anew_after_half_the_skin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-plot on runs: test_plot_run.py VTI-PLOT. Makes runs by formula, draws and films them and looks at what came out; then
+hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import matplotlib  # noqa: F401, the program under test needs it
+    import numpy as np
+    from PIL import Image
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+ALL = ("energy.png", "energy_error.png", "momenta.png", "shapes.png")
+EPS = 2.0**-52
+
+
+def ring(count, t):
+    """A ring that turns by t and breathes while it flies off: centres, attitudes x, y, z, w."""
+    angle = 2 * np.pi * np.arange(count) / count + t
+    centre = np.stack([2 + 0.3 * t + (1 + 0.2 * np.sin(t)) * np.cos(angle), (1 - 0.2 * np.sin(t)) * np.sin(angle), 0 * angle], 1)
+    return centre, np.tile([0, 0, np.sin(t / 2), np.cos(t / 2)], (count, 1))
+
+
+def energies(t):
+    """Columns whose sum is 10 but for an error of 1e-4."""
+    columns = {"kinetic_translation": 4 + np.cos(2 * t), "kinetic_rotation": 2 + 0.5 * np.sin(3 * t),
+               "binder_moment": 3 - np.cos(2 * t) - 0.5 * np.sin(3 * t), "binder_axial": 0.5 + 0 * t,
+               "binder_shear": 0.5 + 1e-3 * np.sin(50 * t) * (t > 0), "contact": np.maximum(0, 1e-2 * np.sin(t))}
+    columns["total"] = sum(columns.values())
+    return columns
+
+
+def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, translates=True, blown=False, walls=True,
+              scene="ring"):
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"scene": np.bytes_(scene), "stepper": np.bytes_("vti2"), "vti_version": np.bytes_("0.1.0"),
+                           "h": 1e-3})
+        t = np.linspace(0, t_end, rows)
+        columns = {"t": t, **energies(t)}
+        if blown:
+            columns["total"] = columns["total"] * 10.0 ** np.clip(100 * (t - 3), 0, 250)
+        for name in ("momentum",) * translates + ("spin",) * turns + ("angular",):
+            walk = np.cumsum(np.random.default_rng(1).standard_normal((rows, 3)), axis=0) * EPS
+            for k, axis in enumerate("xyz"):
+                columns[f"{name}_{axis}"] = walk[:, k] * (k > 0) + (np.minimum(t, 2) if (name, k) == ("momentum", 0) else 0)
+        for name, values in columns.items():
+            file[f"energies/{name}"] = values
+
+        times = np.linspace(0, t_end, frames)
+        centres, attitudes = (np.concatenate(parts) for parts in zip(*(ring(count, time) for time in times)))
+        data, bodies = file.create_group("VTKHDF/PointData"), np.arange(count)
+        file["VTKHDF/Points"], file["VTKHDF/Steps/Values"] = centres, times
+        file["VTKHDF/Lines/Connectivity"] = np.stack([bodies, (bodies + 1) % count], axis=1).ravel()
+        if turns:
+            data["attitude_xyzw"] = attitudes
+        if translates:
+            data["velocity"], data["diameter"] = np.zeros_like(centres), np.full(count, 2 * np.sin(np.pi / count))
+        if walls:
+            file["walls"] = np.array([[1.0, 0.0, 0.0, 0.9], [0.0, 0.0, 1.0, -1.0]])
+
+
+def plot(program, *given):
+    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False)
+
+
+def picture(path):
+    """The bytes of a PNG, checked."""
+    with open(path, "rb") as file:
+        content = file.read()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is no PNG"
+    width, height = struct.unpack(">II", content[16:24])
+    assert width >= 1000 and height >= 400, f"{path} is {width} x {height}"
+    assert len(content) < 300_000, f"{path} has {len(content)} bytes"
+    return content
+
+
+def draws(program, run, folder, pictures=ALL):
+    done = plot(program, run, "-o", folder)
+    assert done.returncode == 0 and done.stderr == "", f"{run}: {done.stderr}"
+    assert sorted(os.listdir(folder)) == sorted(pictures), f"{run}: {os.listdir(folder)}"
+    return [picture(os.path.join(folder, name)) for name in pictures], done.stdout
+
+
+def refuses(program, run, *words, options=()):
+    """Status 1, nothing on stdout, one line with problem and remedy."""
+    done = plot(program, run, *options)
+    line = done.stderr
+    assert done.returncode == 1 and done.stdout == "", f"{run}: status {done.returncode}, {done.stdout}{line}"
+    assert line.startswith("vti-plot: ") and line.count("\n") == 1 and ";" in line, f"{run}: {line}"
+    for word in words:
+        assert word in line, f"{run}: no '{word}' in: {line}"
+
+
+def test_pictures(program, folder):
+    run = os.path.join(folder, "called-anything.h5")
+    write_run(run)
+    once, said = draws(program, run, os.path.join(folder, "once"))
+    again, _ = draws(program, run, os.path.join(folder, "again"))
+    assert once == again, "the same file gave different bytes"
+    assert "note:" not in said, said
+    write_run(run, walls=False)
+    bare, _ = draws(program, run, os.path.join(folder, "no-walls"))
+    assert bare[3] != once[3] and bare[:3] == once[:3], "walls belong to shapes.png and to nothing else"
+
+
+def test_scenes(program, folder):
+    run = os.path.join(folder, "out.h5")
+    write_run(run, translates=False, count=1)
+    _, said = draws(program, run, os.path.join(folder, "turns-only"), pictures=ALL[:3])
+    assert "shapes.png: not drawn" in said and "no positions" in said, said
+    write_run(run, turns=False, count=2500, frames=9)
+    draws(program, run, os.path.join(folder, "many"))
+    write_run(run, count=1, frames=1, rows=2)
+    draws(program, run, os.path.join(folder, "one-body"))
+    write_run(run, t_end=100.0)
+    draws(program, run, os.path.join(folder, "far"))
+    write_run(run, rows=1, frames=1)
+    _, said = draws(program, run, os.path.join(folder, "one-row"), pictures=("energy.png", "momenta.png", "shapes.png"))
+    assert "energy_error.png: not drawn" in said, said
+    write_run(run, blown=True, scene="$x")
+    _, said = draws(program, run, os.path.join(folder, "blown-up"))
+    assert said.count("the run blew up: from t = 3.0") == 4, said
+
+
+def test_film(program, folder):
+    run = os.path.join(folder, "out.h5")
+    write_run(run, frames=30)
+    films = []
+    for name in ("once", "again"):
+        done = plot(program, "--film", run, "-o", os.path.join(folder, name))
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        path = done.stdout.strip()
+        assert os.listdir(os.path.join(folder, name)) == [os.path.basename(path)] and "film." in path, done.stdout
+        with open(path, "rb") as file:
+            films.append(file.read())
+    assert films[0] == films[1] and len(films[0]) <= 1_500_000, "the film differs, or is too large"
+    if path.endswith(".gif"):
+        with Image.open(path) as film:
+            assert film.n_frames == 30, film.n_frames
+    write_run(run, translates=False)
+    refuses(program, run, "no positions", options=("--film",))
+
+
+def test_refusals(program, folder):
+    path = os.path.join(folder, "out.h5")
+    refuses(program, path, path, "no such file")
+    with h5py.File(path, "w") as file:
+        file["something"] = np.zeros(3)
+    refuses(program, path, path, "neither a study nor a run")
+
+    write_run(path)
+    with open(path, "rb") as file:
+        whole = file.read()
+    for part in (len(whole) // 2, len(whole) - 1):
+        with open(path, "wb") as file:
+            file.write(whole[:part])
+        refuses(program, path, path, "truncated")
+
+    for gone in ("energies", "energies/t", "energies/total", "VTKHDF/Points", "VTKHDF/Steps/Values", "VTKHDF/PointData",
+                 "VTKHDF/Lines/Connectivity"):
+        write_run(path)
+        with h5py.File(path, "a") as file:
+            del file[gone]
+        refuses(program, path, path, "lacks", "/" + gone)
+    for gone in ("scene", "stepper", "h", "vti_version"):
+        write_run(path)
+        with h5py.File(path, "a") as file:
+            del file.attrs[gone]
+        refuses(program, path, path, "lacks attribute " + gone)
+
+    for name, values, word in (("energies/contact", np.zeros(7), "/energies/contact has 7 rows"),
+                               ("energies/total", np.full(3000, np.nan), "no number that is finite"),
+                               ("VTKHDF/Points", np.zeros((100, 3)), "/VTKHDF/Points has the shape (100, 3)"),
+                               ("VTKHDF/Lines/Connectivity", np.array([0, 24]), "a body that does not exist"),
+                               ("VTKHDF/Lines/Connectivity", np.array([0, 1, 2]), "/VTKHDF/Lines/Connectivity"),
+                               ("VTKHDF/PointData/diameter", np.ones(3), "/VTKHDF/PointData/diameter"),
+                               ("VTKHDF/PointData/attitude_xyzw", np.ones((100, 4)), "/VTKHDF/PointData/attitude_xyzw"),
+                               ("walls", np.ones((1, 3)), "/walls has 3 columns")):
+        write_run(path)
+        with h5py.File(path, "a") as file:
+            del file[name]
+            file[name] = values
+        refuses(program, path, word)
+    assert not [name for name in os.listdir(folder) if name.endswith((".png", ".part"))], os.listdir(folder)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: test_plot_run.py VTI-PLOT")
+    for test in (test_pictures, test_scenes, test_film, test_refusals):
+        with tempfile.TemporaryDirectory() as folder:
+            test(os.path.abspath(sys.argv[1]), folder)
+        print(f"{test.__name__}: ok")

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of vti-run: columns as the scene has effects, the same numbers in CSV and HDF5, and a trajectory that
+independent readers of VTKHDF, XDMF and the LAMMPS dump find to be the same.      test_run.py VTI_RUN SCENES"""
+import os
+import shutil
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+from run_support import check, contents, failures, read_by_vtk, read_csv, read_dump, read_vtkhdf, read_xdmf, run
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+XYZ = ("x", "y", "z")
+
+GRAVITY = """bodies:
+  x: [0, 0, 1]
+  v: [1, 0, 0]
+  mass: 2
+gravity: [0, 0, -10]
+h: 1/64
+t_end: 1
+"""
+
+
+def columns(translates, turns, *terms):
+    return ["t", *["kinetic_translation"] * translates, *["kinetic_rotation"] * turns, *terms, "total",
+            *[f"momentum_{k}" for k in XYZ if translates], *[f"spin_{k}" for k in XYZ if turns],
+            *[f"angular_{k}" for k in XYZ]]
+
+
+BINDER = ("binder_moment", "binder_axial", "binder_shear")
+# scene, options, columns, bonds, has diameters, mass, inertia
+CASES = [
+    ("pendulum", [], columns(False, True, "pendulum"), 0, False, None, 1),
+    ("pendulum", ["--stepper", "vti3-leapfrog", "--record", "7", "--frames", "100"], columns(False, True, "pendulum"), 0,
+     False, None, 1),
+    ("spin", ["--h", "0.3"], columns(False, True), 0, False, None, 1),
+    ("gravity", ["--stepper", "vti1"], columns(True, False, "gravity"), 0, False, 2, None),
+    ("torus", ["--t-end", "0.5"], columns(True, True, *BINDER, "contact", "wall"), 80, True, 1, 1),
+    ("chain", ["--t-end", "1", "--stepper", "vti3"], columns(True, True, *BINDER), 9, True, 1, 0.1),
+    ("pile", ["--t-end", "1/16", "--frames", "30"], columns(True, False, "contact", "wall", "gravity"), 0, True, 1, None),
+]
+
+
+def energies(stem, names, rows):
+    """HDF5 holds the rows of the CSV, to the bit; and they add up."""
+    with h5py.File(stem + ".h5") as file:
+        group = file["energies"]
+        check(group.attrs["columns"].decode().split(",") == names == sorted(group, key=names.index),
+              "/energies: the columns of the CSV")
+        check(all(numpy.array_equal(group[name][...], rows[:, k]) for k, name in enumerate(names)),
+              f"/energies: the numbers of the CSV, {len(rows)} rows")
+    parts = [k for k, name in enumerate(names) if 0 < k < names.index("total")]
+    parts_size = numpy.abs(rows[:, parts]).sum(axis=1)
+    rest = numpy.abs(rows[:, parts].sum(axis=1) - rows[:, names.index("total")])
+    # a sum of a few terms in any order
+    check((rest <= len(parts) * 2.3e-16 * parts_size).all(), f"total is the sum of its parts to {rest.max():.1e}")
+
+
+def measures(frames, steps, names, rows, record, mass, inertia):
+    """Kinetic energies and momenta recomputed from the trajectory."""
+    worst = 0.0
+    for frame, step in zip(frames, steps):
+        if step % record != 0:
+            continue
+        row = dict(zip(names, rows[step // record]))
+        for energy, momentum, quantity, weight in (("kinetic_translation", "momentum_", "velocity", mass),
+                                                   ("kinetic_rotation", "spin_", "omega", inertia)):
+            if weight is not None:
+                scale = 1 + row[energy] + weight * abs(frame[quantity]).sum()
+                errors = [0.5 * weight * (frame[quantity] ** 2).sum() - row[energy],
+                          *(weight * frame[quantity].sum(axis=0) - [row[momentum + k] for k in XYZ])]
+                worst = max(worst, abs(numpy.array(errors)).max() / scale / len(frame[quantity]))
+    check(worst < 1e-15, f"energies and momenta are those of the trajectory, to {worst:.1e} per body")
+
+
+def same(frames, others, names):
+    return len(frames) == len(others) and all(
+        frame["t"] == other["t"] and all(numpy.array_equal(frame[name], other[name]) for name in names)
+        for frame, other in zip(frames, others))
+
+
+def trajectory(stem, names, bonds, diameters):
+    frames, dump, xdmf = read_vtkhdf(stem + ".h5"), read_dump(stem + ".dump"), read_xdmf(stem + ".xdmf")
+    moving = [name for name, given in (("velocity", "kinetic_translation"), ("omega", "kinetic_rotation"),
+                                       ("attitude_xyzw", "kinetic_rotation")) if given in names]
+    fixed = ["diameter"] if diameters else []
+    data = moving + fixed + ["body"] + (["alpha"] if "omega" in moving else [])
+    expected = {"t", "Points", "Vertices", "Lines", "Polygons", "Strips", *data}
+    check(all(set(frame) == expected for frame in frames), f"VTKHDF: {len(frames)} frames of {' '.join(data)}")
+    n = len(frames[0]["Points"])
+    check(all(frame["Vertices"] == [[i] for i in range(n)] and len(frame["Lines"]) == bonds for frame in frames),
+          f"VTKHDF: {n} vertices and {bonds} lines")
+    check(frames[0]["Lines"] == [[i, (i + 1) % n] for i in range(bonds)], "... which are the bonds, in their order")
+    check(all(numpy.array_equal(frame["body"], numpy.arange(n)) for frame in frames), "VTKHDF: bodies by index")
+    if "omega" in moving:
+        check(all(abs((frame["attitude_xyzw"] ** 2).sum(axis=1) - 1).max() < 1e-15 for frame in frames)
+              and all(abs(2 * frame["attitude_xyzw"][:, :3] - frame["alpha"] * frame["attitude_xyzw"][:, 3:]).max() < 1e-15
+                      for frame in frames), "VTKHDF: attitudes are unit quaternions, x y z first, of alpha")
+    check(same(frames, dump, ["Points", *moving, *fixed]), "the dump holds the same trajectory")
+    check(all((frame["box"][:, 0] < frame["box"][:, 1]).all() and (frame["Points"] >= frame["box"][:, 0]).all()
+              and (frame["Points"] <= frame["box"][:, 1]).all() for frame in dump), "... inside its box")
+    bodies = xdmf.pop("bodies over time")
+    check(same(frames, bodies, ["Points", *data]) and all(
+        frame["type"] == "Polyvertex" and frame["cells"].tolist() == [[i] for i in range(n)] for frame in bodies),
+        "the XDMF index leads to the same trajectory")
+    for lines in xdmf.values():
+        check(same(frames, lines, ["Points", *data]) and all(
+            frame["type"] == "Polyline" and frame["cells"].tolist() == frames[0]["Lines"] for frame in lines),
+            "... and to the bonds")
+    check(len(xdmf) == (bonds > 0), "... which exist if the scene has any")
+    for ending, more in ((".h5", ["Lines"]), (".xdmf", [])):
+        seen = read_by_vtk(stem + ending, ending)
+        if seen is None:
+            print(f"skipped VTK's reader of {ending}: there is none here that knows the format")
+        else:
+            check(same(frames, seen, ["Points", *data, *more]), f"VTK's reader of {ending} finds the same")
+    return frames, [frame["step"] for frame in dump]
+
+
+def one_case(base, scene, options, expected, bonds, diameters, mass, inertia):
+    print(f"--- {scene} {' '.join(options)}")
+    path = f"{base}/gravity.yaml" if scene == "gravity" else os.path.join(SCENES, scene + ".yaml")
+    os.mkdir(f"{base}/first")
+    stem = f"{base}/first/{scene}"
+    result = run(RUN, path, *options, "-o", stem + ".h5")
+    check(result.returncode == 0 and result.stderr == "", f"runs and is quiet on stderr {result.stderr}")
+    names, rows = read_csv(stem + ".csv")
+    record = int(options[options.index("--record") + 1]) if "--record" in options else 1
+    check(names == expected, f"columns: {','.join(names)}")
+    check(rows[0, 0] == 0 and (rows[1:, 0] > rows[:-1, 0]).all(), "times ascend from 0")
+    energies(stem, names, rows)
+    frames, steps = trajectory(stem, names, bonds, diameters)
+    measures(frames, steps, names, rows, record, mass, inertia)
+    check(frames[-1]["t"] == rows[-1, 0], f"rows and frames end at the end of the run, t = {rows[-1, 0]}")
+    check(sorted(os.listdir(f"{base}/first")) == sorted(scene + ending for ending in contents(stem)),
+          "four files and nothing else are there")
+    run(RUN, path, *options, "-o", f"{base}/second/{scene}.h5")
+    check(contents(f"{base}/second/{scene}") == contents(stem), "a second run gives the same bytes")
+    shutil.rmtree(f"{base}/first")
+    shutil.rmtree(f"{base}/second")
+
+
+def says(base):
+    """What is printed at the start is what will be computed."""
+    result = run(RUN, f"{SCENES}/pendulum.yaml", "-o", f"{base}/said.h5", "--no-dump")
+    check("1 body that turns and does not translate" in result.stdout and "effects: pendulum; no pairs" in result.stdout
+          and "of the stable 2;" in result.stdout and "energy: " in result.stdout, "it says what it computes")
+    check(not os.path.exists(f"{base}/said.dump") and os.path.exists(f"{base}/said.xdmf"), "--no-dump writes no dump")
+
+
+with tempfile.TemporaryDirectory() as root:
+    with open(f"{root}/gravity.yaml", "w", encoding="ascii") as out:
+        out.write(GRAVITY)
+    for case in CASES:
+        one_case(root, *case)
+    says(root)
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

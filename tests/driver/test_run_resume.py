@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-run that is killed, stopped, out of space or misused: what it had is kept, --resume ends with the same bytes, and
+every refusal is one line.      test_run_resume.py VTI_RUN SCENES"""
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy
+
+from run_support import check, contents, failures, read_csv, read_vtkhdf, run
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+RESUME = 75
+KILLS = 20
+
+
+def scene(name):
+    return os.path.join(SCENES, name + ".yaml")
+
+
+def one_line(result, *words):
+    lines = result.stderr.splitlines()
+    return len(lines) == 1 and lines[0].startswith("vti-run: ") and all(word in lines[0] for word in words)
+
+
+def killed(arguments, seconds):
+    """Starts a run and kills it after so many seconds; False if it had ended by itself."""
+    with subprocess.Popen([RUN, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        time.sleep(seconds)
+        process.kill()
+        return process.wait() == -signal.SIGKILL
+
+
+def kills(base, name, *options):
+    """SIGKILL at random moments, some of them of a run that has been resumed; then the run is resumed to its end."""
+    arguments = [scene(name), *options]
+    begin = time.monotonic()
+    run(RUN, *arguments, "-o", f"{base}/whole/out.h5")
+    duration = time.monotonic() - begin
+    whole = contents(f"{base}/whole/out")
+    done, tries, same, left, gone_on = 0, 0, 0, 0, 0
+    while done < KILLS and tries < 50 * KILLS:
+        tries += 1
+        folder = f"{base}/killed{tries}"
+        again = [*arguments, "--checkpoint", "0.03", "-o", f"{folder}/out.h5", "--resume"]
+        if not killed(again, random.uniform(0, 1.1 * duration)):
+            continue
+        done += 1
+        while random.random() < 0.5:
+            killed(again, random.uniform(0, 1.1 * duration))
+        last = run(RUN, *again)
+        gone_on += "goes on from" in last.stdout
+        same += last.returncode == 0 and contents(f"{folder}/out") == whole
+        left += len(os.listdir(folder)) != len(whole)
+        shutil.rmtree(folder)
+    check(None not in whole.values() and done == same == KILLS,
+          f"{name}: killed {done} times, resumed {same} times to the same bytes")
+    check(left == 0, "... and nothing is left behind")
+    check(gone_on > 0, f"... {gone_on} times from a checkpoint")
+
+
+def signals(base):
+    """SIGTERM, SIGUSR1 and SIGINT: a checkpoint, one line, code 75."""
+    options = [scene("torus"), "--t-end", "3", "--stepper", "vti3-leapfrog"]
+    run(RUN, *options, "-o", f"{base}/whole/out.h5")
+    for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGINT):
+        stem = f"{base}/{number.name}/out"
+        with subprocess.Popen([RUN, *options, "-o", stem + ".h5"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as process:
+            while not os.path.exists(stem + ".h5.run/frames"):
+                time.sleep(0.0005)
+            process.send_signal(number)
+            words = process.communicate()[1]
+        check(process.returncode == RESUME and words.count("\n") == 1 and number.name in words and "--resume" in words,
+              f"{number.name}: code {process.returncode}, {words.strip()}")
+        check(not os.path.exists(stem + ".h5"), "... no file is half there")
+        result = run(RUN, *options, "-o", stem + ".h5", "--resume")
+        check(result.returncode == 0 and "goes on from step" in result.stdout and
+              contents(stem) == contents(f"{base}/whole/out"), "... and it goes on to the same bytes")
+
+
+def terminated(base):
+    """SIGTERM at random moments, those at which the files are written included."""
+    arguments = [scene("pile"), "--t-end", "1/2"]
+    begin = time.monotonic()
+    run(RUN, *arguments, "-o", f"{base}/whole/out.h5")
+    duration, same, codes = time.monotonic() - begin, 0, []
+    for number in range(KILLS):
+        again = [*arguments, "-o", f"{base}/{number}/out.h5", "--resume"]
+        with subprocess.Popen([RUN, *again], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            while not os.path.exists(f"{base}/{number}/out.h5.run") and process.poll() is None:
+                time.sleep(0.0005)
+            time.sleep(random.uniform(0, duration))
+            process.terminate()
+            codes.append(process.wait())
+        if codes[-1] == RESUME:
+            run(RUN, *again)
+        same += contents(f"{base}/{number}/out") == contents(f"{base}/whole/out")
+    check(set(codes) <= {0, RESUME} and RESUME in codes and same == KILLS,
+          f"pile: {codes.count(RESUME)} of {KILLS} stopped by SIGTERM before their end, {same} end with the same bytes")
+
+
+def with_limit(kilobytes):
+    """A run whose files can only become so large, as on a disk that is full."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1024 * kilobytes, 1024 * kilobytes))
+    return limit
+
+
+def full_disk(base):
+    options = [scene("torus"), "--t-end", "1"]
+    run(RUN, *options, "-o", f"{base}/whole/out.h5")
+    whole = contents(f"{base}/whole/out")
+    run(RUN, scene("spin"), "-o", f"{base}/earlier/out.h5")
+    earlier = contents(f"{base}/earlier/out")
+    sizes = sorted(len(content) // 1024 for content in whole.values())
+    for kilobytes in (1, 4, 50, sizes[2] - 100, sizes[2] - 1, sizes[2] + 1, sizes[3] - 1):
+        folder = f"{base}/full{kilobytes}"
+        shutil.copytree(f"{base}/earlier", folder)
+        result = run(RUN, *options, "-o", f"{folder}/out.h5", preexec_fn=with_limit(kilobytes))
+        check(result.returncode == 1 and one_line(result, folder), f"files up to {kilobytes} kB: {result.stderr.strip()}")
+        check(contents(f"{folder}/out") == earlier and sorted(os.listdir(folder)) ==
+              sorted(["out.h5.run", *os.listdir(f"{base}/earlier")]), "... the files of an earlier run are untouched")
+        result = run(RUN, *options, "-o", f"{folder}/out.h5", "--resume")
+        check(result.returncode == 0 and contents(f"{folder}/out") == whole, "... with space it goes on to the same bytes")
+
+
+def interrupted(folder):
+    """The journal of a run that got to its end and found no space for its files."""
+    arguments = [scene("torus"), "--t-end", "0.25", "--record", "7", "--frames", "4", "-o", f"{folder}/out.h5"]
+    journal = 8 * (2 + 12 * 80) * 64  # 64 frames of step, time, and four vectors of 80 bodies; attitudes come on top in out.h5
+    result = run(RUN, *arguments, preexec_fn=with_limit(journal // 1024 + 20))
+    assert result.returncode == 1 and os.path.exists(f"{folder}/out.h5.run/checkpoint"), result.stderr
+    return arguments
+
+
+def prolonged(base):
+    """A run whose end time is moved: as if it had been asked for so from the start, with the same steps between records."""
+    arguments = interrupted(f"{base}/longer")
+    result = run(RUN, *[word if word != "0.25" else "0.4" for word in arguments], "--resume")
+    run(RUN, scene("torus"), "--t-end", "0.4", "--record", "7", "--frames", "4", "-o", f"{base}/asked/out.h5")
+    check(result.returncode == 0 and "goes on from step 250" in result.stdout and
+          contents(f"{base}/longer/out") == contents(f"{base}/asked/out"), "--resume with a later --t-end prolongs the run")
+
+
+def broken(base):
+    """A run that blows up: the step and the body are named, and what was before is in the files."""
+    result = run(RUN, scene("torus"), "--h", "0.02", "--t-end", "20", "--record", "1", "-o", f"{base}/blown/out.h5")
+    check(result.returncode == 1 and one_line(result, "step ", "body "), f"blown up: {result.stderr.strip()}")
+    check("warning: h = 0.02 is above the stable step" in result.stdout, "... of which it has warned")
+    rows = read_csv(f"{base}/blown/out.csv")[1]
+    check(len(rows) > 1 and (abs(rows) < float("inf")).all() and len(read_vtkhdf(f"{base}/blown/out.h5")) >= 1,
+          f"... what was recorded is there: {len(rows)} rows")
+    with h5py.File(f"{base}/blown/out.h5") as file:
+        check(file.attrs["complete"] == 0, "... and they say that it broke off")
+    result = run(RUN, scene("pendulum"), "--stepper", "vti1", "--h", "1", "-o", f"{base}/turned/out.h5")
+    check(result.returncode == 1 and one_line(result, "vti1", "step ", "body 0", "h|Omega|"),
+          f"VTI-1 turns too far: {result.stderr.strip()}")
+
+
+def refused_resumes(base):
+    arguments = interrupted(f"{base}/kept")
+    journal = f"{base}/kept/out.h5.run"
+
+    def refusal(what, words, *options, spoil=None, command=None):
+        shutil.copytree(journal, f"{base}/spare")
+        if spoil is not None:
+            spoil()
+        result = run(RUN, *(command or arguments), *options)
+        check(result.returncode == 1 and one_line(result, *words), f"{what}: {result.stderr.strip()}")
+        check(not os.path.exists(f"{base}/kept/out.h5"), "... and writes nothing")
+        shutil.rmtree(journal)
+        os.rename(f"{base}/spare", journal)
+
+    def cut(name, size):
+        return lambda: os.truncate(f"{journal}/{name}", size)
+
+    def spoil_byte():
+        with open(f"{journal}/checkpoint", "r+b") as file:
+            file.seek(300)
+            byte = file.read(1)[0]
+            file.seek(300)
+            file.write(bytes([byte ^ 1]))
+
+    def foreign():
+        with open(f"{journal}/checkpoint", "wb") as file:
+            file.write(b"\x89HDF\r\n\x1a\n" + bytes(4000))
+
+    other = [*arguments]
+    other[0] = scene("torus-printed")
+    size = os.path.getsize(f"{journal}/checkpoint")
+    refusal("a journal, but no --resume", ["out.h5.run", "--resume", "delete it"])
+    refusal("another scene", ["another run", "scene"], "--resume", command=other)
+    refusal("another value", ["another run", "--set"], "--resume", "--set", "binder.axial=201")
+    refusal("another h", ["another run", "--h"], "--resume", "--h", "1/2048")
+    refusal("another stepper", ["another run", "--stepper"], "--resume", "--stepper", "vti1")
+    refusal("other rows", ["--record", "12", "leave it out"], "--resume", "--record", "12")
+    refusal("other frames", ["--frames", "12", "leave it out"], "--resume", "--frames", "12")
+    refusal("an end before the checkpoint", ["--t-end", "0.2", "checkpoint", "0.25"], "--resume", "--t-end", "0.2")
+    for length in (0, 10, 100, size // 2, size - 1):
+        refusal(f"checkpoint cut to {length} of {size} bytes", ["checkpoint", "damaged", "delete"], "--resume",
+                spoil=cut("checkpoint", length))
+    refusal("checkpoint with a wrong bit", ["checkpoint", "damaged", "delete"], "--resume", spoil=spoil_byte)
+    refusal("checkpoint that is something else", ["checkpoint", "no checkpoint of vti-run"], "--resume", spoil=foreign)
+    for name in ("rows", "frames"):
+        refusal(f"{name} cut off", [name, "checkpoint counts", "delete"], "--resume", spoil=cut(name, 50))
+    with subprocess.Popen([RUN, *arguments, "--resume", "--t-end", "1000"], stdout=subprocess.DEVNULL) as process:
+        while not os.path.exists(f"{journal}/rows") or os.path.getsize(f"{journal}/rows") == 0:
+            time.sleep(0.0005)
+        time.sleep(0.3)
+        result = run(RUN, *arguments, "--resume", "--t-end", "1000")
+        check(result.returncode == 1 and one_line(result, "another vti-run"), f"two at once: {result.stderr.strip()}")
+        process.kill()
+
+
+def tables(base):
+    """Bodies from an HDF5 file: damaged ones are refused, and so is a resumed run for which the file has changed."""
+    text = "bodies: {table: bodies.h5}\ngravity: [0, 0, -1]\nh: 1/1024\nt_end: 1\n"
+    with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
+        file.write(text)
+
+    def bodies(n, mass):
+        with h5py.File(f"{base}/bodies.h5", "w") as file:
+            for name in ("x", "y", "z", "vx", "vy", "vz"):
+                file[f"bodies/{name}"] = numpy.arange(float(n))
+            file["bodies/mass"] = numpy.full(n, mass)
+
+    arguments = [f"{base}/table.yaml", "-o", f"{base}/out/out.h5"]
+    bodies(100, 1.0)
+    result = run(RUN, *arguments, preexec_fn=with_limit(450))
+    check(result.returncode == 1 and one_line(result, "out.h5.run"), f"table, disk full: {result.stderr.strip()}")
+    bodies(100, 2.0)
+    result = run(RUN, *arguments, "--resume")
+    check(result.returncode == 1 and one_line(result, "another run", "bodies"), f"other table: {result.stderr.strip()}")
+    bodies(100, 1.0)
+    check(run(RUN, *arguments, "--resume").returncode == 0, "... with its own table it goes on")
+    size = os.path.getsize(f"{base}/bodies.h5")
+    for length in (0, 8, 100, size // 2, size - 1):
+        bodies(100, 1.0)
+        os.truncate(f"{base}/bodies.h5", length)
+        result = run(RUN, *arguments)
+        check(result.returncode == 1 and one_line(result, "bodies.h5"), f"table cut to {length}: {result.stderr.strip()}")
+    with open(f"{base}/bodies.h5", "wb") as file:
+        file.write(b"x,y,z\n0,0,0\n")
+    result = run(RUN, *arguments)
+    check(result.returncode == 1 and one_line(result, "bodies.h5"), f"table that is no HDF5: {result.stderr.strip()}")
+
+
+def refused(base):
+    blocked = f"{base}/file"
+    open(blocked, "w", encoding="ascii").close()
+    cases = [
+        ("no scene", [], ["SCENE.yaml"]),
+        ("unknown scene", [f"{base}/none.yaml"], ["none.yaml", "cannot be read"]),
+        ("two scenes", [scene("spin"), scene("torus")], ["only one scene"]),
+        ("unknown option", [scene("spin"), "--frob"], ["--frob", "--help"]),
+        ("option without value", [scene("spin"), "--record"], ["--record", "needs a value"]),
+        ("rows of no step", [scene("spin"), "--record", "0"], ["--record", "'0'"]),
+        ("frames of words", [scene("spin"), "--frames", "many"], ["--frames", "'many'"]),
+        ("no time between checkpoints", [scene("spin"), "--checkpoint", "0"], ["--checkpoint", "'0'"]),
+        ("negative h", [scene("spin"), "--h", "-1"], ["h", "'-1'"]),
+        ("unknown stepper", [scene("spin"), "--stepper", "rk4"], ["stepper", "'rk4'"]),
+        ("unknown path", [scene("spin"), "--set", "bodies.inertai=1"], ["bodies.inertai"]),
+        ("wrong ending", [scene("spin"), "-o", f"{base}/out.yaml"], ["-o", "out.yaml", ".h5"]),
+        ("unwritable place", [scene("spin"), "-o", f"{blocked}/out.h5"], [blocked, "-o"]),
+        ("a file in the journal's place", [scene("spin"), "-o", f"{blocked}.h5"], [f"{blocked}.h5.run"]),
+    ]
+    open(f"{blocked}.h5.run", "w", encoding="ascii").close()
+    for what, arguments, words in cases:
+        result = run(RUN, *arguments, cwd=base)
+        check(result.returncode == 1 and one_line(result, *words), f"{what}: {result.stderr.strip()}")
+    check(sorted(os.listdir(base)) == ["file", "file.h5.run"], "refusals leave nothing behind")
+    result = run(RUN, scene("spin"), "--resume", "-o", f"{blocked}.h5")
+    check(result.returncode == 1 and one_line(result, f"{blocked}.h5.run"), f"... nor with --resume: {result.stderr.strip()}")
+
+
+random.seed(20240117)
+TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
+          lambda base: kills(base, "torus", "--t-end", "4"), lambda base: kills(base, "pile", "--t-end", "1/2"),
+          signals, terminated, full_disk, tables, prolonged, broken, refused_resumes, refused]
+for topic in TOPICS:
+    with tempfile.TemporaryDirectory() as root:
+        topic(root)
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

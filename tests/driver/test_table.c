@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Tables of bodies and bonds as CSV: what is read, and the one line that each fault gets. */
+#define _POSIX_C_SOURCE 200809L
+#include "model_support.h"
+
+#include "table.h"
+#include "table_csv.h"
+
+#define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
+#define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
+#define BOND_NAMES "i, j, moment, axial, shear"
+
+static void reads(void **state)
+{
+    static const char *const texts[] = {
+        "x,y,z,mass,omega_x,omega_y,omega_z\n1,2,3,4,5,6,7\n-1,1/2,3e0,2^-6,0,0,1\n",
+        "\xef\xbb\xbfx, y ,\tz,mass,omega_x,omega_y,omega_z\r\n 1 ,2,3,4,5,6,7\r\n-1,.5,3.0,0.015625,0,0,1",
+        "omega_z,mass,x,z,y,omega_y,omega_x\n7,4,1,3,2,6,5\n1,1/64,-1,3,0.5,0,0\n"};
+    struct table t;
+    struct message message;
+    (void)state;
+    for (int k = 0; k < 3; ++k) {
+        write_text("b.csv", texts[k]);
+        if (table_csv_read("b.csv", TABLE_BODIES, &t, &message) != 0)
+            fail_msg("%s", message.text);
+        assert_int_equal(t.rows, 2);
+        assert_true(t.column[BODY_X][0] == 1.0 && t.column[BODY_X + 1][1] == 0.5 && t.column[BODY_X + 2][1] == 3.0);
+        assert_true(t.column[BODY_MASS][0] == 4.0 && t.column[BODY_MASS][1] == 0.015625);
+        assert_true(t.column[BODY_OMEGA][0] == 5.0 && t.column[BODY_OMEGA + 2][1] == 1.0);
+        assert_false(table_has(&t, BODY_V) || table_has(&t, BODY_DIAMETER));
+        table_destroy(&t);
+    }
+}
+
+static void reads_many_rows(void **state)
+{
+    enum { ROWS = 100000 };
+    struct table t;
+    struct message message;
+    FILE *file = fopen("b.csv", "wb");
+    (void)state;
+    assert_non_null(file);
+    fprintf(file, "i,j,axial\n");
+    for (int k = 0; k < ROWS; ++k)
+        fprintf(file, "%d,%d,%.17g\n", k, k + 1, 1.0 / (k + 1));
+    assert_int_equal(fclose(file), 0);
+    assert_int_equal(table_csv_read("b.csv", TABLE_BONDS, &t, &message), 0);
+    assert_int_equal(t.rows, ROWS);
+    for (int k = 0; k < ROWS; ++k)
+        assert_true(t.column[BOND_I][k] == k && t.column[BOND_J][k] == k + 1 &&
+                    t.column[BOND_AXIAL][k] == 1.0 / (k + 1));
+    table_destroy(&t);
+}
+
+/* ---- files that are refused ------------------------------------------------------------------------------------------ */
+
+static const struct {
+    enum table_kind kind;
+    const char *text, *line;
+} refused[] = {
+    {TABLE_BODIES, "", "b.csv: an empty file; give a line of names and a row a line"},
+    {TABLE_BODIES, "\n", "b.csv:1:1: unknown column ''; known are " BODY_NAMES},
+    {TABLE_BODIES, "x,y,z\n", "b.csv:1: no bodies; give a row for each"},
+    {TABLE_BONDS, "i,j\n", "b.csv:1: no bonds; give a row for each"},
+    {TABLE_BODIES, "x,y,zz\n0,0,0\n", "b.csv:1:5: unknown column 'zz'; known are " BODY_NAMES},
+    {TABLE_BODIES, "x,y,z,\n0,0,0,\n", "b.csv:1:7: unknown column ''; known are " BODY_NAMES},
+    {TABLE_BODIES, "\"x\",y,z\n0,0,0\n", "b.csv:1:1: unknown column '\"x\"'; known are " BODY_NAMES},
+    {TABLE_BODIES, "1,2,3\n", "b.csv:1:1: unknown column '1'; known are " BODY_NAMES},
+    {TABLE_BONDS, "i,j,k\n0,1,2\n", "b.csv:1:5: unknown column 'k'; known are " BOND_NAMES},
+    {TABLE_BODIES, "x,y, x\n0,0,0\n", "b.csv:1:6: x: a second time; keep one of the columns"},
+    {TABLE_BODIES, "x,z\n0,0\n", "b.csv:1: no column y; give x, y and z or none of them"},
+    {TABLE_BODIES, "y,z\n0,0\n", "b.csv:1: no column x; give x, y and z or none of them"},
+    {TABLE_BODIES, "x,y,z,vx\n0,0,0,0\n", "b.csv:1: no column vy; give vx, vy and vz or none of them"},
+    {TABLE_BODIES, "omega_x,omega_y\n0,0\n",
+     "b.csv:1: no column omega_z; give omega_x, omega_y and omega_z or none of them"},
+    {TABLE_BODIES, "vx,vy,vz\n0,0,0\n", "b.csv:1: no columns x, y, z; bodies with vx, vy, vz need them"},
+    {TABLE_BONDS, "i,axial\n0,1\n", "b.csv:1: no column j; bonds need i and j"},
+    {TABLE_BONDS, "j,axial\n0,1\n", "b.csv:1: no column i; bonds need i and j"},
+    {TABLE_BODIES, "x,y,z\n0,0\n", "b.csv:2: 2 values in a row of 3 columns"},
+    {TABLE_BODIES, "x,y,z\n0,0,0\n0,0,0,0\n", "b.csv:3: 4 values in a row of 3 columns"},
+    {TABLE_BODIES, "x,y,z\n0 0 0\n", "b.csv:2: 1 values in a row of 3 columns"},
+    {TABLE_BODIES, "x,y,z\n0;0;0\n", "b.csv:2: 1 values in a row of 3 columns"},
+    {TABLE_BODIES, "x,y,z\n\n0,0,0\n", "b.csv:2: an empty line; remove it"},
+    {TABLE_BODIES, "x,y,z\n0,0,0\n \n", "b.csv:3: an empty line; remove it"},
+    {TABLE_BODIES, "x,y,z\n0,,0\n", "b.csv:2:3: y: ''" NUMBER},
+    {TABLE_BODIES, "x,y,z\n0,0,0\n0, nan,0\n", "b.csv:3:4: y: 'nan'" NUMBER},
+    {TABLE_BODIES, "x,y,z\n0,0,-inf\n", "b.csv:2:5: z: '-inf'" NUMBER},
+    {TABLE_BODIES, "x,y,z\n0,0,1e999\n", "b.csv:2:5: z: '1e999'" NUMBER},
+    {TABLE_BODIES, "x,y,z\n0,two,0\n", "b.csv:2:3: y: 'two'" NUMBER},
+    {TABLE_BODIES, "x,y,z,mass\n0,0,0,0\n", "b.csv:2:7: mass: '0' is not positive; it must be > 0"},
+    {TABLE_BODIES, "x,y,z,mass\n0,0,0,1\n0,0,0,-1\n", "b.csv:3:7: mass: '-1' is not positive; it must be > 0"},
+    {TABLE_BODIES, "inertia\n0\n", "b.csv:2:1: inertia: '0' is not positive; it must be > 0"},
+    {TABLE_BODIES, "diameter\n-0\n", "b.csv:2:1: diameter: '-0' is not positive; it must be > 0"},
+    {TABLE_BONDS, "i,j\n-1,0\n", "b.csv:2:1: i: '-1' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {TABLE_BONDS, "i,j\n0,1.5\n", "b.csv:2:3: j: '1.5' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {TABLE_BONDS, "i,j\n0,1e300\n", "b.csv:2:3: j: '1e300' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {TABLE_BONDS, "i,j,axial\n0,1,-1\n", "b.csv:2:5: axial: '-1' is negative; it must be >= 0"},
+    {TABLE_BONDS, "i,j,shear\n0,1,NaN\n", "b.csv:2:5: shear: 'NaN'" NUMBER},
+};
+
+static void refusals(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
+        struct table t;
+        struct message message;
+        write_text("b.csv", refused[k].text);
+        assert_refused(refused[k].text, table_csv_read("b.csv", refused[k].kind, &t, &message), &message,
+                       refused[k].line);
+        assert_int_equal(t.rows, 0); /* destroyed */
+    }
+}
+
+static void what_is_no_file(void **state)
+{
+    struct table t;
+    struct message message;
+    (void)state;
+    assert_refused("missing", table_csv_read("none.csv", TABLE_BODIES, &t, &message), &message,
+                   "none.csv: cannot be read: No such file or directory; give the path of a table");
+    assert_refused("directory", table_csv_read(".", TABLE_BODIES, &t, &message), &message,
+                   ".: cannot be read: Is a directory");
+    write_bytes("b.csv", "x,y,z\n0,0,\0000\n", 14);
+    assert_refused("a byte 0", table_csv_read("b.csv", TABLE_BODIES, &t, &message), &message,
+                   "b.csv:2:5: a byte 0; give a text file");
+}
+
+/* ---- tables that do not go with their scene -------------------------------------------------------------------------- */
+
+#define BODIES "bodies: {table: b.csv, mass: 1}\n"
+#define BONDED BODIES "binder: {table: c.csv, axial: 1}\n"
+#define THREE "x,y,z\n0,0,0\n1,0,0\n1,1,0\n"
+
+static const struct {
+    const char *scene, *bodies, *bonds, *line;
+} mismatched[] = {
+    {BONDED, THREE, "i,j\n0,1\n1,3\n", "c.csv:3: j: '3' is not a body; there are 3, counted from 0"},
+    {BONDED, THREE, "i,j\n3,1\n1,3\n", "c.csv:2: i: '3' is not a body; there are 3, counted from 0"},
+    {BONDED, THREE, "i,j\n0,1\n2,2\n", "c.csv:3: body 2 is bonded to itself; name two bodies"},
+    {BONDED, THREE, "i,j\n0,1\n1,2\n1,0\n1,2\n",
+     "c.csv:4: bodies 1 and 0 are bonded a second time, first by line 2; keep one"},
+    {BONDED, "x,y,z\n0,0,0\n1,0,0\n1,0,0\n", "i,j\n0,1\n2,1\n",
+     "c.csv:3: the centres of bodies 2 and 1 give no direction to their bond; move one of them"},
+    {BONDED, "omega_x,omega_y,omega_z\n0,0,0\n", "i,j\n0,1\n", "b.csv: no columns x, y, z; binder needs them"},
+    {BODIES "binder: {table: c.csv}\n", THREE, "i,j\n0,1\n",
+     "c.csv: no column moment, axial or shear; bonds need one of them, or binder.moment"},
+    {BONDED, THREE, "i,j,axial\n0,1,1\n", "c.csv: gives what the scene gives as binder.axial too; keep one of them"},
+    {BONDED, THREE, "i,j,moment\n0,1,1\n", "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
+    {BODIES, "x,y,z,mass\n0,0,0,1\n", "", "b.csv: gives what the scene gives as bodies.mass too; keep one of them"},
+    {"bodies: {table: b.csv, mass: 1, v: [0, 0, 1]}\n", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n", "",
+     "b.csv: gives what the scene gives as bodies.v too; keep one of them"},
+    {"bodies: {table: b.csv, inertia: 1, v: [0, 0, 1]}\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
+     "b.csv: no columns x, y, z; bodies.v needs them"},
+    {"bodies: {table: b.csv}\n", "x,y,z\n0,0,0\n", "",
+     "b.csv: no column mass; bodies that translate need it, or bodies.mass"},
+    {"bodies: {table: b.csv}\n", "omega_x,omega_y,omega_z,mass\n0,0,1,1\n", "",
+     "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
+    {"bodies: {table: b.csv}\n", "mass\n1\n", "",
+     "b.csv: nothing moves; give columns x, y, z or omega_x, omega_y, omega_z"},
+    {BODIES "contact: {stiffness: 1}\n", THREE, "", "b.csv: no column diameter; contact needs it, or bodies.diameter"},
+    {BODIES "wall: {stiffness: 1, planes: [[1, 0, 0, 0]]}\n", THREE, "",
+     "b.csv: no column diameter; wall needs it, or bodies.diameter"},
+    {"bodies: {table: b.csv, inertia: 1}\ngravity: [0, 0, 1]\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
+     "b.csv: no columns x, y, z; gravity needs them"},
+    {"bodies: {table: b.csv, inertia: 1, mass: 1}\npendulum: {weight: 1, rho0: [0, 0, 1]}\n", THREE, "",
+     "b.csv: has columns x, y, z; a pendulum hangs bodies on fixed pivots, where they cannot translate"},
+    {"bodies: {mass: 1, inertia: 1, chain: {count: 2, spacing: 1}}\nbinder: {table: c.csv}\n", "", "i,j,axial\n0,2,1\n",
+     "c.csv:2: j: '2' is not a body; there are 2, counted from 0"},
+    {"bodies: {table: b.h5}\n", "", "", "b.h5: HDF5 tables are not read here; give a CSV file"},
+    {"bodies: {table: none.csv}\n", "", "",
+     "none.csv: cannot be read: No such file or directory; give the path of a table"},
+    /* without a table too: so close that they fall on one number */
+    {"bodies: {mass: 1, chain: {count: 2, spacing: 1e-9, start: [1e9, 0, 0]}}\nbinder: {axial: 1}\n", "", "",
+     "t: the centres of bodies 0 and 1 give no direction to their bond; move one of them"},
+};
+
+static void mismatches(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof mismatched / sizeof mismatched[0]; ++k) {
+        struct scene scene;
+        struct model model;
+        struct message message;
+        char text[512];
+        snprintf(text, sizeof text, "%s" TIME, mismatched[k].scene);
+        write_text("b.csv", mismatched[k].bodies);
+        write_text("c.csv", mismatched[k].bonds);
+        assert_refused(text, try_model(text, &scene, &model, &message), &message, mismatched[k].line);
+        assert_null(model.memory); /* destroyed */
+    }
+}
+
+/* ---- models of tables ------------------------------------------------------------------------------------------------- */
+
+static void bodies_and_bonds(void **state)
+{
+    static const double x[9] = {0, 0, 0, 1, 0, 0, 1, 2, 0}, v[9] = {0, 0, 1, 0, 0, 2, 0, 0, 3}, zero[9] = {0};
+    struct scene scene;
+    struct model model;
+    (void)state;
+    write_text("b.csv", "x,y,z,vx,vy,vz,mass,diameter\n0,0,0,0,0,1,1,1\n1,0,0,0,0,2,2,2\n1,2,0,0,0,3,3,1\n");
+    write_text("c.csv", "i,j,moment,axial\n1,0,10,100\n1,2,20,0\n");
+    make_model("bodies: {table: b.csv, omega: [0, 1, 0]}\nbinder: {table: c.csv, shear: {stiffness: 7}}\n" TIME, &scene,
+               &model);
+    assert_same_bits(model.bodies.x.c[0], x, 9);
+    assert_same_bits(model.bodies.v.c[0], v, 9);
+    assert_same_bits(model.bodies.alpha.c[0], zero, 9);
+    assert_int_equal(model.bodies.mass.stride, 1);
+    assert_int_equal(model.bodies.inertia.stride, 1);
+    for (int i = 0; i < 3; ++i) {
+        const double m = i + 1.0, d = i == 1 ? 2.0 : 1.0;
+        assert_true(model.bodies.mass.p[i] == m && model.diameter.p[i] == d);
+        assert_close(model.bodies.inertia.p[i], 0.1 * m * d * d, 2 * EPS);
+        assert_true(model.bodies.omega.c[1][3 * i] == 1.0);
+    }
+    assert_int_equal(model.bonds.count, 2);
+    assert_int_equal(model.bonds.pair[0], 1);
+    assert_true(model.bonds.moment.stride == 1 && model.bonds.moment.p[1] == 20.0);
+    assert_true(model.bonds.axial.stride == 1 && model.bonds.axial.p[0] == 100.0 && model.bonds.axial.p[1] == 0.0);
+    assert_true(model.bonds.shear.stride == 0 && model.bonds.shear.p[0] == 7.0);
+    assert_true(model.bonds.rest[0] == 1.0 && model.bonds.rest[3] == 1.0); /* from 0 to 1 */
+    assert_true(model.bonds.rest[5] == -1.0 && model.bonds.rest[7] == 2.0);
+    model_destroy(&model);
+}
+
+/** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
+static void what_tables_add(void **state)
+{
+    struct scene scene;
+    struct model model;
+    (void)state;
+    write_text("c.csv", "i,j,moment\n0,1,10\n");
+    make_model("bodies: {mass: 1, chain: {count: 3, spacing: 1}}\nbinder: {table: c.csv}\n" TIME, &scene, &model);
+    assert_false(scene.turns);
+    assert_true(model.turns && model.bodies.moment.c[0] != NULL && model.bodies.force.c[0] == NULL);
+    assert_int_equal(model.bonds.count, 1);
+    model_destroy(&model);
+    write_text("b.csv", "alpha_x,alpha_y,alpha_z\n0,0,0\n1,0,0\n");
+    make_model("bodies: {table: b.csv, inertia: 1}\npendulum: {weight: 1, rho0: [0, 0, 1]}\n" TIME, &scene, &model);
+    assert_true(model.turns && !model.translates && model.bodies.x.c[0] == NULL);
+    assert_true(model.bodies.alpha.c[0][3] == 1.0 && model.bodies.omega.c[0][3] == 0.0);
+    model_destroy(&model);
+}
+
+/** Tables that somebody has read already are used, and left alone. */
+static void given_tables(void **state)
+{
+    struct scene scene;
+    struct model model;
+    struct message message;
+    struct tables tables;
+    (void)state;
+    write_text("b.csv", THREE);
+    assert_int_equal(table_csv_read("b.csv", TABLE_BODIES, &tables.bodies, &message), 0);
+    table_start(&tables.bonds, TABLE_BONDS, "");
+    write_text("t.yaml", "bodies: {table: b.h5, mass: 1}\n" TIME);
+    assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
+    scene.tables = &tables;
+    assert_int_equal(model_create(&scene, &model, &message), 0);
+    assert_int_equal(model.bodies.count, 3);
+    model_destroy(&model);
+    assert_int_equal(tables.bodies.rows, 3);
+    table_destroy(&tables.bodies);
+}
+
+int main(void)
+{
+    static const char *const files[] = {"t.yaml", "b.csv", "c.csv"};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(reads),           cmocka_unit_test(reads_many_rows),
+                                       cmocka_unit_test(refusals),        cmocka_unit_test(what_is_no_file),
+                                       cmocka_unit_test(mismatches),      cmocka_unit_test(bodies_and_bonds),
+                                       cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables)};
+    char directory[64];
+    enter_directory(directory);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    leave_directory(directory, files, 3);
+    return failed;
+}
