@@ -97,20 +97,21 @@ static int rates(double t, const double state[], double rate[], void *self)
 {
     const struct equations *eq = self;
     const struct model *model = eq->model;
+    const int translates = model->translates, turns = model->turns;
     const int64_t stride = equations_body_width(model), n = eq->model->bodies.count;
     /* GSL promises not to have its state changed; the views are only read */
     vti_bodies b = equations_bodies(eq->model, (double *)state);
-    b.force = model->translates ? vector_at(eq->loads, 6) : vti_view_none();
-    b.moment = model->turns ? vector_at(eq->loads + 3, 6) : vti_view_none();
+    b.force = translates ? vector_at(eq->loads, 6) : vti_view_none();
+    b.moment = turns ? vector_at(eq->loads + 3, 6) : vti_view_none();
     (void)t;
     if (model_forces(eq->model, &b) != VTI_OK)
         return GSL_EBADFUNC;
     for (int64_t i = 0; i < n; ++i) {
         double *r = rate + i * stride;
-        if (model->translates)
+        if (translates)
             translation_rate(&b, i, eq->loads + 6 * i, r);
-        if (model->turns)
-            rotation_rate(&b, i, eq->loads + 6 * i + 3, r + (model->translates ? 6 : 0));
+        if (turns)
+            rotation_rate(&b, i, eq->loads + 6 * i + 3, r + (translates ? 6 : 0));
     }
     rate[eq->width - 1] = vti_h1_density(&b);
     return GSL_SUCCESS;
