@@ -143,7 +143,7 @@ void journal_remove(struct journal *journal)
 {
     static const char *const names[] = {"checkpoint", "checkpoint.part", "rows", "frames"};
     char path[FOLDER_PATH];
-    struct message ignored;
+    struct message ignored = {""};
     journal_close(journal);
     for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
         if (folder_path(journal->folder, names[k], 0, path, &ignored) == 0)

@@ -83,7 +83,7 @@ static int write_part(const struct run_files *files, const struct record *record
 static void remove_dump(const struct run_files *files)
 {
     char name[264], path[FOLDER_PATH];
-    struct message ignored;
+    struct message ignored = {""};
     name_of(files, DUMP, name);
     if (folder_path(files->folder, name, 0, path, &ignored) == 0)
         unlink(path);

@@ -47,7 +47,7 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
 
 static int save(struct run *run, int64_t step, double t, const vti_bodies *bodies)
 {
-    struct message ignored;
+    struct message ignored = {""};
     if (state_watch(bodies, INFINITY, &ignored) != 0)
         return broken(run, step, t, bodies, NULL);
     run->checkpoint.step = step;
@@ -95,7 +95,7 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
 static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
-    struct message ignored;
+    struct message ignored = {""};
     if (state_watch(bodies, INFINITY, &ignored) != 0)
         return broken(run, step, t, bodies, NULL);
     frame_take(&run->record.frames, step, t, bodies, run->frame);

@@ -43,7 +43,7 @@ static void say_step(const struct run *run, FILE *file)
 {
     const double h = run->scene.h, degrees = 180.0 / acos(-1.0), overlap = model_overlap(&run->model);
     double stable = NAN;
-    struct message ignored;
+    struct message ignored = {""};
     if (model_stable_step(&run->model, overlap, &stable, &ignored) != 0)
         stable = NAN;
     fprintf(file, "%s, h = %.10g: %lld steps to t = %.10g; ", run->scene.stepper->name, h, (long long)run->steps,

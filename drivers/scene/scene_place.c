@@ -222,7 +222,7 @@ int place_check(const char *text, size_t size, struct place *place, struct messa
 
 int place_find(const char *text, size_t size, const char *path, int occurrence, struct place *place)
 {
-    struct message ignored;
+    struct message ignored = {""};
     struct scan scan = {.wanted = path, .occurrence = occurrence, .place = place, .problem = &ignored};
     memset(place, 0, sizeof *place);
     return scan_text(&scan, text, size) == 0 && scan.occurrence <= 0 ? 0 : -1;
