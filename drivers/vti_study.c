@@ -188,7 +188,7 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
 int main(int argc, char **argv)
 {
     static char folder[FOLDER_PATH];
-    struct message message;
+    struct message message = {""};
     int rank, wants_plot = 0;
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
