@@ -55,6 +55,14 @@ static int energies_write(const struct record *record, struct hdf5_sink *file, s
     return file->failed ? -1 : 0;
 }
 
+/** /walls, [planes][4], if the scene has any. */
+static void walls_write(const vti_walls *walls, struct hdf5_sink *file)
+{
+    const hsize_t dims[2] = {(hsize_t)walls->count, 4};
+    if (walls->count > 0)
+        hdf5_dataset(file, "walls", H5T_NATIVE_DOUBLE, 2, dims, walls->plane);
+}
+
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);
@@ -65,6 +73,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_text(&file, "vti_version", vti_version());
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
+        walls_write(&record->model->walls, &file);
     }
     const int failed =
         file.failed || vtkhdf_write(record, &file, message) != 0 || energies_write(record, &file, message) != 0;
