@@ -37,7 +37,8 @@ enum vti_status {
     VTI_E_STAGE = -11,
     VTI_E_STEPPER = -12,
     VTI_E_FRAME = -13,
-    VTI_E_BOND = -14
+    VTI_E_BOND = -14,
+    VTI_E_DISSIPATES = -15
 };
 
 /** One English sentence for a status, remedy included; never NULL. */

@@ -4,6 +4,7 @@
 #define VTI_EFFECT_H
 
 #include "vti_bodies.h"
+#include "vti_step.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,10 +27,14 @@ typedef struct vti_effect {
     int64_t terms;           /* at most VTI_TERMS */
     const char *const *term; /* names of the terms, one each */
     int64_t breaks; /* momenta that it does not conserve, bits: 0-2 linear, 3-5 angular about 0, 6-8 sum of J Omega */
+    int64_t
+        dissipates; /* 1 if it takes energy out of the motion: steppers with negative coefficients would put it in */
 } vti_effect;
 
 /** force = moment = 0 on the slice, then every effect in order. */
 VTI_API int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
+/** Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates, else VTI_OK. */
+VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n);
 
 /* ---- pendulum ------------------------------------------------------------------------------------------------------ */
 

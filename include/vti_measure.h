@@ -25,7 +25,7 @@ static inline void vti_sum_add(vti_sum *s, double x)
 
 static inline double vti_sum_value(const vti_sum *s)
 {
-    return s->high + s->low;
+    return isinf(s->high) ? s->high : s->high + s->low; /* the error of an infinite sum is not a number */
 }
 
 /** Integral over time by the trapezoid rule at the steps, fed one value per step. Start from {{0, 0}, 0, 0}. */

@@ -14,7 +14,9 @@ extern "C" {
 /** How a drift turns a body by its angular velocity w; s = t|w|. */
 enum vti_law {
     VTI_LAW_CLOSED = 1, /* dalpha = 2 t w/(1 + sqrt(1 - s^2)), turns by asin s, needs s < 1 */
-    VTI_LAW_CAYLEY = 2  /* dalpha = t w, turns by 2 atan(s/2) */
+    VTI_LAW_CAYLEY = 2, /* dalpha = t w, turns by 2 atan(s/2) */
+    VTI_LAW_EXACT = 3,  /* dalpha = t w (60 - s^2)/(60 - 6 s^2), turns by s + O(s^7); a half turn from s = 2^30 on */
+    VTI_LAW_EXACT9 = 4  /* dalpha = t w (1 - s^2/42)/(1 - 3 s^2/28 + s^4/1680), turns by s + O(s^9); the same */
 };
 
 /** Frame in which omega and moment are given, and in which the increment therefore acts. */
@@ -29,22 +31,29 @@ VTI_API int vti_drift(int law, int frame, double t, const vti_bodies *bodies, vt
 
 /* ---- steppers as data ----------------------------------------------------------------------------------------- */
 
-/** One step: for k = 0 ... stages-1: kick(kick[k] h), drift(drift[k] h), forces; then kick(kick[stages] h). */
+/** One step: for k = 0 ... stages-1: kick(kick[k] h), drift(drift[k] h), forces; then kick(kick[stages] h) and
+ *  drift(drift[stages] h). With a probe, the forces of kick k are those at the displaced bodies of vti_step_probe. */
 typedef struct vti_stepper {
     const char *name;
     int64_t law;
     int64_t frame;
     int64_t order;       /* of energy and trajectory */
     int64_t reversible;  /* 1 if time-reversible */
-    int64_t stages;      /* drifts, and force evaluations, of one step */
+    int64_t symplectic;  /* 1 if exactly so */
+    int64_t stages;      /* drifts that forces follow */
+    int64_t evals;       /* force evaluations of one step: stages and probes */
     double lag;          /* velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
+    double reach;        /* oscillations of frequency f are stable while h f < reach; 2 for the paper's maps */
     const double *kick;  /* [stages + 1] */
-    const double *drift; /* [stages] */
+    const double *drift; /* [stages + 1]; the last is 0 but where a step begins with a drift */
+    const double *probe; /* [stages + 1], in units of h^2, or NULL */
     const char *about;
 } vti_stepper;
 
-/** "vti1", "vti2", "vti3" (the paper's maps), "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body"
- *  (VTI-1 in the body's frame). NULL if there is none of that name. The objects are constants of the library. */
+/** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body" (VTI-1 in
+ *  the body's frame). On the exact drift: "exact" (Verlet), "suzuki4", "kl6", "kl8" (compositions of it), "srkn6" (order 4),
+ *  "srkn11", "srkn14" (order 6; Runge-Kutta-Nystroem splittings), "chin4" (order 4, no coefficient negative). NULL if there
+ *  is none of that name. The objects are constants of the library. */
 VTI_API const vti_stepper *vti_stepper_find(const char *name);
 VTI_API int64_t vti_stepper_count(void);
 /** NULL outside 0 <= index < vti_stepper_count(). */
@@ -61,15 +70,21 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  *      }
  *
  *  Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
- *  vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish. h is finite and > 0. */
+ *  vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish; where method->probe is not NULL, each
+ *  kick k with probe[k] != 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and > 0. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
  *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is not a number) and that value. */
 VTI_API int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault);
 /** Stage k; vti_step_begin is stage 0. */
 VTI_API int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies, vti_fault *fault);
-/** The last kick. */
+/** The last kick, and the last drift where there is one. */
 VTI_API int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *bodies);
+
+/** Where the forces of kick k are to be taken: writes x + probe[k] h^2 F/m and the attitude turned by probe[k] h^2 RM/J into
+ *  probed, whose x and attitude are memory of their own and whose force and moment may be those of bodies. */
+VTI_API int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,
+                           const vti_bodies *probed);
 
 /** Moves velocities from t to t - lag h, where the method keeps them: kick(-lag h). */
 VTI_API int vti_step_start(const vti_stepper *method, double h, const vti_bodies *bodies);
@@ -80,7 +95,8 @@ VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies 
 /* ---- the packed door ------------------------------------------------------------------------------------------- */
 
 /** For codes whose arrays are x[n][3] (Fortran x(3,n)) and that want no structs. stepper is an index for
- *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. NULL arrays are absent physics as above. masses and inertias: 1 (one value
+ *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. Steppers of more than one stage need more calls than these two and are
+ *  refused with VTI_E_STEPPER; "exact" is of one. NULL arrays are absent physics as above. masses and inertias: 1 (one value
  *  for all) or n. Same arithmetic, same bits as through views. On failure body receives the 0-based culprit (or -1) and
  *  value its h|Omega|; both may be NULL. */
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,

@@ -208,7 +208,8 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                bonds,
                                has_moment + has_axial + has_shear,
                                names[has_moment + 2 * has_axial + 4 * has_shear],
-                               breaks};
+                               breaks,
+                               0};
     return effect;
 }
 

@@ -19,7 +19,7 @@ static inline double hertz_energy(double stiffness, double o)
 
 /* ---- pairs ---------------------------------------------------------------------------------------------------------- */
 
-/** d = x_i - x_j and D of pair k; returns 1 if they touch. */
+/** d = x_i - x_j and D of pair k; returns 1 if they touch, or if a number is none, so that it shows. */
 static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, double d[3], double *length, double *r2)
 {
     const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
@@ -30,7 +30,7 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
         d[c] -= xj[c];
     *length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
     *r2 = vti_dot(d, d);
-    return *r2 < *length * *length;
+    return !(*r2 >= *length * *length);
 }
 
 /** F_i = (K/D) o^{3/2} n = -F_j */
@@ -41,7 +41,7 @@ static void contacts_apply(const void *self, const vti_bodies *b)
         double d[3], length, r2;
         if (!touch(p, b, k, d, &length, &r2))
             continue;
-        const double r = sqrt(r2), inv_r = r > 0.0 ? 1.0 / r : 0.0;
+        const double r = sqrt(r2), inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
         const double f = hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
         const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
         vti_add(&b->force, p->pair[2 * k] - p->base, force);
@@ -64,13 +64,13 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};
-    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts, 1, term, 0};
+    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts, 1, term, 0, 0};
     return effect;
 }
 
 /* ---- walls ---------------------------------------------------------------------------------------------------------- */
 
-/** Overlap with a plane of a body of radius D/2: positive if they touch. */
+/** Overlap with a plane of a body of radius D/2: positive if they touch; not a number if something is none, which must show. */
 static inline double wall_overlap(const vti_walls *p, const vti_bodies *b, const double *plane, int64_t i,
                                   double *radius)
 {
@@ -89,7 +89,7 @@ static void walls_apply(const void *self, const vti_bodies *b)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
             double radius;
             const double o = wall_overlap(p, b, plane, i, &radius);
-            if (!(o > 0.0))
+            if (o <= 0.0)
                 continue;
             const double f = hertz_force(p->stiffness, radius, o),
                          force[3] = {f * plane[0], f * plane[1], f * plane[2]};
@@ -106,7 +106,7 @@ static void walls_energy(const void *self, const vti_bodies *b, double *energies
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
             double radius;
             const double o = wall_overlap(p, b, p->plane + 4 * w, i, &radius);
-            if (o > 0.0)
+            if (!(o <= 0.0))
                 vti_sum_add(&sum, hertz_energy(p->stiffness, o));
         }
     energies[0] = vti_sum_value(&sum);
@@ -120,6 +120,6 @@ vti_effect vti_walls_effect(const vti_walls *walls)
         for (int k = 0; k < 3; ++k)
             if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
                 breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"wall", walls_apply, walls_energy, walls, 1, term, breaks};
+    const vti_effect effect = {"wall", walls_apply, walls_energy, walls, 1, term, breaks, 0};
     return effect;
 }

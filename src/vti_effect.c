@@ -36,3 +36,17 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
         effects[k].apply(effects[k].self, b);
     return VTI_OK;
 }
+
+int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
+{
+    if (method == NULL || (effects == NULL && n > 0))
+        return VTI_E_NULL;
+    if (n < 0)
+        return VTI_E_COUNT;
+    int backwards = 0, dissipates = 0;
+    for (int64_t k = 0; k <= method->stages; ++k)
+        backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;
+    for (int64_t e = 0; e < n; ++e)
+        dissipates |= effects[e].dissipates != 0;
+    return backwards && dissipates ? VTI_E_DISSIPATES : VTI_OK;
+}

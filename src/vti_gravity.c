@@ -32,6 +32,6 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
     for (int k = 0; k < 3; ++k)
         if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */
             breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"gravity", apply, energy, gravity, 1, term, breaks};
+    const vti_effect effect = {"gravity", apply, energy, gravity, 1, term, breaks, 0};
     return effect;
 }

@@ -15,6 +15,13 @@ static int scalars(int64_t values, const double *p, int64_t n, vti_scalars *s)
     return p == NULL || values == 1 || values == n ? VTI_OK : VTI_E_COUNT;
 }
 
+/** The stepper, or NULL if there is none or it needs more of a step than begin, forces, finish. */
+static const vti_stepper *of_one_stage(int64_t stepper)
+{
+    const vti_stepper *s = vti_stepper_at(stepper);
+    return s != NULL && s->stages == 1 && s->drift[1] == 0.0 && s->probe == NULL ? s : NULL;
+}
+
 int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force, double *alpha,
                      double *omega, const double *moment, int64_t masses, const double *mass, int64_t inertias,
                      const double *inertia, int64_t *body, double *value)
@@ -27,13 +34,14 @@ int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v,
     b.alpha = packed(alpha);
     b.omega = packed(omega);
     b.moment = packed(moment);
-    int status = vti_stepper_at(stepper) != NULL ? VTI_OK : VTI_E_STEPPER;
+    const vti_stepper *method = of_one_stage(stepper);
+    int status = method != NULL ? VTI_OK : VTI_E_STEPPER;
     if (status == VTI_OK)
         status = scalars(masses, mass, n, &b.mass);
     if (status == VTI_OK)
         status = scalars(inertias, inertia, n, &b.inertia);
     if (status == VTI_OK)
-        status = vti_step_begin(vti_stepper_at(stepper), h, &b, &fault);
+        status = vti_step_begin(method, h, &b, &fault);
     if (body != NULL)
         *body = fault.body;
     if (value != NULL)
@@ -49,10 +57,11 @@ int vti_packed_finish(int64_t stepper, double h, int64_t n, double *v, const dou
     b.force = packed(force);
     b.omega = packed(omega);
     b.moment = packed(moment);
-    if (vti_stepper_at(stepper) == NULL)
+    const vti_stepper *method = of_one_stage(stepper);
+    if (method == NULL)
         return VTI_E_STEPPER;
     int status = scalars(masses, mass, n, &b.mass);
     if (status == VTI_OK)
         status = scalars(inertias, inertia, n, &b.inertia);
-    return status == VTI_OK ? vti_step_finish(vti_stepper_at(stepper), h, &b) : status;
+    return status == VTI_OK ? vti_step_finish(method, h, &b) : status;
 }

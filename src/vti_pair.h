@@ -102,12 +102,13 @@ VTI_INLINE void objective_shear(int form, const struct bond_state *b, double inv
     for (int k = 0; k < 3; ++k)
         m[k] = bi[k] + bj[k];
     const double mm = vti_dot(m, m);
-    const double inv_m = mm > 0.0 ? 1.0 / sqrt(mm) : 0.0; /* b_i = -b_j has no middle: no shear */
+    const double inv_m = mm > 0.0 ? 1.0 / sqrt(mm) : 0.0;
+    const double none = mm * inv_r == 0.0 ? 0.5 : 0.0; /* no middle (b_i = -b_j) or no n: c = 0, no loads */
     for (int k = 0; k < 3; ++k) {
         m[k] *= inv_m;
         e[k] = n[k] - m[k];
     }
-    const double one_minus_c = 0.5 * vti_dot(e, e);
+    const double one_minus_c = 0.5 * vti_dot(e, e) + none;
     const double stiffness = form == VTI_SHEAR_QUARTIC ? b->shear * one_minus_c : b->shear;
     for (int k = 0; k < 3; ++k) {
         out->force[k] += stiffness * inv_r * (one_minus_c * n[k] - e[k]); /* P mh   = (1 - c) n - e  */
@@ -133,7 +134,8 @@ VTI_INLINE void printed_shear(const struct bond_state *b, double inv_r, const do
     vti_pair_rotate(b->qj, -1.0, bi, g);
     for (int k = 0; k < 3; ++k)
         e[k] = n[k] - g[k];
-    const double one_minus_c = 0.5 * vti_dot(e, e), stiffness = b->shear * one_minus_c;
+    const double one_minus_c = 0.5 * vti_dot(e, e) + (inv_r > 0.0 ? 0.0 : 0.5); /* no n: c = 0 */
+    const double stiffness = b->shear * one_minus_c;
     vti_cross(bi, nj, t);
     for (int k = 0; k < 3; ++k) {
         out->force[k] += stiffness * inv_r * (one_minus_c * n[k] - e[k]);
@@ -153,7 +155,7 @@ VTI_INLINE void bond_evaluate(int terms, int form, const struct bond_state *b, s
     if (!(terms & (TERM_AXIAL | TERM_SHEAR)))
         return;
     const double r = sqrt(vti_dot(b->d, b->d));
-    const double inv_r = r > 0.0 ? 1.0 / r : 0.0;
+    const double inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
     const double n[3] = {b->d[0] * inv_r, b->d[1] * inv_r, b->d[2] * inv_r};
     if (terms & TERM_AXIAL)
         axial_term(b, r, n, out);

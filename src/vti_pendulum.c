@@ -46,6 +46,6 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
 {
     static const char *const term[] = {"pendulum"};
     /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
-    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0xdf};
+    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0xdf, 0};
     return effect;
 }

@@ -20,10 +20,14 @@ static const struct {
     {VTI_E_TOO_LARGE,
      "a body turns too far for the closed form: h|Omega| < 1 is needed; reduce h, or use vti2, which has no limit"},
     {VTI_E_STAGE, "the stepper has no such stage; use 0 <= k < stages"},
-    {VTI_E_STEPPER, "there is no such stepper or drift law; vti_stepper_at lists the steppers"},
+    {VTI_E_STEPPER,
+     "there is no such stepper or drift law, or it has more stages than the packed door can play; vti_stepper_at lists "
+     "the steppers"},
     {VTI_E_FRAME, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY"},
     {VTI_E_BOND, "a bond is not between two different bodies that exist at different places, or a stiffness of it is "
                  "negative or not finite; mend that bond"},
+    {VTI_E_DISSIPATES, "the stepper steps back in time, which turns dissipation into gain; use one without negative "
+                       "coefficients: vti2, exact or chin4"},
 };
 
 const char *vti_status_text(int status)

@@ -4,7 +4,7 @@
 #ifndef VTI_TESTS_RIG_H
 #define VTI_TESTS_RIG_H
 
-#include "support.h"
+#include "play.h"
 
 enum rig_storage { RIG_ALPHA, RIG_QUAT, RIG_RESIDUALS };
 
@@ -83,33 +83,38 @@ static inline rig rig_of_the_paper(enum rig_storage storage)
     return p;
 }
 
-/** The moment at the present attitude, in the frame of omega. */
+/** The moment at the attitude of b, in the frame of the rig's omega. */
+static inline void rig_load(void *self, const vti_bodies *b)
+{
+    const rig *p = self;
+    const vti_effect effect = vti_pendulum_effect(&p->pendulum);
+    vti_apply(&effect, 1, b);
+    if (p->frame == VTI_FRAME_BODY) {
+        double a[3], *const m = b->moment.c[0];
+        if (p->storage == RIG_QUAT)
+            vti_rrv_from_quat_xyzw(b->quat.xyzw[0], a);
+        else
+            memcpy(a, b->alpha.c[0], sizeof a);
+        vti_rrv_rotate_back(a, m, m);
+    }
+}
+
 static inline void rig_moment(rig *p)
 {
-    const vti_effect effect = vti_pendulum_effect(&p->pendulum);
     const vti_bodies b = rig_bodies(p);
-    vti_apply(&effect, 1, &b);
-    if (p->frame == VTI_FRAME_BODY) {
-        double a[3];
-        if (p->storage == RIG_QUAT)
-            vti_rrv_from_quat_xyzw(p->quat, a);
-        else
-            memcpy(a, p->alpha, sizeof a);
-        vti_rrv_rotate_back(a, p->moment, p->moment);
-    }
+    rig_load(p, &b);
 }
 
 /** N steps; the moment at the start is made here. */
 static inline void rig_steps(rig *p, const vti_stepper *method, double h, int64_t steps)
 {
+    rig elsewhere = *p;
     const vti_bodies b = rig_bodies(p);
+    vti_bodies probed = rig_bodies(&elsewhere);
+    probed.moment = b.moment;
     rig_moment(p);
-    for (int64_t i = 0; i < steps; ++i) {
-        if (vti_step_begin(method, h, &b, NULL) != VTI_OK)
-            fail_msg("step %ld refused", (long)i);
-        rig_moment(p);
-        vti_step_finish(method, h, &b);
-    }
+    for (int64_t i = 0; i < steps; ++i)
+        play_step(method, h, &b, &probed, rig_load, p);
 }
 
 /** N steps of a method as a user runs it: started before them and read out after them. */

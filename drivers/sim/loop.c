@@ -59,19 +59,58 @@ static const vti_bodies *reader_read(struct reader *reader, const struct model *
     return &reader->bodies;
 }
 
+/* ---- force gradients ---------------------------------------------------------------------------------------------- */
+
+/** Bodies whose positions and attitudes are memory of their own, and all else the model's: where a stepper with a probe takes
+ *  forces besides. */
+struct probe {
+    vti_bodies bodies;
+    double *memory;
+};
+
+static int probe_create(struct probe *probe, const struct model *model, const vti_stepper *stepper)
+{
+    const vti_bodies *b = &model->bodies;
+    probe->bodies = *b;
+    probe->memory = NULL;
+    if (stepper->probe == NULL)
+        return 0;
+    probe->memory = calloc((size_t)(6 * b->count), sizeof *probe->memory);
+    if (probe->memory == NULL)
+        return -1;
+    probe->bodies.x_low = probe->bodies.alpha_low = vti_view_none();
+    if (b->x.c[0] != NULL)
+        probe->bodies.x = vti_view_packed(probe->memory);
+    if (b->alpha.c[0] != NULL)
+        probe->bodies.alpha = vti_view_packed(probe->memory + 3 * b->count);
+    return 0;
+}
+
+/** The forces of kick k are there already, but for a probe. */
+static int probe_forces(struct probe *probe, struct model *model, const vti_stepper *stepper, int64_t k, double h)
+{
+    if (stepper->probe == NULL || stepper->probe[k] == 0.0)
+        return VTI_OK;
+    const int status = vti_step_probe(stepper, k, h, &model->bodies, &probe->bodies);
+    return status == VTI_OK ? model_forces(model, &probe->bodies) : status;
+}
+
 /* ---- the loop ---------------------------------------------------------------------------------------------------- */
 
-/** One step of any method: stages of kick, drift and forces, and the last kick. */
-static int one_step(struct model *model, const vti_stepper *stepper, double h, vti_fault *fault)
+/** One step of any method: stages of kick, drift and forces, and what is left after the last. */
+static int one_step(struct model *model, const vti_stepper *stepper, double h, struct probe *probe, vti_fault *fault)
 {
     for (int64_t k = 0; k < stepper->stages; ++k) {
-        int status = vti_step_stage(stepper, k, h, &model->bodies, fault);
+        int status = probe_forces(probe, model, stepper, k, h);
+        if (status == VTI_OK)
+            status = vti_step_stage(stepper, k, h, &model->bodies, fault);
         if (status == VTI_OK)
             status = model_forces(model, &model->bodies);
         if (status != VTI_OK)
             return status;
     }
-    return vti_step_finish(stepper, h, &model->bodies);
+    const int status = probe_forces(probe, model, stepper, stepper->stages, h);
+    return status == VTI_OK ? vti_step_finish(stepper, h, &model->bodies) : status;
 }
 
 /** What a run consists of. */
@@ -83,6 +122,7 @@ struct run {
     const struct observer *observers;
     int observers_count;
     struct reader reader;
+    struct probe probe;
 };
 
 static int show(struct run *run, int64_t step)
@@ -114,26 +154,32 @@ static int refused(const struct model *model, int status, const vti_fault *fault
 /** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
 static int begin(const struct run *run, int64_t from)
 {
-    const int status = model_forces(run->model, &run->model->bodies);
+    int status = vti_step_check(run->stepper, run->model->effects, run->model->effects_count);
+    if (status == VTI_OK)
+        status = model_forces(run->model, &run->model->bodies);
     return status != VTI_OK || from > 0 ? status : vti_step_start(run->stepper, run->h, &run->model->bodies);
 }
 
 int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
              const struct observer *observers, int observers_count, struct message *message)
 {
-    struct run run = {model, stepper, h, steps, observers, observers_count, {model->bodies, NULL}};
-    if (reader_create(&run.reader, model, stepper) != 0)
+    struct run run = {
+        model, stepper, h, steps, observers, observers_count, {model->bodies, NULL}, {model->bodies, NULL}};
+    if (reader_create(&run.reader, model, stepper) != 0 || probe_create(&run.probe, model, stepper) != 0) {
+        free(run.reader.memory);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    }
     vti_fault fault = {-1, 0.0};
     int64_t step = from;
     int status = begin(&run, from);
     int stopped = status == VTI_OK && show(&run, step);
     while (status == VTI_OK && !stopped && step < steps) {
-        status = one_step(model, stepper, h, &fault);
+        status = one_step(model, stepper, h, &run.probe, &fault);
         ++step;
         if (status == VTI_OK)
             stopped = show(&run, step);
     }
     free(run.reader.memory);
+    free(run.probe.memory);
     return status != VTI_OK ? refused(model, status, &fault, stepper, h, step, message) : stopped;
 }

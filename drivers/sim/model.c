@@ -14,7 +14,10 @@ static int make(struct model *model, const struct tables *tables, struct message
     if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0 ||
         model_add_effects(model, tables, message) != 0)
         return -1;
-    const int status = model_forces(model, &model->bodies);
+    /* once and for all: what checks the views again at every step would cost a lone body more than its step */
+    int status = vti_bodies_seal(&model->bodies);
+    if (status == VTI_OK)
+        status = model_forces(model, &model->bodies);
     return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, model_text(model, status));
 }
 

@@ -112,7 +112,7 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;
-    outcome->force_evals = trial->steps * trial->stepper->stages;
+    outcome->force_evals = trial->steps * trial->stepper->evals;
     if (model_create(scene, &model, &outcome->message) != 0) {
         outcome->failed = 1;
         return;

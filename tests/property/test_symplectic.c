@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Each stepper conserves the symplectic two-form of T*SO(3) exactly (E14, E15).
+ * Each stepper conserves the symplectic two-form of T*SO(3) exactly (E14, E15). On the pendulum chin4 does so too, because a
+ * probe's moment is a function of the tilt alone and thereby a gradient; elsewhere it does not, see test_symplectic_chain.c.
  *
  * A tangent vector at (R, mu), mu = J Omega, is (eta, dmu) with the spatial variation dR = S(eta) R. The canonical
  * one-form is theta = mu . eta. Fields of constant eta are right-invariant, so their bracket is that of -eta1 x eta2, and

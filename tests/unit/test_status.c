@@ -3,7 +3,7 @@
  * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
 #include "support.h"
 
-enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_BOND };
+enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_DISSIPATES };
 
 static const vti_stepper *vti1, *vti2;
 static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];
@@ -98,6 +98,11 @@ static void null(void **state)
     assert_int_equal(vti_step_finish(NULL, 1, &b), VTI_E_NULL);
     assert_int_equal(vti_step_start(NULL, 1, &b), VTI_E_NULL);
     assert_int_equal(vti_step_sync(NULL, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_probe(NULL, 0, 1, &b, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_probe(vti1, 0, 1, NULL, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_probe(vti1, 0, 1, &b, NULL), VTI_E_NULL);
+    assert_int_equal(vti_step_check(NULL, NULL, 0), VTI_E_NULL);
+    assert_int_equal(vti_step_check(vti1, NULL, 1), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, 1, &b), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, 0, NULL), VTI_E_NULL);
 }
@@ -114,6 +119,7 @@ static void abi_and_count(void **state)
     refused(vti_bodies_slice(b, 0, -1), VTI_E_COUNT);
     refused(vti_bodies_slice(b, INT64_MAX, 1), VTI_E_COUNT);
     assert_int_equal(vti_apply(NULL, -1, &b), VTI_E_COUNT);
+    assert_int_equal(vti_step_check(vti1, NULL, -1), VTI_E_COUNT);
 }
 
 /** Each of the views in turn, in each of the ways to spoil it. */
@@ -244,7 +250,7 @@ static void law_frame_stage_stepper_bond(void **state)
 {
     (void)state;
     assert_int_equal(vti_drift(0, VTI_FRAME_SPACE, 0.1, &b, NULL), VTI_E_STEPPER);
-    assert_int_equal(vti_drift(3, VTI_FRAME_BODY, 0.1, &b, NULL), VTI_E_STEPPER);
+    assert_int_equal(vti_drift(VTI_LAW_EXACT9 + 1, VTI_FRAME_BODY, 0.1, &b, NULL), VTI_E_STEPPER);
     assert_int_equal(vti_drift(VTI_LAW_CLOSED, 0, 0.1, &b, NULL), VTI_E_FRAME);
     assert_int_equal(vti_drift(VTI_LAW_CAYLEY, 2, 0.1, &b, NULL), VTI_E_FRAME);
     assert_int_equal(vti_step_stage(vti1, -1, 0.1, &b, NULL), VTI_E_STAGE);
@@ -256,6 +262,10 @@ static void law_frame_stage_stepper_bond(void **state)
     own = *vti1;
     own.frame = 0;
     assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_FRAME);
+    vti_effect effect;
+    memset(&effect, 0, sizeof effect);
+    effect.dissipates = 1;
+    assert_int_equal(vti_step_check(vti_stepper_find("kl6"), &effect, 1), VTI_E_DISSIPATES);
     vti_fault fault;
     w[4] = 20;
     assert_int_equal(vti_step_begin(vti1, 0.1, &b, &fault), VTI_E_TOO_LARGE);

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Orders of convergence on a free chain of bonded spheres: attitudes, Omega, positions and velocities against GSL's
+ * Prince-Dormand 8(9), whose forces are the library's at quaternions that GSL integrates. */
+#include "chain.h"
+#include "fit.h"
+
+enum { NUMBERS = 13 }; /* of a body: x, v, q, Omega */
+
+static const double t_end = 2;
+
+static void from_numbers(const double *y, chain *c)
+{
+    for (int i = 0; i < c->n; ++i, y += NUMBERS) {
+        memcpy(c->x[i], y, sizeof c->x[i]);
+        memcpy(c->v[i], y + 3, sizeof c->v[i]);
+        memcpy(c->quat[i], y + 6, sizeof c->quat[i]);
+        memcpy(c->omega[i], y + 10, sizeof c->omega[i]);
+    }
+}
+
+static void to_numbers(const chain *c, double *y)
+{
+    for (int i = 0; i < c->n; ++i, y += NUMBERS) {
+        memcpy(y, c->x[i], sizeof c->x[i]);
+        memcpy(y + 3, c->v[i], sizeof c->v[i]);
+        memcpy(y + 6, c->quat[i], sizeof c->quat[i]);
+        memcpy(y + 10, c->omega[i], sizeof c->omega[i]);
+    }
+}
+
+/** x' = v, v' = F/m, q' = Omega q/2, Omega' = RM/J */
+static int motion(double t, const double y[], double dydt[], void *params)
+{
+    (void)t;
+    chain *c = params;
+    from_numbers(y, c);
+    const vti_bodies b = chain_bodies(c);
+    chain_load(c, &b);
+    for (int i = 0; i < c->n; ++i) {
+        const double *q = c->quat[i], *w = c->omega[i];
+        double *d = dydt + NUMBERS * i, cross[3];
+        vti_cross(w, q, cross);
+        for (int k = 0; k < 3; ++k) {
+            d[k] = c->v[i][k];
+            d[3 + k] = c->force[i][k] / c->mass[i];
+            d[6 + k] = 0.5 * (q[3] * w[k] + cross[k]);
+            d[10 + k] = c->moment[i][k] / c->inertia[i];
+        }
+        d[9] = -0.5 * vti_dot(w, q);
+    }
+    return GSL_SUCCESS;
+}
+
+static chain reference(const chain *start)
+{
+    chain c = *start;
+    double y[NUMBERS * LINKS];
+    c.storage = CHAIN_QUAT;
+    gsl_odeiv2_system system = {motion, NULL, (size_t)(NUMBERS * c.n), &c};
+    to_numbers(&c, y);
+    fit_reference(&system, t_end, y);
+    from_numbers(y, &c);
+    return c;
+}
+
+static void shows(const vti_stepper *method, int links, enum chain_storage storage, double order, int coarsest)
+{
+    static const char *const quantity[] = {"attitude", "Omega", "x", "v"};
+    chain start;
+    chain_make(&start, links, 411, storage);
+    const chain exact = reference(&start);
+    int n[RUNGS];
+    double e[4][RUNGS];
+    for (int i = 0; i < RUNGS; ++i) {
+        chain c = start;
+        double all[4];
+        n[i] = fit_steps(coarsest, i);
+        chain_run(&c, method, t_end / n[i], n[i]);
+        chain_difference(&c, &exact, all);
+        for (int k = 0; k < 4; ++k)
+            e[k][i] = all[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+        char what[64];
+        snprintf(what, sizeof what, "%s, %d links: %s", method->name, links, quantity[k]);
+        assert_order(what, n, e[k], order, 0.05 * order);
+    }
+}
+
+/* As in test_order.c; the chain is stiffer. */
+static const struct {
+    const char *name;
+    int order, coarsest;
+} table[] = {
+    {"vti1", 2, 32}, {"vti2", 2, 32}, {"vti3", 1, 256}, {"vti3-leapfrog", 2, 32}, {"exact", 2, 32}, {"suzuki4", 4, 16},
+    {"kl6", 6, 10},  {"kl8", 8, 8},   {"srkn6", 4, 16}, {"srkn11", 6, 10},        {"srkn14", 6, 8}, {"chin4", 4, 16},
+};
+
+enum { METHODS = sizeof table / sizeof table[0] };
+
+static void every_stepper_shows_its_order(void **state)
+{
+    (void)state;
+    assert_int_equal(METHODS, vti_stepper_count() - 1); /* bonds give moments in space, not in the body's frame */
+    for (int m = 0; m < METHODS; ++m)
+        for (int links = 3; links <= LINKS; links += 7)
+            for (int storage = 0; storage < 2; ++storage)
+                shows(vti_stepper_find(table[m].name), links, (enum chain_storage)storage, table[m].order,
+                      table[m].coarsest);
+}
+
+static void another_drift_spoils_it(void **state)
+{
+    (void)state;
+    const char *const names[] = {"srkn6", "srkn11", "srkn14"};
+    for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_CAYLEY; ++law)
+        for (int m = 0; m < 3; ++m) {
+            vti_stepper own = *vti_stepper_find(names[m]);
+            own.law = law;
+            shows(&own, 5, CHAIN_ALPHA, 2, 32);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_stepper_shows_its_order),
+        cmocka_unit_test(another_drift_spoils_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
