@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The exponential map: a body turns by exactly h|Omega| about Omega,
+ *
+ *     q <- (sin(s/2) Omega/|Omega|, cos(s/2)) q,   s = h|Omega|
+ *
+ * YADE, for spheres, does so in a leapfrog, Omega at half steps, and normalises: V. Smilauer et al., Yade documentation 3rd
+ * ed. (2021), DEM formulation, "Motion integration", doi 10.5281/zenodo.5705394. Its velocities are started and read here with
+ * half kicks, as their order demands. yade-exp-verlet is the same with velocities at whole steps.
+ *
+ * SPIRAL in its leapfrog form multiplies from the other side by the same increment of the body's Omega, and need not
+ * normalise: C. A. del Valle, V. Angelidakis, S. Roy, J. D. Munoz, T. Poeschel, SPIRAL: An efficient algorithm for the
+ * integration of the equation of rotational motion, Comput. Phys. Commun. 297, 109077 (2024). Its third-order Runge-Kutta step
+ * for Euler's equations becomes a kick by the moment alone, for a sphere has no gyroscopic term; and as a step about Omega
+ * does not change Omega, the inertial frame gives the same numbers as the body's without turning moments into it. The third
+ * order that it is named for is that of one step: what it leads to is of second order, as with every leapfrog. */
+#include "quaternion.h"
+#include "verlet.h"
+
+/** r = exp(u/2) q */
+VTI_INLINE int turned(const double u[3], const double q[4], double r[4])
+{
+    const double s = sqrt(vti_dot(u, u));
+    if (s == 0.0)
+        return 0;
+    const double k = sin(0.5 * s) / s, c = cos(0.5 * s);
+    const double v[3] = {k * u[0], k * u[1], k * u[2]};
+    quat_turned(c, v, q, r);
+    return 1;
+}
+
+VTI_INLINE void turn_and_normalise(const double u[3], double q[4])
+{
+    double r[4];
+    if (turned(u, q, r))
+        quat_unit_of(r, q);
+}
+
+VTI_INLINE void turn(const double u[3], double q[4])
+{
+    double r[4];
+    if (!turned(u, q, r))
+        return;
+    for (int k = 0; k < 4; ++k)
+        q[k] = r[k];
+}
+
+static int exp_verlet(struct course *c, int64_t steps)
+{
+    return rival_verlet(c, steps, turn_and_normalise);
+}
+
+static int leapfrog(struct course *c, int64_t steps)
+{
+    return rival_leapfrog(c, steps, turn_and_normalise);
+}
+
+static int spiral(struct course *c, int64_t steps)
+{
+    return rival_leapfrog(c, steps, turn);
+}
+
+const struct rival rival_yade_exp_verlet = {
+    .name = "yade-exp-verlet",
+    .about = "velocity Verlet, quaternion by the exponential map (YADE's leapfrog with velocities at whole steps)",
+    .order = 2,
+    .go = exp_verlet,
+    .takes_forces = 1,
+};
+
+const struct rival rival_yade_leapfrog = {
+    .name = "yade-leapfrog",
+    .about = "leapfrog, quaternion by the exponential map (YADE for spheres; Smilauer et al. 2021)",
+    .order = 2,
+    .lag = 0.5,
+    .go = leapfrog,
+    .takes_forces = 1,
+};
+
+const struct rival rival_spiral = {
+    .name = "spiral",
+    .about = "leapfrog, quaternion by the exponential map, not normalised (SPIRAL; del Valle et al. 2024)",
+    .order = 2,
+    .lag = 0.5,
+    .go = spiral,
+    .takes_forces = 1,
+};

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Quaternions in the order x, y, z, w, as codes that hold attitudes in them multiply and normalise them. */
+#ifndef VTI_QUATERNION_H
+#define VTI_QUATERNION_H
+
+#include "vti_rrv.h"
+
+/** r = (u, c) q: the attitude q turned in space by the quaternion with vector part u and scalar part c. r is not q. */
+VTI_INLINE void quat_turned(double c, const double u[3], const double q[4], double r[4])
+{
+    r[0] = c * q[0] + q[3] * u[0] + (u[1] * q[2] - u[2] * q[1]);
+    r[1] = c * q[1] + q[3] * u[1] + (u[2] * q[0] - u[0] * q[2]);
+    r[2] = c * q[2] + q[3] * u[2] + (u[0] * q[1] - u[1] * q[0]);
+    r[3] = c * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
+}
+
+/** q = r/|r|. q may be r. */
+VTI_INLINE void quat_unit_of(const double r[4], double q[4])
+{
+    const double k = 1.0 / sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    q[0] = k * r[0];
+    q[1] = k * r[1];
+    q[2] = k * r[2];
+    q[3] = k * r[3];
+}
+
+/** q <- normalise(q + (1/2) u q), u = h Omega: a step along q' = (1/2) Omega q and back to the sphere. Turns by
+ *  2 atan(|u|/2). */
+VTI_INLINE void quat_turn_normalised(const double u[3], double q[4])
+{
+    const double half[3] = {0.5 * u[0], 0.5 * u[1], 0.5 * u[2]};
+    double r[4];
+    quat_turned(1.0, half, q, r);
+    quat_unit_of(r, q);
+}
+
+#endif

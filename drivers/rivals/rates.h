@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The continuous equations of a course as one state vector, for methods that are made for any ordinary differential equation:
+ *
+ *     x' = v,  v' = F/m,  q' = (1/2) Omega q,  Omega' = RM/J
+ *
+ * A state is blocks of all bodies, of what the model has: x [n][3], v [n][3], q [n][4], Omega [n][3]. Forces are written to
+ * where v' and Omega' stand, so nothing is copied. */
+#ifndef VTI_RATES_H
+#define VTI_RATES_H
+
+#include "rivals.h"
+
+/** Doubles per body of a state, at most. */
+enum { RATES_WIDTH = 13 };
+
+/** Doubles of a state. */
+int64_t rates_width(const struct course *course);
+/** The course's bodies as a state. */
+void rates_start(const struct course *course, double *state);
+/** Makes the course's bodies views of the state. */
+void rates_look_at(struct course *course, const double *state);
+/** The derivative of a state. One force evaluation; returns its status. */
+int rates(struct course *course, const double *state, double *rate);
+/** Normalises the quaternions of a state. */
+void rates_normalise(const struct course *course, double *state);
+
+#endif

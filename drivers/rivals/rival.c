@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "rival.h"
+
+#include <stdlib.h>
+
+#include "rivals.h"
+
+static const struct rival *const rivals[] = {
+    &rival_quat_euler, &rival_campello, &rival_lammps, &rival_mercury, &rival_yade_exp_verlet, &rival_yade_leapfrog,
+    &rival_spiral,     &rival_omelyan,  &rival_lgvi,   &rival_rk4,     &rival_rk8pd,           &rival_rk8pd_adaptive,
+};
+
+enum { RIVALS = sizeof rivals / sizeof rivals[0] };
+
+int64_t rival_count(void)
+{
+    return RIVALS;
+}
+
+const struct rival *rival_at(int64_t i)
+{
+    return i >= 0 && i < RIVALS ? rivals[i] : NULL;
+}
+
+/* ---- a course -------------------------------------------------------------------------------------------------------- */
+
+/** 1/m of one value or of n into *next, which moves on. */
+static vti_scalars inverse(const vti_scalars *of, int64_t n, double **next)
+{
+    const vti_scalars none = {NULL, 0}, result = {*next, of->stride == 0 ? 0 : 1};
+    if (of->p == NULL)
+        return none;
+    const int64_t count = of->stride == 0 ? 1 : n;
+    for (int64_t i = 0; i < count; ++i)
+        (*next)[i] = 1.0 / of->p[i * of->stride];
+    *next += count;
+    return result;
+}
+
+/** The model's attitudes as quaternions, and a view on those in place of alpha. */
+static void take_attitudes(struct course *c)
+{
+    const vti_view alpha = c->bodies.alpha;
+    for (int64_t i = 0; i < c->n; ++i) {
+        const double a[3] = {alpha.c[0][i * alpha.stride], alpha.c[1][i * alpha.stride], alpha.c[2][i * alpha.stride]};
+        vti_rrv_to_quat_xyzw(a, c->q + 4 * i);
+    }
+    c->bodies.alpha = vti_view_none();
+    for (int k = 0; k < 4; ++k)
+        c->bodies.quat.xyzw[k] = c->q + k;
+    c->bodies.quat.stride = 4;
+}
+
+static int take_model(struct course *c, struct model *model)
+{
+    enum { QUATERNION = 4, INVERSES = 2 };
+    c->model = model;
+    c->bodies = model->bodies;
+    c->n = model->bodies.count;
+    c->memory = calloc((size_t)((QUATERNION + INVERSES + c->rival->own_width) * c->n), sizeof *c->memory);
+    if (c->memory == NULL)
+        return -1;
+    double *next = c->memory + QUATERNION * c->n;
+    c->own = next + INVERSES * c->n;
+    c->per_mass = inverse(&model->bodies.mass, c->n, &next);
+    c->per_inertia = inverse(&model->bodies.inertia, c->n, &next);
+    c->x = model->bodies.x.c[0];
+    c->v = model->bodies.v.c[0];
+    c->f = model->bodies.force.c[0];
+    c->w = model->bodies.omega.c[0];
+    c->m = model->bodies.moment.c[0];
+    if (model->turns) {
+        c->q = c->memory;
+        take_attitudes(c);
+    }
+    return vti_bodies_seal(&c->bodies) == VTI_OK ? 0 : -1;
+}
+
+struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message)
+{
+    struct course *c = calloc(1, sizeof *c);
+    message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    if (c == NULL)
+        return NULL;
+    c->rival = rival;
+    c->h = h;
+    if (take_model(c, model) == 0 && (rival->prepare == NULL || rival->prepare(c, message) == 0)) {
+        message->text[0] = '\0';
+        return c;
+    }
+    course_destroy(c);
+    return NULL;
+}
+
+void course_destroy(struct course *c)
+{
+    if (c == NULL)
+        return;
+    if (c->rival->dismiss != NULL)
+        c->rival->dismiss(c);
+    free(c->memory);
+    free(c);
+}
+
+/** Forces at t = 0, where velocities also move to where the rival keeps them. */
+static int start(struct course *c)
+{
+    const int status = c->rival->takes_forces ? course_forces(c) : VTI_OK;
+    return status != VTI_OK || c->rival->lag == 0.0 ? status : vti_kick(-c->rival->lag * c->h, &c->bodies);
+}
+
+static int refused(const struct course *c, int status, struct message *message)
+{
+    if (status == VTI_E_TOO_LARGE)
+        return message_set(message, "%s at h = %.17g: t = %.6g: body %lld has h|Omega| = %.6g; %s", c->rival->name,
+                           c->h, (double)c->steps * c->h, (long long)c->fault.body, c->fault.value,
+                           vti_status_text(status));
+    if (status == RIVAL_E_DIVERGES)
+        return message_set(message, "%s at h = %.17g: t = %.6g: its iteration does not converge; take a smaller h",
+                           c->rival->name, c->h, (double)c->steps * c->h);
+    return message_set(message, "%s at h = %.17g: t = %.6g: %s", c->rival->name, c->h, (double)c->steps * c->h,
+                       model_text(c->model, status));
+}
+
+int course_go(struct course *c, int64_t steps, struct message *message)
+{
+    int status = VTI_OK;
+    if (steps <= 0)
+        return 0;
+    if (c->steps == 0)
+        status = start(c);
+    if (status == VTI_OK)
+        status = c->rival->go(c, steps);
+    return status == VTI_OK ? 0 : refused(c, status, message);
+}
+
+const vti_bodies *course_bodies(struct course *c)
+{
+    if (c->rival->show != NULL)
+        c->rival->show(c);
+    return &c->bodies;
+}

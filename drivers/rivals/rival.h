@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Rivals: the integrators that people use instead of ours, for the cost study and for nothing else. Each is written from the
+ * literature as a plain loop over packed arrays, and takes its forces from the same effects as our steppers. */
+#ifndef VTI_RIVAL_H
+#define VTI_RIVAL_H
+
+#include <stddef.h>
+
+#include "model.h"
+
+struct course;
+
+struct rival {
+    const char *name, *about;
+    int64_t order;
+    double lag;        /* velocities live at t - lag h between steps */
+    int64_t own_width; /* doubles per body of its own, besides the quaternion */
+    /** What it needs before the first step, forces excepted; NULL if nothing. Returns 0, or -1 if there is no memory or, with
+     *  a line in *message, for another reason. */
+    int (*prepare)(struct course *course, struct message *message);
+    /** The next steps of h. Returns VTI_OK or a status; then course->fault may name a body. */
+    int (*go)(struct course *course, int64_t steps);
+    /** Makes course->bodies presentable, q as units; NULL if they are. */
+    void (*show)(struct course *course);
+    void (*dismiss)(struct course *course); /* NULL if there is nothing to free */
+    int takes_forces;                       /* 1: go begins with the forces of the bodies as they stand */
+};
+
+int64_t rival_count(void);
+/** NULL outside 0 <= i < rival_count(). */
+const struct rival *rival_at(int64_t i);
+
+/** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what the model
+ *  does not have are NULL. x, v, w, f and m are the model's own memory. */
+struct course {
+    const struct rival *rival;
+    struct model *model;
+    double h;
+    int64_t n, steps, evals;
+    double *x, *v, *f, *w, *m, *q;
+    vti_scalars per_mass, per_inertia; /* 1/m and 1/J, of all bodies or of each */
+    vti_bodies bodies;                 /* the views on all these: what forces are taken at */
+    double *memory, *own;
+    void *tool; /* whatever a rival needs that is not numbers */
+    vti_fault fault;
+};
+
+/** The model at t = 0 with a rival that steps it by h. Returns NULL with one line in *message if that cannot be. */
+struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message);
+void course_destroy(struct course *course);
+/** Takes it so many steps further. Returns 0, or -1 with one line in *message. */
+int course_go(struct course *course, int64_t steps, struct message *message);
+/** The bodies after these steps, velocities as the rival keeps them. */
+const vti_bodies *course_bodies(struct course *course);
+
+/** Forces and moments of the bodies as they stand. */
+static inline int course_forces(struct course *course)
+{
+    ++course->evals;
+    return model_forces(course->model, &course->bodies);
+}
+
+#endif

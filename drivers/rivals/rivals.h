@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * All rivals, one or a few to a file. */
+#ifndef VTI_RIVALS_H
+#define VTI_RIVALS_H
+
+#include "rival.h"
+
+/** Among the statuses of the core and of models: an implicit equation was not solved. */
+enum { RIVAL_E_DIVERGES = -2000 };
+
+extern const struct rival rival_quat_euler, rival_mercury;                          /* normalised.c */
+extern const struct rival rival_lammps;                                             /* richardson.c */
+extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral; /* exponential.c */
+extern const struct rival rival_omelyan;                                            /* omelyan.c */
+extern const struct rival rival_campello;                                           /* campello.c */
+extern const struct rival rival_lgvi;                                               /* lgvi.c */
+extern const struct rival rival_rk4;                                                /* rk4.c */
+extern const struct rival rival_rk8pd, rival_rk8pd_adaptive;                        /* rk8pd.c */
+
+#endif

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What the tests of rivals share: a scene's model with a method on its way through it. */
+#ifndef VTI_TESTS_JOURNEY_H
+#define VTI_TESTS_JOURNEY_H
+
+#include "support.h"
+
+#include "method.h"
+#include "rival.h"
+
+/** The folder of the scenes, from the command line. */
+static const char *scenes;
+
+struct journey {
+    struct scene scene;
+    struct model model;
+    struct travel travel;
+    struct message message;
+};
+
+static inline void read_scene(const char *name, struct scene *scene)
+{
+    struct message message;
+    char path[SCENE_PATH_SIZE];
+    snprintf(path, sizeof path, "%s/%s.yaml", scenes, name);
+    if (scene_read(path, NULL, 0, scene, &message) != 0)
+        fail_msg("%s", message.text);
+}
+
+static inline void make_model(const struct scene *scene, struct model *model)
+{
+    struct message message;
+    if (model_create(scene, model, &message) != 0)
+        fail_msg("%s", message.text);
+}
+
+static inline const struct method *method_of(const char *name)
+{
+    const struct method *method = method_find(name);
+    if (method == NULL)
+        fail_msg("no method is called %s", name);
+    return method;
+}
+
+/** A journey through a model of the scene that has been made already. */
+static inline void set_out(struct journey *j, const struct method *method, double h)
+{
+    if (travel_create(&j->travel, method, &j->model, h, &j->message) != 0)
+        fail_msg("%s", j->message.text);
+}
+
+static inline void begin(struct journey *j, const struct scene *scene, const struct method *method, double h)
+{
+    j->scene = *scene;
+    make_model(&j->scene, &j->model);
+    set_out(j, method, h);
+}
+
+static inline void go(struct journey *j, int64_t steps)
+{
+    if (travel_go(&j->travel, steps, &j->message) != 0)
+        fail_msg("%s", j->message.text);
+}
+
+static inline void end(struct journey *j)
+{
+    travel_destroy(&j->travel);
+    model_destroy(&j->model);
+}
+
+/** The attitude of body i, whichever way it is held; not normalised. */
+static inline rotor attitude_of(const vti_bodies *b, int64_t i)
+{
+    if (b->quat.xyzw[0] == NULL) {
+        const double a[3] = {b->alpha.c[0][i * b->alpha.stride], b->alpha.c[1][i * b->alpha.stride],
+                             b->alpha.c[2][i * b->alpha.stride]};
+        return quat_of_alpha(a);
+    }
+    double *const *q = b->quat.xyzw;
+    const int64_t k = i * b->quat.stride;
+    const rotor r = {q[0][k], q[1][k], q[2][k], q[3][k]};
+    return r;
+}
+
+/** Root of the sum of |a - b|^2, of views that are both there or both not. */
+static inline double view_distance(const vti_view *a, const vti_view *b, int64_t n)
+{
+    double sum = 0.0;
+    assert_true((a->c[0] == NULL) == (b->c[0] == NULL));
+    for (int64_t i = 0; i < n && a->c[0] != NULL; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const double d = a->c[k][i * a->stride] - b->c[k][i * b->stride];
+            sum += d * d;
+        }
+    return sqrt(sum);
+}
+
+/** Attitude: the largest angle between the two; velocity: v and Omega of all bodies. */
+static inline double attitude_distance(const vti_bodies *a, const vti_bodies *b)
+{
+    double most = 0.0;
+    for (int64_t i = 0; i < a->count && a->omega.c[0] != NULL; ++i)
+        most = fmax(most, quat_distance(quat_unit(attitude_of(a, i)), quat_unit(attitude_of(b, i))));
+    return most;
+}
+
+static inline double velocity_distance(const vti_bodies *a, const vti_bodies *b)
+{
+    return hypot(view_distance(&a->v, &b->v, a->count), view_distance(&a->omega, &b->omega, a->count));
+}
+
+#endif

@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The seam: what methods there are, what a travel counts, refuses and leaves out, and that looking changes nothing. */
+#include "journey.h"
+
+/* ---- the list -------------------------------------------------------------------------------------------------------- */
+
+static void list(void **state)
+{
+    int64_t spatial = 0;
+    (void)state;
+    for (int64_t i = 0; i < vti_stepper_count(); ++i)
+        spatial += vti_stepper_at(i)->frame == VTI_FRAME_SPACE;
+    assert_int_equal(method_count(), spatial + rival_count());
+    assert_null(method_at(-1));
+    assert_null(method_at(method_count()));
+    assert_null(rival_at(-1));
+    assert_null(rival_at(rival_count()));
+    assert_null(method_find("nobody"));
+    assert_null(method_find(NULL));
+    assert_null(method_find("vti1-body"));
+    for (int64_t i = 0; i < method_count(); ++i) {
+        const struct method *m = method_at(i);
+        assert_ptr_equal(method_find(m->name), m); /* no two of one name */
+        assert_true((m->stepper == NULL) != (m->rival == NULL));
+        assert_true(strlen(m->about) > 0 && strchr(m->about, '\n') == NULL);
+        assert_true(m->order > 0);
+        assert_string_equal(m->kind, m->rival != NULL ? "rival" : strncmp(m->name, "vti", 3) == 0 ? "paper" : "ours");
+    }
+    assert_string_equal(method_of("exact")->kind, "ours");
+    assert_string_equal(method_of("vti3-leapfrog")->kind, "paper");
+    assert_string_equal(method_of("mercury")->kind, "rival");
+}
+
+/* ---- force evaluations ----------------------------------------------------------------------------------------------- */
+
+static int64_t evals_of(const char *name, const char *where, double h, int64_t steps)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene(where, &scene);
+    begin(&j, &scene, method_of(name), h);
+    assert_int_equal(travel_force_evals(&j.travel), 0);
+    go(&j, steps);
+    const int64_t evals = travel_force_evals(&j.travel);
+    end(&j);
+    return evals;
+}
+
+static void force_evals(void **state)
+{
+    static const char *const once[] = {
+        "vti2",   "exact",   "quat-euler", "lammps-richardson", "mercury", "yade-exp-verlet", "yade-leapfrog",
+        "spiral", "omelyan", "lgvi"};
+    (void)state;
+    for (size_t i = 0; i < sizeof once / sizeof once[0]; ++i)
+        assert_int_equal(evals_of(once[i], "chain", 1.0 / 512, 20), 21);
+    assert_int_equal(evals_of("srkn11", "chain", 1.0 / 64, 20), 1 + 11 * 20);
+    assert_int_equal(evals_of("chin4", "chain", 1.0 / 64, 20), 1 + 3 * 20);
+    assert_int_equal(evals_of("rk4", "chain", 1.0 / 512, 20), 80);
+    assert_int_equal(evals_of("rk8pd", "chain", 1.0 / 64, 20), 260);
+    /* no loads: the first iteration settles it; the pendulum's contract by (h omega)^2/2 = 2^-13 or so each */
+    assert_int_equal(evals_of("campello", "spin", 1.0 / 64, 20), 21);
+    const int64_t iterated = evals_of("campello", "pendulum", 1.0 / 64, 20);
+    assert_true(iterated >= 1 + 3 * 20 && iterated <= 1 + 4 * 20);
+    /* steps of about h, of thirteen evaluations, some of them refused */
+    const int64_t adaptive = evals_of("rk8pd-adaptive", "chain", 1.0 / 64, 64);
+    assert_true(adaptive > 13 * 64 / 2 && adaptive < 13 * 64 * 2);
+    assert_true(evals_of("rk8pd-adaptive", "chain", 1.0 / 128, 128) > 3 * adaptive / 2);
+}
+
+/* ---- looking --------------------------------------------------------------------------------------------------------- */
+
+static void assert_same_view(const vti_view *a, const vti_view *b, int64_t n)
+{
+    assert_true((a->c[0] == NULL) == (b->c[0] == NULL));
+    for (int64_t i = 0; i < n && a->c[0] != NULL; ++i)
+        for (int k = 0; k < 3; ++k)
+            assert_same_bits(&a->c[k][i * a->stride], &b->c[k][i * b->stride], 1);
+}
+
+/** A travel in three legs, looked at after each, ends with the bits and the count of one that nobody stopped. */
+static void assert_undisturbed(const struct method *method, const char *where, double h)
+{
+    struct scene scene;
+    struct journey whole, legs;
+    read_scene(where, &scene);
+    begin(&whole, &scene, method, h);
+    begin(&legs, &scene, method, h);
+    go(&whole, 60);
+    go(&legs, 0);
+    travel_bodies(&legs.travel);
+    go(&legs, 7);
+    travel_bodies(&legs.travel);
+    travel_bodies(&legs.travel);
+    go(&legs, 23);
+    go(&legs, 30);
+    const vti_bodies a = travel_bodies(&whole.travel), b = travel_bodies(&legs.travel);
+    assert_same_view(&a.x, &b.x, a.count);
+    assert_same_view(&a.v, &b.v, a.count);
+    assert_same_view(&a.omega, &b.omega, a.count);
+    assert_same_view(&a.alpha, &b.alpha, a.count);
+    for (int k = 0; k < 4 && a.quat.xyzw[k] != NULL; ++k)
+        for (int64_t i = 0; i < a.count; ++i)
+            assert_same_bits(&a.quat.xyzw[k][i * a.quat.stride], &b.quat.xyzw[k][i * b.quat.stride], 1);
+    assert_int_equal(travel_force_evals(&whole.travel), travel_force_evals(&legs.travel));
+    end(&whole);
+    end(&legs);
+}
+
+static void looking(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        assert_undisturbed(method_at(i), "pendulum", 1.0 / 16);
+        assert_undisturbed(method_at(i), "chain", 1.0 / 512);
+    }
+}
+
+/** Before the first step, and after it in time: a lagging method is read at t, not half a step before. */
+static void reading(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey start, j;
+        read_scene("pendulum", &scene);
+        begin(&j, &scene, method_at(i), 1e-7);
+        begin(&start, &scene, method_of("vti2"), 1e-7);
+        vti_bodies a = travel_bodies(&start.travel), b = travel_bodies(&j.travel);
+        assert_below(attitude_distance(&a, &b), 2.0 * EPS);
+        assert_below(velocity_distance(&a, &b), 0.0);
+        go(&start, 3);
+        go(&j, 3);
+        a = travel_bodies(&start.travel);
+        b = travel_bodies(&j.travel);
+        assert_below(velocity_distance(&a, &b), method_at(i)->order == 1 ? 2e-7 : 1e-13);
+        end(&start);
+        end(&j);
+    }
+}
+
+static void assert_units(const struct method *method, const char *where, double h, int64_t steps)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene(where, &scene);
+    begin(&j, &scene, method, h);
+    go(&j, steps);
+    const vti_bodies b = travel_bodies(&j.travel);
+    for (int64_t k = 0; k < b.count && b.quat.xyzw[0] != NULL; ++k) {
+        const rotor q = attitude_of(&b, k);
+        assert_close(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-13);
+    }
+    end(&j);
+}
+
+/** After many steps, and after large ones. */
+static void units(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        assert_units(method_at(i), "chain", 1.0 / 512, 2000);
+        assert_units(method_at(i), "pendulum", 0.5, 20);
+    }
+}
+
+/* ---- absent physics -------------------------------------------------------------------------------------------------- */
+
+/** Chain without what turns it, or spheres without any effect: nothing has an attitude, and flight is straight. */
+static void no_rotation(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey j, other;
+        read_scene("chain", &scene);
+        scene.binder.moment = scene.binder.shear = scene.random.omega = 0.0;
+        scene.turns = 0;
+        begin(&j, &scene, method_at(i), 1.0 / 512);
+        begin(&other, &scene, method_of("kl8"), 1.0 / 512);
+        go(&j, 100);
+        go(&other, 100);
+        const vti_bodies b = travel_bodies(&j.travel), exact = travel_bodies(&other.travel);
+        assert_null(b.alpha.c[0]);
+        assert_null(b.quat.xyzw[0]);
+        assert_null(b.omega.c[0]);
+        assert_below(view_distance(&b.v, &exact.v, b.count), method_at(i)->order == 1 ? 3e-2 : 2e-3);
+        assert_below(view_distance(&b.x, &exact.x, b.count), 1e-3);
+        end(&other);
+        end(&j);
+    }
+}
+
+static void free_flight(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey j;
+        read_scene("pile", &scene);
+        scene.has_contact = scene.has_wall = scene.has_gravity = 0;
+        begin(&j, &scene, method_at(i), 0.125);
+        const vti_bodies *start = &j.model.bodies;
+        const double x = start->x.c[0][0], v = start->v.c[0][0];
+        go(&j, 80);
+        const vti_bodies b = travel_bodies(&j.travel);
+        assert_null(b.omega.c[0]);
+        assert_close(b.x.c[0][0], x + 10.0 * v, 1e-13);
+        assert_close(b.v.c[0][0], v, 0.0);
+        end(&j);
+    }
+}
+
+static void no_translation(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey j;
+        read_scene("pendulum", &scene);
+        begin(&j, &scene, method_at(i), 1.0 / 64);
+        go(&j, 10);
+        const vti_bodies b = travel_bodies(&j.travel);
+        assert_null(b.x.c[0]);
+        assert_null(b.v.c[0]);
+        assert_non_null(b.omega.c[0]);
+        end(&j);
+    }
+}
+
+/** A pile of 128: contacts that come and go, and the seams of blocks would show. */
+static void contacts(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey j;
+        read_scene("pile", &scene);
+        begin(&j, &scene, method_at(i), 1.0 / 2048);
+        const double before = model_energy(&j.model, &j.model.bodies);
+        go(&j, 1000);
+        const vti_bodies b = travel_bodies(&j.travel);
+        assert_true(j.model.contacts.count > 0);
+        assert_close(model_energy(&j.model, &b) / before, 1.0, method_at(i)->order == 1 ? 0.1 : 1e-4);
+        end(&j);
+    }
+}
+
+/* ---- refusals -------------------------------------------------------------------------------------------------------- */
+
+/** The first step is refused with that line. */
+static void assert_refused(const char *name, const char *where, double h, const char *line)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene(where, &scene);
+    begin(&j, &scene, method_of(name), h);
+    assert_int_equal(travel_go(&j.travel, 10, &j.message), -1);
+    assert_string_equal(j.message.text, line);
+    end(&j);
+}
+
+static void refusals(void **state)
+{
+    static const double wrong[] = {0.0, -1.0, NAN, INFINITY};
+    char line[512];
+    struct scene scene;
+    struct model model;
+    struct travel travel;
+    struct message message;
+    (void)state;
+    snprintf(line, sizeof line, "lgvi at h = 1: t = 0: body 0 has h|Omega| = 1; %s", vti_status_text(VTI_E_TOO_LARGE));
+    assert_refused("lgvi", "spin", 1.0, line);
+    assert_refused("campello", "chain", 0.5,
+                   "campello at h = 0.5: t = 0: its iteration does not converge; take a smaller h");
+    read_scene("spin", &scene);
+    make_model(&scene, &model);
+    for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; ++k) {
+        assert_int_equal(travel_create(&travel, method_of("mercury"), &model, wrong[k], &message), -1);
+        assert_non_null(strstr(message.text, "mercury: h = "));
+        assert_int_equal(travel_create(&travel, method_of("vti2"), &model, wrong[k], &message), -1);
+    }
+    model_destroy(&model);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(list),        cmocka_unit_test(force_evals),    cmocka_unit_test(looking),
+        cmocka_unit_test(reading),     cmocka_unit_test(units),          cmocka_unit_test(no_rotation),
+        cmocka_unit_test(free_flight), cmocka_unit_test(no_translation), cmocka_unit_test(contacts),
+        cmocka_unit_test(refusals),
+    };
+    assert_int_equal(argc, 2);
+    scenes = argv[1];
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
