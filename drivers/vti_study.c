@@ -7,6 +7,9 @@
 #include <stdlib.h>
 
 #include "beside.h"
+#include "cost_files.h"
+#include "cost_scenes.h"
+#include "cost_table.h"
 #include "folder.h"
 #include "number.h"
 #include "progress.h"
@@ -14,9 +17,11 @@
 #include "study.h"
 #include "study_csv.h"
 #include "study_files.h"
+#include "table_hdf5.h"
 
 static const char usage[] =
     "Usage: mpirun -n RANKS vti-study [options] [SCENE.yaml]\n"
+    "       mpirun -n RANKS vti-study --cost [options] [SCENE.yaml[@T,...]]...\n"
     "\n"
     "Runs a scene (default: the paper's pendulum) with several steppers and steps, measures every run against a "
     "reference\n"
@@ -30,27 +35,39 @@ static const char usage[] =
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  -o FOLDER         output folder (default study-SCENE)\n"
     "  --no-plot         no pictures\n"
-    "  -h, --help        this text\n";
+    "  -h, --help        this text\n"
+    "\n"
+    "  --cost            what accuracy costs: errors against force evaluations and time, and the price of each error.\n"
+    "                    Several scenes; each to its own ends T,... or those of --t-end T,...; --steppers knows "
+    "rivals\n"
+    "                    too (default all); default steps: down by factors of sqrt(2) until an error of 3e-11.\n"
+    "                    Writes cost.csv, errors.csv, prices.csv and machine.txt\n"
+    "  --evals MOST      most force evaluations of a run (default 2^22 over the number of bodies)\n"
+    "  --repeats N       how often each run is timed, 1 to 64 (default 5)\n";
 
 enum { SETS = 64 };
 
 struct arguments {
-    const char *scene, *steppers, *h, *t_end, *folder;
+    const char *scene, *steppers, *h, *t_end, *folder, *evals, *repeats;
+    const char *const *scenes;
     const char *sets[SETS];
-    int sets_count, plot, help;
+    int sets_count, scenes_count, plot, help, cost;
 };
 
 static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
 {
-    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT };
+    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS };
     static const struct option options[] = {{"steppers", required_argument, NULL, STEPPERS},
                                             {"h", required_argument, NULL, H},
                                             {"t-end", required_argument, NULL, T_END},
                                             {"set", required_argument, NULL, SET},
                                             {"no-plot", no_argument, NULL, NO_PLOT},
+                                            {"cost", no_argument, NULL, COST},
+                                            {"evals", required_argument, NULL, EVALS},
+                                            {"repeats", required_argument, NULL, REPEATS},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
-    const struct arguments defaults = {NULL, "vti1,vti2,vti3", NULL, NULL, NULL, {NULL}, 0, 1, 0};
+    const struct arguments defaults = {.plot = 1};
     *a = defaults;
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, ":ho:", options, NULL)) != -1;) {
@@ -62,6 +79,12 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
             a->t_end = optarg;
         else if (c == NO_PLOT)
             a->plot = 0;
+        else if (c == COST)
+            a->cost = 1;
+        else if (c == EVALS)
+            a->evals = optarg;
+        else if (c == REPEATS)
+            a->repeats = optarg;
         else if (c == 'h')
             a->help = 1;
         else if (c == 'o')
@@ -76,7 +99,12 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
             return message_set(message, "%s: is not an option; see vti-study --help", argv[optind - 1]);
     }
     a->scene = optind < argc ? argv[optind] : NULL;
-    if (optind + 1 < argc)
+    a->scenes = (const char *const *)argv + optind;
+    a->scenes_count = argc - optind;
+    if (!a->cost && (a->evals != NULL || a->repeats != NULL))
+        return message_set(message, "%s: goes with --cost only; see vti-study --help",
+                           a->evals != NULL ? "--evals" : "--repeats");
+    if (!a->cost && optind + 1 < argc)
         return message_set(message, "%s: only one scene can be studied at a time; remove it", argv[optind + 1]);
     return 0;
 }
@@ -91,19 +119,21 @@ static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
     return n;
 }
 
-static int make_plan(const struct arguments *a, struct scene *scene, struct plan *plan, struct message *message)
+static int make_plan(const struct arguments *a, struct scene *scene, struct tables *tables, struct plan *plan,
+                     struct message *message)
 {
     char shipped[BESIDE_PATH];
     if (a->scene == NULL && beside_scene("pendulum.yaml", shipped) != 0)
         return message_set(message,
                            "the shipped scene pendulum.yaml was not found beside the program; name a scene file");
-    if (scene_read(a->scene != NULL ? a->scene : shipped, a->sets, a->sets_count, scene, message) != 0)
+    if (scene_read(a->scene != NULL ? a->scene : shipped, a->sets, a->sets_count, scene, message) != 0 ||
+        tables_read(scene, tables, message) != 0)
         return -1;
     plan->scene = scene;
     plan->t_end = scene->t_end;
     if (a->t_end != NULL && (number_read(a->t_end, &plan->t_end) != 0 || !(plan->t_end > 0.0)))
         return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", a->t_end);
-    if (study_read_steppers(a->steppers, plan, message) != 0)
+    if (study_read_steppers(a->steppers != NULL ? a->steppers : "vti1,vti2,vti3", plan, message) != 0)
         return -1;
     plan->h_count = a->h != NULL ? ladder_read(a->h, plan->h, message) : ladder_around(scene, plan->h);
     return plan->h_count > 0 ? 0 : -1;
@@ -148,32 +178,14 @@ static int agree(int failed, int rank, const struct message *message)
     return first < 0 ? 0 : -1;
 }
 
-static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *wants_plot)
+/** Runs the plan and writes its files. Collective. */
+static int carry_out(const struct plan *plan, const char *folder, int rank)
 {
-    static struct scene scene;
-    static struct plan plan;
-    struct arguments arguments;
     struct study study;
     struct message message = {""};
-    int failed = read_arguments(argc, argv, &arguments, &message);
-    if (failed == 0 && arguments.help) {
-        if (rank == 0)
-            fputs(usage, stdout);
-        return 0;
-    }
-    if (failed == 0)
-        failed = make_plan(&arguments, &scene, &plan, &message);
-    if (agree(failed, rank, &message) != 0)
-        return -1;
-
-    if (arguments.folder != NULL)
-        snprintf(folder, FOLDER_PATH, "%s", arguments.folder);
-    else
-        snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
     if (agree(rank == 0 ? folder_create(folder, &message) : 0, rank, &message) != 0)
         return -1;
-
-    failed = study_run(&plan, MPI_COMM_WORLD, progress_show, &study, &message);
+    int failed = study_run(plan, MPI_COMM_WORLD, progress_show, &study, &message);
     progress_clear();
     if (failed == 0 && rank == 0) {
         failed = study_files_write(&study, folder, &message);
@@ -181,8 +193,83 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
             say(&study, folder);
     }
     study_destroy(&study);
-    *wants_plot = rank == 0 && arguments.plot;
     return agree(failed, rank, &message);
+}
+
+static int make_cost_plan(const struct arguments *a, struct cost_scenes *scenes, struct cost_plan *plan,
+                          struct message *message)
+{
+    char shipped[BESIDE_PATH];
+    const char *const pendulum[] = {shipped};
+    if (a->scenes_count == 0 && beside_scene("pendulum.yaml", shipped) != 0)
+        return message_set(message,
+                           "the shipped scene pendulum.yaml was not found beside the program; name a scene file");
+    if (cost_plan_limits(plan, a->evals, a->repeats, message) != 0 ||
+        cost_plan_methods(plan, a->steppers, message) != 0)
+        return -1;
+    if (cost_scenes_read(a->scenes_count > 0 ? a->scenes : pendulum, a->scenes_count > 0 ? a->scenes_count : 1, a->sets,
+                         a->sets_count, a->t_end, scenes, plan, message) != 0)
+        return -1;
+    return a->h != NULL ? cost_plan_steps(plan, a->h, message) : 0;
+}
+
+/** A cost study. Collective. */
+static int run_cost(const struct arguments *arguments, int rank)
+{
+    static struct cost_scenes scenes;
+    static struct cost_plan plan;
+    static struct cost cost;
+    struct message message = {""};
+    const char *folder = arguments->folder != NULL ? arguments->folder : "cost";
+    int failed = agree(make_cost_plan(arguments, &scenes, &plan, &message), rank, &message);
+    if (failed == 0)
+        failed = agree(rank == 0 ? folder_create(folder, &message) : 0, rank, &message);
+    if (failed == 0) {
+        failed = cost_run(&plan, MPI_COMM_WORLD, progress_show, &cost, &message);
+        progress_clear();
+        if (failed == 0 && rank == 0) {
+            failed = cost_files_write(&cost, folder, &message);
+            if (failed == 0) {
+                cost_table_write(&cost, stdout);
+                printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n",
+                       (long long)cost.runs, cost.seconds, folder);
+            }
+        }
+        failed = agree(failed, rank, &message);
+        cost_destroy(&cost);
+    }
+    cost_scenes_destroy(&scenes);
+    return failed;
+}
+
+static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *wants_plot)
+{
+    static struct scene scene;
+    static struct tables tables;
+    static struct plan plan;
+    struct arguments arguments;
+    struct message message = {""};
+    int failed = read_arguments(argc, argv, &arguments, &message);
+    if (failed == 0 && arguments.help) {
+        if (rank == 0)
+            fputs(usage, stdout);
+        return 0;
+    }
+    if (failed == 0 && arguments.cost)
+        return run_cost(&arguments, rank);
+    if (failed == 0)
+        failed = make_plan(&arguments, &scene, &tables, &plan, &message);
+    failed = agree(failed, rank, &message);
+    if (failed == 0) {
+        if (arguments.folder != NULL)
+            snprintf(folder, FOLDER_PATH, "%s", arguments.folder);
+        else
+            snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
+        failed = carry_out(&plan, folder, rank);
+        *wants_plot = rank == 0 && arguments.plot;
+    }
+    tables_destroy(&tables);
+    return failed;
 }
 
 int main(int argc, char **argv)

@@ -60,8 +60,8 @@ def _facts(study):
 def _lost(study, steppers):
     """A trajectory that is nowhere near the reference at any h is not one that converges slowly."""
     if study.uncertainty > CHAOTIC:
-        yield (f"the motion is chaotic: the reference itself is known to {words.plain_number(study.uncertainty)} of the solution only, and "
-               "errors of trajectories of that size have no order")
+        yield (f"the motion is chaotic: the reference itself is known to {words.plain_number(study.uncertainty)} of the solution "
+               "only, and errors of trajectories of that size have no order")
     lost = [stepper for stepper in steppers if np.all(study.errors(stepper, "h1_error")[1] > LOST)]
     if lost:
         yield (f"{words.listing(map(words.stepper_name, lost))}: the true error is above {LOST:g} at every h, so the "

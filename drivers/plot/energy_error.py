@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """energy_error.png: the relative error of the total energy over time. A long run shows as the band between the smallest
-and the largest value of every slice of time, with the mean in it, which tells a drift from an oscillation."""
+and the largest value of every slice of time, with the mean in it; how far a line fitted to it moves tells a slow change from
+an oscillation."""
 import math
 
 import numpy as np
@@ -24,6 +25,7 @@ def draw(run):
         _draw_blown_up(axes, run.total_to_the_end[0], (run.total_to_the_end[1] - total[0]) / scale, symbol)
         axes.set_title(f"blown up at $t$ = {words.given(run.lost)}")
         curves.time_axis(axes)
+        axes.margins(x=0.01)        # or half of the last mark is cut off
     figure.supxlabel("\n".join([_facts(run, t, total[0]), *run.notes()]), fontsize=8.5, color=style.GREY)
     return figure, run.notes()
 
@@ -72,10 +74,10 @@ def drift(t, error):
 def _drift_text(t, error):
     change, interval = drift(t, error)
     if not math.isfinite(change):
-        return "too short to tell a drift"
+        return "too short to fit a line"
     if abs(change) <= interval:
-        return f"no drift: less than {words.number(abs(change) + interval, 1)} over the whole time"
-    return f"drift over the whole time {words.number(change)} ± {words.number(interval, 1)}"
+        return f"no drift: a line fitted to it moves by less than {words.number(abs(change) + interval, 1)} from end to end"
+    return f"a line fitted to it moves by {words.number(change)} ± {words.number(interval, 1)} from end to end"
 
 
 def _facts(run, t, energy0):

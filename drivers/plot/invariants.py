@@ -46,6 +46,7 @@ def draw(study):
         axes = invariants[0].add_subplot(*invariant_shape, place + 1)
         _draw_invariant(axes, label, {stepper: (one.t, one.invariants[key][1]) for stepper, one in series.items()
                                       if key in one.invariants}, looks)
+        curves.time_axis(axes, (0.0, study.t_end))
     handles = [Line2D([], [], color=looks[stepper].colour, linewidth=2,
                       label=words.stepper_name(stepper) + ("" if common else f", $h$ = {words.step_text(h)}"))
                for stepper, h in steps.items()]
@@ -95,7 +96,7 @@ def _draw_energy(axes, study, stepper, series, look):
     axes.set_title(f"{words.stepper_name(stepper)}\n"
                    + (f"at most {words.number(largest)}" if lost is None else f"not finite from $t$ = {lost} on"))
     axes.set_ylabel(symbol + (rf"  in $10^{{{power}}}$" if power else ""))
-    curves.time_axis(axes)
+    curves.time_axis(axes, (0.0, study.t_end))      # the last sample may lie before the end
 
 
 def _draw_invariant(axes, label, lines, looks):
@@ -120,7 +121,6 @@ def _draw_invariant(axes, label, lines, looks):
             _linear_then_log(axes, 10 * max(1.0, smallest / unit), largest / unit)
     axes.set_ylabel(r"deviation / $\varepsilon$" if unit == EPS
                     else rf"deviation in $10^{{{round(math.log10(unit))}}}$")
-    curves.time_axis(axes)
 
 
 def _linear_then_log(axes, threshold, largest):

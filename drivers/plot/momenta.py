@@ -10,6 +10,7 @@ from . import curves, style, words
 from .curves import EPS
 from .run_file import VECTORS
 
+FEW = 10        # times: of a run that blew up, where a line alone might have no second end
 KEPT = 20       # times rounding at random: more than that is no rounding, even where it is small
 
 
@@ -84,12 +85,15 @@ def draw(run):
 
 
 def _draw_panel(axes, run, values):
-    t = run.columns["t"]
+    t, few = run.columns["t"], len(run.columns["t"]) < FEW
     for k, (_, colour) in enumerate(LOOKS):
         times, peaks = curves.sliced(t, np.abs(values[:, k] - values[0, k]), np.max)
-        axes.plot(times, np.where(peaks > 0, peaks, np.nan), color=colour, linewidth=1.0)
+        axes.plot(times, np.where(peaks > 0, peaks, np.nan), "o-" if few else "-", color=colour,
+                  linewidth=1.0, markersize=4)
     axes.plot(t, rounding(run, t), ":", color=style.GREY, linewidth=1.2, zorder=1)
-    curves.time_axis(axes, t)
+    curves.time_axis(axes, None if few else t)
+    if few:
+        axes.margins(x=0.05)    # or half of the last mark is cut off
 
 
 def _verdict(fate):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reading the out.h5 of a run, and refusing it in one sentence where it is not what vti-run writes.
 
-    attributes of the file   scene, stepper, h, vti_version
+    attributes of the file   scene, stepper, h, vti_version; contact.bonded (1: inside bonds too) if the scene has contact
     /energies/<column>       a column of out.csv: t, energies, total, momenta; one row per recorded time
     /walls                   planes n.x = d as rows nx, ny, nz, d, if the scene has any
     /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (bonds), Steps/Values (times)
@@ -40,12 +40,16 @@ class Run:
     diameter: np.ndarray    # of the bodies, or None
     bonds: np.ndarray       # k, 2: pairs of bodies
     walls: np.ndarray       # k, 4
+    contact_bonded: bool    # bodies of a common bond touch, too
     lost: float = None      # when the run blew up; what follows is left out of all but total_to_the_end
     total_to_the_end: tuple = None  # t, total
 
     def notes(self):
         return [] if self.lost is None else [f"the run blew up: from t = {self.lost:.4g} on its energy is off by more than "
                                              f"{BLOWN} times what it began with"]
+
+    def has_contact(self):
+        return "contact" in self.columns
 
     def energies(self):
         """Kinetic and potential energies by name, in the order of the paper."""
@@ -88,12 +92,13 @@ def read_run(path):
         bonds = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
         if len(bonds) % 2 or len(bonds) and not 0 <= bonds.min() <= bonds.max() < bodies:
             raise reader.trouble("/VTKHDF/Lines/Connectivity names a body that does not exist, or none")
+        contact_bonded = "contact.bonded" in file.attrs and reader.number("contact.bonded") != 0
         walls = reader.numbers("/walls", 2) if "walls" in file else np.zeros((0, 4))
         if walls.shape[1] != 4:
             raise reader.trouble(f"/walls has {walls.shape[1]} columns instead of 4")
         run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
-                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
-                   "attitude_xyzw" in data, diameter, bonds.reshape(-1, 2), walls)
+                  text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
+                  "attitude_xyzw" in data, diameter, bonds.reshape(-1, 2), walls, contact_bonded)
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
             raise reader.trouble("holds no number that is finite")

@@ -28,7 +28,8 @@ class Scenery:
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.outward = _outward(frames[0], self.plane) if run.turns else None
-        self.bonded = {tuple(sorted(pair)) for pair in run.bonds.tolist()}
+        # The scene says which bodies never touch, those of a common bond being the usual ones.
+        self.apart = set() if run.contact_bonded else {tuple(sorted(pair)) for pair in run.bonds.tolist()}
 
     def _extent(self, frame):
         radius = self.radius[:, None]
@@ -79,16 +80,16 @@ class Scenery:
             axes.add_patch(Polygon(outline, facecolor="#DDDDDD", edgecolor=WALL, linewidth=0.8, zorder=0.5))
 
     def _touching(self, frame):
-        """Bodies that overlap a wall, or another body to which no bond ties them."""
+        """Bodies that overlap a wall, or another body which the scene lets them touch."""
         touching = np.zeros(len(frame.x), bool)
         if self.run.diameter is None or not self.detailed:
             return touching
         for plane in self.run.walls:
             touching |= frame.x @ plane[:3] - plane[3] < self.radius * np.linalg.norm(plane[:3])
-        for i in range(len(frame.x) - 1):
+        for i in range(len(frame.x) - 1 if self.run.has_contact() else 0):
             distance = np.linalg.norm(frame.x[i + 1:] - frame.x[i], axis=1)
             for j in i + 1 + np.flatnonzero(distance < self.radius[i] + self.radius[i + 1:]):
-                if (i, j) not in self.bonded:
+                if (i, j) not in self.apart:
                     touching[[i, j]] = True
         return touching
 

@@ -52,7 +52,9 @@ def _facts(run, scene, touched):
     if scene.detailed and run.turns:
         parts.append("Black marks are fixed to the bodies and point outwards at $t$ = 0.")
     if touched:
-        parts.append("Orange: in contact with the wall or with a body of no common bond.")
+        other = "another body" if run.contact_bonded or not len(run.bonds) else "a body of no common bond"
+        parts.append("Orange: in contact with " + " or with ".join(["a wall"] * (len(run.walls) > 0) +
+                                                                   [other] * run.has_contact()) + ".")
     if scene.follows:
         parts.append("The window moves with the bodies, the scale stays.")
     if run.diameter is None:

@@ -5,6 +5,7 @@
 
 #include "support.h"
 
+#include <dirent.h>
 #include <unistd.h>
 
 #include "quote.h"
@@ -12,20 +13,30 @@
 
 enum { TEXT_SIZE = 8192 };
 
-/** Moves into a new directory below the present one; leave_directory empties it of the files named and removes it. */
-static inline void enter_directory(char directory[64])
+static char own_directory[64];
+
+/** Group fixtures: the tests run in a new directory below the present one, which goes with all files in it. */
+static inline int enter_directory(void **state)
 {
-    snprintf(directory, 64, "scene-XXXXXX");
-    assert_non_null(mkdtemp(directory));
-    assert_int_equal(chdir(directory), 0);
+    (void)state;
+    snprintf(own_directory, sizeof own_directory, "scene-XXXXXX");
+    assert_non_null(mkdtemp(own_directory));
+    assert_int_equal(chdir(own_directory), 0);
+    return 0;
 }
 
-static inline void leave_directory(const char *directory, const char *const *files, int n)
+static inline int leave_directory(void **state)
 {
-    for (int k = 0; k < n; ++k)
-        remove(files[k]);
+    (void)state;
+    DIR *files = opendir(".");
+    assert_non_null(files);
+    for (const struct dirent *entry; (entry = readdir(files)) != NULL;)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
+            assert_int_equal(remove(entry->d_name), 0);
+    closedir(files);
     assert_int_equal(chdir(".."), 0);
-    assert_int_equal(rmdir(directory), 0);
+    assert_int_equal(rmdir(own_directory), 0);
+    return 0;
 }
 
 static inline void write_bytes(const char *path, const char *bytes, size_t size)

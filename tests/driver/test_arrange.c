@@ -170,16 +170,11 @@ static void random_velocities(void **state)
 
 int main(int argc, char **argv)
 {
-    static const char *const files[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_torus),        cmocka_unit_test(a_ring_touches_its_neighbours),
         cmocka_unit_test(a_chain),          cmocka_unit_test(a_lattice),
         cmocka_unit_test(one_body_of_each), cmocka_unit_test(the_generator),
         cmocka_unit_test(random_velocities)};
-    char directory[64];
     torus = argc > 1 ? argv[1] : "torus.yaml";
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, files, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

@@ -136,6 +136,8 @@ static void contacts_follow_the_bodies(void **state)
     vti_bodies other = model.bodies;
     other.x = vti_view_packed(x[0]);
     other.force = vti_view_packed(force[0]);
+    assert_true(other.sealed != 0); /* the model's are checked once, and not at every step */
+    other.sealed = 0;               /* these views are others */
     assert_close(model_energy(&model, &other), 0.4 * 100.0 * pow(0.5, 2.5), 1e-13);
     assert_int_equal(model_forces(&model, &model.bodies), VTI_OK);
     assert_int_equal(model_forces(&model, &other), VTI_OK);
@@ -206,7 +208,6 @@ static void overlaps_and_stable_steps(void **state)
 
 int main(void)
 {
-    static const char *const files[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_there),
                                        cmocka_unit_test(terms),
                                        cmocka_unit_test(planes_are_made_unit),
@@ -214,9 +215,5 @@ int main(void)
                                        cmocka_unit_test(contacts_follow_the_bodies),
                                        cmocka_unit_test(a_body_that_is_nowhere),
                                        cmocka_unit_test(overlaps_and_stable_steps)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, files, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

@@ -2,22 +2,15 @@
 """vti-plot on runs: test_plot_run.py VTI-PLOT. Makes runs by formula, draws and films them and looks at what came out; then
 hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
 import os
-import struct
-import subprocess
-import sys
-import tempfile
 
-try:
-    import h5py
-    import matplotlib  # noqa: F401, the program under test needs it
-    import numpy as np
-    from PIL import Image
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(77)
+import plot_support
+from plot_support import EPS, left_alone, plot, refuses
+
+import h5py
+import numpy as np
+from PIL import Image
 
 ALL = ("energy.png", "energy_error.png", "momenta.png", "shapes.png")
-EPS = 2.0**-52
 
 
 def ring(count, t):
@@ -37,10 +30,12 @@ def energies(t):
 
 
 def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, translates=True, blown=False, walls=True,
-              scene="ring"):
+              scene="ring", bonded=0, squeeze=1.0):
     with h5py.File(path, "w") as file:
         file.attrs.update({"scene": np.bytes_(scene), "stepper": np.bytes_("vti2"), "vti_version": np.bytes_("0.1.0"),
                            "h": 1e-3})
+        if bonded is not None:      # as in files of scenes without contact, and of versions that did not say
+            file.attrs["contact.bonded"] = np.int64(bonded)
         t = np.linspace(0, t_end, rows)
         columns = {"t": t, **energies(t)}
         if blown:
@@ -60,41 +55,13 @@ def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, trans
         if turns:
             data["attitude_xyzw"] = attitudes
         if translates:
-            data["velocity"], data["diameter"] = np.zeros_like(centres), np.full(count, 2 * np.sin(np.pi / count))
+            data["velocity"], data["diameter"] = np.zeros_like(centres), np.full(count, 2 * np.sin(np.pi / count) / squeeze)
         if walls:
             file["walls"] = np.array([[1.0, 0.0, 0.0, 0.9], [0.0, 0.0, 1.0, -1.0]])
 
 
-def plot(program, *given):
-    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False)
-
-
-def picture(path):
-    """The bytes of a PNG, checked."""
-    with open(path, "rb") as file:
-        content = file.read()
-    assert content[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is no PNG"
-    width, height = struct.unpack(">II", content[16:24])
-    assert width >= 1000 and height >= 400, f"{path} is {width} x {height}"
-    assert len(content) < 300_000, f"{path} has {len(content)} bytes"
-    return content
-
-
 def draws(program, run, folder, pictures=ALL):
-    done = plot(program, run, "-o", folder)
-    assert done.returncode == 0 and done.stderr == "", f"{run}: {done.stderr}"
-    assert sorted(os.listdir(folder)) == sorted(pictures), f"{run}: {os.listdir(folder)}"
-    return [picture(os.path.join(folder, name)) for name in pictures], done.stdout
-
-
-def refuses(program, run, *words, options=()):
-    """Status 1, nothing on stdout, one line with problem and remedy."""
-    done = plot(program, run, *options)
-    line = done.stderr
-    assert done.returncode == 1 and done.stdout == "", f"{run}: status {done.returncode}, {done.stdout}{line}"
-    assert line.startswith("vti-plot: ") and line.count("\n") == 1 and ";" in line, f"{run}: {line}"
-    for word in words:
-        assert word in line, f"{run}: no '{word}' in: {line}"
+    return plot_support.draws(program, run, folder, pictures, narrowest=1000)
 
 
 def test_pictures(program, folder):
@@ -107,6 +74,19 @@ def test_pictures(program, folder):
     write_run(run, walls=False)
     bare, _ = draws(program, run, os.path.join(folder, "no-walls"))
     assert bare[3] != once[3] and bare[:3] == once[:3], "walls belong to shapes.png and to nothing else"
+
+
+def test_contacts(program, folder):
+    """Neighbours of this ring overlap, and all are bonded: whether they touch, the file says."""
+    run, said = os.path.join(folder, "out.h5"), {}
+    for bonded in (None, 0, 1):
+        write_run(run, walls=False, squeeze=0.7, bonded=bonded)
+        said[bonded] = draws(program, run, os.path.join(folder, str(bonded)))[0][3]
+    assert said[None] == said[0] != said[1], "contacts inside bonds are not drawn as the file has them"
+    with h5py.File(run, "a") as file:
+        del file["energies/contact"]
+    assert draws(program, run, os.path.join(folder, "without"))[0][3] == said[0], "contacts in a scene without contact"
+    left_alone(program, run)
 
 
 def test_scenes(program, folder):
@@ -191,9 +171,4 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: test_plot_run.py VTI-PLOT")
-    for test in (test_pictures, test_scenes, test_film, test_refusals):
-        with tempfile.TemporaryDirectory() as folder:
-            test(os.path.abspath(sys.argv[1]), folder)
-        print(f"{test.__name__}: ok")
+    plot_support.main(test_pictures, test_contacts, test_scenes, test_film, test_refusals)

@@ -83,7 +83,8 @@ def signals(base):
               f"{number.name}: code {process.returncode}, {words.strip()}")
         check(not os.path.exists(stem + ".h5"), "... no file is half there")
         result = run(RUN, *options, "-o", stem + ".h5", "--resume")
-        check(result.returncode == 0 and "goes on from step" in result.stdout and
+        begun = "stopped at step 0 " not in words
+        check(result.returncode == 0 and ("goes on from step" in result.stdout) == begun and
               contents(stem) == contents(f"{base}/whole/out"), "... and it goes on to the same bytes")
 
 
@@ -150,6 +151,17 @@ def prolonged(base):
     run(RUN, scene("torus"), "--t-end", "0.4", "--record", "7", "--frames", "4", "-o", f"{base}/asked/out.h5")
     check(result.returncode == 0 and "goes on from step 250" in result.stdout and
           contents(f"{base}/longer/out") == contents(f"{base}/asked/out"), "--resume with a later --t-end prolongs the run")
+
+
+def prolonged_from_nothing(base):
+    """A run that ended before its first step, but after a lagging stepper had moved its velocities."""
+    arguments = [scene("pendulum"), "--stepper", "vti3-leapfrog", "--record", "1", "--frames", "1"]
+    result = run(RUN, *arguments, "--t-end", "1e-3", "-o", f"{base}/none/out.h5", preexec_fn=with_limit(4))
+    check(result.returncode == 1 and os.path.exists(f"{base}/none/out.h5.run/checkpoint"), "a run without steps is interrupted")
+    result = run(RUN, *arguments, "--t-end", "1", "-o", f"{base}/none/out.h5", "--resume")
+    run(RUN, *arguments, "--t-end", "1", "-o", f"{base}/asked/out.h5")
+    check(result.returncode == 0 and contents(f"{base}/none/out") == contents(f"{base}/asked/out"),
+          "... and starts once, not twice")
 
 
 def broken(base):
@@ -255,6 +267,43 @@ def tables(base):
     check(result.returncode == 1 and one_line(result, "bodies.h5"), f"table that is no HDF5: {result.stderr.strip()}")
 
 
+def changed_tables(base):
+    """One number of a table, of either kind, is changed between a run and its resumption."""
+    names = [*"xyz", *(kind + axis for kind in ("v", "alpha_", "omega_") for axis in "xyz")]
+    bodies = {**dict.fromkeys(names, [0.0] * 4), "x": [0.0, 1.0, 2.0, 3.0],
+              **dict.fromkeys(("mass", "inertia", "diameter"), [1.0] * 4)}
+    bonds = {"i": [0, 0], "j": [1, 2], "axial": [10.0, 20.0], "moment": [1.0, 2.0], "shear": [1.0, 2.0]}
+
+    def write(ending, tables):
+        for group, columns in tables.items():
+            if ending == "csv":
+                with open(f"{base}/{group}.csv", "w", encoding="ascii") as file:
+                    file.writelines(",".join(map(str, row)) + "\n" for row in [columns, *zip(*columns.values())])
+                continue
+            with h5py.File(f"{base}/{group}.h5", "w") as file:
+                for name, values in columns.items():
+                    file[f"{group}/{name}"] = values
+
+    def changed(table, name):
+        return {**table, name: [*table[name][:-1], table[name][-1] + (1 if name in "ij" else 1e-9)]}
+
+    for ending in ("csv", "h5"):
+        with open(f"{base}/{ending}.yaml", "w", encoding="ascii") as file:
+            file.write(f"bodies: {{table: bodies.{ending}}}\nbinder: {{table: bonds.{ending}}}\nh: 1/1024\nt_end: 1\n")
+        arguments = [f"{base}/{ending}.yaml", "-o", f"{base}/{ending}/out.h5", "--record", "8", "--frames", "8"]
+        write(ending, {"bodies": bodies, "bonds": bonds})
+        result = run(RUN, *arguments, preexec_fn=with_limit(60))
+        check(result.returncode == 1 and one_line(result, "out.h5.run"), f"{ending}, disk full: {result.stderr.strip()}")
+        for group, name in [("bodies", name) for name in bodies] + [("bonds", name) for name in bonds]:
+            tables = {"bodies": bodies, "bonds": bonds}
+            write(ending, {**tables, group: changed(tables[group], name)})
+            result = run(RUN, *arguments, "--resume")
+            check(result.returncode == 1 and one_line(result, "another run", f"{group}.{ending} holds other {group}", "-o"),
+                  f"{group}.{ending}, other {name}: {result.stderr.strip()}")
+        write(ending, {"bodies": bodies, "bonds": bonds})
+        check(run(RUN, *arguments, "--resume").returncode == 0, f"... with its own {ending} tables it goes on")
+
+
 def refused(base):
     blocked = f"{base}/file"
     open(blocked, "w", encoding="ascii").close()
@@ -286,7 +335,8 @@ def refused(base):
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
           lambda base: kills(base, "torus", "--t-end", "4"), lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, terminated, full_disk, tables, prolonged, broken, refused_resumes, refused]
+          signals, terminated, full_disk, tables, changed_tables, prolonged, prolonged_from_nothing, broken, refused_resumes,
+          refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)

@@ -128,16 +128,11 @@ static void every_stepper_in_space(void **state)
 
 int main(int argc, char **argv)
 {
-    static const char *const files[] = {"spin_2-a.yaml"};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_shipped_pendulum),  cmocka_unit_test(what_is_left_out_has_a_default),
         cmocka_unit_test(ways_of_writing),       cmocka_unit_test(set_replaces_and_adds),
         cmocka_unit_test(set_adds_a_section),    cmocka_unit_test(set_mends),
         cmocka_unit_test(every_stepper_in_space)};
-    char directory[64];
     pendulum = argc > 1 ? argv[1] : "pendulum.yaml";
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, files, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

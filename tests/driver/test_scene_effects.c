@@ -267,12 +267,7 @@ static void paths_of_tables(void **state)
 
 int main(void)
 {
-    static const char *const names[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(refusals), cmocka_unit_test(refused_overrides),
                                        cmocka_unit_test(too_many_planes), cmocka_unit_test(paths_of_tables)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, names, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

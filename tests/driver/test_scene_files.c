@@ -101,13 +101,8 @@ static void deep_and_long_texts(void **state)
 
 int main(void)
 {
-    static const char *const names[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(names_of_files), cmocka_unit_test(what_is_no_file),
                                        cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
                                        cmocka_unit_test(deep_and_long_texts)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, names, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

@@ -207,15 +207,10 @@ static void mutated_overrides(void **state)
 
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_truncation), cmocka_unit_test(mutations),
                                        cmocka_unit_test(mutated_overrides)};
-    char directory[64];
     originals = argc - 1 < ORIGINALS ? argc - 1 : ORIGINALS;
     for (int k = 0; k < originals; ++k)
         original_size[k] = read_bytes(argv[k + 1], original[k]);
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, names, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

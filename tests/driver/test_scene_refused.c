@@ -227,11 +227,6 @@ static void overrides_are_refused(void **state)
 
 int main(void)
 {
-    static const char *const names[] = {"t.yaml"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(files_are_refused), cmocka_unit_test(overrides_are_refused)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, names, 1);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

@@ -10,17 +10,13 @@ import sys
 import tempfile
 
 import h5py
+import numpy
+
+from run_support import check, failures
 
 STUDY, MPIRUN = sys.argv[1:3]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what)
-    if not condition:
-        failures.append(what)
 
 
 def study(ranks, *arguments, folder=None):
@@ -122,6 +118,44 @@ def refused(base):
                     [f"{blocked}/out", "-o"], None)
 
 
+TABLES = """name: tables
+bodies: {table: table.ENDING}
+binder: {table: BONDS}
+h: 1/64
+t_end: 1
+"""
+
+
+def from_tables(base):
+    """Bodies and bonds from CSV and from HDF5: the same numbers, the same bytes."""
+    bodies = {"x": [0, 1, 2], "y": [0, 0, 1 / 3], "z": [0, 0, 0], "vx": [0, 0.1, 0], "vy": [0, 0, 0], "vz": [0, 0, 0.7],
+              "mass": [1, 2, 1 / 7], "inertia": [1, 0.1, 0.2]}
+    bonds = {"i": [0, 1], "j": [1, 2], "axial": [10, 20], "moment": [1, 1 / 9]}
+    os.mkdir(f"{base}/tables")
+    with h5py.File(f"{base}/tables/table.h5", "w") as file:
+        for group, columns in (("bodies", bodies), ("bonds", bonds)):
+            for name, values in columns.items():
+                file[f"{group}/{name}"] = numpy.array(values, float)
+    for name, columns in (("table.csv", bodies), ("bonds.csv", bonds)):
+        with open(f"{base}/tables/{name}", "w", newline="") as file:
+            csv.writer(file).writerows([columns, *zip(*[map(repr, values) for values in columns.values()])])
+    scenes = {}
+    for ending, second in (("csv", "bonds.csv"), ("h5", "table.h5")):
+        scenes[ending] = f"{base}/tables/{ending}.yaml"
+        with open(scenes[ending], "w") as file:
+            file.write(TABLES.replace("ENDING", ending).replace("BONDS", second))
+        result = study(2, scenes[ending], "--h", "1/64,1/128", folder=f"{base}/tables/{ending}")
+        check(result.returncode == 0, f"a study of {ending} tables {result.stderr}")
+    found = [{name: open(f"{base}/tables/{ending}/{name}", "rb").read() for name in ("study.csv", "study.h5")}
+             for ending in scenes if os.path.isdir(f"{base}/tables/{ending}")]
+    check(len(found) == 2 and found[0] == found[1], "CSV and HDF5 tables give the same bytes")
+    check(len(rows(f"{base}/tables/csv")) == 6, "... of all runs")
+    os.truncate(f"{base}/tables/table.h5", 1000)
+    for ranks in (1, 3):
+        one_refusal(f"a damaged table, {ranks} ranks", study(ranks, scenes["h5"], folder=f"{base}/tables/none"),
+                    ["table.h5", "HDF5"], f"{base}/tables/none")
+
+
 def one_refusal(what, result, expected, folder):
     ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
     check(result.returncode != 0, f"{what}: exit code {result.returncode}")
@@ -150,6 +184,7 @@ with tempfile.TemporaryDirectory() as base:
     same_bytes(base)
     whole_steps(base)
     refused(base)
+    from_tables(base)
     keeps_what_was_there(base)
 print(f"{len(failures)} failures")
 sys.exit(1 if failures else 0)

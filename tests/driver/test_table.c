@@ -265,14 +265,9 @@ static void given_tables(void **state)
 
 int main(void)
 {
-    static const char *const files[] = {"t.yaml", "b.csv", "c.csv"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(reads),           cmocka_unit_test(reads_many_rows),
                                        cmocka_unit_test(refusals),        cmocka_unit_test(what_is_no_file),
                                        cmocka_unit_test(mismatches),      cmocka_unit_test(bodies_and_bonds),
                                        cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, files, 3);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

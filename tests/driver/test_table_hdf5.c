@@ -202,13 +202,8 @@ static void damaged_files(void **state)
 
 int main(void)
 {
-    static const char *const files[] = {"t.yaml", "b.csv", "b.h5"};
     const struct CMUnitTest tests[] = {cmocka_unit_test(reads), cmocka_unit_test(csv_and_none),
                                        cmocka_unit_test(values), cmocka_unit_test(groups),
                                        cmocka_unit_test(damaged_files)};
-    char directory[64];
-    enter_directory(directory);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    leave_directory(directory, files, 3);
-    return failed;
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "advice_text.h"
+
+#include <math.h>
+
+/** Largest step at which a stepper is stable, if the bound is h for steppers of one force evaluation. */
+static double stable_for(const struct advice *a, const vti_stepper *stepper)
+{
+    return a->stable_h * 0.5 * stepper->reach;
+}
+
+/** "3.4 s", "12 ms" */
+static void say_seconds(double seconds, FILE *file)
+{
+    if (seconds >= 1.0)
+        fprintf(file, "%7.3g s ", seconds);
+    else if (seconds >= 1e-3)
+        fprintf(file, "%7.3g ms", 1e3 * seconds);
+    else
+        fprintf(file, "%7.3g us", 1e6 * seconds);
+}
+
+static void say_offer(const struct offer *o, FILE *file)
+{
+    if (!isfinite(o->seconds)) {
+        fprintf(file, "  %-14s       too dear to tell\n", o->stepper->name);
+        return;
+    }
+    fprintf(file, "  %-14s %10.4g %10lld %12lld ", o->stepper->name, o->h, (long long)o->steps,
+            (long long)(o->steps * o->stepper->evals));
+    say_seconds(o->seconds, file);
+    fprintf(file, " %9.1e %s\n", o->error, o->measured ? "" : "(from coarser runs)");
+}
+
+void advice_say(const struct scene *scene, const struct advice *a, FILE *file)
+{
+    const struct offer *best = &a->offers[0];
+    fprintf(file, "%s to t = %g: %s at h = %.6g reaches %.1e (asked for: %g) in", scene->name, a->t_end,
+            best->stepper->name, best->h, best->error, a->target);
+    say_seconds(best->seconds, file);
+    fprintf(file, "\n\n  %-14s %10s %10s %12s %10s %9s\n", "stepper", "h", "steps", "force evals", "time  ", "error");
+    for (int64_t k = 0; k < a->count; ++k)
+        say_offer(&a->offers[k], file);
+    if (isfinite(a->stable_h))
+        fprintf(file, "\nrigorously stable: h < %.4g for steppers of one force evaluation, h < %.4g for %s\n",
+                a->stable_h, stable_for(a, best->stepper), best->stepper->name);
+    else
+        fprintf(file, "\nnothing oscillates: every step is stable\n");
+    fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
+    fprintf(file, "times are of the steps alone, without output; the solution is known to %.0e\n", a->known);
+}
+
+void advice_warn(const struct scene *scene, const struct advice *a, FILE *file)
+{
+    const struct offer *best = &a->offers[0];
+    const double nominal = (double)a->checked->order;
+    if ((scene->has_contact || scene->has_wall) && a->order < nominal - 1.0)
+        fprintf(
+            file,
+            "warning: the forces of this scene are not smooth enough for high order: %s, of order %.0f, shows order "
+            "%.1f; the stiffness of a contact sets in with a kink\n",
+            a->checked->name, nominal, a->order);
+    if (best->h > 0.95 * stable_for(a, best->stepper))
+        fprintf(file,
+                "warning: h = %.4g is near the stable step %.4g: what is off by less than the error may still grow\n",
+                best->h, stable_for(a, best->stepper));
+    if (best->h * a->max_omega > 1.0)
+        fprintf(file, "warning: bodies turn by up to %.2g radians per step\n", best->h * a->max_omega);
+    if (best->error < 0.33 * a->target)
+        fprintf(file, "note: stability, not the error, sets the step: the error is %.1e\n", best->error);
+}
+
+/* JSON knows no infinity: null */
+static void json_number(const char *key, double value, FILE *file)
+{
+    if (isfinite(value))
+        fprintf(file, "\"%s\": %.17g", key, value);
+    else
+        fprintf(file, "\"%s\": null", key);
+}
+
+static void json_offer(const struct offer *o, FILE *file)
+{
+    fprintf(file, "\"stepper\": \"%s\", ", o->stepper->name);
+    json_number("h", o->steps > 0 ? o->h : NAN, file);
+    fputs(", ", file);
+    json_number("predicted_error", o->steps > 0 ? o->error : NAN, file);
+    fputs(", ", file);
+    json_number("predicted_seconds", o->seconds, file);
+}
+
+void advice_json(const struct advice *a, FILE *file)
+{
+    fputs("{", file);
+    json_offer(&a->offers[0], file);
+    fputs(", ", file);
+    json_number("stable_h", a->stable_h, file);
+    fputs(", ", file);
+    json_number("h_max_omega", a->offers[0].h * a->max_omega, file);
+    fputs(", \"alternatives\": [", file);
+    for (int64_t k = 1; k < a->count; ++k) {
+        fputs(k > 1 ? ", {" : "{", file);
+        json_offer(&a->offers[k], file);
+        fputs("}", file);
+    }
+    fputs("]}\n", file);
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "cost_table.h"
+
+#include <math.h>
+
+enum { NAME = 18, CELL = 9, SORTED_BY = 4 /* 1e-6 */ };
+
+static const struct cost_price *prices_of(const struct cost *cost, int64_t c, int64_t m)
+{
+    return cost->prices[c * cost->plan->methods_count + m];
+}
+
+/** 1 if method a comes before b: by its time to 1e-6; among those that do not get there by the time to 1e-5, and so on. */
+static int is_before(const struct cost *cost, int64_t c, int64_t a, int64_t b)
+{
+    for (int e = SORTED_BY; e >= 0; --e) {
+        const double x = prices_of(cost, c, a)[e].seconds, y = prices_of(cost, c, b)[e].seconds;
+        if (isnan(x) != isnan(y))
+            return isnan(y);
+        if (!isnan(x))
+            return x < y;
+    }
+    return 0;
+}
+
+static void sort(const struct cost *cost, int64_t c, int64_t order[COST_METHODS])
+{
+    for (int64_t m = 0; m < cost->plan->methods_count; ++m) {
+        int64_t k = m;
+        for (; k > 0 && is_before(cost, c, m, order[k - 1]); --k)
+            order[k] = order[k - 1];
+        order[k] = m;
+    }
+}
+
+/** A number of three digits with a letter for its thousands: 12.3 k. */
+static void print_short(double value, const char *const units[], int units_count, FILE *file)
+{
+    char text[32];
+    int u = 0;
+    for (; u + 1 < units_count && value >= 999.5; ++u)
+        value /= 1000.0;
+    snprintf(text, sizeof text, "%.3g%s", value, units[u]);
+    fprintf(file, "%*s", CELL, text);
+}
+
+static void print_seconds(double seconds, FILE *file)
+{
+    static const char *const units[] = {" us", " ms", " s"};
+    print_short(1e6 * seconds, units, 3, file);
+}
+
+static void print_evals(double evals, FILE *file)
+{
+    static const char *const units[] = {"", " k", " M", " G"};
+    print_short(evals, units, 4, file);
+}
+
+/** Rows methods, columns errors. */
+static void write_block(const struct cost *cost, int64_t c, const int64_t *order, const char *title,
+                        void (*print)(double, FILE *), int seconds, FILE *file)
+{
+    fprintf(file, "%-*s %-5s ", NAME, title, "");
+    for (int e = 0; e < COST_TARGETS; ++e)
+        fprintf(file, "%*.0e", CELL, cost_targets[e]);
+    fputc('\n', file);
+    for (int64_t k = 0; k < cost->plan->methods_count; ++k) {
+        const struct method *method = cost->plan->methods[order[k]];
+        fprintf(file, "%-*s %-5s ", NAME, method->name, method->kind);
+        for (int e = 0; e < COST_TARGETS; ++e) {
+            const struct cost_price *price = &prices_of(cost, c, order[k])[e];
+            if (isnan(price->force_evals))
+                fprintf(file, "%*s", CELL, "-");
+            else
+                print(seconds ? price->seconds : price->force_evals, file);
+        }
+        fputc('\n', file);
+    }
+}
+
+static void write_factors(const struct cost *cost, int64_t c, const int64_t *order, FILE *file)
+{
+    for (int64_t k = 0; k < cost->plan->methods_count; ++k) {
+        const struct cost_price factor = cost_price_factor(prices_of(cost, c, order[k]));
+        if (!isnan(factor.seconds))
+            fprintf(file, "%s: a factor of ten in accuracy costs %.2f times the time and %.2f times the evaluations\n",
+                    cost->plan->methods[order[k]]->name, factor.seconds, factor.force_evals);
+    }
+}
+
+static void write_failures(const struct cost *cost, int64_t c, FILE *file)
+{
+    for (int64_t m = 0; m < cost->plan->methods_count; ++m) {
+        const struct cost_ladder *ladder = &cost->ladders[c * cost->plan->methods_count + m];
+        if (ladder->failures > 0)
+            fprintf(file, "left out: %lld run%s of %s that failed, the last one: %s\n", (long long)ladder->failures,
+                    ladder->failures > 1 ? "s" : "", cost->plan->methods[m]->name, ladder->failure.text);
+        else if (ladder->count == 0)
+            fprintf(file, "left out: %s, which has no run with an error below 1; allow more with --evals\n",
+                    cost->plan->methods[m]->name);
+    }
+}
+
+/** The least error of any run: what two solutions that have nothing in common but the forces differ by. */
+static double nearest(const struct cost *cost, int64_t c)
+{
+    double least = INFINITY;
+    for (int64_t m = 0; m < cost->plan->methods_count; ++m) {
+        const struct cost_ladder *ladder = &cost->ladders[c * cost->plan->methods_count + m];
+        for (int64_t r = 0; r < ladder->count; ++r)
+            least = fmin(least, cost_error(&ladder->runs[r], cost->facts[c].turns));
+    }
+    return least;
+}
+
+void cost_table_write(const struct cost *cost, FILE *file)
+{
+    for (int64_t c = 0; c < cost->plan->cases_count; ++c) {
+        int64_t order[COST_METHODS];
+        const struct cost_facts *facts = &cost->facts[c];
+        sort(cost, c, order);
+        fprintf(file, "== %s: what an error of %s at t = %.10g costs\n", cost->plan->cases[c].name,
+                facts->turns ? "the attitudes, radians," : "the velocities, relative,", cost->plan->cases[c].t_end);
+        fprintf(file,
+                "reference: rk8pd, by its own estimate good to %.0e; the nearest run of any method is %.0e off\n\n",
+                facts->uncertainty, nearest(cost, c));
+        write_block(cost, c, order, "time", print_seconds, 1, file);
+        fputc('\n', file);
+        write_block(cost, c, order, "evaluations", print_evals, 0, file);
+        fputc('\n', file);
+        write_factors(cost, c, order, file);
+        write_failures(cost, c, file);
+        fputc('\n', file);
+    }
+}

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of `./dev cost`:  python3 -m plot.accuracy FOLDER [--into DIR].  What accuracy costs with every method: pictures,
+the price list, what is claimed and whether it holds, and which stepper to take when. FOLDER is what vti-study --cost wrote,
+and may hold spin/STEPPER.h5 of `vti-run scenes/spin.yaml`, first and last frame. The page accuracy.md and its pictures go beside
+it, or with --into as DIR/accuracy.md and DIR/accuracy/*.png. No number of a measurement is written here: all come from files."""
+import argparse
+import os
+import sys
+
+import numpy as np
+
+from . import advice, claims, methods, price_list, steady_spin, style, work_precision
+from .cost_file import read_cost
+from .page import Page
+from .price_list import power, three
+from .trouble import Trouble
+
+NOISY = 0.1             # of a time: a spread that no quiet machine shows
+PICTURES = 9            # at most on a page made for a folder of documents
+MEASURES = {"attitude_error": "attitude error (rad, largest over the bodies, at the end)",
+            "velocity_error": "relative velocity error at the end; nothing turns in this scene"}
+
+
+def opening(page, cost):
+    page.text("Made by `./dev cost`: every number below is from its files, and whether a claim holds is decided from them. "
+              "**ours** are the steppers of this library that are not in the paper, **paper** those that are, **rival** what "
+              "people use instead, written from the literature for this comparison alone and compiled with the same flags.")
+    page.text("An error is the distance from a reference at the end of the run. Its price is found among runs at falling "
+              "steps: the cheapest one from which on the errors stay below, interpolated to the error itself; nothing is "
+              "extrapolated. Times are of the run alone, without observers, one run per core, the least of several.")
+    if cost.machine:
+        page.text(f"The machine: {cost.machine}.")
+    spread = np.concatenate([ladder["seconds_spread"] for found in cost.runs.values() for ladder in found.values()])
+    spread = np.median(spread[np.isfinite(spread)]) if np.any(np.isfinite(spread)) else 0.0
+    page.text(f"The median of the repeated times lies {three(100 * spread)} % above the least, typically."
+              + (" **The machine was not quiet: compare evaluations rather than times.**" if spread > NOISY else ""))
+
+
+def scene_part(page, cost, scene, picture):
+    measure = cost.measure(scene)
+    page.heading(scene)
+    page.text(advice.about(scene))
+    if picture:
+        page.picture(picture)
+    pivot = price_list.ordered(cost, scene)[1]
+    if not price_list.errors(cost, scene):
+        least = min(np.min(ladder[measure]) for ladder in cost.runs[scene].values())
+        page.text(f"No method reaches the largest error of the list; the smallest error of all runs is {three(least)}. A "
+                  "motion that is chaotic over this time cannot be followed at any price.")
+        return
+    page.text(f"The price of an error: time / force evaluations. Columns: {MEASURES[measure]}. Rows by the time to "
+              f"{power(pivot)}; the least of each column is bold.")
+    page.table(*price_list.table(cost, scene))
+    page.text(price_list.in_words(cost, scene))
+    page.text(_against_rivals(cost, scene))
+
+
+def _against_rivals(cost, scene):
+    parts = []
+    for error in price_list.errors(cost, scene):
+        mine, other, ratio = price_list.ratio(cost, scene, error)
+        if np.isfinite(ratio):
+            parts.append(f"{three(ratio)} to {power(error)} ({methods.name(mine)}, {methods.name(other)})")
+        elif mine or other:
+            who = "a rival" if other else "ours"
+            parts.append(f"only {who} reaches {power(error)} ({methods.name(mine or other)})")
+    return "Time of the best of ours over that of the best rival: " + "; ".join(parts) + "." if parts else ""
+
+
+def spin_part(page, folder):
+    page.heading("Steady spin")
+    spins = steady_spin.read_spins(folder)
+    if spins:
+        page.text("A free body that spins steadily, the one motion whose solution everybody knows. Over "
+                  f"{price_list.count_text(spins[0].steps)} steps at h|Omega| = {spins[0].turn:.3g}, measured:")
+        page.table(["stepper", "attitude off by (rad)"], [[methods.name(spin.stepper), three(spin.error)] for spin in spins])
+    page.text("What one step turns by is known in closed form: asin s (VTI-1), 2 atan(s/2) (VTI-2, VTI-3), s + O(s^7) "
+              "(exact), with s = h|Omega|. So a spin is off, as a share of the angle, by")
+    steps = (0.01, 0.1, 0.5, 1.0, 2.0)
+    page.table(["h\\|Omega\\|", *(f"{s:g}" for s in steps)],
+               [[methods.name(stepper), *(_share(stepper, s) for s in steps)] for stepper in steady_spin.ANGLES])
+
+
+def _share(stepper, s):
+    value = steady_spin.error_per_turn(stepper, s)
+    return "refused" if np.isnan(value) else "< 1e-15" if value < 1e-15 else three(value)
+
+
+def orders_part(page, cost):
+    page.heading("What contact leaves of the order")
+    page.text("A Hertzian contact has a force that grows as the power 3/2 of the overlap: its stiffness begins with a square "
+              "root, and has no derivative where two bodies touch. A method of high order needs derivatives that are not "
+              "there, so every touch costs it an error of order 2 to 3, and so do walls; which order a scene shows depends on "
+              "how much of its motion is touching. A method that controls its step goes through the touch with small ones. "
+              "From the prices in evaluations, over all errors reached:")
+    scenes = cost.scenes()
+    kinds = cost.kinds()
+    rows = [[methods.name(method), kinds[method], *(_order(cost, scene, method) for scene in scenes)]
+            for method in sorted(kinds, key=lambda key: (list(methods.FAMILIES).index(kinds[key]), methods.name(key).lower()))]
+    page.table(["order shown", "kind", *scenes], rows)
+
+
+def _order(cost, scene, method):
+    ladder = cost.prices[scene].get(method)
+    order = price_list.order_shown(ladder) if ladder else np.nan
+    return f"{order:.1f}" if np.isfinite(order) else "-"
+
+
+def instructions_part(page, cost):
+    if not cost.instructions:
+        return
+    page.heading("Instructions")
+    page.text("Of one step with its force evaluations, counted by callgrind: they do not depend on what else the machine "
+              "does.")
+    scenes = sorted({scene for scene, _ in cost.instructions})
+    rows = [[methods.name(method), *(price_list.count_text(cost.instructions[scene, method])
+                                     if (scene, method) in cost.instructions else "-" for scene in scenes)]
+            for method in sorted({method for _, method in cost.instructions}, key=methods.name)]
+    page.table(["instructions per step", *scenes], rows)
+
+
+def build(folder, root, into):
+    """root: where the page goes; into: its pictures, relative to it; None for all pictures beside the page."""
+    cost = read_cost(folder)
+    page = Page(root, "What accuracy costs")
+    longest = _longest_pendulum(cost)
+    pictures = {}
+    for count, scene in enumerate(cost.scenes()):
+        if into is None or count < PICTURES - 1:
+            pictures[scene] = _save(work_precision.precision(cost, scene), root, into, f"{scene}.png")
+        if into is None or scene == longest:
+            pictures[scene, "energy"] = _save(work_precision.energy(cost, scene), root, into, f"{scene}-energy.png")
+    opening(page, cost)
+    page.heading("What is claimed, and what is measured")
+    page.table(claims.HEAD, claims.rows(cost))
+    advice.write(page, cost)
+    for scene in cost.scenes():
+        scene_part(page, cost, scene, pictures.get(scene))
+    page.heading("Energy")
+    page.text("A small energy error over a long time is what symplectic methods are known for; it says little about where the "
+              "bodies are.")
+    page.picture(pictures[longest, "energy"])
+    orders_part(page, cost)
+    spin_part(page, folder)
+    instructions_part(page, cost)
+    path = os.path.join(root, "accuracy.md")
+    style.write(page.markdown().encode("utf-8"), path)
+    print(path)
+
+
+def _longest_pendulum(cost):
+    """The scene whose energy the page shows: the last pendulum, or the first scene of all."""
+    return ([scene for scene in cost.scenes() if scene.startswith("pendulum")] or cost.scenes()[:1])[-1]
+
+
+def _save(figure, root, into, name):
+    path = os.path.join(into, name) if into else name
+    style.save(figure, os.path.join(root, path))
+    print(os.path.join(root, path))
+    return path
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="python3 -m plot.accuracy", description="The page of what accuracy costs.")
+    parser.add_argument("folder", help="what vti-study --cost wrote")
+    parser.add_argument("--into", metavar="DIR", help="write DIR/accuracy.md and DIR/accuracy/*.png (default: into the "
+                        "folder, and every picture there is)")
+    given = parser.parse_args()
+    try:
+        build(given.folder, given.into or given.folder, "accuracy" if given.into else None)
+    except (Trouble, OSError) as trouble:
+        sys.exit(f"accuracy: {trouble}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is claimed of our steppers, held against a cost study: the best of ours against the best rival, and `exact` against
+every quaternion Verlet at equal time."""
+import numpy as np
+
+from . import methods, price_list
+from .price_list import three
+
+# scene, error, most that the best of ours may take of the time of the best rival, and how that is written
+TARGETS = (("chain", 1e-4, 0.5, "0.5"), ("chain", 1e-6, 0.7, "0.7"),
+           ("pendulum-1000", 1e-4, 1 / 3, "a third"), ("pendulum-1000", 1e-6, 1 / 3, "a third"))
+# of the rival, in rad: above, the pendulum is lost; below, rounding is compared
+COMPARED = (1e-9, 1e-1)
+MET = {True: "met", False: "**not met**", None: "not measured", "mean": "met on average, not by every run"}
+HEAD = ["claim", "measured", "verdict"]
+
+
+def rows(cost):
+    return [_against_best(cost, *target) for target in TARGETS] + _at_equal_time(cost)
+
+
+def _against_best(cost, scene, error, most, written):
+    claim = f"{scene} to {price_list.power(error)}: the best of ours takes at most {written} of the best rival's time"
+    if scene not in cost.prices:
+        return [claim, f"no scene {scene} in this study", MET[None]]
+    mine, other, found = price_list.ratio(cost, scene, error)
+    if not np.isfinite(found):
+        return [claim, "not reached by " + ("either" if not (mine or other) else "ours" if not mine else "a rival"), MET[None]]
+    evaluations = price_list.ratio(cost, scene, error, "force_evals")[2]
+    return [claim, f"**{three(found)}** ({methods.name(mine)} against {methods.name(other)}); {three(evaluations)} of the "
+            "evaluations", MET[found <= most]]
+
+
+def _at_equal_time(cost):
+    """One row per rival, of all pendulums together."""
+    pendulums = [scene for scene in cost.runs if scene.startswith("pendulum") and "exact" in cost.runs[scene]]
+    rivals = [rival for rival in methods.QUATERNION_VERLET if any(rival in cost.runs[scene] for scene in pendulums)]
+    if not rivals:
+        return [["pendulum: `exact` has a smaller error than each quaternion Verlet at equal time",
+                 "no pendulum with these in this study", MET[None]]]
+    return [_equal_time_row(rival, {scene: equal_time(cost.runs[scene]["exact"], cost.runs[scene][rival])
+                                    for scene in pendulums if rival in cost.runs[scene]}) for rival in rivals]
+
+
+def _equal_time_row(rival, found):
+    """found: scene -> ratios of errors."""
+    claim = f"pendulum: `exact` has a smaller error than {methods.name(rival)} at equal time"
+    found = {scene: ratios for scene, ratios in found.items() if len(ratios)}
+    if not found:
+        return [claim, "their times do not overlap", MET[None]]
+    means = {scene: float(np.exp(np.mean(np.log(ratios)))) for scene, ratios in found.items()}
+    worst = max(float(np.max(ratios)) for ratios in found.values())
+    verdict = MET[True] if worst < 1 else MET["mean"] if max(means.values()) < 1 else MET[False]
+    return [claim, ", ".join(f"{scene} **{three(mean)}**" for scene, mean in means.items())
+            + f" of its error (geometric means; the worst run {three(worst)})", verdict]
+
+
+def equal_time(mine, other):
+    """Error of mine over error of other at the times of other's runs: logarithms interpolated between the runs of mine."""
+    order = np.argsort(mine["seconds"], kind="stable")
+    times, errors = mine["seconds"][order], mine["attitude_error"][order]
+    good = np.isfinite(times) & (times > 0) & (errors > 0)
+    times, errors = times[good], errors[good]
+    there = (other["attitude_error"] >= COMPARED[0]) & (other["attitude_error"] <= COMPARED[1])
+    if not len(times):
+        return np.array([])
+    there &= (other["seconds"] >= times[0]) & (other["seconds"] <= times[-1])
+    at = np.exp(np.interp(np.log(other["seconds"][there]), np.log(times), np.log(errors)))
+    return at / other["attitude_error"][there]

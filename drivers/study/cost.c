@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "cost.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cost_time.h"
+#include "queue.h"
+
+/** What all ranks share while they work. */
+struct work {
+    const struct cost_plan *plan;
+    struct cost *cost;
+    struct model *models; /* [cases_count], at t = 0 */
+    struct reference *references;
+    cost_progress progress;
+    double start;
+    int64_t done, all;
+};
+
+static int64_t ladders_of(const struct cost_plan *plan)
+{
+    return plan->cases_count * plan->methods_count;
+}
+
+static int anywhere(int failed, MPI_Comm comm)
+{
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
+    return failed;
+}
+
+/* ---- references ------------------------------------------------------------------------------------------------------ */
+
+/** One for every case. Those that are made stay in their places and are destroyed with the others. */
+static int make_references(struct work *w, MPI_Comm comm, struct message *message)
+{
+    for (int64_t c = 0; c < w->plan->cases_count; ++c) {
+        const struct cost_case *it = &w->plan->cases[c];
+        struct model *model = &w->models[c];
+        if (anywhere(model_create(it->scene, model, message), comm) != 0)
+            return -1;
+        const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
+        if (reference_create(model, it->t_end, interval, comm, &w->references[c], message) != 0)
+            return -1;
+        w->cost->facts[c].turns = model->turns;
+        w->cost->facts[c].uncertainty = w->references[c].uncertainty;
+    }
+    return 0;
+}
+
+/* ---- errors: one ladder is one task ---------------------------------------------------------------------------------- */
+
+static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
+{
+    const struct work *w = self;
+    const int64_t c = task / w->plan->methods_count, m = task % w->plan->methods_count;
+    cost_ladder_run(w->plan, &w->plan->cases[c], w->plan->methods[m], &w->models[c], &w->references[c], poll, poll_self,
+                    result);
+}
+
+static int task_done(void *self, int64_t task, int rank, const void *result)
+{
+    struct work *w = self;
+    (void)rank;
+    memcpy(&w->cost->ladders[task], result, sizeof *w->cost->ladders);
+    ++w->done;
+    if (w->progress != NULL)
+        w->progress(w->done, w->all, MPI_Wtime() - w->start);
+    return 0;
+}
+
+static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
+{
+    const int64_t n = ladders_of(w->plan);
+    int64_t *order = calloc((size_t)n, sizeof *order);
+    if (anywhere(order == NULL ? -1 : 0, comm) != 0 || order == NULL) {
+        free(order);
+        return message_set(message, "out of memory; use fewer scenes");
+    }
+    for (int64_t k = 0; k < n; ++k)
+        order[k] = n - 1 - k;
+    w->start = MPI_Wtime();
+    w->all = n;
+    const struct queue queue = {w, n, order, sizeof(struct cost_ladder), run_task, task_done, NULL};
+    const int failed = queue_run(&queue, comm);
+    free(order);
+    return failed == 0 ? 0 : message_set(message, "out of memory; use fewer scenes");
+}
+
+/* ---- times ----------------------------------------------------------------------------------------------------------- */
+
+static void tell(void *self, double done, double all)
+{
+    const struct work *w = self;
+    if (w->progress != NULL)
+        w->progress((int64_t)(1e6 * done / all), 1000000, MPI_Wtime() - w->start);
+}
+
+/** Every rank's list of the runs that went well, by case, method and h. Returns how many, or -1. */
+static int64_t list_runs(const struct work *w, MPI_Comm comm, int rank, struct cost_run **runs)
+{
+    int64_t n = 0;
+    if (rank == 0)
+        for (int64_t k = 0; k < ladders_of(w->plan); ++k)
+            n += w->cost->ladders[k].count;
+    MPI_Bcast(&n, 1, MPI_INT64_T, 0, comm);
+    *runs = calloc((size_t)(n > 0 ? n : 1), sizeof **runs);
+    struct cost_run *run = *runs;
+    if (anywhere(run == NULL ? -1 : 0, comm) != 0 || run == NULL)
+        return -1;
+    for (int64_t k = 0; rank == 0 && k < ladders_of(w->plan); ++k)
+        for (int64_t r = 0; r < w->cost->ladders[k].count; ++r, ++run) {
+            run->c = k / w->plan->methods_count;
+            run->method = k % w->plan->methods_count;
+            run->h = w->cost->ladders[k].h[r];
+            run->work = (double)w->cost->ladders[k].runs[r].force_evals * (double)w->models[run->c].bodies.count;
+        }
+    MPI_Bcast(*runs, (int)(n * (int64_t)sizeof **runs), MPI_BYTE, 0, comm);
+    return n;
+}
+
+static int time_all(struct work *w, MPI_Comm comm, int rank, struct message *message)
+{
+    struct cost_run *runs = NULL;
+    const int64_t n = list_runs(w, comm, rank, &runs);
+    double *samples = calloc((size_t)(n > 0 ? n * w->plan->repeats : 1), sizeof *samples);
+    int failed = anywhere(n < 0 || samples == NULL ? -1 : 0, comm);
+    w->start = MPI_Wtime();
+    if (failed == 0)
+        failed = cost_time(w->plan, runs, n, comm, rank == 0 ? tell : NULL, w, samples);
+    if (failed == 0 && rank == 0) {
+        double *s = samples;
+        for (int64_t k = 0; k < ladders_of(w->plan); ++k)
+            for (int64_t r = 0; r < w->cost->ladders[k].count; ++r, s += w->plan->repeats)
+                race_settle(s, w->plan->repeats, &w->cost->ladders[k].runs[r]);
+        w->cost->runs = n;
+    }
+    free(runs);
+    free(samples);
+    return failed == 0 ? 0 : message_set(message, "out of memory; use fewer scenes");
+}
+
+/* ---- all together ---------------------------------------------------------------------------------------------------- */
+
+static void find_prices(struct cost *cost)
+{
+    for (int64_t k = 0; k < ladders_of(cost->plan); ++k)
+        for (int e = 0; e < COST_TARGETS; ++e)
+            cost->prices[k][e] =
+                cost_price_of(&cost->ladders[k], cost->facts[k / cost->plan->methods_count].turns, cost_targets[e]);
+}
+
+static int allocate(struct work *w, int rank)
+{
+    const size_t cases = (size_t)w->plan->cases_count, ladders = (size_t)ladders_of(w->plan);
+    w->models = calloc(cases, sizeof *w->models);
+    w->references = calloc(cases, sizeof *w->references);
+    if (rank == 0) {
+        w->cost->ladders = calloc(ladders, sizeof *w->cost->ladders);
+        w->cost->prices = calloc(ladders, sizeof *w->cost->prices);
+    }
+    return w->models != NULL && w->references != NULL &&
+                   (rank != 0 || (w->cost->ladders != NULL && w->cost->prices != NULL))
+               ? 0
+               : -1;
+}
+
+static void release(struct work *w)
+{
+    for (int64_t c = 0; c < w->plan->cases_count; ++c) {
+        if (w->references != NULL)
+            reference_destroy(&w->references[c]);
+        if (w->models != NULL)
+            model_destroy(&w->models[c]);
+    }
+    free(w->references);
+    free(w->models);
+}
+
+int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, struct cost *cost,
+             struct message *message)
+{
+    int rank;
+    struct work w = {plan, cost, NULL, NULL, progress, 0.0, 0, 0};
+    const double start = MPI_Wtime();
+    memset(cost, 0, sizeof *cost);
+    cost->plan = plan;
+    MPI_Comm_rank(comm, &rank);
+    MPI_Comm_size(comm, &cost->ranks);
+    int failed = anywhere(allocate(&w, rank), comm);
+    if (failed != 0)
+        message_set(message, "out of memory; use fewer scenes");
+    if (failed == 0)
+        failed = make_references(&w, comm, message);
+    if (failed == 0)
+        failed = measure_all(&w, comm, message);
+    if (failed == 0)
+        failed = time_all(&w, comm, rank, message);
+    if (failed == 0 && rank == 0)
+        find_prices(cost);
+    release(&w);
+    cost->seconds = MPI_Wtime() - start;
+    return failed;
+}
+
+void cost_destroy(struct cost *cost)
+{
+    free(cost->ladders);
+    free(cost->prices);
+    memset(cost, 0, sizeof *cost);
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "cost_ladder.h"
+
+#include <math.h>
+#include <string.h>
+
+double cost_error(const struct race_result *run, int turns)
+{
+    return turns ? run->attitude_error : run->velocity_error;
+}
+
+/** One run. It is kept, or counted as failed, or it is a first one without meaning. Returns its force evaluations. */
+static int64_t one_rung(const struct cost_case *c, const struct method *method, double h, double worst, int turns,
+                        struct reference *reference, struct cost_ladder *ladder)
+{
+    struct race_result *run = &ladder->runs[ladder->count];
+    race_measure(c->scene, method, h, c->t_end, reference, run);
+    const int64_t evals = run->force_evals;
+    if (run->failed) {
+        ++ladder->failures;
+        ladder->failure = run->message;
+    } else if (ladder->count > 0 || cost_error(run, turns) <= worst) {
+        ladder->h[ladder->count++] = h;
+        return evals;
+    }
+    memset(run, 0, sizeof *run);
+    return evals;
+}
+
+static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const struct method *method, int turns,
+                        struct reference *reference, struct cost_ladder *ladder)
+{
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        one_rung(c, method, plan->h[k], INFINITY, turns, reference, ladder);
+}
+
+/** 1 if run k is no better than half of what run k - 4 was, which took a quarter of its steps. */
+static int stands_still(const struct cost_ladder *ladder, int64_t k, int turns)
+{
+    enum { BACK = 4 };
+    const struct race_result *run = ladder->runs + k;
+    return k >= BACK && cost_error(run, turns) > 0.5 * cost_error(run - BACK, turns);
+}
+
+static int is_finished(const struct cost_ladder *ladder, int turns)
+{
+    static const double good_enough = 3e-11, perhaps_rounding = 1e-6;
+    const int64_t last = ladder->count - 1;
+    if (last < 0)
+        return 0;
+    const double error = cost_error(&ladder->runs[last], turns);
+    return error < good_enough ||
+           (error < perhaps_rounding && stands_still(ladder, last, turns) && stands_still(ladder, last - 1, turns));
+}
+
+/** Steps of the first run. */
+static double first_steps(const struct cost_case *c, const struct model *model)
+{
+    static const double fewest = 2.0, coarser = 4.0;
+    double stable = INFINITY;
+    struct message message;
+    if (model_stable_step(model, model_overlap(model), &stable, &message) != 0)
+        stable = c->scene->h;
+    return fmax(fewest, ceil(c->t_end / (coarser * stable)));
+}
+
+void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const struct method *method,
+                     const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
+                     void *poll_self, struct cost_ladder *ladder)
+{
+    const int turns = model->turns;
+    const int64_t most = plan->most_evals > 0 ? plan->most_evals : COST_WORK / model->bodies.count;
+    memset(ladder, 0, sizeof *ladder);
+    if (plan->h_count > 0) {
+        given_steps(plan, c, method, turns, reference, ladder);
+        return;
+    }
+    const double first = first_steps(c, model);
+    double evals_per_step = 1.0;
+    for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, turns); ++k) {
+        const double steps = rint(first * exp2(0.5 * k));
+        if (steps * fmax(evals_per_step, 1.0) > (double)most || (poll != NULL && poll(poll_self, k) != 0))
+            break;
+        evals_per_step = (double)one_rung(c, method, c->t_end / steps, 1.0, turns, reference, ladder) / steps;
+    }
+}

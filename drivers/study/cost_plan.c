@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "cost_plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+#include "race.h"
+
+/* ---- comma lists ----------------------------------------------------------------------------------------------------- */
+
+/** Takes the next part of a list into part; *list moves on, to NULL after the last. Returns 0, or -1 if it is too long. */
+static int next_part(const char **list, char *part, size_t size)
+{
+    const char *comma = strchr(*list, ',');
+    const size_t length = comma != NULL ? (size_t)(comma - *list) : strlen(*list);
+    const int fits = length < size;
+    memcpy(part, *list, fits ? length : size - 1);
+    part[fits ? length : size - 1] = '\0';
+    *list = comma != NULL ? comma + 1 : NULL;
+    return fits ? 0 : -1;
+}
+
+/* ---- limits --------------------------------------------------------------------------------------------------------- */
+
+/** A whole number from 1 to most, or otherwise if text is NULL. */
+static int read_whole(const char *option, const char *text, double most, int64_t otherwise, int64_t *value,
+                      struct message *message)
+{
+    double number = (double)otherwise;
+    if (text != NULL &&
+        (number_read(text, &number) != 0 || !(number >= 1.0 && number <= most) || rint(number) != number))
+        return message_set(message, "%s: '%s' is not a whole number from 1 to %.10g", option, text, most);
+    *value = (int64_t)number;
+    return 0;
+}
+
+int cost_plan_limits(struct cost_plan *plan, const char *evals, const char *repeats, struct message *message)
+{
+    enum { REPEATS = 5 };
+    static const double most_evals = 1e15;
+    int64_t n = 0;
+    if (read_whole("--evals", evals, most_evals, 0, &plan->most_evals, message) != 0 ||
+        read_whole("--repeats", repeats, RACE_REPEATS, REPEATS, &n, message) != 0)
+        return -1;
+    plan->repeats = (int)n;
+    return 0;
+}
+
+/* ---- methods --------------------------------------------------------------------------------------------------------- */
+
+static int unknown(const char *name, struct message *message)
+{
+    char known[768] = "";
+    for (int64_t i = 0; i < method_count(); ++i) {
+        strncat(known, i > 0 ? ", " : "", sizeof known - strlen(known) - 1);
+        strncat(known, method_at(i)->name, sizeof known - strlen(known) - 1);
+    }
+    return message_set(message, "--steppers: '%s' is not a method; known are %s", name, known);
+}
+
+int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message)
+{
+    plan->methods_count = 0;
+    for (int64_t i = 0; list == NULL && i < method_count() && i < COST_METHODS; ++i)
+        plan->methods[plan->methods_count++] = method_at(i);
+    while (list != NULL) {
+        char name[64];
+        const int cut = next_part(&list, name, sizeof name);
+        const struct method *method = method_find(name);
+        if (cut != 0 || method == NULL)
+            return unknown(name, message);
+        for (int64_t k = 0; k < plan->methods_count; ++k)
+            if (plan->methods[k] == method)
+                return message_set(message, "--steppers: '%s' appears twice; name every method once", name);
+        /* each at most once, and all that there are fit */
+        plan->methods[plan->methods_count++] = method;
+    }
+    return 0;
+}
+
+/* ---- scenes and their ends ------------------------------------------------------------------------------------------- */
+
+static int add_case(struct cost_plan *plan, const struct scene *scene, double t_end, int several,
+                    struct message *message)
+{
+    if (plan->cases_count == COST_CASES)
+        return message_set(message, "%s: more than %d scenes and ends; use fewer at a time", scene->name, COST_CASES);
+    struct cost_case *c = &plan->cases[plan->cases_count];
+    c->scene = scene;
+    c->t_end = t_end;
+    if (several)
+        snprintf(c->name, sizeof c->name, "%s-%.10g", scene->name, t_end);
+    else
+        snprintf(c->name, sizeof c->name, "%s", scene->name);
+    for (int64_t k = 0; k < plan->cases_count; ++k)
+        if (strcmp(plan->cases[k].name, c->name) == 0)
+            return message_set(
+                message, "%s: appears twice; name every scene once, with all its ends: SCENE.yaml@10,100", c->name);
+    ++plan->cases_count;
+    return 0;
+}
+
+int cost_plan_add(struct cost_plan *plan, const struct scene *scene, const char *ends, const char *what,
+                  struct message *message)
+{
+    if (ends == NULL)
+        return add_case(plan, scene, scene->t_end, 0, message);
+    const int several = strchr(ends, ',') != NULL;
+    while (ends != NULL) {
+        char text[64];
+        double t_end;
+        if (next_part(&ends, text, sizeof text) != 0 || number_read(text, &t_end) != 0 || !(t_end > 0.0))
+            return message_set(message, "%s: '%s' is not a positive number; write 10, 1e3 or a list 10,100", what,
+                               text);
+        if (add_case(plan, scene, t_end, several, message) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* ---- steps ----------------------------------------------------------------------------------------------------------- */
+
+int cost_plan_steps(struct cost_plan *plan, const char *list, struct message *message)
+{
+    plan->h_count = ladder_read(list, plan->h, message);
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        for (int64_t c = 0; c < plan->cases_count; ++c) {
+            const double steps = plan->cases[c].t_end / plan->h[k];
+            if (rint(steps) < 1.0 || fabs(steps - rint(steps)) > 1e-9 * steps)
+                return message_set(message, "--h: %.10g does not divide the end t = %.10g of %s; use a whole fraction",
+                                   plan->h[k], plan->cases[c].t_end, plan->cases[c].name);
+        }
+    return plan->h_count > 0 ? 0 : -1;
+}

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of vti-plot share: calling it, and looking at what it drew or said. Ends the test with status 77 (skipped)
+where Python lacks what the program needs."""
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py  # noqa: F401
+    import matplotlib  # noqa: F401
+    import numpy  # noqa: F401
+    import PIL  # noqa: F401
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+EPS = 2.0**-52
+
+
+def plot(program, *given, **options):
+    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False, **options)
+
+
+def picture(path, narrowest):
+    """The bytes of a PNG, checked: signature, width and weight."""
+    with open(path, "rb") as file:
+        content = file.read()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is no PNG"
+    width, height = struct.unpack(">II", content[16:24])
+    assert narrowest <= width <= 1610 and height >= 400, f"{path} is {width} x {height}"
+    assert len(content) < 300_000, f"{path} has {len(content)} bytes"
+    return content
+
+
+def draws(program, source, folder, pictures, narrowest):
+    """The pictures' bytes, which are all that there is in the folder, and what was said."""
+    done = plot(program, source, "-o", folder)
+    assert done.returncode == 0 and done.stderr == "", f"{source}: {done.stderr}"
+    assert sorted(os.listdir(folder)) == sorted(pictures), f"{source}: {os.listdir(folder)}"
+    return [picture(os.path.join(folder, name), narrowest) for name in pictures], done.stdout
+
+
+def refuses(program, source, *words, options=()):
+    """Status 1, nothing on stdout, one line that names the file, the problem and a remedy."""
+    done = plot(program, source, *options)
+    line = done.stderr
+    assert done.returncode == 1 and done.stdout == "", f"{source}: status {done.returncode}, {done.stdout}{line}"
+    assert line.startswith("vti-plot: ") and line.count("\n") == 1 and ";" in line, f"{source}: {line}"
+    for word in words:
+        assert word in line, f"{source}: no '{word}' in: {line}"
+
+
+def left_alone(program, *given):
+    """Its reader goes away before it has said anything, as `head` does; 0 and no word about it."""
+    with subprocess.Popen([sys.executable, program, *given], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True) as process:
+        process.stdout.close()
+        said = process.stderr.read()
+    assert process.returncode == 0 and said == "", f"{given}: status {process.returncode}, {said}"
+
+
+def main(*tests):
+    """Each test gets the program's path and a folder of its own."""
+    if len(sys.argv) != 2:
+        sys.exit(f"usage: {os.path.basename(sys.argv[0])} VTI-PLOT")
+    for test in tests:
+        with tempfile.TemporaryDirectory() as folder:
+            test(os.path.abspath(sys.argv[1]), folder)
+        print(f"{test.__name__}: ok")

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-advise: what it promises holds in the run that follows, measured by vti-study --cost against GSL's solution, on six
+scenes of which two have contacts; its JSON; what it refuses.
+
+usage: test_advise.py VTI_ADVISE VTI_STUDY MPIRUN SCENES"""
+import csv
+import json
+import math
+import os
+import sys
+import tempfile
+
+from run_support import check, failures, run
+
+KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "stable_h", "h_max_omega", "alternatives"]
+STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4"]
+
+advise, study, mpirun, scenes = sys.argv[1:5]
+
+# scene, end, error; the walls of the last two are met on the way
+CASES = [("pendulum", 10, 1e-4), ("pendulum", 100, 1e-6), ("spin", 10, 1e-5), ("chain", 10, 1e-5), ("block", 4, 1e-3),
+         ("pile", 0.25, 1e-3)]
+
+
+def scene(name):
+    return os.path.join(scenes, name + ".yaml")
+
+
+def follow(name, t_end, stepper, h):
+    """The row of cost.csv of the run that was advised."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = run(mpirun, "-n", "1", study, "--cost", "--no-plot", "--steppers", stepper, "--h", repr(h), "--t-end",
+                   str(t_end), "-o", folder, scene(name))
+        assert done.returncode == 0, done.stderr
+        with open(os.path.join(folder, "cost.csv"), encoding="ascii", newline="") as file:
+            rows = list(csv.DictReader(file))
+    assert len(rows) == 1
+    return rows[0]
+
+
+def promise(name, t_end, error):
+    """Advice on a scene, and whether it holds."""
+    done = run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name))
+    what = f"{name} to {t_end}, {error:g}"
+    check(done.returncode == 0, what + ": advice is given " + done.stderr.strip())
+    if done.returncode != 0:
+        return
+    advice = json.loads(done.stdout)
+    check(list(advice) == KEYS, what + ": the keys of the JSON")
+    others = advice["alternatives"]
+    check(sorted([advice["stepper"]] + [o["stepper"] for o in others]) == sorted(STEPPERS), what + ": all steppers are there")
+    check(all(advice["predicted_seconds"] <= o["predicted_seconds"] for o in others if o["predicted_seconds"] is not None),
+          what + ": none of the others is faster")
+    row = follow(name, t_end, advice["stepper"], advice["h"])
+    turns = name != "pile"
+    found = float(row["attitude_error" if turns else "velocity_error"])
+    seconds = float(row["seconds"])
+    print(f"        {advice['stepper']} h = {advice['h']:.4g}: error {found:.2e}, predicted {advice['predicted_error']:.2e}; "
+          f"time {seconds:.2e} s, predicted {advice['predicted_seconds']:.2e} s")
+    check(found <= 1.5 * error, what + ": the error is not above 1.5 times the one asked for")
+    bound = advice["stable_h"]
+    at_bound = bound is not None and advice["h"] > 0.4 * bound  # stability may ask for less than the error does
+    check(found >= error / 3 or at_bound, what + ": nor below a third of it, unless stability sets the step")
+    check(advice["predicted_error"] / 1.2 <= found <= 1.2 * advice["predicted_error"], what + ": it is as predicted")
+
+
+def what_others_need(name, t_end, error, stepper):
+    """An alternative that was followed from coarser runs is not far off either."""
+    done = run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name))
+    offer = [o for o in json.loads(done.stdout)["alternatives"] if o["stepper"] == stepper][0]
+    found = float(follow(name, t_end, stepper, offer["h"])["attitude_error"])
+    check(error / 3 <= found <= 1.5 * error, f"{name}: {stepper} at the h it is said to need errs by {found:.1e}")
+
+
+def refuses(what, *arguments, says):
+    done = run(advise, *arguments)
+    line = done.stderr.strip()
+    check(done.returncode == 1 and done.stdout == "" and line.count("\n") == 0 and line.startswith("vti-advise: ")
+          and says in line, f"{what}: {line}")
+
+
+def words():
+    done = run(advise, "--error", "1e-3", "--t-end", "4", scene("block"))
+    check(done.returncode == 0 and "not smooth enough for high order" in done.stdout, "block: warned of kinks")
+    done = run(advise, "--error", "1e-3", scene("chain"))
+    check(done.returncode == 0 and "warning: the forces" not in done.stdout, "chain: not warned of kinks")
+    check("rigorously stable: h < 0.037" in done.stdout, "chain: the stable step is told")
+    done = run(advise, "--error", "1e-3", "--steppers", "vti2,exact", scene("spin"))
+    check("nothing oscillates" in done.stdout and "srkn11" not in done.stdout.split("stepper")[1], "spin: only these steppers")
+
+
+def h_max_omega():
+    """Of a free spin it is known: |Omega| = 1."""
+    advice = json.loads(run(advise, "--json", "--error", "1e-5", scene("spin")).stdout)
+    check(math.isclose(advice["h_max_omega"], advice["h"], rel_tol=1e-12), "spin: h max|Omega| = h")
+    check(advice["stable_h"] is None, "spin: no stable step is null")
+
+
+def refusals():
+    pendulum = scene("pendulum")
+    refuses("no scene", says="no scene is named")
+    refuses("two scenes", pendulum, pendulum, says="only one scene")
+    refuses("bad error", "--error", "tiny", pendulum, says="--error: 'tiny' is not a positive number")
+    refuses("negative error", "--error", "-1", pendulum, says="--error: '-1'")
+    refuses("error out of reach", "--error", "1e-15", pendulum, says="out of reach")
+    refuses("unknown stepper", "--steppers", "rk4", pendulum, says="'rk4' is not a stepper")
+    refuses("unknown option", "--frobnicate", pendulum, says="is not an option")
+    refuses("missing file", "nowhere.yaml", says="nowhere.yaml")
+    refuses("too long", "--error", "1e-9", "--budget", "5", scene("pile"), says="or allow --budget")
+
+
+for case in CASES:
+    promise(*case)
+what_others_need("pendulum", 10, 1e-5, "vti2")
+what_others_need("chain", 10, 1e-4, "exact")
+words()
+h_max_omega()
+refusals()
+print(f"{len(failures)} failed")
+sys.exit(1 if failures else 0)

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-study --cost as a user runs it: the files, the same errors for any number of ranks, orders, counts of force evaluations,
+prices found again from the runs, failed runs and bad input. No time is asserted.      test_cost.py VTI_STUDY MPIRUN SCENES"""
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+STUDY, MPIRUN, SCENES = sys.argv[1:4]
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
+PENDULUM, CHAIN, PILE = (os.path.join(SCENES, name + ".yaml") for name in ("pendulum", "chain", "pile"))
+TARGETS = [10.0**-k for k in range(2, 11)]
+failures = []
+
+
+def check(condition, what):
+    print(("ok      " if condition else "FAILED  ") + what)
+    if not condition:
+        failures.append(what)
+
+
+def cost(ranks, *arguments, folder):
+    command = [MPIRUN, "-n", str(ranks), STUDY, "--cost", "--repeats", "1", "-o", folder, *arguments]
+    return subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=120, check=False)
+
+
+def rows(folder, name):
+    with open(os.path.join(folder, name), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def ladders(folder):
+    """(scene, stepper) -> its rows of cost.csv, in the order of the file."""
+    found = {}
+    for row in rows(folder, "cost.csv"):
+        found.setdefault((row["scene"], row["stepper"]), []).append(row)
+    return found
+
+
+def columns(folder):
+    runs = "scene,stepper,kind,h,steps,force_evals,{}attitude_error,velocity_error,energy_error,momentum_error"
+    expected = {"cost.csv": runs.format("seconds,seconds_spread,"), "errors.csv": runs.format(""),
+                "prices.csv": "scene,stepper,kind,error,force_evals,seconds"}
+    for name, head in expected.items():
+        with open(os.path.join(folder, name)) as file:
+            check(file.readline() == head + "\n", f"the columns of {name}")
+    times = ("seconds", "seconds_spread")
+    same = [{k: v for k, v in row.items() if k not in times} for row in rows(folder, "cost.csv")] == rows(folder, "errors.csv")
+    check(same, "errors.csv is cost.csv without the times")
+    check(all(float(row["seconds"]) > 0 <= float(row["seconds_spread"]) for row in rows(folder, "cost.csv")),
+          "all runs have times")
+    with open(os.path.join(folder, "machine.txt")) as file:
+        keys = [line.split(":")[0] for line in file]
+    check(keys == ["cpu", "cores", "system", "compiler", "flags", "ranks", "times"], "the lines of machine.txt")
+
+
+def same_bytes(base):
+    arguments = [PENDULUM + "@2,4", CHAIN + "@10", "--evals", "3000", "--steppers", "exact,srkn6,srkn11,rk4,lgvi,rk8pd-adaptive"]
+    for ranks in (1, 2, 3):
+        result = cost(ranks, *arguments, folder=f"{base}/ranks{ranks}")
+        check(result.returncode == 0, f"{ranks} ranks run {result.stderr}")
+    contents = {open(f"{base}/ranks{ranks}/errors.csv", "rb").read() for ranks in (1, 2, 3)}
+    check(len(contents) == 1, "errors.csv is the same on 1, 2 and 3 ranks")
+    scenes = sorted({scene for scene, _ in ladders(f"{base}/ranks2")})
+    check(scenes == ["chain", "pendulum-2", "pendulum-4"], f"a scene with several ends is named with each: {scenes}")
+
+
+def orders(base):
+    """Errors at h and h/2, fine enough for the order to show to a tenth."""
+    steps = {"vti2": (256, 2), "vti1": (256, 2), "exact": (256, 2), "mercury": (256, 2), "vti3": (2048, 1), "rk4": (256, 4),
+             "srkn6": (64, 4), "chin4": (128, 4), "srkn11": (32, 6), "kl8": (64, 8), "rk8pd": (64, 8)}
+    folder = f"{base}/orders"
+    fractions = sorted({n * k for n, _ in steps.values() for k in (1, 2)})
+    result = cost(2, PENDULUM, "--t-end", "8", "--h", ",".join(f"8/{n}" for n in fractions), "--steppers", ",".join(steps),
+                  folder=folder)
+    check(result.returncode == 0, f"given steps run {result.stderr}")
+    found = ladders(folder)
+    for stepper, (n, order) in steps.items():
+        error = {int(row["steps"]): float(row["attitude_error"]) for row in found["pendulum", stepper]}
+        slope = math.log2(error[n] / error[2 * n])
+        check(abs(slope - order) < 0.3, f"{stepper}: order {slope:.2f}, not {order}")
+    evals = {"vti2": (1, 1), "exact": (1, 1), "mercury": (1, 1), "srkn6": (6, 1), "srkn11": (11, 1), "kl8": (17, 1), "rk4": (4, 0),
+             "rk8pd": (13, 0)}
+    for stepper, (each, start) in evals.items():
+        right = all(int(row["force_evals"]) == each * int(row["steps"]) + start for row in found["pendulum", stepper])
+        check(right, f"{stepper}: {each} force evaluations a step and {start} before")
+    conserved = max(float(row["momentum_error"]) for row in found["pendulum", "exact"])
+    check(conserved < 1e-12, f"exact conserves the momentum of the pendulum: {conserved:.1e}")
+
+
+def price(ladder, error, target):
+    """The rule of cost_price.h, once more. One of srkn6's first runs on the chain is good by chance and must not count."""
+    good = [float(row[error]) <= target for row in ladder]
+    reaching = [k for k in range(len(ladder)) if all(good[k:k + 3])]
+    if not reaching:
+        return None
+    best = min(reaching, key=lambda k: int(ladder[k]["force_evals"]))
+    fine, before = ladder[best], ladder[max(best - 1, 0)]
+    share = 1.0
+    if float(before[error]) > target:
+        share = math.log(float(before[error]) / target) / math.log(float(before[error]) / float(fine[error]))
+    return [float(before[c]) * (float(fine[c]) / float(before[c]))**share for c in ("force_evals", "seconds")]
+
+
+def prices(folder, scene, error):
+    found = ladders(folder)
+    listed = [row for row in rows(folder, "prices.csv") if row["scene"] == scene]
+    reached = 0
+    for row in listed:
+        want = price(found.get((scene, row["stepper"]), []), error, float(row["error"]))
+        got = [float(row[c]) if row[c] else None for c in ("force_evals", "seconds")]
+        right = got == [None, None] if want is None else all(abs(g / w - 1) < 1e-9 for g, w in zip(got, want))
+        reached += want is not None
+        if not right:
+            check(False, f"{scene} {row['stepper']} {row['error']}: {got}, not {want}")
+    steppers = {row["stepper"] for row in listed}
+    check(len(listed) == len(TARGETS) * len(steppers) and reached > 5, f"{scene}: {reached} prices follow from cost.csv")
+
+
+def translating(base):
+    """Nothing turns in the pile: it is priced by velocities."""
+    result = cost(2, PILE + "@1/8", "--evals", "2000", "--steppers", "vti2,srkn6,rk4", folder=f"{base}/pile")
+    check(result.returncode == 0 and "velocities" in result.stdout, f"the pile is priced by velocities {result.stderr}")
+    prices(f"{base}/pile", "pile", "velocity_error")
+
+
+def failing(base):
+    """VTI-1 needs h|Omega| < 1."""
+    folder = f"{base}/failing"
+    result = cost(2, PENDULUM, "--h", "1,1/64", "--steppers", "vti1,vti2", folder=folder)
+    check(result.returncode == 0, f"a failed run does not end the study {result.stderr}")
+    steps = {stepper: [int(row["steps"]) for row in ladder] for (_, stepper), ladder in ladders(folder).items()}
+    check(steps == {"vti1": [640], "vti2": [10, 640]}, f"it has no row: {steps}")
+    check("1 run of vti1 that failed" in result.stdout and "h|Omega|" in result.stdout, "the screen names it and the reason")
+
+
+def refused(base):
+    cases = [
+        ("unknown method", [PENDULUM, "--steppers", "vti1,frob"], ["--steppers", "'frob'", "exact", "lammps-richardson"]),
+        ("one method twice", [PENDULUM, "--steppers", "rk4,rk4"], ["'rk4'", "twice"]),
+        ("one scene twice", [PENDULUM, PENDULUM], ["pendulum", "twice", "@10,100"]),
+        ("one end twice", [PENDULUM + "@10,10"], ["pendulum-10", "twice"]),
+        ("bad end of a scene", [PENDULUM + "@10,x"], ["pendulum.yaml@10,x", "'x'"]),
+        ("bad --t-end", [PENDULUM, "--t-end", "10,-1"], ["--t-end", "'-1'"]),
+        ("h that does not divide", [PENDULUM, "--h", "0.3"], ["--h", "0.3", "does not divide"]),
+        ("bad --evals", [PENDULUM, "--evals", "0"], ["--evals", "'0'"]),
+        ("bad --repeats", [PENDULUM, "--repeats", "1.5"], ["--repeats", "'1.5'"]),
+        ("no such file", [f"{base}/none.yaml"], ["none.yaml", "cannot be read"]),
+    ]
+    for what, arguments, expected in cases:
+        folder = f"{base}/refused"
+        result = cost(2, *arguments, folder=folder)
+        ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
+        right = result.returncode != 0 and len(ours) == 1 and all(part in ours[0] for part in expected)
+        check(right and not os.path.exists(folder), f"{what}: {ours}")
+    result = subprocess.run([STUDY, "--evals", "10"], env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    check(result.returncode != 0 and "--cost only" in result.stderr, "--evals without --cost")
+
+
+with tempfile.TemporaryDirectory() as work:
+    same_bytes(work)
+    columns(f"{work}/ranks2")
+    for name in ("pendulum-2", "pendulum-4", "chain"):
+        prices(f"{work}/ranks2", name, "attitude_error")
+    orders(work)
+    translating(work)
+    failing(work)
+    refused(work)
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of what accuracy costs: test_plot_cost.py VTI-PLOT. Makes cost studies by formula and holds the page against them;
+then hands it what is none and expects one line each. Of VTI-PLOT only its place is used: the package stands beside it."""
+import math
+import os
+import re
+import subprocess
+import sys
+
+import plot_support
+from plot_support import picture
+
+import h5py
+import numpy as np
+
+import cost_support
+
+ENERGY = "pendulum-1000-energy.png"     # the one picture of energy that is on the page
+
+
+def accuracy(program, *given):
+    beside = {**os.environ, "PYTHONPATH": os.path.dirname(program), "PYTHONDONTWRITEBYTECODE": "1"}
+    return subprocess.run([sys.executable, "-m", "plot.accuracy", *given], capture_output=True, text=True, check=False,
+                          env=beside)
+
+
+def page(program, study, into):
+    done = accuracy(program, study, "--into", into)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    with open(os.path.join(into, "accuracy.md"), encoding="utf-8") as file:
+        return file.read()
+
+
+def table_below(text, heading):
+    """head and rows of the first table below a heading."""
+    lines = text.split(f"\n## {heading}\n")[1].split("\n## ")[0].splitlines()
+    cells = [[cell.strip() for cell in line.strip("|").split(" | ")] for line in lines if line.startswith("|")]
+    return cells[0], cells[2:]
+
+
+def value(cell):
+    """A number with its unit, without marks."""
+    found = re.fullmatch(r"([\d.e+-]+) ?(s|ms|µs|k|M|)", cell.replace("*", "").strip())
+    assert found, f"'{cell}' is no number"
+    return float(found[1]) * {"ms": 1e-3, "µs": 1e-6, "k": 1e3, "M": 1e6}.get(found[2], 1.0)
+
+
+def test_page_and_pictures(program, folder):
+    study, into = os.path.join(folder, "study"), os.path.join(folder, "docs")
+    cost_support.write_cost(study)
+    text = page(program, study, into)
+    names = sorted([f"{scene}.png" for scene in cost_support.SCENES] + [ENERGY])
+    assert sorted(os.listdir(os.path.join(into, "accuracy"))) == names, os.listdir(os.path.join(into, "accuracy"))
+    once = [picture(os.path.join(into, "accuracy", name), 1590) for name in names]
+    for name in names:
+        assert f"](accuracy/{name})" in text, f"{name} is not on the page"
+    assert "was not drawn" not in text and "nan" not in text and "not quiet" not in text, text
+    assert "Abacus 3000; cores: 2" in text, "no machine"
+
+    again = os.path.join(folder, "again")
+    assert page(program, study, again) == text, "the same study gave another page"
+    assert [picture(os.path.join(again, "accuracy", name), 1590) for name in names] == once, "other bytes"
+
+    done = accuracy(program, study)
+    assert done.returncode == 0, done.stderr
+    for scene in cost_support.SCENES:
+        for what in ("", "-energy"):
+            picture(os.path.join(study, f"{scene}{what}.png"), 1590)
+    with open(os.path.join(study, "accuracy.md"), encoding="utf-8") as file:
+        assert file.read().replace("](", "](accuracy/").replace("![", "![accuracy/") == text, "beside the study: another page"
+
+
+def test_prices(program, folder):
+    told = cost_support.write_cost(folder)
+    text = page(program, folder, os.path.join(folder, "docs"))
+    for scene in cost_support.SCENES:
+        head, rows = table_below(text, scene)
+        assert len(rows) == len(cost_support.METHODS), f"{scene}: {len(rows)} rows"
+        for column in range(2, len(head) - 1):
+            error = f"{float(head[column]):.0e}"
+            expected = {key[1]: cost for key, cost in told.items() if key[0] == scene and key[2] == error}
+            check_column(scene, error, [row[column] for row in rows], expected)
+    rows = {row[0]: row for row in table_below(text, "chain")[1]}
+    assert rows["exact"][1] == "ours" and rows["VTI-2 (`vti2`)"][1] == "paper" and rows["RK4 (`rk4`)"][1] == "rival", rows
+    # order p: a factor of ten costs 10^(1/p)
+    for method, order in (("exact", 2), ("RK4 (`rk4`)", 4), ("SRKN11 (`srkn11`)", 6), ("Kahan-Li 8 (`kl8`)", 8)):
+        assert rows[method][-1] == f"{10 ** (1 / order):.2f} times", f"{method}: {rows[method][-1]}"
+    assert re.search(r"\*\*3\.2\*\* times with [^;]*\bexact\b", text), "not in words"
+
+
+def check_column(scene, error, cells, expected):
+    """Every price that was told is there to three figures, others are not; the least are bold, and only they."""
+    shown = [tuple(cell.split(" / ")) for cell in cells if cell != "-"]
+    assert len(shown) == len(expected), f"{scene} {error}: {len(shown)} prices instead of {len(expected)}"
+    for part, index in ((1, 0), (0, 1)):
+        true = sorted(cost[index] for cost in expected.values())
+        drawn = sorted(value(cell[part]) for cell in shown)
+        assert np.allclose(true, drawn, rtol=6e-3, atol=0.5 if part else 0), f"{scene} {error}: {true} {drawn}"
+        bold = [value(cell[part]) for cell in shown if "**" in cell[part]]
+        assert bold == [drawn[0]], f"{scene} {error}: bold are {bold}, the least is {drawn[0]}"
+
+
+def test_claims(program, folder):
+    told = cost_support.write_cost(folder)
+    text = page(program, folder, os.path.join(folder, "docs"))
+    _, rows = table_below(text, "What is claimed, and what is measured")
+    kinds = {method: values[0] for method, values in cost_support.METHODS.items()}
+    for (scene, error, most), row in zip((("chain", "1e-04", 0.5), ("chain", "1e-06", 0.7), ("pendulum-1000", "1e-04", 1 / 3),
+                                          ("pendulum-1000", "1e-06", 1 / 3)), rows):
+        least = {kind: min(cost[1] for key, cost in told.items() if key[0] == scene and key[2] == error
+                           and kinds[key[1]] == kind) for kind in ("ours", "rival")}
+        ratio = least["ours"] / least["rival"]
+        assert row[0].startswith(scene) and math.isclose(value(row[1].split(" ")[0]), ratio, rel_tol=0.03), (row, ratio)
+        assert row[2] == ("met" if ratio <= most else "**not met**"), (row, ratio)
+    # At equal time two methods of order 2 are apart by their constants and the square of their speeds.
+    mercury = next(row for row in rows if "MercuryDPM" in row[0])
+    ratio = 0.1 / 0.2 * (31 / 40) ** 2
+    shown = [value(number) for number in re.findall(r"\*\*(.+?)\*\*", mercury[1])]
+    assert len(shown) == 2 and all(math.isclose(number, ratio, rel_tol=0.03) for number in shown), (mercury, ratio)
+    assert mercury[2] == "met", mercury
+
+    slow = {**cost_support.METHODS, "exact": ("ours", 2, 0.5, 1, 31), "rk8pd": ("rival", 8, 0.01, 13, 1)}
+    cost_support.write_cost(folder, methods=slow)
+    rows = table_below(page(program, folder, os.path.join(folder, "docs")), "What is claimed, and what is measured")[1]
+    assert rows[0][2] == "**not met**" and next(row for row in rows if "MercuryDPM" in row[0])[2] == "**not met**", rows
+
+
+def test_edges(program, folder):
+    docs = os.path.join(folder, "docs")
+    cost_support.write_cost(folder, scenes=("torus",), methods=cost_support.FEW)
+    text = page(program, folder, docs)
+    assert "no scene chain" in text and "](accuracy/torus-energy.png)" in text, text
+    with open(os.path.join(folder, "prices.csv"), encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    unreached = [",".join(line.split(",")[:4]) + ",," for line in lines[1:]]
+    cost_support.write(folder, "prices.csv", "\n".join([lines[0], *unreached]))
+    assert "No method reaches" in page(program, folder, docs), "nothing said where nothing is reached"
+    cost_support.write(folder, "instructions.csv", "scene,stepper,instructions_per_step\ntorus,vti2,123400\n")
+    os.remove(os.path.join(folder, "machine.txt"))
+    text = page(program, folder, docs)
+    assert table_below(text, "Instructions")[1] == [["VTI-2", "123k"]] and "The machine:" not in text, text
+
+
+def write_spin(path, stepper, steps, h, too_little):
+    """What vti-run writes of a body that turned too little, as far as it is read."""
+    omega, t = np.array([0.6, 0.0, 0.8]), steps * h
+    half = 0.5 * (t - too_little)
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"scene": "spin", "stepper": stepper, "h": h, "vti_version": "0.1.0"})
+        for column, values in (("t", (0, t)), ("kinetic_rotation", (0.5, 0.5)), ("total", (0.5, 0.5))):
+            file[f"energies/{column}"] = np.array(values, float)
+        file["VTKHDF/Steps/Values"], file["VTKHDF/Points"] = np.array([0.0, t]), np.zeros((2, 3))
+        file["VTKHDF/Lines/Connectivity"] = np.zeros(0, int)
+        file["VTKHDF/PointData/attitude_xyzw"] = np.array([[0, 0, 0, 1.0], [*(omega * np.sin(half)), np.cos(half)]])
+        file["VTKHDF/PointData/omega"] = np.array([omega, omega])
+
+
+def test_steady_spin(program, folder):
+    cost_support.write_cost(folder, scenes=("chain",), methods=cost_support.FEW)
+    os.mkdir(os.path.join(folder, "spin"))
+    for stepper, too_little in (("vti2", 0.42), ("exact", 3e-5)):
+        write_spin(os.path.join(folder, "spin", f"{stepper}.h5"), stepper, 40000, 0.01, too_little)
+    text = page(program, folder, os.path.join(folder, "docs"))
+    rows = table_below(text, "Steady spin")[1]
+    assert rows[:2] == [["exact", "3.0e-05"], ["VTI-2", "0.42"]], rows
+    assert "40k steps at h|Omega| = 0.01" in text, "not said of what"
+
+
+def refuses(program, folder, *words):
+    done = accuracy(program, folder, "--into", os.path.join(folder, "docs"))
+    assert done.returncode == 1 and done.stdout == "", f"status {done.returncode}: {done.stdout}{done.stderr}"
+    assert done.stderr.startswith("accuracy: ") and done.stderr.count("\n") == 1 and ";" in done.stderr, done.stderr
+    for word in words:
+        assert word in done.stderr, f"no '{word}' in: {done.stderr}"
+    assert not os.path.exists(os.path.join(folder, "docs")), "refused, and yet something was written"
+
+
+def test_refusals(program, folder):
+    refuses(program, os.path.join(folder, "nowhere"), "is not a folder")
+    refuses(program, folder, "cost.csv", "no such file")
+    for name in ("cost.csv", "prices.csv"):
+        cost_support.write_cost(folder, scenes=("chain",), methods=cost_support.FEW)
+        path = os.path.join(folder, name)
+        with open(path, encoding="utf-8") as file:
+            whole = file.read()
+        for content, words in (("", "holds no rows"), (whole.split("\n")[0] + "\n", "holds no rows"),
+                               (whole.replace("force_evals", "evals", 1), "lacks the column force_evals"),
+                               (whole.replace("rival", "rivals", 1), "kind is 'rivals'"),
+                               (whole.replace("chain,vti2,paper,", "chain,vti2,paper,x", 1), ":2: "),
+                               (whole.replace("chain,vti2,paper,", "chain,vti2,paper,-", 1), "is negative"),
+                               (whole.rsplit(",", 3)[0], "cells instead of")):
+            cost_support.write(folder, name, content)
+            refuses(program, folder, name, words)
+        os.remove(path)
+        refuses(program, folder, name, "no such file")
+    cost_support.write_cost(folder, scenes=("chain",))
+    with open(os.path.join(folder, "prices.csv"), encoding="utf-8") as file:
+        whole = file.read()
+    cost_support.write(folder, "prices.csv", whole.replace("\nchain,", "\ntorus,"))
+    refuses(program, folder, "has the scenes torus, but cost.csv has chain")
+
+
+if __name__ == "__main__":
+    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_edges, test_steady_spin, test_refusals)

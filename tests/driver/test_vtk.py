@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The trajectory of vti-run as ParaView sees it: VTK's own readers of VTKHDF and XDMF find what run_support's reader finds.
+`./dev test` fetches VTK into VENV; where there is none that knows PolyData over time (VTK 9.3 does), exit status 77
+(skipped).      test_vtk.py VTI_RUN SCENES VENV"""
+import os
+import sys
+import tempfile
+
+PYTHON = os.path.join(sys.argv[3], "bin", "python3")
+if os.path.exists(PYTHON) and os.path.realpath(sys.prefix) != os.path.realpath(sys.argv[3]):
+    os.execv(PYTHON, [PYTHON, *sys.argv])
+
+import numpy  # noqa: E402
+
+from run_support import check, failures, read_vtkhdf, run, same  # noqa: E402
+
+try:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkVersion
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+    from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
+except ImportError as missing:
+    print(f"skipped: {missing}; ./dev test fetches VTK")
+    sys.exit(77)
+if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 3):
+    print(f"skipped: VTK {vtkVersion.GetVTKVersion()} cannot read PolyData over time; ./dev test fetches one that can")
+    sys.exit(77)
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+READERS = {".h5": vtkHDFReader, ".xdmf": vtkXdmfReader}
+
+
+def read(path, ending):
+    """Frames as run_support's readers return them; cells of the XDMF index are left to those."""
+    reader, frames = READERS[ending](), []
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+    information = reader.GetOutputInformation(0)
+    # VTKHDF with a single frame is one without time to VTK
+    for t in [information.Get(key, k) for k in range(information.Length(key))] or [0.0]:
+        reader.UpdateTimeStep(t)
+        data = reader.GetOutputDataObject(0)
+        data = data.GetBlock(0) if data.IsA("vtkMultiBlockDataSet") else data
+        frame = {"t": t, "Points": vtk_to_numpy(data.GetPoints().GetData()).copy()}
+        for k in range(data.GetPointData().GetNumberOfArrays()):
+            array = data.GetPointData().GetArray(k)
+            frame[array.GetName()] = vtk_to_numpy(array).copy()
+        if ending == ".h5":
+            ids = vtk_to_numpy(data.GetLines().GetConnectivityArray()) if data.GetNumberOfLines() else numpy.zeros(0, int)
+            frame["Lines"] = ids.reshape(-1, 2).tolist()
+        frames.append(frame)
+    return frames
+
+
+# What moves only, what turns only, with and without bonds and diameters, one frame and many.
+CASES = [("pendulum", "--stepper", "vti3-leapfrog", "--frames", "100"), ("spin", "--h", "0.3"), ("torus", "--t-end", "0.5"),
+         ("chain", "--t-end", "1/1024"), ("pile", "--t-end", "1/16", "--frames", "30")]
+print(f"VTK {vtkVersion.GetVTKVersion()}")
+for scene, *options in CASES:
+    with tempfile.TemporaryDirectory() as folder:
+        done = run(RUN, f"{SCENES}/{scene}.yaml", *options, "-o", f"{folder}/out.h5")
+        check(done.returncode == 0, f"{scene} runs {done.stderr}")
+        frames = read_vtkhdf(f"{folder}/out.h5")
+        data = sorted(set(frames[0]) - {"t", "Vertices", "Lines", "Polygons", "Strips"})
+        for ending, more in ((".h5", ["Lines"]), (".xdmf", [])):
+            check(same(frames, read(f"{folder}/out{ending}", ending), data + more),
+                  f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)
