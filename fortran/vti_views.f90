@@ -14,7 +14,7 @@
 module vti_views
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int64_t, c_intptr_t, &
         c_loc, c_null_ptr, c_ptr
-    use vti_c, only: vti_bodies, vti_quat_view, vti_scalars, vti_view
+    use vti_types, only: vti_bodies, vti_quat_view, vti_scalars, vti_view
     implicit none
     private
     public :: vti_view_columns, vti_view_rows, vti_view_separate, vti_view_member

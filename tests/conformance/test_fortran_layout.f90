@@ -16,13 +16,22 @@ program test_fortran_layout
     call stepper()
     call effect()
     call pendulum()
+    call gravity()
+    call bonds()
+    call contacts()
+    call walls()
+    call springs()
+    call sum()
+    call integral()
     count = shim_layout(200_c_int64_t, theirs)
     call compare('size or offset')
 
     entries = 0
-    call add([VTI_ABI, int([VTI_OK, VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT, VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, &
-        VTI_E_TIME, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, VTI_E_BOND, &
-        VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, VTI_FRAME_BODY], c_int64_t)])
+    call add([VTI_ABI, VTI_TERMS, VTI_SHEAR_OBJECTIVE, VTI_SHEAR_QUARTIC, VTI_SHEAR_PRINTED, int([VTI_OK, &
+        VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT, VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_TIME, VTI_E_MASS, &
+        VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, VTI_E_BOND, VTI_E_DISSIPATES, &
+        VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_LAW_EXACT, VTI_LAW_EXACT9, VTI_FRAME_SPACE, &
+        VTI_FRAME_BODY], c_int64_t)])
     count = shim_constants(200_c_int64_t, theirs)
     call compare('constant')
     call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
@@ -78,26 +87,66 @@ contains
 
     subroutine bodies()
         type(vti_bodies), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%sealed), c_loc(t%first), c_loc(t%count), &
-            c_loc(t%x), c_loc(t%v), c_loc(t%force), c_loc(t%alpha), c_loc(t%quat), c_loc(t%omega), c_loc(t%moment), &
-            c_loc(t%mass), c_loc(t%inertia), c_loc(t%x_low), c_loc(t%v_low), c_loc(t%alpha_low), c_loc(t%omega_low)])])
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%sealed), c_loc(t%first), &
+            c_loc(t%count), c_loc(t%x), c_loc(t%v), c_loc(t%force), c_loc(t%alpha), c_loc(t%quat), c_loc(t%omega), &
+            c_loc(t%moment), c_loc(t%mass), c_loc(t%inertia), c_loc(t%x_low), c_loc(t%v_low), c_loc(t%alpha_low), &
+            c_loc(t%omega_low)])])
     end subroutine
 
     subroutine stepper()
         type(vti_stepper), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%law), c_loc(t%frame), &
-            c_loc(t%order), c_loc(t%reversible), c_loc(t%stages), c_loc(t%lag), c_loc(t%kick), c_loc(t%drift), &
-            c_loc(t%about)])])
+            c_loc(t%order), c_loc(t%reversible), c_loc(t%symplectic), c_loc(t%stages), c_loc(t%evals), c_loc(t%lag), &
+            c_loc(t%reach), c_loc(t%kick), c_loc(t%drift), c_loc(t%probe), c_loc(t%about)])])
     end subroutine
 
     subroutine effect()
         type(vti_effect), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%apply), c_loc(t%energy), &
-            c_loc(t%self), c_loc(t%terms), c_loc(t%term), c_loc(t%breaks)])])
+            c_loc(t%self), c_loc(t%terms), c_loc(t%term), c_loc(t%breaks), c_loc(t%dissipates)])])
     end subroutine
 
     subroutine pendulum()
         type(vti_pendulum), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%weight), c_loc(t%rho0)])])
+    end subroutine
+
+    subroutine gravity()
+        type(vti_gravity), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%g)])])
+    end subroutine
+
+    subroutine bonds()
+        type(vti_bonds), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%pair), c_loc(t%base), &
+            c_loc(t%rest), c_loc(t%moment), c_loc(t%axial), c_loc(t%shear), c_loc(t%shear_form)])])
+    end subroutine
+
+    subroutine contacts()
+        type(vti_contacts), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%pair), c_loc(t%base), &
+            c_loc(t%diameter), c_loc(t%stiffness)])])
+    end subroutine
+
+    subroutine walls()
+        type(vti_walls), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%plane), c_loc(t%diameter), &
+            c_loc(t%stiffness)])])
+    end subroutine
+
+    subroutine springs()
+        type(vti_springs), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%bonds), c_loc(t%contacts), c_loc(t%walls), &
+            c_loc(t%pendulum), c_loc(t%overlap)])])
+    end subroutine
+
+    subroutine sum()
+        type(vti_sum), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%high), c_loc(t%low)])])
+    end subroutine
+
+    subroutine integral()
+        type(vti_integral), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%sum), c_loc(t%last), c_loc(t%values)])])
     end subroutine
 end program

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Code in the README is quoted from programs that the tests run, and its commands exist.      test_readme.py PROJECT"""
+"""Code in the documents is quoted from programs that the tests run, and their commands exist.      test_readme.py PROJECT"""
+import difflib
 import pathlib
 import re
 import sys
 
 project = pathlib.Path(sys.argv[1])
-readme = (project / "README.md").read_text(encoding="utf-8")
-examples = {suffix: "\n".join(p.read_text(encoding="utf-8") for p in sorted((project / "examples").glob("*" + suffix)))
-            for suffix in (".c", ".f90")}
+SUFFIXES = {"c": (".c",), "cpp": (".cpp",), "fortran": (".f90", ".f")}
+sources = {language: "\n".join(path.read_text(encoding="utf-8") for path in sorted((project / "examples").rglob("*"))
+                               if path.suffix in suffixes) for language, suffixes in SUFFIXES.items()}
 commands = (project / "dev").read_text(encoding="utf-8")
 failures = 0
 
@@ -19,17 +20,44 @@ def check(condition, what):
     failures += not condition
 
 
-blocks = re.findall(r"^```(\w*)\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)
-for language, text in blocks:
-    first = text.strip().splitlines()[0]
-    if language in ("c", "fortran"):
-        check(text in examples[".c" if language == "c" else ".f90"], f"{language} block '{first}' is quoted from examples/")
-    if language == "sh":
-        for line in text.strip().splitlines():
+def blocks(page, text):
+    """The blocks of a page by language, each looked at; the rest is checked by what runs it, test_installed.py."""
+    found = re.findall(r"^```(\w*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    for language, block in found:
+        first = block.strip().splitlines()[0].strip()
+        if language in SUFFIXES:
+            check(block in sources[language], f"{page}: {language} block '{first}' is quoted from examples/")
+        if language == "diff":
+            legacy = [(project / "examples" / "legacy" / name).read_text(encoding="utf-8").splitlines(keepends=True)
+                      for name in ("before.f", "after.f")]
+            lines = list(difflib.unified_diff(*legacy))
+            check(block == "".join(lines[3:]), f"{page}: the difference of before.f and after.f is as shown")
+    return [language for language, _ in found], found
+
+
+def readme():
+    text = (project / "README.md").read_text(encoding="utf-8")
+    languages, found = blocks("README.md", text)
+    for language, block in found:
+        for line in block.strip().splitlines() if language == "sh" else []:
             name = re.match(r"\./dev (\w+)", line)
             check(name is not None and re.search(rf"^{name[1]}\)$", commands, re.MULTILINE) is not None, f"'{line}' exists")
-check(sum(language == "c" for language, _ in blocks) >= 2, "there is C in the README")
-check(sum(language == "fortran" for language, _ in blocks) >= 1, "there is Fortran in the README")
-for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src)/[\w./-]+)`", readme):
-    check((project / path).exists(), f"{path} exists")
+    check(languages.count("c") >= 2 and languages.count("fortran") >= 1, "there is C and Fortran in the README")
+    return text
+
+
+def linking():
+    text = (project / "docs" / "linking.md").read_text(encoding="utf-8")
+    languages, _ = blocks("linking.md", text)
+    check(set(languages) == {"c", "cpp", "fortran", "sh", "cmake", "meson", "diff"}, "linking.md shows every language and tool")
+    check(languages.count("fortran") == 2, "linking.md shows both kinds of Fortran")
+    names = "\n".join(path.read_text(encoding="utf-8").lower() for folder in ("include", "fortran")
+                      for path in (project / folder).iterdir())
+    for name in sorted(set(re.findall(r"`\W?((?:vti_[a-z_]+|VTI[A-Z0-9_]+))\b", text))):
+        check(name.lower() in names or name in ("vti_dep", "vti_fortran_dep"), f"linking.md: {name} exists")
+    return text
+
+
+for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src|fortran)/[\w./-]+)`", readme() + linking()):
+    check((project / path).exists() or path.startswith("include/vti/"), f"{path} exists")
 sys.exit(1 if failures else 0)

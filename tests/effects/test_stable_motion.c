@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Bonded bodies at 0.95 of vti_stable_step stay where they are, at 1.05 of the true limit they fly apart. */
+#include "crowd.h"
+
 #include "hessian.h"
 
 static crowd c;
@@ -20,8 +22,8 @@ static double growth(int bodies, uint64_t seed, double share_of_bound, double sh
     web_terms(&w, web_grow(&w, &g, &c, bodies > 2 ? bodies : 0, 1, 20), MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
     const vti_effect effect = vti_bonds_effect(&w.bonds);
     const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-    const double limit = hessian_limit(&c, &effect, 1);
     const vti_bodies b = crowd_bodies(&c);
+    const double limit = hessian_limit(&b, &effect, 1);
     double bound = NAN, scratch[CROWD_MAX];
     assert_int_equal(vti_stable_step(&springs, &b, scratch, &bound), VTI_OK);
     const double h = share_of_bound > 0 ? share_of_bound * bound : share_of_limit * limit;

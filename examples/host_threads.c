@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A host with threads (OpenMP): each steps a slice of the spheres, a chain of bonded spheres, by VTI-2.
+ *     host_threads chain/bodies.csv                                                                                   */
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "vti.h"
+
+enum { N = 10, BONDS = N - 1, STEPS = 5120 };
+
+static double x[N][3], v[N][3], force[N][3], alpha[N][3], omega[N][3], moment[N][3], mass[N], inertia[N];
+
+static void must(int status)
+{
+    if (status != VTI_OK) {
+        fprintf(stderr, "host_threads: %s\n", vti_status_text(status));
+        exit(EXIT_FAILURE);
+    }
+}
+
+static void read_spheres(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    int fields = file == NULL ? EOF : fscanf(file, "%*[^\n]");
+    for (int i = 0; i < N && fields != EOF; ++i)
+        fields = fscanf(file, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &x[i][0], &x[i][1], &x[i][2], &v[i][0],
+                        &v[i][1], &v[i][2], &omega[i][0], &omega[i][1], &omega[i][2], &mass[i], &inertia[i]);
+    if (fields != 11) {
+        fprintf(stderr, "%s: not %d spheres\n", path, N);
+        exit(EXIT_FAILURE);
+    }
+    fclose(file);
+}
+
+static void print_spheres(void)
+{
+    for (int i = 0; i < N; ++i) {
+        const double *const q[] = {x[i], v[i], alpha[i], omega[i]};
+        for (int k = 0; k < 12; ++k)
+            printf("%.17g%c", q[k / 3][k % 3], k < 11 ? ' ' : '\n');
+    }
+}
+
+/** Spheres are stepped by all threads at once. Bonds are not: two of them may add to one sphere. */
+static void run(const vti_bodies *bodies, const vti_effect *binder, double h)
+{
+    const vti_stepper *method = vti_stepper_find("vti2");
+    must(vti_apply(binder, 1, bodies));
+#pragma omp parallel
+    {
+        const int64_t thread = omp_get_thread_num(), threads = omp_get_num_threads();
+        const int64_t first = bodies->count * thread / threads, end = bodies->count * (thread + 1) / threads;
+        const vti_bodies mine = vti_bodies_slice(*bodies, first, end - first);
+        for (int k = 0; k < STEPS; ++k) {
+            must(vti_step_begin(method, h, &mine, NULL));
+#pragma omp barrier
+#pragma omp single
+            must(vti_apply(binder, 1, bodies)); /* the others wait here until the forces are there */
+            must(vti_step_finish(method, h, &mine));
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static int64_t pair[BONDS][2];
+    static double rest[BONDS][4];
+    const double stiffness[3] = {10.0, 200.0, 200.0};
+    read_spheres(argc > 1 ? argv[1] : "chain/bodies.csv");
+
+    vti_bodies bodies = vti_bodies_none(N);
+    bodies.x = vti_view_packed(x[0]);
+    bodies.v = vti_view_packed(v[0]);
+    bodies.force = vti_view_packed(force[0]);
+    bodies.alpha = vti_view_packed(alpha[0]);
+    bodies.omega = vti_view_packed(omega[0]);
+    bodies.moment = vti_view_packed(moment[0]);
+    bodies.mass = vti_scalars_array(mass);
+    bodies.inertia = vti_scalars_array(inertia);
+    must(vti_bodies_check_values(&bodies, NULL));
+
+    for (int k = 0; k < BONDS; ++k)
+        pair[k][0] = k, pair[k][1] = k + 1;
+    must(vti_bonds_rest(BONDS, pair[0], 0, &bodies.x, rest[0], NULL));
+    const vti_bonds bonds = {.count = BONDS,
+                             .pair = pair[0],
+                             .rest = rest[0],
+                             .moment = vti_scalars_one(&stiffness[0]),
+                             .axial = vti_scalars_one(&stiffness[1]),
+                             .shear = vti_scalars_one(&stiffness[2]),
+                             .shear_form = VTI_SHEAR_OBJECTIVE};
+    must(vti_bonds_check(&bonds, N, NULL));
+    const vti_effect binder = vti_bonds_effect(&bonds);
+    run(&bodies, &binder, 1.0 / 512.0);
+    print_spheres();
+    return EXIT_SUCCESS;
+}

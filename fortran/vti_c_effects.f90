@@ -1,0 +1,101 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!
+!> vti_c_effects -- the functions of vti_effect.h as C has them, and the energy; called by module vti_effects only.
+module vti_c_effects
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_ptr
+    use vti_types
+    implicit none
+    public
+    private :: c_double, c_int, c_int64_t, c_ptr
+
+    interface
+        function c_apply(effects, n, bodies) result(status) bind(c, name='vti_apply')
+            import :: c_int, c_int64_t, vti_bodies, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        function c_energy(effects, n, bodies) result(energy) bind(c, name='vti_energy')
+            import :: c_double, c_int64_t, vti_bodies, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            real(c_double) :: energy
+        end function
+
+        function c_pendulum_effect(pendulum) result(effect) bind(c, name='vti_pendulum_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: pendulum
+            type(vti_effect) :: effect
+        end function
+
+        subroutine c_pendulum_arm(pendulum, bodies, i, arm) bind(c, name='vti_pendulum_arm')
+            import :: c_double, c_int64_t, vti_bodies, vti_pendulum
+            type(vti_pendulum), intent(in) :: pendulum
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int64_t), value :: i
+            real(c_double), intent(out) :: arm(3)
+        end subroutine
+
+        function c_gravity_effect(gravity) result(effect) bind(c, name='vti_gravity_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: gravity
+            type(vti_effect) :: effect
+        end function
+
+        function c_bonds_effect(bonds) result(effect) bind(c, name='vti_bonds_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: bonds
+            type(vti_effect) :: effect
+        end function
+
+        function c_contacts_effect(contacts) result(effect) bind(c, name='vti_contacts_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: contacts
+            type(vti_effect) :: effect
+        end function
+
+        function c_walls_effect(walls) result(effect) bind(c, name='vti_walls_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: walls
+            type(vti_effect) :: effect
+        end function
+
+        function c_bonds_rest(count, pair, base, x, rest, fault) result(status) bind(c, name='vti_bonds_rest')
+            import :: c_double, c_int, c_int64_t, vti_fault, vti_view
+            integer(c_int64_t), value :: count, base
+            integer(c_int64_t), intent(in) :: pair(2, *)
+            type(vti_view), intent(in) :: x
+            real(c_double), intent(inout) :: rest(4, *)
+            type(vti_fault), intent(inout) :: fault
+            integer(c_int) :: status
+        end function
+
+        function c_bonds_check(bonds, n, fault) result(status) bind(c, name='vti_bonds_check')
+            import :: c_int, c_int64_t, vti_bonds, vti_fault
+            type(vti_bonds), intent(in) :: bonds
+            integer(c_int64_t), value :: n
+            type(vti_fault), intent(inout) :: fault
+            integer(c_int) :: status
+        end function
+
+        function c_step_check(method, effects, n) result(status) bind(c, name='vti_step_check')
+            import :: c_int, c_int64_t, c_ptr, vti_effect
+            type(c_ptr), value :: method
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            integer(c_int) :: status
+        end function
+
+        function c_stable_step(springs, bodies, scratch, h) result(status) bind(c, name='vti_stable_step')
+            import :: c_double, c_int, vti_bodies, vti_springs
+            type(vti_springs), intent(in) :: springs
+            type(vti_bodies), intent(in) :: bodies
+            real(c_double), intent(inout) :: scratch(*)
+            real(c_double), intent(inout) :: h
+            integer(c_int) :: status
+        end function
+    end interface
+end module

@@ -1,0 +1,209 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!
+!> vti_effects -- what a scene calls for: forces, moments and energies. Part of module vti.
+!>
+!> An effect keeps the address of what it is the effect of (pendulum, bonds, ...), and that keeps the addresses of its
+!> arrays: all of them have TARGET, stay where they are, and outlive the effect. Bodies in pairs count from 1.
+!>
+!> Arrays of the wrong shape give a count of -1: vti_bonds_check refuses it, and its effect, like that of a pointer to
+!> nothing, is refused by vti_apply and vti_step_check (VTI_E_NULL) and has energy NaN.
+module vti_effects
+    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
+    use vti_c_effects
+    use vti_steps, only: blame, handle
+    use vti_types
+    implicit none
+    private
+    public :: vti_apply, vti_energy, vti_step_check, vti_stable_step
+    public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect
+    public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
+    public :: vti_contacts_between, vti_contacts_effect, vti_walls_at, vti_walls_effect
+
+contains
+
+    ! ---- all of a scene ---------------------------------------------------------------------------------------------
+
+    !> force = moment = 0 on the slice, then every effect in order.
+    function vti_apply(effects, bodies) result(status)
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int) :: status
+        status = VTI_E_NULL
+        if (exist(effects)) status = c_apply(effects, size(effects, kind=c_int64_t), bodies)
+    end function
+
+    !> Kinetic energies and all energies of the effects.
+    function vti_energy(effects, bodies) result(energy)
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        real(c_double) :: energy
+        energy = ieee_value(energy, ieee_quiet_nan)
+        if (exist(effects)) energy = c_energy(effects, size(effects, kind=c_int64_t), bodies)
+    end function
+
+    !> Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates.
+    function vti_step_check(method, effects) result(status)
+        type(vti_stepper), intent(in), target :: method
+        type(vti_effect), intent(in) :: effects(:)
+        integer(c_int) :: status
+        status = VTI_E_NULL
+        if (exist(effects)) status = c_step_check(handle(method), effects, size(effects, kind=c_int64_t))
+    end function
+
+    function exist(effects)
+        type(vti_effect), intent(in) :: effects(:)
+        logical :: exist
+        integer :: k
+        exist = .true.
+        do k = 1, size(effects)
+            exist = exist .and. c_associated(effects(k)%apply) .and. c_associated(effects(k)%energy)
+        end do
+    end function
+
+    !> A step that is stable for every stepper whose limit is h < 2/omega_max; infinite if nothing oscillates. scratch
+    !> has room for the bodies of the slice, which are all that the springs name.
+    function vti_stable_step(springs, bodies, scratch, h) result(status)
+        type(vti_springs), intent(in) :: springs
+        type(vti_bodies), intent(in) :: bodies
+        real(c_double), intent(inout), contiguous :: scratch(:)
+        real(c_double), intent(inout) :: h
+        integer(c_int) :: status
+        status = VTI_E_COUNT
+        if (size(scratch, kind=c_int64_t) >= bodies%count) status = c_stable_step(springs, bodies, scratch, h)
+    end function
+
+    ! ---- pendulum and gravity ---------------------------------------------------------------------------------------
+
+    function vti_pendulum_effect(pendulum) result(effect)
+        type(vti_pendulum), pointer, intent(in) :: pendulum
+        type(vti_effect) :: effect
+        if (associated(pendulum)) effect = c_pendulum_effect(c_loc(pendulum))
+    end function
+
+    !> arm = R rho0 of body i, which counts from 1, in the inertial frame.
+    subroutine vti_pendulum_arm(pendulum, bodies, i, arm)
+        type(vti_pendulum), intent(in) :: pendulum
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int64_t), intent(in) :: i
+        real(c_double), intent(out) :: arm(3)
+        call c_pendulum_arm(pendulum, bodies, i - 1, arm)
+    end subroutine
+
+    function vti_gravity_effect(gravity) result(effect)
+        type(vti_gravity), pointer, intent(in) :: gravity
+        type(vti_effect) :: effect
+        if (associated(gravity)) effect = c_gravity_effect(c_loc(gravity))
+    end function
+
+    ! ---- bonds --------------------------------------------------------------------------------------------------------
+
+    !> Bonds between the bodies pair(1,k) and pair(2,k), at rest as rest(4,k) says, still without stiffnesses.
+    function vti_bonds_between(pair, rest) result(bonds)
+        integer(c_int64_t), pointer, contiguous, intent(in) :: pair(:, :)
+        real(c_double), pointer, contiguous, intent(in) :: rest(:, :)
+        type(vti_bonds) :: bonds
+        bonds%count = -1
+        if (.not. (associated(pair) .and. associated(rest))) return
+        if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
+        bonds%count = size(pair, 2, c_int64_t)
+        if (bonds%count == 0) return
+        bonds%pair = c_loc(pair)
+        bonds%rest = c_loc(rest)
+    end function
+
+    !> rest(4,k), n0 and L0, of the pairs at the positions of bodies. VTI_E_BOND, with fault%body the number of the bond
+    !> (from 1) and fault%value what is wrong, if a body does not exist or two coincide; rest is then of no use.
+    function vti_bonds_rest(pair, bodies, rest, fault) result(status)
+        integer(c_int64_t), intent(in), contiguous :: pair(:, :)
+        type(vti_bodies), intent(in) :: bodies
+        real(c_double), intent(inout), contiguous :: rest(:, :)
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        integer(c_int64_t) :: k, body
+        type(vti_fault) :: found
+        if (present(fault)) fault = vti_fault()
+        status = VTI_E_COUNT
+        if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
+        status = VTI_E_VIEW
+        if (.not. all([(c_associated(bodies%x%c(k)), k=1, 3)])) return
+        do k = 1, size(pair, 2, c_int64_t)
+            body = maxval(pair(:, k))
+            if (minval(pair(:, k)) < 1) body = minval(pair(:, k))
+            status = VTI_E_BOND
+            if (present(fault)) fault = vti_fault(k, real(body, c_double))
+            if (body < 1 .or. body > bodies%first + bodies%count) return
+        end do
+        found%body = -1
+        status = c_bonds_rest(size(pair, 2, c_int64_t), pair, 1_c_int64_t, bodies%x, rest, found)
+        if (present(fault)) fault = blame(found)
+    end function
+
+    !> Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite
+    !> and >= 0. VTI_E_BOND, with fault%body the number of the bond (from 1) and fault%value what is wrong.
+    function vti_bonds_check(bonds, n, fault) result(status)
+        type(vti_bonds), intent(in) :: bonds
+        integer(c_int64_t), intent(in) :: n
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        found%body = -1
+        status = VTI_E_COUNT
+        if (bonds%count >= 0) status = c_bonds_check(bonds, n, found)
+        if (present(fault)) fault = blame(found)
+    end function
+
+    function vti_bonds_effect(bonds) result(effect)
+        type(vti_bonds), pointer, intent(in) :: bonds
+        type(vti_effect) :: effect
+        if (.not. associated(bonds)) return
+        if (bonds%count >= 0) effect = c_bonds_effect(c_loc(bonds))
+    end function
+
+    ! ---- contacts and walls -------------------------------------------------------------------------------------------
+
+    !> Contacts between the bodies pair(1,k) and pair(2,k), of which some may not touch.
+    function vti_contacts_between(pair, diameter, stiffness) result(contacts)
+        integer(c_int64_t), pointer, contiguous, intent(in) :: pair(:, :)
+        type(vti_scalars), intent(in) :: diameter
+        real(c_double), intent(in) :: stiffness
+        type(vti_contacts) :: contacts
+        contacts%diameter = diameter
+        contacts%stiffness = stiffness
+        contacts%count = -1
+        if (.not. associated(pair)) return
+        if (size(pair, 1) /= 2) return
+        contacts%count = size(pair, 2, c_int64_t)
+        if (contacts%count > 0) contacts%pair = c_loc(pair)
+    end function
+
+    !> The effect; the list of contacts may change between steps.
+    function vti_contacts_effect(contacts) result(effect)
+        type(vti_contacts), pointer, intent(in) :: contacts
+        type(vti_effect) :: effect
+        if (.not. associated(contacts)) return
+        if (contacts%count >= 0 .and. c_associated(contacts%diameter%p)) effect = c_contacts_effect(c_loc(contacts))
+    end function
+
+    !> Planes with the unit normal plane(1:3,k), towards the bodies, and the offset plane(4,k).
+    function vti_walls_at(plane, diameter, stiffness) result(walls)
+        real(c_double), pointer, contiguous, intent(in) :: plane(:, :)
+        type(vti_scalars), intent(in) :: diameter
+        real(c_double), intent(in) :: stiffness
+        type(vti_walls) :: walls
+        walls%diameter = diameter
+        walls%stiffness = stiffness
+        walls%count = -1
+        if (.not. associated(plane)) return
+        if (size(plane, 1) /= 4) return
+        walls%count = size(plane, 2, c_int64_t)
+        if (walls%count > 0) walls%plane = c_loc(plane)
+    end function
+
+    function vti_walls_effect(walls) result(effect)
+        type(vti_walls), pointer, intent(in) :: walls
+        type(vti_effect) :: effect
+        if (.not. associated(walls)) return
+        if (walls%count >= 0 .and. c_associated(walls%diameter%p)) effect = c_walls_effect(c_loc(walls))
+    end function
+end module

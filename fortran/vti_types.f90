@@ -1,0 +1,131 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!
+!> vti_types -- the types and constants of vti.h. Part of module vti.
+module vti_types
+    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_int64_t, c_null_funptr, c_null_ptr, c_ptr
+    implicit none
+    public
+    private :: c_double, c_funptr, c_int, c_int64_t, c_null_funptr, c_null_ptr, c_ptr
+
+    integer(c_int64_t), parameter :: VTI_ABI = 1
+
+    integer(c_int), parameter :: VTI_OK = 0, VTI_E_NULL = -1, VTI_E_ABI = -2, VTI_E_COUNT = -3, VTI_E_VIEW = -4, &
+        VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
+        VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
+        VTI_E_DISSIPATES = -15
+    integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
+    integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
+    integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
+    integer(c_int64_t), parameter :: VTI_TERMS = 8
+
+    !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if no body is to blame)
+    !> and the value.
+    type, bind(c) :: vti_fault
+        integer(c_int64_t) :: body = 0
+        real(c_double) :: value = 0
+    end type
+
+    !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles.
+    type, bind(c) :: vti_view
+        type(c_ptr) :: c(3) = c_null_ptr
+        integer(c_int64_t) :: stride = 0
+    end type
+
+    !> n quaternions in the caller's arrays, components in the order x, y, z, w.
+    type, bind(c) :: vti_quat_view
+        type(c_ptr) :: xyzw(4) = c_null_ptr
+        integer(c_int64_t) :: stride = 0
+    end type
+
+    !> n positive numbers; stride 0 is one value for all.
+    type, bind(c) :: vti_scalars
+        type(c_ptr) :: p = c_null_ptr
+        integer(c_int64_t) :: stride = 0
+    end type
+
+    !> A slice of the caller's bodies. What is not given is absent, and with it the physics that needs it; the members
+    !> are explained in vti.h. first counts from 0 as in C: set it by vti_bodies_slice.
+    type, bind(c) :: vti_bodies
+        integer(c_int64_t) :: abi = VTI_ABI, sealed = 0, first = 0, count = 0
+        type(vti_view) :: x, v, force, alpha
+        type(vti_quat_view) :: quat
+        type(vti_view) :: omega, moment
+        type(vti_scalars) :: mass, inertia
+        type(vti_view) :: x_low, v_low, alpha_low, omega_low
+    end type
+
+    !> A stepper as data. vti_text reads name and about; c_f_pointer gives kick, drift and, unless it is null, probe, of
+    !> stages + 1 numbers each.
+    type, bind(c) :: vti_stepper
+        type(c_ptr) :: name = c_null_ptr
+        integer(c_int64_t) :: law = 0, frame = 0, order = 0, reversible = 0, symplectic = 0, stages = 0, evals = 0
+        real(c_double) :: lag = 0, reach = 0
+        type(c_ptr) :: kick = c_null_ptr, drift = c_null_ptr, probe = c_null_ptr, about = c_null_ptr
+    end type
+
+    !> One line of physics. apply(self, bodies) and energy(self, bodies, energies) are bind(c) subroutines with
+    !> type(c_ptr), value :: self; type(vti_bodies), intent(in) :: bodies; real(c_double), intent(inout) :: energies(*).
+    type, bind(c) :: vti_effect
+        type(c_ptr) :: name = c_null_ptr
+        type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr
+        type(c_ptr) :: self = c_null_ptr
+        integer(c_int64_t) :: terms = 0
+        type(c_ptr) :: term = c_null_ptr
+        integer(c_int64_t) :: breaks = 0, dissipates = 0
+    end type
+
+    !> Bodies that hang by their body-fixed arm rho0 from pivots in a field along +e3; weight is m g.
+    type, bind(c) :: vti_pendulum
+        real(c_double) :: weight = 0, rho0(3) = 0
+    end type
+
+    !> Uniform field: F = m g.
+    type, bind(c) :: vti_gravity
+        real(c_double) :: g(3) = 0
+    end type
+
+    !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is absent.
+    type, bind(c) :: vti_bonds
+        integer(c_int64_t) :: count = 0
+        type(c_ptr) :: pair = c_null_ptr
+        integer(c_int64_t) :: base = 1
+        type(c_ptr) :: rest = c_null_ptr
+        type(vti_scalars) :: moment, axial, shear
+        integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
+    end type
+
+    !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays.
+    type, bind(c) :: vti_contacts
+        integer(c_int64_t) :: count = 0
+        type(c_ptr) :: pair = c_null_ptr
+        integer(c_int64_t) :: base = 1
+        type(vti_scalars) :: diameter
+        real(c_double) :: stiffness = 0
+    end type
+
+    !> Rigid planes n.x = offset; vti_walls_at makes them from an array.
+    type, bind(c) :: vti_walls
+        integer(c_int64_t) :: count = 0
+        type(c_ptr) :: plane = c_null_ptr
+        type(vti_scalars) :: diameter
+        real(c_double) :: stiffness = 0
+    end type
+
+    !> What can make bodies oscillate, for vti_stable_step: c_loc of each, null is absent.
+    type, bind(c) :: vti_springs
+        type(c_ptr) :: bonds = c_null_ptr, contacts = c_null_ptr, walls = c_null_ptr, pendulum = c_null_ptr
+        real(c_double) :: overlap = 0
+    end type
+
+    !> Sum with its rounding error carried along.
+    type, bind(c) :: vti_sum
+        real(c_double) :: high = 0, low = 0
+    end type
+
+    !> Integral over time by the trapezoid rule at the steps, fed one value per step.
+    type, bind(c) :: vti_integral
+        type(vti_sum) :: sum
+        real(c_double) :: last = 0
+        integer(c_int64_t) :: values = 0
+    end type
+end module

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The installed library is used from a folder of its own: by pkg-config from C and Fortran, shared and static, by CMake from
+C, C++ and Fortran, and after it has been moved; DESTDIR; what is installed and what is not.    test_installed.py PROJECT"""
+import pathlib
+import re
+import shutil
+import sys
+
+from install_support import Installed, block, check, failures, have, run
+
+project = pathlib.Path(sys.argv[1])
+here = pathlib.Path(__file__).parent
+version = re.search(r'VTI_VERSION_STRING "(.*)"', (project / "include" / "vti.h").read_text(encoding="utf-8"))[1]
+major, minor = version.split(".")[:2]
+package = Installed(project)
+use = package.folder / "use"
+use.mkdir()
+for source in ("pendulum.c", "pendulum.f90"):
+    shutil.copy(project / "examples" / source, use)
+shutil.copytree(project / "examples", use / "examples")
+for source in ("rotation.cpp", "turn.f", "cmake"):
+    (shutil.copytree if (here / source).is_dir() else shutil.copy)(here / source, use / source)
+
+
+def expected():
+    """What an installation holds, relative to its prefix."""
+    lib = package.lib + "/"
+    files = ["include/" + header.name for header in (project / "include").glob("*.h")]
+    files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + major, "pkgconfig/vti.pc",
+                                      "cmake/vti/vti-config.cmake", "cmake/vti/vti-config-version.cmake")]
+    if package.fortran:
+        sources = [path.name for path in (project / "fortran").glob("*.f90")]
+        gfortran = "gfortran-" + run("gfortran", "-dumpversion").strip().split(".", maxsplit=1)[0]
+        files += ["share/vti/fortran/" + name for name in sources]
+        files += [f"include/vti/{gfortran}/{name[:-4]}.mod" for name in sources if "f77" not in name]
+        files += [lib + "libvti_fortran.a", lib + "pkgconfig/vti-fortran.pc"]
+    return sorted(files)
+
+
+def ran(program, what, path=None):
+    """The program runs; the pendulum keeps its energy of 0.04 + sqrt(1/2), the other body is turned by 0.5."""
+    text = run(program, **(package.library_path() if path is None else path)) or ""
+    check("energy = 0.74711" in text or "turned by 0.5" in text, f"{what}: {text.strip()}")
+
+
+def destdir():
+    stage = package.folder / "stage"
+    check(package.install(DESTDIR=str(stage)), "installed with DESTDIR")
+    below = stage / package.prefix.relative_to("/")
+    found = package.files(below)
+    check(found == expected(), f"what is installed: {sorted(set(found) ^ set(expected())) or 'as it should be'}")
+    check(len(package.files(stage)) == len(found), "nothing is installed beside the prefix")
+    check(not package.prefix.exists(), "with DESTDIR the prefix itself stays as it is")
+    for path in below.rglob("*"):
+        if path.suffix in (".pc", ".cmake"):
+            check(str(stage) not in path.read_text(encoding="utf-8"), f"{path.name} does not know of DESTDIR")
+
+
+def by_pkg_config():
+    check(package.pkg_config("--modversion", "vti") == [version], "pkg-config knows the version")
+    flags = package.pkg_config("--cflags", "--libs", "vti")
+    run("cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "pendulum.c", "-o", "c_shared", *flags, folder=use)
+    needed = run("readelf", "-d", use / "c_shared") or ""
+    check(f"libvti.so.{major}" in needed, "the program asks for the library by its major version")
+    ran(use / "c_shared", "C, shared")
+    archive = package.prefix / package.lib / "libvti.a"
+    run("cc", "pendulum.c", "-o", "c_static", *package.pkg_config("--cflags", "vti"), archive, "-lm", folder=use)
+    ran(use / "c_static", "C, static", path={})
+    if not package.fortran:
+        return
+    flags = package.pkg_config("--cflags", "--libs", "vti-fortran")
+    run("gfortran", "-std=f2008", "-Wall", "-Wextra", "-Werror", "pendulum.f90", "-o", "fortran", *flags, folder=use)
+    ran(use / "fortran", "Fortran, module")
+    run("gfortran", "-std=legacy", "-Wall", "-Wextra", "-Werror", "turn.f", "-o", "f77", *flags, folder=use)
+    ran(use / "f77", "Fortran 77, no module")
+
+
+def from_sources():
+    """For a compiler that cannot read the module files that are there."""
+    sources = package.prefix / "share" / "vti" / "fortran"
+    order = ["types", "c", "c_effects", "sums", "views", "steps", "effects", "packed"]
+    files = [sources / f"vti_{name}.f90" for name in order] + [sources / "vti.f90"]
+    own = use / "own"
+    own.mkdir()
+    run("gfortran", f"-J{own}", *files, "pendulum.f90", "-o", "from_sources", *package.pkg_config("--libs", "vti"), folder=use)
+    ran(use / "from_sources", "Fortran, module from its sources")
+
+
+def ends(program):
+    """Where a host of the chain ends, as numbers."""
+    text = run(program, "chain/bodies.csv", folder=use / "examples", **package.library_path()) or ""
+    return [float(word) for line in text.splitlines() if not line.startswith("energy") for word in line.split()]
+
+
+def by_the_page():
+    """The commands of docs/linking.md, as they stand there."""
+    examples = use / "examples"
+    for line in block(project, "sh").splitlines():
+        if "gfortran" in line and not package.fortran:
+            continue
+        run("sh", "-c", line, folder=examples, PKG_CONFIG_LIBDIR=str(package.prefix / package.lib / "pkgconfig"))
+        name = line.split()[-1]
+        check(len(ends(examples / name)) == 120 and ends(examples / name) == ends(examples / "host_structs"), f"linking.md: {line}")
+    if have("cmake"):
+        (examples / "CMakeLists.txt").write_text(block(project, "cmake"), encoding="utf-8")
+        run("cmake", "-S", examples, "-B", use / "page", f"-DCMAKE_PREFIX_PATH={package.prefix}")
+        run("cmake", "--build", use / "page")
+        check(ends(use / "page" / "host") == ends(examples / "host_structs"), "linking.md: CMake")
+
+
+def by_cmake(prefix, what, path):
+    build = use / ("cmake-" + what)
+    options = [f"-DCMAKE_PREFIX_PATH={prefix}", f"-DWITH_FORTRAN={'ON' if package.fortran else 'OFF'}"]
+    said = run("cmake", "-S", use / "cmake", "-B", build, "-DWANTED=" + version, *options) or ""
+    check(f"found in: {prefix}/" in said, f"CMake, {what}: finds this one")
+    good = run("cmake", "--build", build) is not None
+    check(good, f"CMake, {what}: built")
+    for name in ["c_shared", "c_static", "cpp"] + (["fortran", "f77"] if package.fortran else []):
+        if good:
+            ran(build / name, f"CMake, {what}, {name}", path)
+    for wanted, fits in ((f"{major}.{minor}", True), (f"{major}.{int(minor) + 1}", False), (str(int(major) + 1), False)):
+        out = run("cmake", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", *options) or ""
+        check(f"found: {1 if fits else 0}" in out, f"CMake, {what}: version {wanted} {'fits' if fits else 'does not fit'}")
+
+
+destdir()
+check(package.install(), "installed")
+by_pkg_config()
+by_the_page()
+if package.fortran:
+    from_sources()
+if have("cmake", "c++"):
+    by_cmake(package.prefix, "installed", {})
+    moved = package.folder / "moved"
+    package.prefix.rename(moved)
+    by_cmake(moved, "moved", {"LD_LIBRARY_PATH": str(moved / package.lib)})
+else:
+    print("skipped: CMake, because cmake or c++ is not here")
+package.remove()
+sys.exit(1 if failures else 0)
