@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "digest.h"
+#include "quote.h"
 #include "state.h"
 #include "sync.h"
 
@@ -18,7 +19,7 @@ struct head {
     struct checkpoint checkpoint;
 };
 
-static const char magic[16] = "vti checkpoint1";
+static const char magic[16] = "vti checkpoint2";
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
@@ -107,23 +108,39 @@ static int read_all(const char *path, unsigned char **bytes, size_t *size)
     return ok ? 1 : -1;
 }
 
-static int check_identity(const struct identity *have, const struct identity *want, const char *path,
-                          struct message *message)
+/** "bodies.csv holds other bodies": with the same scene and options they can only have changed in their table. */
+static const char *other_numbers(const char *table, const char *what, char *text, size_t size)
 {
+    char shown[160];
+    const int named = table[0] != '\0';
+    snprintf(text, size, "%s %s other %s", named ? quote_tail(shown, sizeof shown, table) : "the scene",
+             named ? "holds" : "has", what);
+    return text;
+}
+
+static int check_identity(const struct identity *have, const struct identity *want, const struct scene *scene,
+                          const char *path, struct message *message)
+{
+    char text[256];
     if (strncmp(have->version, want->version, sizeof have->version) != 0)
         return message_set(message,
                            "%s: is of vti %.16s and this is vti %.16s; resume with that version, or start anew "
                            "with -o elsewhere",
                            path, have->version, want->version);
-    const char *other = have->scene != want->scene           ? "the scene file has another text"
-                        : have->overrides != want->overrides ? "--set, --h or --stepper differ"
-                        : have->model != want->model         ? "the scene has other bodies or bonds"
-                                                             : NULL;
+    const char *other = NULL;
+    if (have->scene != want->scene)
+        other = "the scene file has another text";
+    else if (have->overrides != want->overrides)
+        other = "--set, --h or --stepper differ";
+    else if (have->bodies != want->bodies)
+        other = other_numbers(scene->table, "bodies", text, sizeof text);
+    else if (have->bonds != want->bonds)
+        other = other_numbers(scene->binder.table, "bonds", text, sizeof text);
     if (other == NULL)
         return 0;
     return message_set(message,
-                       "%s: is of another run: %s; resume with the scene and options of that run, or start "
-                       "anew with -o elsewhere",
+                       "%s: is of another run: %s; resume with the scene, tables and options of that run, or "
+                       "start anew with -o elsewhere",
                        path, other);
 }
 
@@ -139,8 +156,8 @@ static int unpack(const unsigned char *bytes, size_t size, struct head *head)
            digest == digest_add(DIGEST_START, bytes, size - sizeof digest);
 }
 
-int checkpoint_read(const struct journal *journal, const struct identity *identity, struct checkpoint *checkpoint,
-                    const vti_bodies *bodies, struct message *message)
+int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
+                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct message *message)
 {
     struct head head;
     char path[FOLDER_PATH];
@@ -154,15 +171,16 @@ int checkpoint_read(const struct journal *journal, const struct identity *identi
         result = damaged(journal, path, "cannot be read", message);
     else if (result > 0 && !unpack(bytes, size, &head))
         result = damaged(journal, path, "is no checkpoint of vti-run, or is damaged", message);
-    else if (result > 0 && check_identity(&head.checkpoint.identity, identity, path, message) != 0)
+    else if (result > 0 && check_identity(&head.checkpoint.identity, identity, scene, path, message) != 0)
         result = -1;
     else if (result > 0 && (head.checkpoint.state_doubles != state_size(bodies) ||
                             size != sizeof head + 8 * (size_t)state_size(bodies) + sizeof(uint64_t)))
         result = damaged(journal, path, "holds other quantities than this program does", message);
-    if (result > 0) {
+    if (result > 0)
         *checkpoint = head.checkpoint;
+    /* who starts anew from step 0 moves the velocities of a lagging method anew */
+    if (result > 0 && checkpoint->step > 0)
         state_put((const double *)(const void *)(bytes + sizeof head), bodies);
-    }
     free(bytes);
     return result;
 }

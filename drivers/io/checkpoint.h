@@ -6,14 +6,15 @@
 #define VTI_CHECKPOINT_H
 
 #include "journal.h"
-#include "vti.h"
+#include "scene.h"
 
 /** What a run is; a checkpoint goes on only as the same run. The end time is no part of it: a run may be prolonged. */
 struct identity {
     char version[16];   /* of vti */
     uint64_t scene;     /* digest of the text of the scene file */
     uint64_t overrides; /* of the values from --set, --h and --stepper, in their order */
-    uint64_t model;     /* of bodies and bonds at t = 0 */
+    uint64_t bodies;    /* of their numbers at t = 0, wherever the scene has them from */
+    uint64_t bonds;     /* likewise */
 };
 
 struct checkpoint {
@@ -30,9 +31,10 @@ struct checkpoint {
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      struct message *message);
 
-/** Reads the checkpoint in the journal's folder for these bodies, which get its state. Returns 1, 0 if there is
- *  none, or -1 with one line in *message: it is damaged, or of another run than *identity. */
-int checkpoint_read(const struct journal *journal, const struct identity *identity, struct checkpoint *checkpoint,
-                    const vti_bodies *bodies, struct message *message);
+/** Reads the checkpoint in the journal's folder for these bodies, which get its state, or stay as they are if
+ *  that is of step 0: they are at t = 0 already. Returns 1, 0 if there is
+ *  none, or -1 with one line in *message: it is damaged, or of another run than *identity, that of *scene. */
+int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
+                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct message *message);
 
 #endif

@@ -53,8 +53,9 @@ static int open_checkpoint(struct run *run, struct message *message)
 {
     const struct identity identity = run->checkpoint.identity;
     struct checkpoint *c = &run->checkpoint;
-    const int found =
-        run->request->resume ? checkpoint_read(&run->journal, &identity, c, &run->model.bodies, message) : 0;
+    const int found = run->request->resume
+                          ? checkpoint_read(&run->journal, &identity, &run->scene, c, &run->model.bodies, message)
+                          : 0;
     if (found < 0)
         return -1;
     run->from = c->step;

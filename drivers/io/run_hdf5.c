@@ -63,6 +63,13 @@ static void walls_write(const vti_walls *walls, struct hdf5_sink *file)
         hdf5_dataset(file, "walls", H5T_NATIVE_DOUBLE, 2, dims, walls->plane);
 }
 
+/** contact.bonded, if the scene has contact: whether bonds keep their bodies from touching. */
+static void contact_write(const struct scene *scene, struct hdf5_sink *file)
+{
+    if (scene->has_contact)
+        hdf5_attribute(file, "contact.bonded", H5T_NATIVE_INT64, 1, &scene->contact.bonded);
+}
+
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);
@@ -74,6 +81,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
         walls_write(&record->model->walls, &file);
+        contact_write(record->model->scene, &file);
     }
     const int failed =
         file.failed || vtkhdf_write(record, &file, message) != 0 || energies_write(record, &file, message) != 0;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off). /VTKHDF: the
- * trajectory (vtkhdf.h). /energies: a dataset per column of out.csv, and their order in its attribute "columns".
- * /walls: planes n.x = d as rows nx, ny, nz, d, if the scene has any. The bytes depend on the results only. */
+ * out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off), and
+ * contact.bonded (1 if bonded bodies touch too) if the scene has contact. /VTKHDF: the trajectory (vtkhdf.h).
+ * /energies: a dataset per column of out.csv, and their order in its attribute "columns". /walls: planes n.x = d as
+ * rows nx, ny, nz, d, if the scene has any. The bytes depend on the results only. */
 #ifndef VTI_RUN_HDF5_H
 #define VTI_RUN_HDF5_H
 

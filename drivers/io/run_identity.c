@@ -38,22 +38,31 @@ static double scalar(const vti_scalars *s, int64_t i)
     return s->p != NULL ? s->p[i * s->stride] : 0.0;
 }
 
-static uint64_t digest_bodies(uint64_t digest, const struct model *model, const double *state, int64_t size)
+/** Of all numbers of the bodies that a table may give, as the run begins with them. */
+static int digest_bodies(const struct model *model, uint64_t *digest)
 {
     const vti_bodies *b = &model->bodies;
+    const int64_t size = state_size(b);
+    double *state = calloc((size_t)size + 1, sizeof *state);
+    if (state == NULL)
+        return -1;
+    state_get(b, state);
+    *digest = DIGEST_START;
     for (int64_t k = 0; k < size; ++k)
-        digest = digest_number(digest, state[k]);
+        *digest = digest_number(*digest, state[k]);
+    free(state);
     for (int64_t i = 0; i < b->count; ++i) {
-        digest = digest_number(digest, scalar(&b->mass, i));
-        digest = digest_number(digest, scalar(&b->inertia, i));
-        digest = digest_number(digest, shape_diameter(model, i));
+        *digest = digest_number(*digest, scalar(&b->mass, i));
+        *digest = digest_number(*digest, scalar(&b->inertia, i));
+        *digest = digest_number(*digest, shape_diameter(model, i));
     }
-    return digest;
+    return 0;
 }
 
-static uint64_t digest_bonds(uint64_t digest, const struct model *model)
+static uint64_t digest_bonds(const struct model *model)
 {
     const vti_bonds *bonds = &model->bonds;
+    uint64_t digest = DIGEST_START;
     for (int64_t k = 0; k < shape_bonds(model); ++k) {
         int64_t pair[2];
         shape_bond(model, k, pair);
@@ -66,19 +75,6 @@ static uint64_t digest_bonds(uint64_t digest, const struct model *model)
     return digest;
 }
 
-/** Bodies and bonds, which may come from tables. */
-static int digest_model(const struct model *model, uint64_t *digest)
-{
-    const int64_t size = state_size(&model->bodies);
-    double *state = calloc((size_t)size + 1, sizeof *state);
-    if (state == NULL)
-        return -1;
-    state_get(&model->bodies, state);
-    *digest = digest_bonds(digest_bodies(DIGEST_START, model, state, size), model);
-    free(state);
-    return 0;
-}
-
 int run_identity(const char *path, const char *const *overrides, int n, const struct model *model,
                  struct identity *identity, struct message *message)
 {
@@ -88,7 +84,8 @@ int run_identity(const char *path, const char *const *overrides, int n, const st
     for (int k = 0; k < n; ++k)
         if (!is_end_time(overrides[k]))
             identity->overrides = digest_add(identity->overrides, overrides[k], strlen(overrides[k]) + 1);
-    if (digest_model(model, &identity->model) != 0)
+    identity->bonds = digest_bonds(model);
+    if (digest_bodies(model, &identity->bodies) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", path);
     return digest_file(path, &identity->scene, message);
 }

@@ -78,7 +78,7 @@ void run_say_start(const struct run *run, FILE *file)
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
     else if (run->request->resume)
-        fputs("no checkpoint: starts at t = 0\n", file);
+        fputs("no steps were done yet: starts at t = 0\n", file);
     fflush(file);
 }
 
