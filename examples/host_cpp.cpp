@@ -12,7 +12,8 @@
 
 #include "vti.h"
 
-namespace {
+namespace
+{
 
 void must(int status)
 {
@@ -22,7 +23,8 @@ void must(int status)
 
 /// n three-vectors as x..., y..., z...
 struct Vectors {
-    explicit Vectors(std::size_t n = 0) : component{{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)}}
+    explicit Vectors(std::size_t n = 0)
+        : component{{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)}}
     {
     }
     vti_view view()
@@ -40,16 +42,17 @@ class Chain
         std::ifstream file(path);
         std::string line;
         for (std::getline(file, line); std::getline(file, line);) { // behind the line of names
-            const std::array<double, 11> row = numbers(line);
+            const std::array<double, 14> row = numbers(line);
             for (std::size_t k = 0; k < 3; ++k) {
                 x.component[k].push_back(row[k]);
                 v.component[k].push_back(row[3 + k]);
-                omega.component[k].push_back(row[6 + k]);
+                alpha.component[k].push_back(row[6 + k]);
+                omega.component[k].push_back(row[9 + k]);
             }
-            mass.push_back(row[9]);
-            inertia.push_back(row[10]);
+            mass.push_back(row[12]);
+            inertia.push_back(row[13]);
         }
-        alpha = force = moment = Vectors(mass.size());
+        force = moment = Vectors(mass.size());
         bodies = vti_bodies_none(static_cast<std::int64_t>(mass.size()));
         bodies.x = x.view();
         bodies.v = v.view();
@@ -89,14 +92,14 @@ class Chain
     }
 
   private:
-    static std::array<double, 11> numbers(const std::string &line)
+    static std::array<double, 14> numbers(const std::string &line)
     {
         std::istringstream text(line);
-        std::array<double, 11> row;
+        std::array<double, 14> row;
         for (double &value : row) {
             text >> value;
             if (!text)
-                throw std::runtime_error("a line of fewer than 11 numbers");
+                throw std::runtime_error("a line of fewer than 14 numbers");
             text.ignore(1); // the comma
         }
         return row;

@@ -7,7 +7,7 @@ program host_fortran
     implicit none
     integer(c_int64_t), parameter :: n = 10, steps = 5120
     real(c_double), parameter :: h = 1.0_c_double/512
-    real(c_double), dimension(3, n), target :: x, v, force, alpha = 0, omega, moment
+    real(c_double), dimension(3, n), target :: x, v, force, alpha, omega, moment
     real(c_double), target :: mass(n), inertia(n), rest(4, n - 1), stiffness(3) = [10, 200, 200]
     integer(c_int64_t), target :: pair(2, n - 1)
     integer(c_int64_t) :: i, k
@@ -63,7 +63,7 @@ contains
         open (newunit=unit, file=trim(path), status='old', action='read')
         read (unit, *)
         do i = 1, n
-            read (unit, *) x(:, i), v(:, i), omega(:, i), mass(i), inertia(i)
+            read (unit, *) x(:, i), v(:, i), alpha(:, i), omega(:, i), mass(i), inertia(i)
         end do
         close (unit)
     end subroutine

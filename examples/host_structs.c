@@ -29,10 +29,11 @@ static void read_spheres(const char *path)
     for (int i = 0; i < N && fields != EOF; ++i) {
         struct sphere *s = &spheres[i];
         s->id = i;
-        fields = fscanf(file, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &s->x[0], &s->x[1], &s->x[2], &s->v[0],
-                        &s->v[1], &s->v[2], &s->omega[0], &s->omega[1], &s->omega[2], &s->mass, &s->inertia);
+        fields = fscanf(file, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &s->x[0], &s->x[1], &s->x[2],
+                        &s->v[0], &s->v[1], &s->v[2], &s->alpha[0], &s->alpha[1], &s->alpha[2], &s->omega[0],
+                        &s->omega[1], &s->omega[2], &s->mass, &s->inertia);
     }
-    if (fields != 11) {
+    if (fields != 14) {
         fprintf(stderr, "%s: not %d spheres\n", path, N);
         exit(EXIT_FAILURE);
     }

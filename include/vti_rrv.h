@@ -32,11 +32,13 @@
 #define VTI_RRV_UP 3.8645375230172583e+171
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
-/* Inlined whole, so that a loop over bonds can be vectorised. */
+/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing. */
 #if defined(__GNUC__)
 #define VTI_INLINE static inline __attribute__((always_inline))
+#define VTI_APART static __attribute__((noinline, cold, unused))
 #else
 #define VTI_INLINE static inline
+#define VTI_APART static inline
 #endif
 
 /* ---- three-vectors ------------------------------------------------------------------------------------------- */
@@ -81,11 +83,14 @@ static inline double vti_norm(const double a[3])
  *  far from 0. R depends on the direction of q only, so no square root is needed. */
 VTI_INLINE void vti_rrv_to_pair(const double a[3], double q[4])
 {
-    const double m = vti_max3(a), s = m > VTI_RRV_LARGE ? 1.0 / m : 1.0;
-    q[0] = s * a[0];
-    q[1] = s * a[1];
-    q[2] = s * a[2];
-    q[3] = s * 2.0;
+    q[0] = a[0];
+    q[1] = a[1];
+    q[2] = a[2];
+    q[3] = 2.0;
+    const double m = vti_max3(a);
+    if (m > VTI_RRV_LARGE)
+        for (int k = 0; k < 4; ++k)
+            q[k] /= m;
 }
 
 /** alpha = 2 v/w of any quaternion but zero, normalised or not. */
@@ -107,12 +112,12 @@ static inline void vti_rrv_from_pair(const double q[4], double a[3])
 VTI_INLINE void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
 {
     const double vv = vti_dot(q, q), ww = q[3] * q[3], k = 1.0 / (ww + vv);
-    const double cp = (ww - vv) * k, cv = 2.0 * k * vti_dot(q, p), cx = 2.0 * k * side * q[3];
+    const double cp = ww - vv, cv = 2.0 * vti_dot(q, p), cx = 2.0 * side * q[3];
     double x[3];
     vti_cross(q, p, x);
-    r[0] = cp * p[0] + (cv * q[0] + cx * x[0]);
-    r[1] = cp * p[1] + (cv * q[1] + cx * x[1]);
-    r[2] = cp * p[2] + (cv * q[2] + cx * x[2]);
+    r[0] = k * (cp * p[0] + (cv * q[0] + cx * x[0]));
+    r[1] = k * (cp * p[1] + (cv * q[1] + cx * x[1]));
+    r[2] = k * (cp * p[2] + (cv * q[2] + cx * x[2]));
 }
 
 /** theta in [0, pi] by which the quaternion q ~ (v, w) turns. */
@@ -134,49 +139,66 @@ static inline double vti_pair_distance(const double p[4], const double q[4])
 
 /* ---- composition --------------------------------------------------------------------------------------------- */
 
-/** alpha <- alpha (+) dalpha with dalpha = 2 u/c given as the pair (c, u), i.e. the quaternion (w, v) = (c, u) of the
- *  increment up to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1:
- *  R(alpha) <- R(alpha) R(dalpha), an increment in the body's frame.
+/** The direct form of vti_rrv_increment, for what comes near a half turn or is of extreme size. */
+VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const double a[3], double sum[3])
+{
+    const double ma = vti_max3(a), mu = vti_max3(u);
+    const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, su = vti_scale(mu > fabs(c) ? mu : fabs(c));
+    const double A[3] = {sa * a[0], sa * a[1], sa * a[2]}, W = 2.0 * sa;
+    const double U[3] = {su * u[0], su * u[1], su * u[2]}, C = su * c;
+    double x[3];
+    vti_cross(U, A, x);
+    for (int k = 0; k < 3; ++k)
+        sum[k] = 2.0 * (W * U[k] + side * x[k]) + 2.0 * C * A[k];
+    const double w = C * W - vti_dot(U, A), least = VTI_RRV_SMALL * vti_max3(sum);
+    const double inv = 1.0 / copysign(fabs(w) > least ? fabs(w) : least, w);
+    for (int k = 0; k < 3; ++k)
+        sum[k] *= inv;
+}
+
+/** alpha <- alpha (+) dalpha with dalpha = 2 f u/c given as c, f and u: the quaternion (w, v) = (c, f u) of the increment up
+ *  to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1: R(alpha) <- R(alpha) R(dalpha), an
+ *  increment in the body's frame. With f = 1:
  *
  *      alpha + [4 u + 2 u x alpha + (u.alpha) alpha] / (2 c - u.alpha)       where |alpha . dalpha| < 1   (incremental)
  *      [2 c alpha + 4 u + 2 u x alpha] / (2 c - u.alpha)                     elsewhere                    (direct)
  *
  *  Both are a (+) b = 4/(4 - a.b) [a + b - (a x b)/2]; the first does not repeat the same rounding error each step
- *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total
- *  and free of branches. c and u must be finite and not both 0.
- *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). */
-VTI_INLINE int vti_rrv_increment(double c, const double u[3], double side, const double a[3], double add[3])
+ *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total. c
+ *  and f u must be finite and not both 0.
+ *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). f stands
+ *  apart from u since it comes late: meanwhile the products with u are made. */
+VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], double side, const double a[3], double add[3])
 {
-    const double ma = vti_max3(a), mu = vti_max3(u);
-    const double sa = ma > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0;
-    const double su = vti_scale(mu > fabs(c) ? mu : fabs(c));
-    const double A[3] = {sa * a[0], sa * a[1], sa * a[2]}, W = 2.0 * sa;
-    const double U[3] = {su * u[0], su * u[1], su * u[2]}, C = su * c;
-    const double d = vti_dot(U, A), w = C * W - d;
-    const int near = 2.0 * fabs(d) < C && ma < VTI_RRV_NEAR && mu < VTI_RRV_NEAR * c;
-    const double along = near ? d : 2.0 * C;
+    const double ma = vti_max3(a), mu = fabs(f) * vti_max3(u), d = f * vti_dot(u, a), inv = 1.0 / (2.0 * c - d);
     double x[3];
-    vti_cross(U, A, x);
+    vti_cross(u, a, x);
     for (int k = 0; k < 3; ++k)
-        add[k] = 2.0 * (W * U[k] + side * x[k]) + along * A[k];
-    const double least = near ? 0.0 : VTI_RRV_SMALL * vti_max3(add);
-    const double inv = 1.0 / copysign(fabs(w) > least ? fabs(w) : least, w);
-    for (int k = 0; k < 3; ++k)
-        add[k] *= inv;
-    return near;
+        add[k] = (2.0 * f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;
+    const int plain = c > VTI_RRV_SMALL && c < VTI_RRV_LARGE; /* with the rest: no product has left the range */
+    if (plain && ma < VTI_RRV_NEAR && mu < VTI_RRV_NEAR * c && 2.0 * fabs(d) < c)
+        return 1;
+    const double scaled[3] = {f * u[0], f * u[1], f * u[2]};
+    vti_rrv_direct(c, scaled, side, a, add);
+    return 0;
 }
 
-VTI_INLINE void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+VTI_INLINE void vti_rrv_turn_by(double c, double f, const double u[3], double side, double a[3])
 {
     double add[3];
-    const int near = vti_rrv_increment(c, u, side, a, add);
+    const int near = vti_rrv_increment(c, f, u, side, a, add);
     for (int k = 0; k < 3; ++k)
         a[k] = (near ? a[k] : 0.0) + add[k];
 }
 
+VTI_INLINE void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
+{
+    vti_rrv_turn_by(c, 1.0, u, side, a);
+}
+
 VTI_INLINE void vti_rrv_turn(double c, const double u[3], double a[3])
 {
-    vti_rrv_turn_side(c, u, 1.0, a);
+    vti_rrv_turn_by(c, 1.0, u, 1.0, a);
 }
 
 /** r = a (+) b, R(r) = R(b) R(a): first a, then b. r may be a or b. */

@@ -37,25 +37,24 @@ static void translate(double t, const vti_view *x, const vti_view *v, const vti_
 
 /* ---- drift of attitudes -------------------------------------------------------------------------------------- */
 
-/** The increment dalpha = 2 u/c of a body that turns with w for the time t, from u = t w; s^2 = |t w|^2.
- *      closed, VTI-1     dalpha = 2 t w/(1 + sqrt(1 - s^2))
- *      Cayley, VTI-2, 3  dalpha = t w
- *      exact             dalpha = 2 tan(s/2)/s t w by its continued fraction, without a pole as the pair
- *                        c = 2 - s^2/5, u = (1 - s^2/60) t w;  c = 2 - 3s^2/14 + s^4/840, u = (1 - s^2/42) t w
- *  Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, (c, u) = (0, t w), is as good as any. */
-VTI_INLINE double increment(int law, double u[3])
+/** The increment dalpha = 2 f u/c of a body that turns with w for the time t, u = t w; s^2 = |t w|^2. Returns c.
+ *      closed, VTI-1     dalpha = 2 u/(1 + sqrt(1 - s^2))
+ *      Cayley, VTI-2, 3  dalpha = u
+ *      exact             dalpha = 2 tan(s/2)/s u by its continued fraction, without a pole as
+ *                        c = 2 - s^2/5, f = 1 - s^2/60;  c = 2 - 3s^2/14 + s^4/840, f = 1 - s^2/42
+ *  Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as good as any. */
+VTI_INLINE double increment(int law, const double u[3], double *f)
 {
+    *f = 1.0;
     if (law == VTI_LAW_CAYLEY)
         return 2.0;
     const double s2 = vti_dot(u, u);
     if (law == VTI_LAW_CLOSED)
         return 1.0 + sqrt(1.0 - s2);
-    const int known = s2 < 0x1p60;
-    const double scale = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);
-    const double c = 2.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 5.0 : (180.0 - s2) * (1.0 / 840.0));
-    for (int k = 0; k < 3; ++k)
-        u[k] *= known ? scale : 1.0;
-    return known ? c : 0.0;
+    if (!(s2 < 0x1p60))
+        return 0.0;
+    *f = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);
+    return 2.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 5.0 : (180.0 - s2) * (1.0 / 840.0));
 }
 
 VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *restrict a1, double *restrict a2,
@@ -63,9 +62,10 @@ VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *res
                           int64_t sw, double t, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
-        double u[3] = {t * w0[i * sw], t * w1[i * sw], t * w2[i * sw]}, a[3] = {a0[i * sa], a1[i * sa], a2[i * sa]};
-        const double c = increment(law, u);
-        vti_rrv_turn_side(c, u, side, a);
+        const double u[3] = {t * w0[i * sw], t * w1[i * sw], t * w2[i * sw]};
+        double a[3] = {a0[i * sa], a1[i * sa], a2[i * sa]}, f;
+        const double c = increment(law, u, &f);
+        vti_rrv_turn_by(c, f, u, side, a);
         a0[i * sa] = a[0];
         a1[i * sa] = a[1];
         a2[i * sa] = a[2];
@@ -75,14 +75,12 @@ VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *res
 VTI_INLINE void turn_alpha(int law, double side, double t, const vti_view *a, const vti_view *w, int64_t begin,
                            int64_t end)
 {
-#define TURN(SA, SW) turn_loop(law, side, a->c[0], a->c[1], a->c[2], SA, w->c[0], w->c[1], w->c[2], SW, t, begin, end)
-    if (a->stride == 3 && w->stride == 3)
-        TURN(3, 3);
-    else if (a->stride == 1 && w->stride == 1)
-        TURN(1, 1);
-    else
-        TURN(a->stride, w->stride);
-#undef TURN
+    if (end - begin > VTI_FEW && vti_is_packed(a) && vti_is_packed(w)) {
+        double *p = a->c[0];
+        const double *q = w->c[0];
+        turn_loop(law, side, p, p + 1, p + 2, 3, q, q + 1, q + 2, 3, t, begin, end);
+    } else
+        turn_loop(law, side, a->c[0], a->c[1], a->c[2], a->stride, w->c[0], w->c[1], w->c[2], w->stride, t, begin, end);
 }
 
 /** The same with the rounding error of alpha carried along. */
@@ -90,14 +88,14 @@ VTI_INLINE void turn_compensated(int law, double side, double t, const vti_view 
                                  const vti_view *low, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
-        double u[3], base[3], add[3], r[3];
+        double u[3], base[3], add[3], r[3], f;
         vti_load(w, i, u);
         vti_load(a, i, base);
         vti_load(low, i, r);
         for (int k = 0; k < 3; ++k)
             u[k] *= t;
-        const double c = increment(law, u);
-        const int incremental = vti_rrv_increment(c, u, side, base, add);
+        const double c = increment(law, u, &f);
+        const int incremental = vti_rrv_increment(c, f, u, side, base, add);
         for (int k = 0; k < 3; ++k) {
             r[k] = incremental ? r[k] : 0.0;
             base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
@@ -112,15 +110,16 @@ VTI_INLINE void turn_quat(int law, double side, double t, const vti_quat_view *q
                           int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
-        double u[3], q[4], r[4], x[3];
+        double u[3], q[4], r[4], x[3], f;
         vti_load(w, i, u);
         for (int k = 0; k < 3; ++k)
             u[k] *= t;
         for (int k = 0; k < 4; ++k)
             q[k] = quat->xyzw[k][i * quat->stride];
-        const double wide = increment(law, u), s = vti_max3(u) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * wide;
+        /* scaled, lest the square of a huge u overflow */
+        const double wide = increment(law, u, &f), s = vti_max3(u) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * wide;
         for (int k = 0; k < 3; ++k)
-            u[k] *= s; /* lest the square of a huge u overflow */
+            u[k] *= s * f;
         vti_cross(u, q, x);
         for (int k = 0; k < 3; ++k)
             r[k] = c * q[k] + q[3] * u[k] + side * x[k];
@@ -131,40 +130,59 @@ VTI_INLINE void turn_quat(int law, double side, double t, const vti_quat_view *q
     }
 }
 
-VTI_INLINE void turn(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end)
-{
-    const double side = frame == VTI_FRAME_BODY ? -1.0 : 1.0;
-    if (vti_has(&b->alpha_low))
-        turn_compensated(law, side, t, &b->alpha, &b->omega, &b->alpha_low, begin, end);
-    else if (vti_has(&b->alpha))
-        turn_alpha(law, side, t, &b->alpha, &b->omega, begin, end);
-    else
-        turn_quat(law, side, t, &b->quat, &b->omega, begin, end);
-}
+/* ---- kick and drift -------------------------------------------------------------------------------------------- */
 
-VTI_INLINE void turn_by(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end)
-{
-    if (law == VTI_LAW_CLOSED)
-        turn(VTI_LAW_CLOSED, frame, t, b, begin, end);
-    else if (law == VTI_LAW_CAYLEY)
-        turn(VTI_LAW_CAYLEY, frame, t, b, begin, end);
-    else if (law == VTI_LAW_EXACT)
-        turn(VTI_LAW_EXACT, frame, t, b, begin, end);
-    else
-        turn(VTI_LAW_EXACT9, frame, t, b, begin, end);
-}
+/* Literal arguments, so that each way to keep the attitude, each law and each frame is a loop of its own. */
+#define TURNS(NAME, LAW, SIDE)                                                                                         \
+    static void alpha_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                                \
+    {                                                                                                                  \
+        turn_alpha(LAW, SIDE, t, &b->alpha, &b->omega, begin, end);                                                    \
+    }                                                                                                                  \
+    static void compensated_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                          \
+    {                                                                                                                  \
+        turn_compensated(LAW, SIDE, t, &b->alpha, &b->omega, &b->alpha_low, begin, end);                               \
+    }                                                                                                                  \
+    static void quat_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                                 \
+    {                                                                                                                  \
+        turn_quat(LAW, SIDE, t, &b->quat, &b->omega, begin, end);                                                      \
+    }
+TURNS(closed, VTI_LAW_CLOSED, 1.0)
+TURNS(cayley, VTI_LAW_CAYLEY, 1.0)
+TURNS(exact, VTI_LAW_EXACT, 1.0)
+TURNS(exact9, VTI_LAW_EXACT9, 1.0)
+TURNS(closed_body, VTI_LAW_CLOSED, -1.0)
+TURNS(cayley_body, VTI_LAW_CAYLEY, -1.0)
+TURNS(exact_body, VTI_LAW_EXACT, -1.0)
+TURNS(exact9_body, VTI_LAW_EXACT9, -1.0)
+#undef TURNS
 
-void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end)
+typedef void turn(double t, const vti_bodies *b, int64_t begin, int64_t end);
+
+enum { BY_ALPHA, COMPENSATED, BY_QUAT };
+
+/** [how the attitude is kept][frame is the body's][law] */
+#define KEPT(BY)                                                                                                       \
+    {                                                                                                                  \
+        {NULL, BY##_closed, BY##_cayley, BY##_exact, BY##_exact9},                                                     \
+        {                                                                                                              \
+            NULL, BY##_closed_body, BY##_cayley_body, BY##_exact_body, BY##_exact9_body                                \
+        }                                                                                                              \
+    }
+static turn *const turns[3][2][VTI_LAW_EXACT9 + 1] = {KEPT(alpha), KEPT(compensated), KEPT(quat)};
+#undef KEPT
+
+void vti_push(int law, int frame, double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
+    if (kick_t != 0.0) {
+        vti_kick_v(kick_t, b, begin, end);
+        vti_kick_omega(kick_t, b, begin, end);
+    }
     if (vti_has(&b->x) && vti_has(&b->v))
         translate(t, &b->x, &b->v, &b->x_low, begin, end);
     if (!vti_has_attitude(b) || !vti_has(&b->omega))
         return;
-    /* literal arguments, so that each law and frame is a loop of its own */
-    if (frame == VTI_FRAME_SPACE)
-        turn_by(law, VTI_FRAME_SPACE, t, b, begin, end);
-    else
-        turn_by(law, VTI_FRAME_BODY, t, b, begin, end);
+    const int kept = !vti_has(&b->alpha) ? BY_QUAT : vti_has(&b->alpha_low) ? COMPENSATED : BY_ALPHA;
+    turns[kept][frame == VTI_FRAME_BODY][law](t, b, begin, end);
 }
 
 /* ---- the bound of the closed form ----------------------------------------------------------------------------- */
@@ -220,13 +238,6 @@ int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti
 
 /* ---- the public primitive ---------------------------------------------------------------------------------------- */
 
-int vti_law_check(int law, int frame)
-{
-    if (law < VTI_LAW_CLOSED || law > VTI_LAW_EXACT9)
-        return VTI_E_STEPPER;
-    return frame == VTI_FRAME_SPACE || frame == VTI_FRAME_BODY ? VTI_OK : VTI_E_FRAME;
-}
-
 int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
 {
     int status = vti_bodies_ready(b);
@@ -241,6 +252,6 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
     if (status == VTI_OK)
         status = vti_drift_refuses(law, 0.0, t, b, fault);
     if (status == VTI_OK)
-        vti_drift_range(law, frame, t, b, b->first, b->first + b->count);
+        vti_push(law, frame, 0.0, t, b, b->first, b->first + b->count);
     return status;
 }

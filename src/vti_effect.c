@@ -6,8 +6,6 @@
 
 static void clear(const vti_view *view, int64_t begin, int64_t end)
 {
-    if (!vti_has(view) || begin >= end)
-        return;
     double *const *c = view->c;
     if (vti_is_packed(view)) {
         /* in small parts, for which no C library falls back to storing bytes */
@@ -21,6 +19,25 @@ static void clear(const vti_view *view, int64_t begin, int64_t end)
             c[k][i * view->stride] = 0.0;
 }
 
+static inline void clear_few(const vti_view *view, int64_t begin, int64_t end)
+{
+    for (int64_t i = begin; i < end; ++i) {
+        view->c[0][i * view->stride] = 0.0;
+        view->c[1][i * view->stride] = 0.0;
+        view->c[2][i * view->stride] = 0.0;
+    }
+}
+
+/** force = moment = 0 */
+static inline void clear_loads(const vti_bodies *b)
+{
+    const int64_t begin = b->first, end = begin + b->count;
+    if (vti_has(&b->force))
+        (b->count <= VTI_FEW ? clear_few : clear)(&b->force, begin, end);
+    if (vti_has(&b->moment))
+        (b->count <= VTI_FEW ? clear_few : clear)(&b->moment, begin, end);
+}
+
 int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
     const int status = vti_bodies_ready(b);
@@ -30,8 +47,7 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
         return VTI_E_COUNT;
     if (n > 0 && effects == NULL)
         return VTI_E_NULL;
-    clear(&b->force, b->first, b->first + b->count);
-    clear(&b->moment, b->first, b->first + b->count);
+    clear_loads(b);
     for (int64_t k = 0; k < n; ++k)
         effects[k].apply(effects[k].self, b);
     return VTI_OK;

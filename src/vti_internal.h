@@ -74,14 +74,25 @@ static inline int vti_bodies_ready(const vti_bodies *b)
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 
-/** vti_kick and vti_drift of bodies begin <= i < end, which have been checked. */
-void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end);
-void vti_drift_range(int law, int frame, double t, const vti_bodies *b, int64_t begin, int64_t end);
+/** Bodies that are done one number at a time: a wide load of numbers that have just been stored one by one, as forces are,
+ *  has to wait until they are in the cache, which only the bodies that follow can hide. */
+enum { VTI_FEW = 4 };
+
+/** The two halves of vti_kick, of bodies begin <= i < end, which have been checked: v += t F/m and Omega += t RM/J. */
+void vti_kick_v(double t, const vti_bodies *b, int64_t begin, int64_t end);
+void vti_kick_omega(double t, const vti_bodies *b, int64_t begin, int64_t end);
+/** vti_kick by kick_t, unless that is 0, and vti_drift by t of the same bodies. */
+void vti_push(int law, int frame, double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end);
 
 /** VTI_E_TOO_LARGE if, after a kick by kick_t, a drift by t would break the law's bound for some body. */
 int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti_fault *fault);
 
 /** VTI_OK if the library has such a law and frame. */
-int vti_law_check(int law, int frame);
+static inline int vti_law_check(int law, int frame)
+{
+    if (law < VTI_LAW_CLOSED || law > VTI_LAW_EXACT9)
+        return VTI_E_STEPPER;
+    return frame == VTI_FRAME_SPACE || frame == VTI_FRAME_BODY ? VTI_OK : VTI_E_FRAME;
+}
 
 #endif

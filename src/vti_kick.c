@@ -28,9 +28,14 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
         vti_sum_compensated(t, v, f, m, low, begin, end);
         return;
     }
+    enum {
+        FEW = 4
+    }; /* bodies: wide loads of forces that have just been stored one by one would have to wait for them */
 #define KICK(SV, SF, SM)                                                                                               \
     kick_loop(v->c[0], v->c[1], v->c[2], SV, f->c[0], f->c[1], f->c[2], SF, m->p, SM, t, begin, end)
-    if (vti_is_packed(v) && vti_is_packed(f) && m->stride == 0)
+    if (end - begin <= VTI_FEW)
+        KICK(v->stride, f->stride, m->stride);
+    else if (vti_is_packed(v) && vti_is_packed(f) && m->stride == 0)
         vti_sum_packed(v->c[0] + 3 * begin, f->c[0] + 3 * begin, t / *m->p, 3 * (end - begin));
     else if (v->stride == 3 && f->stride == 3 && m->stride == 1)
         KICK(3, 3, 1);
@@ -43,10 +48,14 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
 #undef KICK
 }
 
-void vti_kick_range(double t, const vti_bodies *b, int64_t begin, int64_t end)
+void vti_kick_v(double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
     if (vti_has(&b->v) && vti_has(&b->force))
         kick_view(t, &b->v, &b->force, &b->mass, &b->v_low, begin, end);
+}
+
+void vti_kick_omega(double t, const vti_bodies *b, int64_t begin, int64_t end)
+{
     if (vti_has(&b->omega) && vti_has(&b->moment))
         kick_view(t, &b->omega, &b->moment, &b->inertia, &b->omega_low, begin, end);
 }
@@ -58,6 +67,7 @@ int vti_kick(double t, const vti_bodies *b)
         return status;
     if (!isfinite(t))
         return VTI_E_TIME;
-    vti_kick_range(t, b, b->first, b->first + b->count);
+    vti_kick_v(t, b, b->first, b->first + b->count);
+    vti_kick_omega(t, b, b->first, b->first + b->count);
     return VTI_OK;
 }

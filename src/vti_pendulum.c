@@ -12,21 +12,33 @@ void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t
     vti_pair_rotate(q, 1.0, pendulum->rho0, arm);
 }
 
-/** RM += m g (R rho0) x e3. Copies of what the loop needs: a store to a moment could change *b or *p for all that the
- *  compiler knows. */
+/** RM += (R m g rho0) x e3. by_alpha is literal. Copies of views: what is not in a struct that others see stays in registers. */
+VTI_INLINE void swing(int by_alpha, const vti_pendulum *p, const vti_bodies *b)
+{
+    const double pull[3] = {p->weight * p->rho0[0], p->weight * p->rho0[1], p->weight * p->rho0[2]};
+    const vti_view moment = b->moment, alpha = b->alpha;
+    for (int64_t i = b->first, end = b->first + b->count; i < end; ++i) {
+        double q[4], arm[3];
+        if (by_alpha) {
+            double a[3];
+            vti_load(&alpha, i, a);
+            vti_rrv_to_pair(a, q);
+        } else
+            vti_load_pair(b, i, q);
+        vti_pair_rotate(q, 1.0, pull, arm);
+        moment.c[0][i * moment.stride] += arm[1];
+        moment.c[1][i * moment.stride] -= arm[0];
+    }
+}
+
 static void apply(const void *self, const vti_bodies *b)
 {
-    const vti_pendulum p = *(const vti_pendulum *)self;
-    const vti_bodies c = *b;
-    if (!vti_has(&c.moment) || !vti_has_attitude(&c))
+    if (!vti_has(&b->moment) || !vti_has_attitude(b))
         return;
-    for (int64_t i = c.first; i < c.first + c.count; ++i) {
-        double q[4], arm[3];
-        vti_load_pair(&c, i, q);
-        vti_pair_rotate(q, 1.0, p.rho0, arm);
-        c.moment.c[0][i * c.moment.stride] += p.weight * arm[1];
-        c.moment.c[1][i * c.moment.stride] -= p.weight * arm[0];
-    }
+    if (vti_has(&b->alpha))
+        swing(1, self, b);
+    else
+        swing(0, self, b);
 }
 
 /** U = -m g e3 . R rho0 */

@@ -19,6 +19,12 @@ static inline double share_over(const vti_scalars *s, double z, int64_t i)
     return s->p != NULL && i >= 0 ? z / vti_scalar(s, i) : 0.0;
 }
 
+/** What is no number wins. */
+static inline double larger(double x, double y)
+{
+    return x > y || isnan(x) ? x : y;
+}
+
 /** omega_max^2 of a spring with 1/zi and 1/zj of its bodies; a = (zi/m_i + zj/m_j)/L0^2, b = z/J.
  *
  *  Displace a bond at rest by u and turn it by theta: to first order, across n (P), n moves by P(u_i - u_j)/L0 and mh
@@ -38,7 +44,7 @@ static double omega2(const struct spring *s, const vti_bodies *b, double zi, dou
     const int printed = s->shear_form == VTI_SHEAR_PRINTED;
     const double gg = a + (printed ? dd : 0.25 * dd), gd = printed ? dd : 0.5 * (bj - bi);
     const double p = s->shear * gg, q = s->moment * dd, r = 4.0 * s->shear * s->moment * gd * gd;
-    return fmax(s->axial * a, 0.5 * (p + q + sqrt((p - q) * (p - q) + r)));
+    return larger(s->axial * a, 0.5 * (p + q + sqrt((p - q) * (p - q) + r)));
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */

@@ -79,21 +79,19 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b)
 }
 
 /** kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
-static int play(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
+VTI_INLINE int play(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
 {
     const int law = (int)method->law, frame = (int)method->frame;
     const double kick = method->kick[k] * h, drift = method->drift[k] * h;
     int status = vti_law_check(law, frame);
-    if (status == VTI_OK)
+    if (status == VTI_OK && law == VTI_LAW_CLOSED)
         status = vti_drift_refuses(law, kick, drift, b, fault);
     if (status != VTI_OK)
         return status;
     const int64_t end = b->first + b->count;
     for (int64_t first = b->first; first < end; first += BLOCK) {
         const int64_t next = end - first < BLOCK ? end : first + BLOCK;
-        if (kick != 0.0)
-            vti_kick_range(kick, b, first, next);
-        vti_drift_range(law, frame, drift, b, first, next);
+        vti_push(law, frame, kick, drift, b, first, next);
     }
     return VTI_OK;
 }
@@ -118,9 +116,7 @@ int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti
 /** kick(share h); a share of 0 touches nothing. */
 static int kick_share(double share, double h, const vti_bodies *b)
 {
-    if (share != 0.0)
-        vti_kick_range(share * h, b, b->first, b->first + b->count);
-    return VTI_OK;
+    return share != 0.0 ? vti_kick(share * h, b) : VTI_OK;
 }
 
 int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)
@@ -198,9 +194,9 @@ static void displace(int frame, double t, const vti_bodies *b, const vti_bodies 
     attitudes.omega = b->moment;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         if (translates)
-            vti_drift_range(VTI_LAW_EXACT, frame, t / vti_scalar(&b->mass, i), &centres, i, i + 1);
+            vti_push(VTI_LAW_EXACT, frame, 0.0, t / vti_scalar(&b->mass, i), &centres, i, i + 1);
         if (turns)
-            vti_drift_range(VTI_LAW_EXACT, frame, t / vti_scalar(&b->inertia, i), &attitudes, i, i + 1);
+            vti_push(VTI_LAW_EXACT, frame, 0.0, t / vti_scalar(&b->inertia, i), &attitudes, i, i + 1);
     }
 }
 

@@ -16,6 +16,10 @@ void vti_sum_compensated(double t, const vti_view *a, const vti_view *b, const v
 
 void vti_sum_packed(double *restrict a, const double *restrict b, double k, int64_t n)
 {
-    for (int64_t i = 0; i < n; ++i)
+    int64_t i = 0;
+    for (; i + 8 <= n; i += 8) /* eight at a time, or counting would take as long as adding */
+        for (int c = 0; c < 8; ++c)
+            a[i + c] += k * b[i + c];
+    for (; i < n; ++i)
         a[i] += k * b[i];
 }

@@ -17,10 +17,8 @@ C     Reads the particles and bonds each to the next.
       READ (10, *)
       DO 10 L = 1, NP
          READ (10, *) (POS(L,K), K=1,3), (VEL(L,K), K=1,3),
-     &                (OMG(L,K), K=1,3), PMASS(L), PMOI(L)
-         ORI(L,1) = 0.0D0
-         ORI(L,2) = 0.0D0
-         ORI(L,3) = 0.0D0
+     &                (ORI(L,K), K=1,3), (OMG(L,K), K=1,3), PMASS(L),
+     &                PMOI(L)
    10 CONTINUE
       CLOSE (10)
       NBOND = NP - 1

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the installed package share: a library that is built and installed for them, and running commands."""
+import atexit
 import json
 import os
 import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 # the system's own, as ./dev has it
@@ -25,6 +27,9 @@ def check(condition, what):
 def run(*command, folder=None, **more):
     """Runs a command with more environment variables; its output on success, None (and the output shown) on failure."""
     words = [str(word) for word in command]
+    if not shutil.which(words[0], path=environment["PATH"]):
+        print(f"{words[0]}: not there", flush=True)
+        return None
     result = subprocess.run(words, cwd=folder, env=dict(environment, **more), text=True, check=False, timeout=300,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if result.returncode != 0:
@@ -43,11 +48,18 @@ def have(*programs):
     return all(shutil.which(program, path=environment["PATH"]) for program in programs)
 
 
+def scratch(prefix):
+    """A folder that does not outlive the test."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix=prefix))
+    atexit.register(shutil.rmtree, folder)
+    return folder
+
+
 class Installed:
     """The library of a project, installed below a prefix that nobody would guess."""
 
     def __init__(self, project):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="vti-installed-"))
+        self.folder = scratch("vti-installed-")
         self.prefix = self.folder / "far" / "away"
         self.build = self.folder / "build"
         self.fortran = have("gfortran")
@@ -55,7 +67,8 @@ class Installed:
                    "-Doptimization=1"]
         done = run("meson", "setup", self.build, project, "--prefix", self.prefix, *options) is not None and \
             run("ninja", "-C", self.build) is not None
-        check(done, "the library is built")
+        if not check(done, "the library is built"):
+            sys.exit(1)
         options = json.loads(run("meson", "introspect", "--buildoptions", self.build))
         self.lib = next(option["value"] for option in options if option["name"] == "libdir")
 
@@ -72,6 +85,3 @@ class Installed:
     def files(self, below):
         """Paths of all files below a folder, relative to it."""
         return sorted(str(path.relative_to(below)) for path in below.rglob("*") if not path.is_dir())
-
-    def remove(self):
-        shutil.rmtree(self.folder)

@@ -9,6 +9,13 @@ import sys
 
 from install_support import Installed, block, check, failures, have, run
 
+ANGLE = """#include "vti.h"
+int main(int argc, char **argv)
+{
+    const double a[3] = {argc, 0, 0};
+    return argv == 0 || vti_rrv_angle(a) > 4;
+}
+"""
 project = pathlib.Path(sys.argv[1])
 here = pathlib.Path(__file__).parent
 version = re.search(r'VTI_VERSION_STRING "(.*)"', (project / "include" / "vti.h").read_text(encoding="utf-8"))[1]
@@ -60,10 +67,14 @@ def destdir():
 def by_pkg_config():
     check(package.pkg_config("--modversion", "vti") == [version], "pkg-config knows the version")
     flags = package.pkg_config("--cflags", "--libs", "vti")
-    run("cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "pendulum.c", "-o", "c_shared", *flags, folder=use)
+    if not check(run("cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "pendulum.c", "-o", "c_shared", *flags, folder=use)
+                 is not None, "C, shared: compiled"):
+        return
     needed = run("readelf", "-d", use / "c_shared") or ""
     check(f"libvti.so.{major}" in needed, "the program asks for the library by its major version")
     ran(use / "c_shared", "C, shared")
+    (use / "angle.c").write_text(ANGLE, encoding="utf-8")
+    check(run("cc", "angle.c", "-o", "angle", *flags, folder=use) is not None, "what inline functions call is linked too")
     archive = package.prefix / package.lib / "libvti.a"
     run("cc", "pendulum.c", "-o", "c_static", *package.pkg_config("--cflags", "vti"), archive, "-lm", folder=use)
     ran(use / "c_static", "C, static", path={})
@@ -119,7 +130,10 @@ def by_cmake(prefix, what, path):
     for name in ["c_shared", "c_static", "cpp"] + (["fortran", "f77"] if package.fortran else []):
         if good:
             ran(build / name, f"CMake, {what}, {name}", path)
-    for wanted, fits in ((f"{major}.{minor}", True), (f"{major}.{int(minor) + 1}", False), (str(int(major) + 1), False)):
+    versions = [(f"{major}.{minor}", True), (f"{major}.{int(minor) + 1}", False), (str(int(major) + 1), False)]
+    if int(minor) > 0:
+        versions.append((f"{major}.{int(minor) - 1}", int(major) > 0)) # of 0.y.z each y has its own interface
+    for wanted, fits in versions:
         out = run("cmake", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", *options) or ""
         check(f"found: {1 if fits else 0}" in out, f"CMake, {what}: version {wanted} {'fits' if fits else 'does not fit'}")
 
@@ -137,5 +151,4 @@ if have("cmake", "c++"):
     by_cmake(moved, "moved", {"LD_LIBRARY_PATH": str(moved / package.lib)})
 else:
     print("skipped: CMake, because cmake or c++ is not here")
-package.remove()
 sys.exit(1 if failures else 0)

@@ -6,9 +6,8 @@ import pathlib
 import re
 import shutil
 import sys
-import tempfile
 
-from install_support import block, check, failures, have, run
+from install_support import block, check, failures, have, run, scratch
 
 MESON_BUILD_FORTRAN = """project('host', 'c', 'fortran')
 subproject('vti', default_options: ['fortran=enabled'])
@@ -17,7 +16,7 @@ executable('host', 'pendulum.f90', dependencies: dependency('vti-fortran'))
 
 project = pathlib.Path(sys.argv[1])
 version = re.search(r'VTI_VERSION_STRING "(.*)"', (project / "include" / "vti.h").read_text(encoding="utf-8"))[1]
-folder = pathlib.Path(tempfile.mkdtemp(prefix="vti-subproject-"))
+folder = scratch("vti-subproject-")
 host = folder / "host"
 built = ("build*", ".git", "__pycache__", "study-*", "figures")
 shutil.copytree(project, host / "subprojects" / "vti", ignore=shutil.ignore_patterns(*built))
@@ -48,5 +47,4 @@ use(block(project, "meson").replace("'c_std=c99'", "'c_std=c99', 'force_fallback
 if have("gfortran"):
     use(MESON_BUILD_FORTRAN, folder / "with-fortran", {"host", "vti", "vti_fortran"},
         lambda said: "energy = 0.74711" in said)
-shutil.rmtree(folder)
 sys.exit(1 if failures else 0)

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mutation check: do the tests of the core notice each of the deliberate faults of faults.txt?
+
+    mutate.py [--list] [NUMBER...]      all faults, or those of the numbers
+
+Copies the tree to a scratch folder, builds the core and its tests there once, and then, for each fault: puts it in, builds,
+runs suite by suite until a test fails, and takes it out. Says which fault was caught by which test. Exits with 1 if one was
+not, or if a fault's text does not occur exactly once."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+SUITES = ["unit", "hard", "property", "convergence"]
+
+
+def read_faults():
+    faults = []
+    with open(os.path.join(ROOT, "tests/hard/faults.txt"), encoding="utf-8") as file:
+        for line in file:
+            if line.strip() and not line.startswith("#"):
+                path, old, new = (part.strip().replace("\\|", "|") for part in line.rstrip("\n").split(" | ", 2))
+                faults.append((path, old, new))
+    return faults
+
+
+def run(*command, **options):
+    return subprocess.run(command, capture_output=True, text=True, check=False, **options)
+
+
+def copy_tree(folder):
+    listed = run("git", "-C", ROOT, "ls-files", "-co", "--exclude-standard").stdout.splitlines()
+    for name in listed:
+        source, target = os.path.join(ROOT, name), os.path.join(folder, name)
+        if os.path.isfile(source):
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            shutil.copy2(source, target)
+
+
+def caught_by(build):
+    """The first test that fails, or what stopped the build, or None."""
+    made = run("ninja", "-C", build)
+    if made.returncode != 0:
+        return "the compiler"
+    for suite in SUITES:
+        tested = run("meson", "test", "-C", build, "--no-rebuild", "--maxfail", "1", "--no-suite", "slow", "--suite", suite,
+                     "--timeout-multiplier", "2")
+        if tested.returncode != 0:
+            found = re.search(r"\d+/\d+ (?:\S+:)?(\S+(?: \S+)*)\s+(?:FAIL|TIMEOUT|ERROR)", tested.stdout)
+            return found[1].strip() if found else suite
+    return None
+
+
+def check(folder, number, fault):
+    path, old, new = fault
+    place = os.path.join(folder, path)
+    with open(place, encoding="utf-8") as file:
+        sound = file.read()
+    if sound.count(old) != 1:
+        print(f"{number:3} STALE   {path}: {old!r} occurs {sound.count(old)} times", flush=True)
+        return False
+    with open(place, "w", encoding="utf-8") as file:
+        file.write(sound.replace(old, new, 1))
+    by = caught_by(os.path.join(folder, "build-mutate"))
+    with open(place, "w", encoding="utf-8") as file:
+        file.write(sound)
+    print(f"{number:3} {'caught ' if by else 'MISSED '} {path}: {old}  ->  {new}" + (f"   by {by}" if by else ""), flush=True)
+    return by is not None
+
+
+def main():
+    faults = read_faults()
+    chosen = [int(a) for a in sys.argv[1:] if a.isdigit()] or range(1, len(faults) + 1)
+    if "--list" in sys.argv:
+        for k in chosen:
+            print(f"{k:3} {faults[k - 1][0]}: {faults[k - 1][1]}  ->  {faults[k - 1][2]}")
+        return 0
+    with tempfile.TemporaryDirectory(prefix="mutate-") as folder:
+        copy_tree(folder)
+        build = os.path.join(folder, "build-mutate")
+        made = run("meson", "setup", build, folder, "-Ddrivers=disabled", "-Dfortran=disabled", "-Dtests=enabled")
+        if made.returncode != 0:
+            sys.exit(made.stdout + made.stderr)
+        by = caught_by(build)
+        if by is not None:
+            sys.exit(f"without any fault, {by} fails")
+        good = sum([check(folder, k, faults[k - 1]) for k in chosen])
+    print(f"{good} of {len(chosen)} faults caught")
+    return 0 if good == len(chosen) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""docs/robustness.md from what the hard cases print.
+
+    table.py --write|--check PAGE SCENES PROGRAM...
+
+Runs every program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --check compares
+with the page instead, and shows the difference."""
+import difflib
+import os
+import subprocess
+import sys
+
+SECTIONS = {
+    "half_turns": "Attitudes at and beyond half a turn",
+    "turn_limit": "Large rotations per step",
+    "steady": "Very many, and very small rotations",
+    "kink": "Bonded bodies turned by half a turn",
+    "torsion": "Beside the stable step",
+    "conserve": "Energy over a long time",
+    "rounding": "Rounding, and time reversed",
+    "paper_step": "The paper's torus with h = 1e-2",
+    "touch": "Contacts, bonds and walls at their extremes",
+    "corner": "Crowds",
+    "nonfinite": "Numbers that are none",
+    "held": "Held bodies, no bodies, denormals",
+    "extent": "Very many bodies",
+    "every_status": "Status codes",
+    "rivals": "The same cases for other integrators",
+}
+
+NOTES = {
+    "turn_limit": "The closed form (vti1) refuses h|Omega| >= 1 and writes nothing. The others go on: Cayley steps turn by less "
+                  "than asked, exact ones by what was asked until their series ends, somewhere beyond h|Omega| = 1 to 2.",
+    "steady": "A silent loss is what sums in double precision do to terms below their spacing. It is the one loss that no status "
+              "reports; the views alpha_low, omega_low, x_low and v_low carry what is left out and undo it. The test prints what "
+              "they cost in time.",
+    "torsion": "h is the given share of reach/2 times `vti_stable_step`, so each stepper is beside its own limit. The limit is "
+               "that of small oscillations, 1e-6 rad; the other rows say what was seen of large ones in 20000 steps. Bounded "
+               "means an energy below 1e4 times its start.",
+    "nonfinite": "Mass and inertia are looked at by `vti_bodies_check_values`, bonds by `vti_bonds_check`; both are for once "
+                 "before a run. Nobody looks at numbers during a step: there they spread to what they act on, and show in "
+                 "energies.",
+    "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
+            "across slices.",
+    "rivals": "What `drivers/rivals` holds beside this library's steppers, in the cases that all of them can be put to. "
+              "h = 0.9 and 1.1 of 2/omega is the limit of velocity Verlet, the same for all. Methods that choose their steps "
+              "themselves are left out.",
+}
+
+HEAD = """# What happens in hard cases
+
+This page is made from the output of the tests in `tests/hard` (`tests/hard/table.py`), and a test compares it with them. Each
+line is a case in which an assertion stands behind the words; see `meson test --suite hard`. "exact" means to rounding, by a
+bound that the test derives; "reported" gives the message of the status code; "finite" promises nothing but that no NaN appears.
+eps is 2^-52.
+"""
+
+
+def topic(program):
+    return os.path.basename(program).replace("test_", "", 1)
+
+
+def cases(program, scenes):
+    """{case: {outcome: [who]}} in the order in which they were printed."""
+    arguments = [scenes] if topic(program) == "rivals" else []
+    result = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        sys.exit(f"{program} failed:\n{result.stdout}{result.stderr}")
+    found = {}
+    for line in result.stdout.splitlines():
+        if line.startswith("robust | "):
+            case, who, outcome = line[len("robust | "):].split(" | ", 2)
+            found.setdefault(case, {}).setdefault(outcome, []).append(who)
+    return found
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def names(who, steppers):
+    if not set(steppers) <= set(who):
+        return "; ".join(who)
+    return "; ".join(["all steppers"] + [w for w in who if w not in steppers])
+
+
+def page(programs, scenes):
+    found = {topic(p): cases(p, scenes) for p in programs}
+    steppers = next(iter(found["half_turns"].values()))
+    steppers = next(iter(steppers.values()))
+    text = HEAD
+    for name, title in SECTIONS.items():
+        if name not in found:
+            continue
+        text += f"\n## {title}\n\n"
+        if name in NOTES:
+            text += NOTES[name] + "\n\n"
+        text += "| case | who | what happens |\n|---|---|---|\n"
+        for case, outcomes in found[name].items():
+            for k, (outcome, who) in enumerate(outcomes.items()):
+                text += f"| {cell(case) if k == 0 else ''} | {cell(names(who, steppers))} | {cell(outcome)} |\n"
+    return text
+
+
+def main():
+    mode, path, scenes, *programs = sys.argv[1:]
+    made = page(programs, scenes)
+    if mode == "--write":
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(made)
+        return 0
+    with open(path, encoding="utf-8") as file:
+        kept = file.read()
+    sys.stdout.writelines(difflib.unified_diff(kept.splitlines(True), made.splitlines(True), path, "what the tests print"))
+    if kept != made:
+        print("\nmake it anew: tests/hard/table.py --write docs/robustness.md scenes PROGRAM...")
+    return 0 if kept == made else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

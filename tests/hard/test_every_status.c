@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Every status that the interface names is what some call returns, and says what to do in a sentence of its own. */
+#include "hard.h"
+
+enum { LOWEST = VTI_E_DISSIPATES };
+
+static crowd c;
+static vti_fault fault;
+
+/** One sound step, spoiled in one way for each status. */
+static int reached(int status)
+{
+    static const double zero = 0;
+    const vti_stepper *const vti1 = vti_stepper_find("vti1");
+    crowd_clear(&c, 2, CROWD_ALPHA);
+    vti_bodies b = crowd_bodies(&c);
+    vti_stepper own = *vti1;
+    vti_effect effect;
+    memset(&effect, 0, sizeof effect);
+    const int64_t pair[2] = {0, 1};
+    double rest[4];
+    switch (status) {
+    case VTI_E_NULL:
+        return vti_step_begin(vti1, 0.1, NULL, &fault);
+    case VTI_E_ABI:
+        b.abi = VTI_ABI + 1;
+        break;
+    case VTI_E_COUNT:
+        b.count = -1;
+        break;
+    case VTI_E_VIEW:
+        b.x.c[2] = NULL;
+        break;
+    case VTI_E_STRIDE:
+        b.x.stride = 0;
+        break;
+    case VTI_E_ALIAS:
+        b.v = b.x;
+        break;
+    case VTI_E_TIME:
+        return vti_step_begin(vti1, 0, &b, &fault);
+    case VTI_E_MASS:
+        b.mass = vti_scalars_one(&zero);
+        break;
+    case VTI_E_INERTIA:
+        b.inertia = vti_scalars_one(&zero);
+        break;
+    case VTI_E_TOO_LARGE:
+        c.omega[1][0] = 10;
+        break;
+    case VTI_E_STAGE:
+        return vti_step_stage(vti1, 1, 0.1, &b, &fault);
+    case VTI_E_STEPPER:
+        own.law = 0;
+        return vti_step_begin(&own, 0.1, &b, &fault);
+    case VTI_E_FRAME:
+        own.frame = 0;
+        return vti_step_begin(&own, 0.1, &b, &fault);
+    case VTI_E_BOND:
+        return vti_bonds_rest(1, pair, 0, &b.x, rest, &fault);
+    case VTI_E_DISSIPATES:
+        effect.dissipates = 1;
+        return vti_step_check(vti_stepper_find("srkn11"), &effect, 1);
+    default:
+        break;
+    }
+    return vti_step_begin(vti1, 0.1, &b, &fault);
+}
+
+static void every_status(void **state)
+{
+    (void)state;
+    int count = 0;
+    for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
+        assert_int_equal(reached(status), status);
+        if (status == VTI_E_TOO_LARGE)
+            assert_int_equal(fault.body, 1);
+        for (int other = LOWEST; other < status; ++other)
+            assert_string_not_equal(vti_status_text(status), vti_status_text(other));
+        if (status != VTI_OK) /* what is wrong; what to do about it */
+            assert_non_null(strstr(vti_status_text(status), "; "));
+    }
+    /* the list ends here: whatever follows has no text yet, and no test either */
+    assert_string_equal(vti_status_text(LOWEST - 1), vti_status_text(1));
+    robust("every status code", "C interface", "%d of %d reached by a call, each with a sentence of its own", count,
+           count);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_status),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
