@@ -7,16 +7,11 @@
 #include <stdlib.h>
 
 #include "beside.h"
-#include "cost_files.h"
 #include "cost_scenes.h"
-#include "cost_table.h"
 #include "folder.h"
 #include "number.h"
-#include "progress.h"
 #include "pictures.h"
-#include "study.h"
-#include "study_csv.h"
-#include "study_files.h"
+#include "study_go.h"
 #include "table_hdf5.h"
 
 static const char usage[] =
@@ -34,6 +29,7 @@ static const char usage[] =
     "  --t-end T         end time (default: the scene's). A run takes the whole steps that fit into it\n"
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  -o FOLDER         output folder (default study-SCENE)\n"
+    "  --resume          go on with a study that was interrupted, if there is one in the folder, else start\n"
     "  --no-plot         no pictures\n"
     "  -h, --help        this text\n"
     "\n"
@@ -43,7 +39,11 @@ static const char usage[] =
     "                    too (default all); default steps: down by factors of sqrt(2) until an error of 3e-11.\n"
     "                    Writes cost.csv, errors.csv, prices.csv and machine.txt\n"
     "  --evals MOST      most force evaluations of a run (default 2^22 over the number of bodies)\n"
-    "  --repeats N       how often each run is timed, 1 to 64 (default 5)\n";
+    "  --repeats N       how often each run is timed, 1 to 64 (default 5)\n"
+    "\n"
+    "Every run is kept in the folder as soon as it is done. After any end before the last file is written the same "
+    "command\n"
+    "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted.\n";
 
 enum { SETS = 64 };
 
@@ -51,12 +51,12 @@ struct arguments {
     const char *scene, *steppers, *h, *t_end, *folder, *evals, *repeats;
     const char *const *scenes;
     const char *sets[SETS];
-    int sets_count, scenes_count, plot, help, cost;
+    int sets_count, scenes_count, plot, help, cost, resume;
 };
 
 static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
 {
-    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS };
+    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS, RESUME };
     static const struct option options[] = {{"steppers", required_argument, NULL, STEPPERS},
                                             {"h", required_argument, NULL, H},
                                             {"t-end", required_argument, NULL, T_END},
@@ -65,6 +65,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"cost", no_argument, NULL, COST},
                                             {"evals", required_argument, NULL, EVALS},
                                             {"repeats", required_argument, NULL, REPEATS},
+                                            {"resume", no_argument, NULL, RESUME},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
     const struct arguments defaults = {.plot = 1};
@@ -81,6 +82,8 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
             a->plot = 0;
         else if (c == COST)
             a->cost = 1;
+        else if (c == RESUME)
+            a->resume = 1;
         else if (c == EVALS)
             a->evals = optarg;
         else if (c == REPEATS)
@@ -139,63 +142,6 @@ static int make_plan(const struct arguments *a, struct scene *scene, struct tabl
     return plan->h_count > 0 ? 0 : -1;
 }
 
-static void say(const struct study *study, const char *folder)
-{
-    const struct plan *plan = study->plan;
-    for (int64_t k = 0; k < plan->h_count; ++k)
-        if (study->trials[k].t_end != plan->t_end)
-            printf(
-                "note: t_end = %.10g is not a multiple of h = %.10g: those runs take %lld steps and end at t = %.10g\n",
-                plan->t_end, plan->h[k], (long long)study->trials[k].steps, study->trials[k].t_end);
-    study_table_write(study, stdout);
-    printf("\nreference: rk8pd, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
-           study->reference_energy_error, study->reference_uncertainty, study->norm_squared);
-    if (study->reference_uncertainty > 1e-3)
-        printf("the motion is chaotic: no method can follow it to the end, and errors of trajectories mean nothing "
-               "there\n");
-    printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,
-           study->seconds, folder);
-}
-
-/** The lowest rank that failed, which is the one that speaks, or -1. Collective. */
-static int first_failure(int failed, int rank)
-{
-    int ranks, first;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    first = failed != 0 ? rank : ranks;
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    return first < ranks ? first : -1;
-}
-
-/** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
-static int agree(int failed, int rank, const struct message *message)
-{
-    const int first = first_failure(failed, rank);
-    if (first == rank) {
-        progress_clear();
-        fprintf(stderr, "vti-study: %s\n", message->text);
-    }
-    return first < 0 ? 0 : -1;
-}
-
-/** Runs the plan and writes its files. Collective. */
-static int carry_out(const struct plan *plan, const char *folder, int rank)
-{
-    struct study study;
-    struct message message = {""};
-    if (agree(rank == 0 ? folder_create(folder, &message) : 0, rank, &message) != 0)
-        return -1;
-    int failed = study_run(plan, MPI_COMM_WORLD, progress_show, &study, &message);
-    progress_clear();
-    if (failed == 0 && rank == 0) {
-        failed = study_files_write(&study, folder, &message);
-        if (failed == 0)
-            say(&study, folder);
-    }
-    study_destroy(&study);
-    return agree(failed, rank, &message);
-}
-
 static int make_cost_plan(const struct arguments *a, struct cost_scenes *scenes, struct cost_plan *plan,
                           struct message *message)
 {
@@ -218,26 +164,11 @@ static int run_cost(const struct arguments *arguments, int rank)
 {
     static struct cost_scenes scenes;
     static struct cost_plan plan;
-    static struct cost cost;
     struct message message = {""};
-    const char *folder = arguments->folder != NULL ? arguments->folder : "cost";
-    int failed = agree(make_cost_plan(arguments, &scenes, &plan, &message), rank, &message);
+    const struct study_place place = {arguments->folder != NULL ? arguments->folder : "cost", arguments->resume};
+    int failed = study_agree(make_cost_plan(arguments, &scenes, &plan, &message), rank, &message);
     if (failed == 0)
-        failed = agree(rank == 0 ? folder_create(folder, &message) : 0, rank, &message);
-    if (failed == 0) {
-        failed = cost_run(&plan, MPI_COMM_WORLD, progress_show, &cost, &message);
-        progress_clear();
-        if (failed == 0 && rank == 0) {
-            failed = cost_files_write(&cost, folder, &message);
-            if (failed == 0) {
-                cost_table_write(&cost, stdout);
-                printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n",
-                       (long long)cost.runs, cost.seconds, folder);
-            }
-        }
-        failed = agree(failed, rank, &message);
-        cost_destroy(&cost);
-    }
+        failed = cost_go(&plan, &place, rank);
     cost_scenes_destroy(&scenes);
     return failed;
 }
@@ -259,13 +190,14 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
         return run_cost(&arguments, rank);
     if (failed == 0)
         failed = make_plan(&arguments, &scene, &tables, &plan, &message);
-    failed = agree(failed, rank, &message);
+    failed = study_agree(failed, rank, &message);
     if (failed == 0) {
         if (arguments.folder != NULL)
             snprintf(folder, FOLDER_PATH, "%s", arguments.folder);
         else
             snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
-        failed = carry_out(&plan, folder, rank);
+        const struct study_place place = {folder, arguments.resume};
+        failed = study_go(&plan, &place, rank);
         *wants_plot = rank == 0 && arguments.plot;
     }
     tables_destroy(&tables);

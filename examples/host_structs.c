@@ -59,9 +59,8 @@ static vti_bodies view_spheres(void)
     bodies.alpha = vti_view_member(spheres[0].alpha, sizeof spheres[0]);
     bodies.omega = vti_view_member(spheres[0].omega, sizeof spheres[0]);
     bodies.moment = vti_view_member(spheres[0].moment, sizeof spheres[0]);
-    const vti_scalars mass = {&spheres[0].mass, bodies.x.stride}, inertia = {&spheres[0].inertia, bodies.x.stride};
-    bodies.mass = mass;
-    bodies.inertia = inertia;
+    bodies.mass = vti_scalars_member(&spheres[0].mass, sizeof spheres[0]);
+    bodies.inertia = vti_scalars_member(&spheres[0].inertia, sizeof spheres[0]);
     return bodies;
 }
 

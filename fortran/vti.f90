@@ -14,12 +14,13 @@
 !>  - Steppers are values. Where C answers NULL, stages is 0, and every call with that stepper returns VTI_E_NULL.
 !>
 !> use vti brings it all: types (vti_types), views of arrays (vti_views), measures (vti_c, vti_sums), steps (vti_steps),
-!> effects (vti_effects), the packed door (vti_packed).
+!> effects (vti_effects), the packed door (vti_packed), the algebra of rotations (vti_rrv).
 module vti
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
     use vti_c
     use vti_effects
     use vti_packed
+    use vti_rrv
     use vti_steps
     use vti_sums
     use vti_views

@@ -181,6 +181,26 @@ subroutine vtitrq(m, time, n, lq, lcq, q, lb, lc, w, ibody, value, ier)
     call give_fault(fault, ibody, value)
 end subroutine
 
+! ---- attitudes, for forces that need directions ---------------------------------------------------------------------
+
+!> R(3) = P(3), which is fixed in a body of attitude A(3), as it stands in space.
+subroutine vtirot(a, p, r)
+    use vti, only: vti_rrv_rotate
+    implicit none
+    double precision, intent(in) :: a(3), p(3)
+    double precision, intent(out) :: r(3)
+    r = vti_rrv_rotate(a, p)
+end subroutine
+
+!> TH(3) = the rotation vector, of at most a half turn, that takes attitude B(3) to A(3).
+subroutine vtirel(a, b, th)
+    use vti, only: vti_rrv_relative, vti_rrv_to_rotvec
+    implicit none
+    double precision, intent(in) :: a(3), b(3)
+    double precision, intent(out) :: th(3)
+    th = vti_rrv_to_rotvec(vti_rrv_relative(a, b))
+end subroutine
+
 ! ---- measures -------------------------------------------------------------------------------------------------------
 
 !> E = sum of RM |V|^2/2; with W and RI the energy of rotation.

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
- *
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
  * vti.h -- explicit variational time integration of rigid spheres with rotation (Baker and Gonzalez).
  *
  * The caller owns all memory. The library allocates nothing, prints nothing, starts no threads and keeps no state: every
@@ -20,6 +20,7 @@
 #include "vti_rrv.h"
 #include "vti_step.h"
 
+/** Version of this header. */
 #define VTI_VERSION_STRING "0.1.0"
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
  * Status codes, and bodies as views of the caller's memory. */
 #ifndef VTI_BODIES_H
 #define VTI_BODIES_H
@@ -10,6 +11,7 @@
 /** Layout of the structs of the interface; vti_bodies.abi must hold it, so that a stale header is refused. */
 #define VTI_ABI 1
 
+/** Marks what the shared library exports. */
 #if defined(__GNUC__)
 #define VTI_API __attribute__((visibility("default")))
 #else
@@ -22,23 +24,24 @@ extern "C" {
 
 /* ---- status -------------------------------------------------------------------------------------------------- */
 
+/** What calls return; vti_status_text says what to do about it. */
 enum vti_status {
-    VTI_OK = 0,
-    VTI_E_NULL = -1,
-    VTI_E_ABI = -2,
-    VTI_E_COUNT = -3,
-    VTI_E_VIEW = -4,
-    VTI_E_STRIDE = -5,
-    VTI_E_ALIAS = -6,
-    VTI_E_TIME = -7,
-    VTI_E_MASS = -8,
-    VTI_E_INERTIA = -9,
-    VTI_E_TOO_LARGE = -10,
-    VTI_E_STAGE = -11,
-    VTI_E_STEPPER = -12,
-    VTI_E_FRAME = -13,
-    VTI_E_BOND = -14,
-    VTI_E_DISSIPATES = -15
+    VTI_OK = 0,            /**< done */
+    VTI_E_NULL = -1,       /**< an argument that is needed is NULL */
+    VTI_E_ABI = -2,        /**< header and library are of different versions */
+    VTI_E_COUNT = -3,      /**< a number of things is negative, or neither 1 nor n */
+    VTI_E_VIEW = -4,       /**< a view is given in part, or the attitude twice */
+    VTI_E_STRIDE = -5,     /**< a view of more than one body has stride 0 */
+    VTI_E_ALIAS = -6,      /**< two quantities begin at the same memory */
+    VTI_E_TIME = -7,       /**< a time step is not finite, or not positive where it must be */
+    VTI_E_MASS = -8,       /**< mass is missing, not finite or not positive */
+    VTI_E_INERTIA = -9,    /**< inertia is missing, not finite or not positive */
+    VTI_E_TOO_LARGE = -10, /**< a body turns too far for the closed form */
+    VTI_E_STAGE = -11,     /**< the stepper has no such stage */
+    VTI_E_STEPPER = -12,   /**< there is no such stepper or law */
+    VTI_E_FRAME = -13,     /**< there is no such frame */
+    VTI_E_BOND = -14,      /**< a bond is not between two bodies that exist apart, or is of no stiffness */
+    VTI_E_DISSIPATES = -15 /**< the stepper steps back in time, and an effect dissipates */
 };
 
 /** One English sentence for a status, remedy included; never NULL. */
@@ -46,8 +49,8 @@ VTI_API const char *vti_status_text(int status);
 
 /** Where and why a call failed: the body (0-based index into the views, -1 if no body is to blame) and the value. */
 typedef struct vti_fault {
-    int64_t body;
-    double value;
+    int64_t body; /**< index of the body, from 0; -1 if none is to blame */
+    double value; /**< what is wrong about it */
 } vti_fault;
 
 /* ---- bodies as views ----------------------------------------------------------------------------------------- */
@@ -55,20 +58,20 @@ typedef struct vti_fault {
 /** n three-vectors in the caller's memory: component k of vector i is c[k][i*stride] (stride in doubles).
  *  c = {NULL, NULL, NULL} means that the quantity, and all physics that needs it, is absent. */
 typedef struct vti_view {
-    double *c[3];
-    int64_t stride;
+    double *c[3];   /**< the components of vector 0 */
+    int64_t stride; /**< from one vector to the next, in doubles; negative is backwards */
 } vti_view;
 
 /** n quaternions; component k (x, y, z, w) of quaternion i is xyzw[k][i*stride]. */
 typedef struct vti_quat_view {
-    double *xyzw[4];
-    int64_t stride;
+    double *xyzw[4]; /**< the components of quaternion 0; w is the real part */
+    int64_t stride;  /**< from one quaternion to the next, in doubles */
 } vti_quat_view;
 
 /** n positive numbers p[i*stride]; stride 0 is one value for all. */
 typedef struct vti_scalars {
-    const double *p;
-    int64_t stride;
+    const double *p; /**< number 0; NULL is absent */
+    int64_t stride;  /**< from one number to the next, in doubles */
 } vti_scalars;
 
 /** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
@@ -77,27 +80,28 @@ typedef struct vti_scalars {
  *  never as both. Mass and inertia are finite: a body that is held is one outside the slice that is stepped, as effects act
  *  across slices. Start from vti_bodies_none(). */
 typedef struct vti_bodies {
-    int64_t abi;        /* VTI_ABI */
-    int64_t sealed;     /* 0, or what vti_bodies_seal has put here */
-    int64_t first;      /* index of the first body of the slice, 0-based */
-    int64_t count;      /* bodies in the slice, >= 0 */
-    vti_view x;         /* position of the centre */
-    vti_view v;         /* velocity of the centre */
-    vti_view force;     /* F */
-    vti_view alpha;     /* attitude, rescaled Rodrigues vector */
-    vti_quat_view quat; /* or attitude, unit quaternion */
-    vti_view omega;     /* Omega, spatial angular velocity */
-    vti_view moment;    /* RM, spatial moment about the centre */
-    vti_scalars mass;
-    vti_scalars inertia; /* J */
+    int64_t abi;         /**< VTI_ABI */
+    int64_t sealed;      /**< 0, or what vti_bodies_seal has put here */
+    int64_t first;       /**< index of the first body of the slice, 0-based */
+    int64_t count;       /**< bodies in the slice, >= 0 */
+    vti_view x;          /**< position of the centre */
+    vti_view v;          /**< velocity of the centre */
+    vti_view force;      /**< F */
+    vti_view alpha;      /**< attitude, rescaled Rodrigues vector */
+    vti_quat_view quat;  /**< or attitude, unit quaternion */
+    vti_view omega;      /**< Omega, spatial angular velocity */
+    vti_view moment;     /**< RM, spatial moment about the centre */
+    vti_scalars mass;    /**< m */
+    vti_scalars inertia; /**< J */
     /* Rounding errors carried along (compensated sums): what x, v, alpha and omega leave out, starting from 0. Each is
      * absent, or goes with its quantity; then its additions are exact to second order in eps. */
-    vti_view x_low;
-    vti_view v_low;
-    vti_view alpha_low;
-    vti_view omega_low;
+    vti_view x_low;     /**< what x leaves out */
+    vti_view v_low;     /**< what v leaves out */
+    vti_view alpha_low; /**< what alpha leaves out */
+    vti_view omega_low; /**< what omega leaves out */
 } vti_bodies;
 
+/** No view: what it would show is absent. */
 static inline vti_view vti_view_none(void)
 {
     vti_view view = {{0, 0, 0}, 0};
@@ -127,15 +131,26 @@ static inline vti_view vti_view_member(double *p, int64_t bytes)
     return view;
 }
 
+/** One value for all. */
 static inline vti_scalars vti_scalars_one(const double *value)
 {
     vti_scalars s = {value, 0};
     return s;
 }
 
+/** One value for each body. */
 static inline vti_scalars vti_scalars_array(const double *values)
 {
     vti_scalars s = {values, 1};
+    return s;
+}
+
+/** A double member of an array of structs: p is the member in element 0, bytes the size of a struct. That must be a
+ *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed. */
+static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
+{
+    const int64_t size = (int64_t)sizeof(double);
+    vti_scalars s = {bytes % size == 0 && bytes != 0 ? p : 0, bytes / size};
     return s;
 }
 

@@ -1,5 +1,7 @@
-/* SPDX-License-Identifier: BSD-3-Clause
- * Energies, momenta, and the norms of the errors. */
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Energies, momenta, and the norms of the errors. A measure has no status: of bodies that vti_bodies_check refuses, or
+ * that cannot be compared, it is not a number. */
 #ifndef VTI_MEASURE_H
 #define VTI_MEASURE_H
 
@@ -13,9 +15,11 @@ extern "C" {
 
 /** Sum with its rounding error carried along (Neumaier). Start from {0, 0}. */
 typedef struct vti_sum {
-    double high, low;
+    double high; /**< the sum as far as it goes */
+    double low;  /**< what it leaves out */
 } vti_sum;
 
+/** Adds x. */
 static inline void vti_sum_add(vti_sum *s, double x)
 {
     const double t = s->high + x;
@@ -23,6 +27,7 @@ static inline void vti_sum_add(vti_sum *s, double x)
     s->high = t;
 }
 
+/** The sum, rounded once. */
 static inline double vti_sum_value(const vti_sum *s)
 {
     return isinf(s->high) ? s->high : s->high + s->low; /* the error of an infinite sum is not a number */
@@ -30,9 +35,9 @@ static inline double vti_sum_value(const vti_sum *s)
 
 /** Integral over time by the trapezoid rule at the steps, fed one value per step. Start from {{0, 0}, 0, 0}. */
 typedef struct vti_integral {
-    vti_sum sum;
-    double last;
-    int64_t values;
+    vti_sum sum;    /**< the integral so far */
+    double last;    /**< the value at the last step */
+    int64_t values; /**< how many there have been */
 } vti_integral;
 
 /** The value at the next step, h after the one before (h is not used for the first). */
@@ -43,6 +48,7 @@ static inline void vti_integral_add(vti_integral *q, double h, double value)
     q->last = value;
 }
 
+/** The integral up to the last step. */
 static inline double vti_integral_value(const vti_integral *q)
 {
     return vti_sum_value(&q->sum);
@@ -52,7 +58,8 @@ static inline double vti_integral_value(const vti_integral *q)
 VTI_API double vti_kinetic_translation(const vti_bodies *bodies);
 /** Sum of J|Omega|^2/2; 0 if nothing turns. */
 VTI_API double vti_kinetic_rotation(const vti_bodies *bodies);
-/** Kinetic energies and all energies of the effects; NaN if an effect has more than VTI_TERMS terms. */
+/** Kinetic energies and all energies of the effects; NaN if an effect has more than VTI_TERMS terms, or is
+ *  none. */
 VTI_API double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
 /** Sum of m v. */
 VTI_API void vti_momentum(const vti_bodies *bodies, double p[3]);

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
- *
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
  * vti_rrv.h -- the algebra of the rescaled Rodrigues rotation vector, inline and allocation-free.
  *
  * A rotation by the vector theta (right-handed, radians) is written
@@ -28,13 +28,16 @@
 #define VTI_RRV_SMALL (1.0 / VTI_RRV_LARGE)
 /** 2^29: up to here both factors of a composition are small enough for its incremental form to stay below 2^60. */
 #define VTI_RRV_NEAR 536870912.0
-/** 2^570 and 2^-520: exact scalings after which squares of tiny and of huge numbers neither vanish nor overflow. */
+/** 2^570: an exact scaling after which squares of tiny numbers do not vanish. */
 #define VTI_RRV_UP 3.8645375230172583e+171
+/** 2^-520: the same for huge numbers, whose squares do not overflow then. */
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
 /* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing. */
 #if defined(__GNUC__)
+/** Inlined whole. */
 #define VTI_INLINE static inline __attribute__((always_inline))
+/** Kept apart. */
 #define VTI_APART static __attribute__((noinline, cold, unused))
 #else
 #define VTI_INLINE static inline
@@ -43,6 +46,7 @@
 
 /* ---- three-vectors ------------------------------------------------------------------------------------------- */
 
+/** a.b */
 VTI_INLINE double vti_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -56,6 +60,7 @@ VTI_INLINE void vti_cross(const double a[3], const double b[3], double r[3])
     r[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/** The largest |component|. */
 VTI_INLINE double vti_max3(const double a[3])
 {
     const double x = fabs(a[0]), y = fabs(a[1]), z = fabs(a[2]);
@@ -183,6 +188,7 @@ VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], double s
     return 0;
 }
 
+/** alpha <- alpha (+) dalpha with dalpha = 2 f u/c, as vti_rrv_increment has it. */
 VTI_INLINE void vti_rrv_turn_by(double c, double f, const double u[3], double side, double a[3])
 {
     double add[3];
@@ -191,11 +197,13 @@ VTI_INLINE void vti_rrv_turn_by(double c, double f, const double u[3], double si
         a[k] = (near ? a[k] : 0.0) + add[k];
 }
 
+/** The same with f = 1. */
 VTI_INLINE void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
 {
     vti_rrv_turn_by(c, 1.0, u, side, a);
 }
 
+/** The same in space: R(alpha) <- R(2 u/c) R(alpha). */
 VTI_INLINE void vti_rrv_turn(double c, const double u[3], double a[3])
 {
     vti_rrv_turn_by(c, 1.0, u, 1.0, a);
@@ -236,6 +244,7 @@ static inline void vti_rrv_relative_printed(const double a[3], const double b[3]
 
 /* ---- rotating a vector --------------------------------------------------------------------------------------- */
 
+/** r = R(a) p for side = 1, R(a)^T p for side = -1. r may be p. */
 static inline void vti_rrv_rotate_side(const double a[3], double side, const double p[3], double r[3])
 {
     const double s = vti_scale(vti_max3(p)), back = 1.0 / s;

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
  * Kick and drift, and the steppers that are lists of them. */
 #ifndef VTI_STEP_H
 #define VTI_STEP_H
@@ -13,14 +14,17 @@ extern "C" {
 
 /** How a drift turns a body by its angular velocity w; s = t|w|. */
 enum vti_law {
-    VTI_LAW_CLOSED = 1, /* dalpha = 2 t w/(1 + sqrt(1 - s^2)), turns by asin s, needs s < 1 */
-    VTI_LAW_CAYLEY = 2, /* dalpha = t w, turns by 2 atan(s/2) */
-    VTI_LAW_EXACT = 3,  /* dalpha = t w (60 - s^2)/(60 - 6 s^2), turns by s + O(s^7); a half turn from s = 2^30 on */
-    VTI_LAW_EXACT9 = 4  /* dalpha = t w (1 - s^2/42)/(1 - 3 s^2/28 + s^4/1680), turns by s + O(s^9); the same */
+    VTI_LAW_CLOSED = 1, /**< dalpha = 2 t w/(1 + sqrt(1 - s^2)), turns by asin s, needs s < 1 */
+    VTI_LAW_CAYLEY = 2, /**< dalpha = t w, turns by 2 atan(s/2) */
+    VTI_LAW_EXACT = 3,  /**< dalpha = t w (60 - s^2)/(60 - 6 s^2), turns by s + O(s^7); a half turn from s = 2^30 on */
+    VTI_LAW_EXACT9 = 4  /**< dalpha = t w (1 - s^2/42)/(1 - 3 s^2/28 + s^4/1680), turns by s + O(s^9); the same */
 };
 
 /** Frame in which omega and moment are given, and in which the increment therefore acts. */
-enum vti_frame { VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1 };
+enum vti_frame {
+    VTI_FRAME_SPACE = 1, /**< the inertial one */
+    VTI_FRAME_BODY = -1  /**< each body's own */
+};
 
 /** v += t F/m, Omega += t RM/J. t finite, of either sign. */
 VTI_API int vti_kick(double t, const vti_bodies *bodies);
@@ -34,20 +38,20 @@ VTI_API int vti_drift(int law, int frame, double t, const vti_bodies *bodies, vt
 /** One step: for k = 0 ... stages-1: kick(kick[k] h), drift(drift[k] h), forces; then kick(kick[stages] h) and
  *  drift(drift[stages] h). With a probe, the forces of kick k are those at the displaced bodies of vti_step_probe. */
 typedef struct vti_stepper {
-    const char *name;
-    int64_t law;
-    int64_t frame;
-    int64_t order;       /* of energy and trajectory */
-    int64_t reversible;  /* 1 if time-reversible */
-    int64_t symplectic;  /* 1 if exactly so */
-    int64_t stages;      /* drifts that forces follow */
-    int64_t evals;       /* force evaluations of one step: stages and probes */
-    double lag;          /* velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
-    double reach;        /* oscillations of frequency f are stable while h f < reach; 2 for the paper's maps */
-    const double *kick;  /* [stages + 1] */
-    const double *drift; /* [stages + 1]; the last is 0 but where a step begins with a drift */
-    const double *probe; /* [stages + 1], in units of h^2, or NULL */
-    const char *about;
+    const char *name;    /**< what vti_stepper_find knows it by */
+    int64_t law;         /**< vti_law */
+    int64_t frame;       /**< vti_frame */
+    int64_t order;       /**< of energy and trajectory */
+    int64_t reversible;  /**< 1 if time-reversible */
+    int64_t symplectic;  /**< 1 if exactly so */
+    int64_t stages;      /**< drifts that forces follow */
+    int64_t evals;       /**< force evaluations of one step: stages and probes */
+    double lag;          /**< velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
+    double reach;        /**< oscillations of frequency f are stable while h f < reach; 2 for the paper's maps */
+    const double *kick;  /**< [stages + 1] */
+    const double *drift; /**< [stages + 1]; the last is 0 but where a step begins with a drift */
+    const double *probe; /**< [stages + 1], in units of h^2, or NULL */
+    const char *about;   /**< what it is, in a line */
 } vti_stepper;
 
 /** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body" (VTI-1 in
@@ -55,8 +59,9 @@ typedef struct vti_stepper {
  *  "srkn11", "srkn14" (order 6; Runge-Kutta-Nystroem splittings), "chin4" (order 4, no coefficient negative). NULL if there
  *  is none of that name. The objects are constants of the library. */
 VTI_API const vti_stepper *vti_stepper_find(const char *name);
+/** How many there are. */
 VTI_API int64_t vti_stepper_count(void);
-/** NULL outside 0 <= index < vti_stepper_count(). */
+/** Each of them by number; NULL outside 0 <= index < vti_stepper_count(). */
 VTI_API const vti_stepper *vti_stepper_at(int64_t index);
 
 /*  The loop of a host:
@@ -102,6 +107,7 @@ VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies 
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
                              double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
                              int64_t inertias, const double *inertia, int64_t *body, double *value);
+/** The second half of the step of vti_packed_begin; its arguments are those. */
 VTI_API int vti_packed_finish(int64_t stepper, double h, int64_t n, double *v, const double *force, double *omega,
                               const double *moment, int64_t masses, const double *mass, int64_t inertias,
                               const double *inertia);

@@ -4,12 +4,10 @@
 
 /* ---- the effect -------------------------------------------------------------------------------------------------------- */
 
-/** The kernels for the widest vector units of this machine. */
+/** The kernels for this machine's vector units. (Wider ones than AVX2 were no faster: most lists leave lanes empty.) */
 static const struct bond_kernel (*kernels(void))[4]
 {
 #ifdef VTI_WIDE
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
-        return vti_bond_avx512;
     if (__builtin_cpu_supports("avx2"))
         return vti_bond_avx2;
 #endif
@@ -18,6 +16,8 @@ static const struct bond_kernel (*kernels(void))[4]
 
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
 {
+    if (bonds == NULL || (bonds->count > 0 && (bonds->pair == NULL || bonds->rest == NULL)))
+        return vti_effect_none();
     static const char moment[] = "binder_moment", axial[] = "binder_axial", shear[] = "binder_shear";
     static const char *const names[8][TERMS] = {{NULL},  {moment},        {axial},        {moment, axial},
                                                 {shear}, {moment, shear}, {axial, shear}, {moment, axial, shear}};
@@ -50,22 +50,51 @@ static int blame(vti_fault *fault, int64_t bond, double value)
     return VTI_E_BOND;
 }
 
-int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
+/** d = x_i - x_j of one pair; returns |d|. */
+static double separation(const int64_t pair[2], int64_t base, const vti_view *x, double d[3])
+{
+    double xj[3];
+    vti_load(x, pair[0] - base, d);
+    vti_load(x, pair[1] - base, xj);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= xj[c];
+    return vti_norm(d);
+}
+
+/** How many bodies there are is not known here, but that none comes before the first. */
+static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, vti_fault *fault)
 {
     for (int64_t k = 0; k < count; ++k) {
-        double xi[3], xj[3];
-        vti_load(x, pair[2 * k] - base, xi);
-        vti_load(x, pair[2 * k + 1] - base, xj);
-        for (int c = 0; c < 3; ++c)
-            xi[c] -= xj[c];
-        const double length = vti_norm(xi);
+        for (int side = 0; side < 2; ++side)
+            if (pair[2 * k + side] < base)
+                return blame(fault, k, (double)pair[2 * k + side]);
+        double d[3];
+        const double length = separation(pair + 2 * k, base, x, d);
         if (!(length > 0.0) || !isfinite(length))
             return blame(fault, k, length);
-        for (int c = 0; c < 3; ++c)
-            rest[4 * k + c] = xi[c] / length;
-        rest[4 * k + 3] = length;
     }
     return VTI_OK;
+}
+
+int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
+{
+    if (count < 0)
+        return VTI_E_COUNT;
+    if (count == 0)
+        return VTI_OK;
+    if (pair == NULL || x == NULL || rest == NULL)
+        return VTI_E_NULL;
+    if (x->c[0] == NULL || x->c[1] == NULL || x->c[2] == NULL)
+        return VTI_E_VIEW;
+    const int status = rest_check(count, pair, base, x, fault);
+    for (int64_t k = 0; status == VTI_OK && k < count; ++k) {
+        double d[3];
+        const double length = separation(pair + 2 * k, base, x, d);
+        for (int c = 0; c < 3; ++c)
+            rest[4 * k + c] = d[c] / length;
+        rest[4 * k + 3] = length;
+    }
+    return status;
 }
 
 static int stiffness_is_bad(const vti_scalars *s, int64_t k)
@@ -77,7 +106,7 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
     if (bonds == NULL || (bonds->count > 0 && (bonds->pair == NULL || bonds->rest == NULL)))
         return VTI_E_NULL;
-    if (bonds->count < 0)
+    if (bonds->count < 0 || n < 0)
         return VTI_E_COUNT;
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;

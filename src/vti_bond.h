@@ -16,6 +16,6 @@ struct bond_kernel {
 };
 
 /** [form of shear, 0 for none][moment + 2 axial]; the same bits from each. */
-extern const struct bond_kernel vti_bond_baseline[4][4], vti_bond_avx2[4][4], vti_bond_avx512[4][4];
+extern const struct bond_kernel vti_bond_baseline[4][4], vti_bond_avx2[4][4];
 
 #endif

@@ -64,6 +64,8 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};
+    if (contacts == NULL || contacts->diameter.p == NULL)
+        return vti_effect_none();
     const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts, 1, term, 0, 0};
     return effect;
 }
@@ -115,6 +117,8 @@ static void walls_energy(const void *self, const vti_bodies *b, double *energies
 vti_effect vti_walls_effect(const vti_walls *walls)
 {
     static const char *const term[] = {"wall"};
+    if (walls == NULL || (walls->count > 0 && (walls->diameter.p == NULL || walls->plane == NULL)))
+        return vti_effect_none();
     int64_t breaks = 0;
     for (int64_t w = 0; w < walls->count; ++w)
         for (int k = 0; k < 3; ++k)

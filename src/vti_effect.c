@@ -47,6 +47,9 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
         return VTI_E_COUNT;
     if (n > 0 && effects == NULL)
         return VTI_E_NULL;
+    for (int64_t k = 0; k < n; ++k)
+        if (effects[k].apply == NULL)
+            return VTI_E_NULL;
     clear_loads(b);
     for (int64_t k = 0; k < n; ++k)
         effects[k].apply(effects[k].self, b);
@@ -55,10 +58,12 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 
 int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
 {
-    if (method == NULL || (effects == NULL && n > 0))
+    if (method == NULL || method->kick == NULL || method->drift == NULL || (effects == NULL && n > 0))
         return VTI_E_NULL;
     if (n < 0)
         return VTI_E_COUNT;
+    if (method->stages < 1)
+        return VTI_E_STAGE;
     int backwards = 0, dissipates = 0;
     for (int64_t k = 0; k <= method->stages; ++k)
         backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;

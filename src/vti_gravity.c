@@ -28,6 +28,8 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 vti_effect vti_gravity_effect(const vti_gravity *gravity)
 {
     static const char *const term[] = {"gravity"};
+    if (gravity == NULL)
+        return vti_effect_none();
     int64_t breaks = 0;
     for (int k = 0; k < 3; ++k)
         if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */

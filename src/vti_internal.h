@@ -71,6 +71,13 @@ static inline int vti_bodies_ready(const vti_bodies *b)
     return b != NULL && b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
 }
 
+/** What an effect of nothing is: vti_apply refuses it. */
+static inline vti_effect vti_effect_none(void)
+{
+    const vti_effect none = {NULL, NULL, NULL, NULL, 0, NULL, 0, 0};
+    return none;
+}
+
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 

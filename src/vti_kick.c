@@ -28,9 +28,6 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
         vti_sum_compensated(t, v, f, m, low, begin, end);
         return;
     }
-    enum {
-        FEW = 4
-    }; /* bodies: wide loads of forces that have just been stored one by one would have to wait for them */
 #define KICK(SV, SF, SM)                                                                                               \
     kick_loop(v->c[0], v->c[1], v->c[2], SV, f->c[0], f->c[1], f->c[2], SF, m->p, SM, t, begin, end)
     if (end - begin <= VTI_FEW)

@@ -4,6 +4,17 @@
  * conservation law is the integrator's rounding, not their own. */
 #include "vti_internal.h"
 
+/** Where to write is there; if the bodies are not sound, or what else is needed is not there, three times no number is. */
+static int can_measure(const vti_bodies *b, const void *needed, double r[3])
+{
+    if (r == NULL)
+        return 0;
+    if (needed != NULL && vti_bodies_ready(b) == VTI_OK)
+        return 1;
+    r[0] = r[1] = r[2] = NAN;
+    return 0;
+}
+
 static double sum_of_squares(const vti_view *view, const vti_scalars *weight, const vti_bodies *b)
 {
     vti_sum sum = {0.0, 0.0};
@@ -17,22 +28,28 @@ static double sum_of_squares(const vti_view *view, const vti_scalars *weight, co
 
 double vti_kinetic_translation(const vti_bodies *b)
 {
+    if (vti_bodies_ready(b) != VTI_OK)
+        return NAN;
     return vti_has(&b->v) && b->mass.p != NULL ? 0.5 * sum_of_squares(&b->v, &b->mass, b) : 0.0;
 }
 
 double vti_kinetic_rotation(const vti_bodies *b)
 {
+    if (vti_bodies_ready(b) != VTI_OK)
+        return NAN;
     return vti_has(&b->omega) && b->inertia.p != NULL ? 0.5 * sum_of_squares(&b->omega, &b->inertia, b) : 0.0;
 }
 
 double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
     vti_sum sum = {0.0, 0.0};
+    if (vti_bodies_ready(b) != VTI_OK || n < 0 || (n > 0 && effects == NULL))
+        return NAN;
     vti_sum_add(&sum, vti_kinetic_translation(b));
     vti_sum_add(&sum, vti_kinetic_rotation(b));
     for (int64_t k = 0; k < n; ++k) {
         double energies[VTI_TERMS] = {0.0};
-        if (effects[k].terms > VTI_TERMS)
+        if (effects[k].terms > VTI_TERMS || effects[k].energy == NULL)
             return NAN;
         effects[k].energy(effects[k].self, b, energies);
         for (int64_t j = 0; j < effects[k].terms; ++j)
@@ -43,6 +60,8 @@ double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
 
 void vti_angular_momentum(const vti_bodies *b, const double about[3], double l[3])
 {
+    if (!can_measure(b, about, l))
+        return;
     const int orbits = vti_has(&b->x) && vti_has(&b->v) && b->mass.p != NULL;
     const int spins = vti_has(&b->omega) && b->inertia.p != NULL;
     vti_sum sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
@@ -79,12 +98,14 @@ static void weighted_sum(const vti_view *view, const vti_scalars *weight, const 
 
 void vti_momentum(const vti_bodies *b, double p[3])
 {
-    weighted_sum(&b->v, &b->mass, b, p);
+    if (can_measure(b, b, p))
+        weighted_sum(&b->v, &b->mass, b, p);
 }
 
 void vti_spin(const vti_bodies *b, double s[3])
 {
-    weighted_sum(&b->omega, &b->inertia, b, s);
+    if (can_measure(b, b, s))
+        weighted_sum(&b->omega, &b->inertia, b, s);
 }
 
 /** The larger of the two; a NaN wins and stays. */
@@ -96,6 +117,8 @@ static double larger(double most, double x)
 double vti_max_turn(double h, const vti_bodies *b)
 {
     double most = 0.0;
+    if (vti_bodies_ready(b) != VTI_OK)
+        return NAN;
     for (int64_t i = b->first; vti_has(&b->omega) && i < b->first + b->count; ++i) {
         double w[3];
         vti_load(&b->omega, i, w);
@@ -117,6 +140,8 @@ static double attitude_distance(const vti_bodies *b, int64_t i, const vti_bodies
 
 double vti_h1_density(const vti_bodies *b)
 {
+    if (vti_bodies_ready(b) != VTI_OK)
+        return NAN;
     vti_sum sum = {0.0, 0.0};
     const vti_view *const vectors[3] = {&b->x, &b->v, &b->omega};
     for (int k = 0; k < 3; ++k)
@@ -131,6 +156,19 @@ double vti_h1_density(const vti_bodies *b)
     return vti_sum_value(&sum);
 }
 
+/** Both are sound, of one length, and r has all that is compared. */
+static int comparable(const vti_bodies *b, const vti_bodies *r, int attitudes_only)
+{
+    if (vti_bodies_ready(b) != VTI_OK || vti_bodies_ready(r) != VTI_OK || b->count != r->count)
+        return 0;
+    if (b->count == 0)
+        return 1;
+    const int attitudes = !vti_has_attitude(b) || vti_has_attitude(r);
+    const int vectors = (!vti_has(&b->x) || vti_has(&r->x)) && (!vti_has(&b->v) || vti_has(&r->v)) &&
+                        (!vti_has(&b->omega) || vti_has(&r->omega));
+    return attitudes && (attitudes_only || vectors);
+}
+
 static double squared_difference(const vti_view *a, int64_t i, const vti_view *b, int64_t j)
 {
     double p[3], q[3];
@@ -143,6 +181,8 @@ static double squared_difference(const vti_view *a, int64_t i, const vti_view *b
 
 double vti_h1_distance(const vti_bodies *b, const vti_bodies *r)
 {
+    if (!comparable(b, r, 0))
+        return NAN;
     vti_sum sum = {0.0, 0.0};
     const vti_view *const ours[3] = {&b->x, &b->v, &b->omega}, *const theirs[3] = {&r->x, &r->v, &r->omega};
     for (int64_t n = 0; n < b->count; ++n) {
@@ -160,6 +200,8 @@ double vti_h1_distance(const vti_bodies *b, const vti_bodies *r)
 double vti_attitude_distance(const vti_bodies *b, const vti_bodies *r)
 {
     double most = 0.0;
+    if (!comparable(b, r, 1))
+        return NAN;
     for (int64_t n = 0; vti_has_attitude(b) && n < b->count; ++n) {
         const double d = attitude_distance(b, b->first + n, r, r->first + n);
         most = larger(most, d);

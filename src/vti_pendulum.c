@@ -5,11 +5,21 @@
  *     U = -m g e3 . R rho0,     RM = m g (R rho0) x e3     (E1: the print mixes frames)                              */
 #include "vti_internal.h"
 
-void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
+static void arm_of(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
 {
     double q[4];
     vti_load_pair(b, i, q);
     vti_pair_rotate(q, 1.0, pendulum->rho0, arm);
+}
+
+void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
+{
+    if (arm == NULL)
+        return;
+    if (pendulum == NULL || vti_bodies_ready(b) != VTI_OK || !vti_has_attitude(b) || i < 0 || i >= b->first + b->count)
+        arm[0] = arm[1] = arm[2] = NAN;
+    else
+        arm_of(pendulum, b, i, arm);
 }
 
 /** RM += (R m g rho0) x e3. by_alpha is literal. Copies of views: what is not in a struct that others see stays in registers. */
@@ -48,7 +58,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     vti_sum sum = {0.0, 0.0};
     for (int64_t i = b->first; vti_has_attitude(b) && i < b->first + b->count; ++i) {
         double arm[3];
-        vti_pendulum_arm(p, b, i, arm);
+        arm_of(p, b, i, arm);
         vti_sum_add(&sum, -p->weight * arm[2]);
     }
     energies[0] = vti_sum_value(&sum);
@@ -57,6 +67,8 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
 {
     static const char *const term[] = {"pendulum"};
+    if (pendulum == NULL)
+        return vti_effect_none();
     /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
     const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0xdf, 0};
     return effect;

@@ -132,13 +132,48 @@ static void find_most(const struct spring *s, struct tally *t)
     t->most = isnan(found) ? INFINITY : fmax(t->most, found); /* what overflows is infinitely fast */
 }
 
+/* ---- what is given ----------------------------------------------------------------------------------------------- */
+
+static int pairs_check(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b)
+{
+    if (count < 0)
+        return VTI_E_COUNT;
+    if (count > 0 && pair == NULL)
+        return VTI_E_NULL;
+    for (int64_t k = 0; k < 2 * count; ++k)
+        if (pair[k] - base < b->first || pair[k] - base >= b->first + b->count)
+            return VTI_E_BOND;
+    return VTI_OK;
+}
+
+static int springs_check(const vti_springs *s, const vti_bodies *b)
+{
+    int status = VTI_OK;
+    if (s->bonds != NULL) {
+        status = pairs_check(s->bonds->count, s->bonds->pair, s->bonds->base, b);
+        if (status == VTI_OK && s->bonds->count > 0 && s->bonds->rest == NULL)
+            status = VTI_E_NULL;
+    }
+    if (status == VTI_OK && s->contacts != NULL) {
+        status = pairs_check(s->contacts->count, s->contacts->pair, s->contacts->base, b);
+        if (status == VTI_OK && s->contacts->count > 0 && s->contacts->diameter.p == NULL)
+            status = VTI_E_NULL;
+    }
+    if (status == VTI_OK && s->walls != NULL && s->walls->count > 0 && s->walls->diameter.p == NULL)
+        status = VTI_E_NULL;
+    return status;
+}
+
 int vti_stable_step(const vti_springs *springs, const vti_bodies *b, double *scratch, double *h)
 {
-    const int status = vti_bodies_ready(b);
+    int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (springs == NULL || scratch == NULL || h == NULL)
         return VTI_E_NULL;
+    status = springs_check(springs, b);
+    if (status != VTI_OK)
+        return status;
     struct tally tally = {b, scratch, 0.0};
     for (int64_t i = 0; i < b->count; ++i)
         scratch[i] = 0.0;

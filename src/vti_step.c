@@ -70,8 +70,10 @@ enum { BLOCK = 256 };
 
 static int check(const vti_stepper *method, double h, const vti_bodies *b)
 {
-    if (method == NULL)
+    if (method == NULL || method->kick == NULL || method->drift == NULL)
         return VTI_E_NULL;
+    if (method->stages < 1)
+        return VTI_E_STAGE;
     const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;

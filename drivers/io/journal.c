@@ -8,7 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file_lock.h"
 #include "sync.h"
+
+#define TAKEN "%s: another vti-run is writing there; wait for it or choose another place with -o"
 
 static int fail(const struct journal *journal, const char *name, struct message *message)
 {
@@ -25,10 +28,19 @@ int journal_name(struct journal *journal, const char *output, struct message *me
     return 0;
 }
 
-int journal_exists(const struct journal *journal)
+int journal_refuse(const struct journal *journal, struct message *message)
 {
     struct stat info;
-    return lstat(journal->folder, &info) == 0;
+    char path[FOLDER_PATH];
+    if (lstat(journal->folder, &info) != 0)
+        return 0;
+    if (folder_path(journal->folder, "rows", 0, path, message) != 0)
+        return -1;
+    if (file_lock_taken(path))
+        return message_set(message, TAKEN, journal->folder);
+    return message_set(message,
+                       "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
+                       journal->folder);
 }
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
@@ -36,16 +48,10 @@ int journal_exists(const struct journal *journal)
 /** Locked until it is closed or the program ends, however it ends. */
 static int lock(const struct journal *journal, int fd, const char *name, struct message *message)
 {
-    struct flock whole;
-    memset(&whole, 0, sizeof whole);
-    whole.l_type = F_WRLCK;
-    whole.l_whence = SEEK_SET;
-    if (fcntl(fd, F_SETLK, &whole) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS)
-        return 0; /* there are file systems without locks */
-    if (errno == EACCES || errno == EAGAIN)
-        return message_set(message, "%s: another vti-run is writing there; wait for it or choose another place with -o",
-                           journal->folder);
-    return fail(journal, name, message);
+    const int locked = file_lock(fd);
+    if (locked == FILE_LOCK_TAKEN)
+        return message_set(message, TAKEN, journal->folder);
+    return locked != 0 ? fail(journal, name, message) : 0;
 }
 
 /** Cuts the file to its records and moves to the end. */

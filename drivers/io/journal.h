@@ -26,8 +26,9 @@ struct journal {
 
 /** Sets the folder for an output file. Returns 0, or -1 with one line in *message. */
 int journal_name(struct journal *journal, const char *output, struct message *message);
-/** Whether the folder is there. */
-int journal_exists(const struct journal *journal);
+/** Refuses a folder that is there already. Returns 0, or -1 with one line in *message: what is to be done depends on
+ *  whether another program is at work in it. */
+int journal_refuse(const struct journal *journal, struct message *message);
 
 /** Makes the folder if need be, locks it against other programs and opens the two files with rows and frames
  *  records, which they must have at least; what is behind them is cut off. Returns 0, or -1 with one line in

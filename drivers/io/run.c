@@ -30,10 +30,8 @@ static int open_files(struct run *run, struct message *message)
     if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 ||
         journal_name(&run->journal, run->output, message) != 0)
         return -1;
-    if (!run->request->resume && journal_exists(&run->journal))
-        return message_set(
-            message, "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
-            run->journal.folder);
+    if (!run->request->resume && journal_refuse(&run->journal, message) != 0)
+        return -1;
     /* before hours of computing, not after */
     return folder_create(run->files.folder, message);
 }

@@ -14,6 +14,8 @@ struct work {
     struct model *models; /* [cases_count], at t = 0 */
     struct reference *references;
     cost_progress progress;
+    const struct store *store;
+    struct message *message;
     double start;
     int64_t done, all;
 };
@@ -61,12 +63,24 @@ static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self,
 static int task_done(void *self, int64_t task, int rank, const void *result)
 {
     struct work *w = self;
-    (void)rank;
     memcpy(&w->cost->ladders[task], result, sizeof *w->cost->ladders);
     ++w->done;
     if (w->progress != NULL)
         w->progress(w->done, w->all, MPI_Wtime() - w->start);
-    return 0;
+    return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
+}
+
+/** Takes what the store has and lists the other tasks in order. Returns how many. */
+static int64_t recall(struct work *w, int64_t n, int64_t *order)
+{
+    int rank;
+    int64_t left = 0;
+    for (int64_t task = n - 1; task >= 0; --task)
+        if (w->store != NULL && w->store->recall(w->store->self, task, &rank, &w->cost->ladders[task]))
+            ++w->done;
+        else
+            order[left++] = task;
+    return left;
 }
 
 static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
@@ -77,14 +91,16 @@ static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
         free(order);
         return message_set(message, "out of memory; use fewer scenes");
     }
-    for (int64_t k = 0; k < n; ++k)
-        order[k] = n - 1 - k;
     w->start = MPI_Wtime();
     w->all = n;
-    const struct queue queue = {w, n, order, sizeof(struct cost_ladder), run_task, task_done, NULL};
+    message->text[0] = '\0';
+    const int64_t left = recall(w, n, order);
+    const struct queue queue = {w, left, order, sizeof(struct cost_ladder), run_task, task_done, NULL};
     const int failed = queue_run(&queue, comm);
     free(order);
-    return failed == 0 ? 0 : message_set(message, "out of memory; use fewer scenes");
+    if (failed != 0 && message->text[0] == '\0')
+        message_set(message, "out of memory; use fewer scenes");
+    return failed;
 }
 
 /* ---- times ----------------------------------------------------------------------------------------------------------- */
@@ -177,11 +193,11 @@ static void release(struct work *w)
     free(w->models);
 }
 
-int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, struct cost *cost,
-             struct message *message)
+int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, const struct store *store,
+             struct cost *cost, struct message *message)
 {
     int rank;
-    struct work w = {plan, cost, NULL, NULL, progress, 0.0, 0, 0};
+    struct work w = {plan, cost, NULL, NULL, progress, store, message, 0.0, 0, 0};
     const double start = MPI_Wtime();
     memset(cost, 0, sizeof *cost);
     cost->plan = plan;

@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include "cost_price.h"
+#include "store.h"
 
 /** What is known about a case besides its runs. */
 struct cost_facts {
@@ -30,9 +31,10 @@ struct cost {
 typedef void (*cost_progress)(int64_t done, int64_t all, double seconds);
 
 /** Runs the plan on all ranks of comm. All but seconds and their spread is the same for any number of ranks. Collective.
- *  Returns 0, or -1 on all ranks with one line in *message on rank 0. progress may be NULL. */
-int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, struct cost *cost,
-             struct message *message);
+ *  Ladders (struct cost_ladder) that the store holds are not computed again; the others come into it; times are taken anew.
+ *  Returns 0, or -1 on all ranks with one line in *message on rank 0. store and progress may be NULL. */
+int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, const struct store *store,
+             struct cost *cost, struct message *message);
 void cost_destroy(struct cost *cost);
 
 #endif

@@ -115,9 +115,10 @@ struct work {
     struct study *study;
     struct reference *reference;
     study_progress progress;
+    const struct store *store;
+    struct message *message;
     double start;
     int64_t steps_all, steps_done;
-    int64_t failed_run;
 };
 
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
@@ -135,14 +136,31 @@ static void show(struct work *w, int64_t extra)
 static int task_done(void *self, int64_t task, int rank, const void *result)
 {
     struct work *w = self;
-    memcpy(&w->study->outcomes[task], result, sizeof w->study->outcomes[task]);
+    const struct outcome *outcome = memcpy(&w->study->outcomes[task], result, sizeof *outcome);
     w->study->ranks[task] = rank;
     w->steps_done += w->study->trials[task].steps;
     show(w, 0);
-    if (!w->study->outcomes[task].failed)
-        return 0;
-    w->failed_run = task;
-    return 1;
+    if (outcome->failed) {
+        w->study->refused = 1;
+        *w->message = outcome->message;
+        return 1;
+    }
+    return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
+}
+
+/** Takes what the store has and leaves the other tasks in order. Returns how many. */
+static int64_t recall(struct work *w, int64_t *order)
+{
+    int64_t left = 0;
+    for (int64_t k = 0; k < w->study->runs; ++k) {
+        const int64_t task = order[k];
+        if (w->store != NULL &&
+            w->store->recall(w->store->self, task, &w->study->ranks[task], &w->study->outcomes[task]))
+            w->steps_done += w->study->trials[task].steps;
+        else
+            order[left++] = task;
+    }
+    return left;
 }
 
 static void task_progress(void *self, int64_t task, int64_t steps)
@@ -207,14 +225,12 @@ static int allocate(struct study *study, int rank)
 
 /** The queue over all runs, once the reference is there. */
 static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, study_progress progress,
-                   struct message *message)
+                   const struct store *store, struct message *message)
 {
-    int rank;
-    struct work work = {study, reference, progress, MPI_Wtime(), 0, 0, -1};
+    struct work work = {study, reference, progress, store, message, MPI_Wtime(), 0, 0};
     int64_t *order = calloc((size_t)study->runs, sizeof *order);
     const int without = order == NULL;
     int failed = without;
-    MPI_Comm_rank(comm, &rank);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
     if (failed || without) {
         free(order);
@@ -223,19 +239,19 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
     longest_first(study, order);
     for (int64_t r = 0; r < study->runs; ++r)
         work.steps_all += study->trials[r].steps;
-    const struct queue queue = {&work, study->runs, order, sizeof(struct outcome), run_task, task_done, task_progress};
+    message->text[0] = '\0';
+    const int64_t left = recall(&work, order);
+    const struct queue queue = {&work, left, order, sizeof(struct outcome), run_task, task_done, task_progress};
     failed = queue_run(&queue, comm);
     free(order);
     study->seconds = MPI_Wtime() - work.start;
-    if (failed && rank == 0 && work.failed_run >= 0)
-        *message = study->outcomes[work.failed_run].message;
-    else if (failed)
+    if (failed && message->text[0] == '\0')
         message_set(message, "out of memory; use fewer runs");
     return failed;
 }
 
-int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, struct study *study,
-              struct message *message)
+int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, const struct store *store,
+              struct study *study, struct message *message)
 {
     int rank;
     struct reference reference;
@@ -260,7 +276,7 @@ int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, s
         study->reference_energy_error = reference.energy_error;
         study->reference_uncertainty = reference.uncertainty;
     }
-    failed = run_all(study, &reference, comm, progress, message);
+    failed = run_all(study, &reference, comm, progress, store, message);
     reference_destroy(&reference);
     if (failed == 0 && rank == 0)
         fit_orders(study);

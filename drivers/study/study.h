@@ -5,6 +5,7 @@
 
 #include "fit.h"
 #include "ladder.h"
+#include "store.h"
 #include "trial.h"
 
 enum { STUDY_STEPPERS = 16, STUDY_MEASURES = 4 };
@@ -37,6 +38,7 @@ struct study {
     double interval; /* at which runs are compared with the reference; 0 is every step */
     double reference_energy_error, reference_uncertainty; /* the second relative, of the solution */
     double seconds;                                       /* for all runs, reference excluded */
+    int refused; /* a run has failed, and would again: nothing of this study is worth keeping */
 };
 
 /** Shows progress on rank 0: steps done of all steps, both weighted by steps, and the seconds since the start. */
@@ -46,9 +48,9 @@ typedef void (*study_progress)(int64_t done, int64_t all, double seconds);
 int study_read_steppers(const char *list, struct plan *plan, struct message *message);
 
 /** Runs the plan on all ranks of comm. Collective. Returns 0, or -1 on all ranks with one line in *message on rank 0.
- *  progress may be NULL. */
-int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, struct study *study,
-              struct message *message);
+ *  Outcomes that the store holds are not computed again; the others come into it. store and progress may be NULL. */
+int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, const struct store *store,
+              struct study *study, struct message *message);
 void study_destroy(struct study *study);
 
 #endif

@@ -72,7 +72,7 @@ def same_bytes(base):
 def orders(base):
     """Errors at h and h/2, fine enough for the order to show to a tenth."""
     steps = {"vti2": (256, 2), "vti1": (256, 2), "exact": (256, 2), "mercury": (256, 2), "vti3": (2048, 1), "rk4": (256, 4),
-             "srkn6": (64, 4), "chin4": (128, 4), "srkn11": (32, 6), "kl8": (64, 8), "rk8pd": (64, 8)}
+             "srkn6": (64, 4), "chin4": (128, 4), "srkn11": (32, 6), "kl8": (32, 8), "rk8pd": (64, 8)}
     folder = f"{base}/orders"
     fractions = sorted({n * k for n, _ in steps.values() for k in (1, 2)})
     result = cost(2, PENDULUM, "--t-end", "8", "--h", ",".join(f"8/{n}" for n in fractions), "--steppers", ",".join(steps),

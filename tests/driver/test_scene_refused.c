@@ -11,7 +11,7 @@
 #define BODY_KEYS "ring, chain, lattice, table, mass, inertia, diameter, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
 #define NOTHING "t.yaml:1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"
-#define STEPPERS "vti1, vti2, vti3, vti3-leapfrog"
+#define STEPPERS "vti1, vti2, vti3, vti3-leapfrog, exact, suzuki4, kl6, kl8, srkn6, srkn11, srkn14, chin4"
 #define BRACKETS "; look at the brackets, quotes and indentation here and just above"
 
 static const struct {

@@ -177,7 +177,7 @@ static void distances(void **state)
         q2[4 * i] = keep;
     }
     b.alpha = vti_view_none();
-    r.quat.xyzw[0] = NULL;
+    r.quat.xyzw[0] = r.quat.xyzw[1] = r.quat.xyzw[2] = r.quat.xyzw[3] = NULL;
     assert_close(vti_attitude_distance(&b, &r), 0, 0);
     assert_close(vti_h1_distance(&b, &r), 42, 0);
 }

@@ -12,7 +12,7 @@ ran=0
 
 # check SUFFIX COMPILER STANDARD
 check() {
-    for header in "$include"/*.h; do
+    for header in "$include"/*.h "$include"/../drivers/check/vti_check.h; do
         printf '#include "%s"\n#include "%s"\n' "$header" "$header" >"$work/alone.$1"
         # shellcheck disable=SC2086  # the warnings are separate words
         "$2" "-std=$3" $warnings -fsyntax-only "$work/alone.$1" || {

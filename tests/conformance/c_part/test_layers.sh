@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Includes point down only:
 #     L0  include/, src/             C99, math.h, string.h and the library's own
+#     L1  drivers/check              L0 and libc: the conformance kit, for hosts
 #     L2  drivers/scene, then sim    L0 and libc; no GSL, HDF5 or MPI
 #     L3  drivers/rivals             what is below, and GSL
-#         drivers/study, drivers/io  what is below, and each other
+#         drivers/study, drivers/io  what is below, the kit, and each other
 #     L4  drivers/*.c                L3 and below; of the libraries MPI at most, which main has to initialise
 # The core neither allocates nor prints nor ends the program.
 #     test_layers.sh SOURCE_DIRECTORY
@@ -73,12 +74,13 @@ $bad"
 
 # L2 to L4
 heavy='gsl/|hdf5|H5|mpi'
-without "$(system_headers drivers/scene/*.[ch] drivers/sim/*.[ch])" "$heavy"
+without "$(system_headers drivers/check/*.[ch] drivers/scene/*.[ch] drivers/sim/*.[ch])" "$heavy"
+from "$(own_headers drivers/check/*.[ch])" include drivers/check
 from "$(own_headers drivers/scene/*.[ch])" include drivers/scene
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/sim
 from "$(own_headers drivers/rivals/*.[ch])" include drivers/scene drivers/sim drivers/rivals
 for layer in study io; do
-    from "$(own_headers drivers/$layer/*.[ch])" include drivers/scene drivers/sim drivers/rivals drivers/study drivers/io
+    from "$(own_headers drivers/$layer/*.[ch])" include drivers/check drivers/scene drivers/sim drivers/rivals drivers/study drivers/io
 done
 without "$(system_headers drivers/*.c)" 'gsl/|hdf5|H5'
 from "$(own_headers drivers/*.c)" include drivers/scene drivers/sim drivers/study drivers/io

@@ -21,4 +21,8 @@ forbidden=$(nm -D --undefined-only "$library" | awk '{print $NF}' | sed 's/@.*//
     grep -E '^(malloc|calloc|realloc|free|.*printf.*|puts|putchar|fputs|fwrite|fopen|exit|_exit|abort|__assert_fail|getenv)$' ||
     true)
 [ -z "$forbidden" ] || { echo "the library calls: $forbidden" >&2; exit 1; }
+# Of libm nothing but what is exact whatever the machine; atan2 is not, and serves measures of angles only.
+inexact=$(nm -D --undefined-only "$library" | awk '{print $NF}' | sed 's/@.*//' |
+    grep -E '^(a?(sin|cos|tan)h?|atan2|sincos|exp.*|log.*|pow|cbrt|hypot|fma|[elt]gamma|erfc?)[fl]?$' | grep -vx atan2 || true)
+[ -z "$inexact" ] || { echo "the library calls, whose bits depend on libm: $inexact" >&2; exit 1; }
 printf '%s\n' "$exported" | wc -l | sed 's/$/ symbols, as declared/'

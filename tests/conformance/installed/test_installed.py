@@ -35,11 +35,12 @@ def expected():
     lib = package.lib + "/"
     files = ["include/" + header.name for header in (project / "include").glob("*.h")]
     files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + major, "pkgconfig/vti.pc",
-                                      "cmake/vti/vti-config.cmake", "cmake/vti/vti-config-version.cmake")]
+                                      "cmake/vti/vti-config.cmake", "cmake/vti/vti-config-version.cmake",
+                                      "libvti_check.a", "pkgconfig/vti-check.pc")] + ["include/vti_check.h"]
     if package.fortran:
         sources = [path.name for path in (project / "fortran").glob("*.f90")]
         gfortran = "gfortran-" + run("gfortran", "-dumpversion").strip().split(".", maxsplit=1)[0]
-        files += ["share/vti/fortran/" + name for name in sources]
+        files += ["share/vti/fortran/" + name for name in sources + ["vti_rrv.c"]]
         files += [f"include/vti/{gfortran}/{name[:-4]}.mod" for name in sources if "f77" not in name]
         files += [lib + "libvti_fortran.a", lib + "pkgconfig/vti-fortran.pc"]
     return sorted(files)
@@ -90,17 +91,18 @@ def by_pkg_config():
 def from_sources():
     """For a compiler that cannot read the module files that are there."""
     sources = package.prefix / "share" / "vti" / "fortran"
-    order = ["types", "c", "c_effects", "sums", "views", "steps", "effects", "packed"]
+    order = ["types", "rrv", "c", "c_effects", "sums", "views", "steps", "effects", "packed"]
     files = [sources / f"vti_{name}.f90" for name in order] + [sources / "vti.f90"]
     own = use / "own"
     own.mkdir()
-    run("gfortran", f"-J{own}", *files, "pendulum.f90", "-o", "from_sources", *package.pkg_config("--libs", "vti"), folder=use)
+    run("cc", "-c", sources / "vti_rrv.c", "-o", own / "calls.o", *package.pkg_config("--cflags", "vti"), folder=use)
+    run("gfortran", f"-J{own}", *files, own / "calls.o", "pendulum.f90", "-o", "from_sources", *package.pkg_config("--libs", "vti"), folder=use)
     ran(use / "from_sources", "Fortran, module from its sources")
 
 
-def ends(program):
+def ends(program, path=None):
     """Where a host of the chain ends, as numbers."""
-    text = run(program, "chain/bodies.csv", folder=use / "examples", **package.library_path()) or ""
+    text = run(program, "chain/bodies.csv", folder=use / "examples", **(package.library_path() if path is None else path)) or ""
     return [float(word) for line in text.splitlines() if not line.startswith("energy") for word in line.split()]
 
 
@@ -112,12 +114,26 @@ def by_the_page():
             continue
         run("sh", "-c", line, folder=examples, PKG_CONFIG_LIBDIR=str(package.prefix / package.lib / "pkgconfig"))
         name = line.split()[-1]
-        check(len(ends(examples / name)) == 120 and ends(examples / name) == ends(examples / "host_structs"), f"linking.md: {line}")
+        end = ends(examples / name, {})
+        loaded = run("ldd", examples / name) or ""
+        check(str(package.prefix) in loaded, f"linking.md: {name} finds this copy by itself")
+        check(len(end) == 120 and end == ends(examples / "host_structs"), f"linking.md: {line}")
     if have("cmake"):
         (examples / "CMakeLists.txt").write_text(block(project, "cmake"), encoding="utf-8")
         run("cmake", "-S", examples, "-B", use / "page", f"-DCMAKE_PREFIX_PATH={package.prefix}")
         run("cmake", "--build", use / "page")
         check(ends(use / "page" / "host") == ends(examples / "host_structs"), "linking.md: CMake")
+
+
+def by_check_kit():
+    """A host's own step behind the conformance kit."""
+    hosts = [("cc", "check_host.c", ["vti-check"])]
+    if package.fortran:
+        hosts.append(("gfortran", "check_host.f90", ["vti-fortran", "vti-check"]))
+    for compiler, source, packages in hosts:
+        run(compiler, "examples/" + source, "-o", source + ".out", *package.pkg_config("--cflags", "--libs", *packages), folder=use)
+        said = run(use / (source + ".out"), **package.library_path()) or ""
+        check("no fault found" in said, f"{source} is checked by the installed kit")
 
 
 def by_cmake(prefix, what, path):
@@ -142,6 +158,7 @@ destdir()
 check(package.install(), "installed")
 by_pkg_config()
 by_the_page()
+by_check_kit()
 if package.fortran:
     from_sources()
 if have("cmake", "c++"):

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "check.h"
+
+#include <string.h>
+
+/** What the order says that no other check has. */
+static void say_order(struct kit *kit)
+{
+    if (kit->report->faults > 0 || kit->order >= 1.8)
+        return;
+    if (kit->order > 0.6)
+        kit_fault(kit, "order %.1f, for a reason that is not recognised", kit->order);
+    else
+        kit_fault(kit, "does not converge, for a reason that is not recognised");
+}
+
+/** Is there a failed line that no sentence explains? */
+static void say_rest(struct kit *kit)
+{
+    const vti_check_report *r = kit->report;
+    for (int k = 0; k < r->lines && r->faults == 0; ++k)
+        if (r->line[k].verdict == VTI_CHECK_FAIL)
+            kit_fault(kit, "fails: %s", r->line[k].name);
+}
+
+int vti_check_run(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)
+{
+    struct kit kit;
+    memset(&kit, 0, sizeof kit);
+    memset(report, 0, sizeof *report);
+    snprintf(report->name, sizeof report->name, "%s", name != NULL ? name : "");
+    kit.host.advance = advance;
+    kit.host.self = self;
+    kit.report = report;
+    check_spin(&kit);
+    check_response(&kit);
+    check_frame(&kit);
+    check_pendulum(&kit);
+    check_torsion(&kit);
+    check_rigid(&kit);
+    check_order(&kit);
+    check_momentum(&kit);
+    check_reversal(&kit);
+    check_two_form(&kit);
+    check_energy(&kit);
+    say_order(&kit);
+    say_rest(&kit);
+    return report->faults;
+}
+
+int vti_check(const char *name, vti_check_advance *advance, void *self)
+{
+    vti_check_report report;
+    const int faults = vti_check_run(name, advance, self, &report);
+    vti_check_print(&report, stdout);
+    fflush(stdout); /* the host may print by other means, as Fortran does */
+    return faults;
+}

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "study_go.h"
+
+#include <stdio.h>
+
+#include "cost_files.h"
+#include "cost_table.h"
+#include "progress.h"
+#include "study_csv.h"
+#include "study_files.h"
+#include "study_identity.h"
+
+/* ---- all ranks --------------------------------------------------------------------------------------------------- */
+
+int study_agree(int failed, int rank, const struct message *message)
+{
+    int ranks;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    /* whether all is well, and the lowest rank that knows why it is not, which is the one that speaks */
+    int mine[2] = {failed == 0, failed != 0 && message->text[0] != '\0' ? rank : ranks}, all[2] = {0, 0};
+    MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (all[0] == 1)
+        return 0;
+    if (all[1] == rank || (all[1] == ranks && rank == 0)) {
+        progress_clear();
+        fprintf(stderr, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
+    }
+    return -1;
+}
+
+/* ---- the journal, which rank 0 has -------------------------------------------------------------------------------- */
+
+/** Collective. */
+static int open_journal(struct task_journal *journal, const struct study_place *place, const char *name,
+                        const struct task_identity *identity, int rank)
+{
+    struct message message = {""};
+    int failed = rank == 0 ? folder_create(place->folder, &message) : 0;
+    if (failed == 0 && rank == 0)
+        failed = task_journal_open(journal, place->folder, name, place->resume, identity, &message);
+    if (study_agree(failed, rank, &message) != 0)
+        return -1;
+    if (rank == 0 && place->resume && journal->kept > 0)
+        printf("goes on: %lld of %lld runs are there already\n", (long long)journal->kept, (long long)journal->tasks);
+    else if (rank == 0 && place->resume)
+        printf("no runs are there yet: starts\n");
+    fflush(stdout);
+    return 0;
+}
+
+static void close_journal(struct task_journal *journal, int done, int rank)
+{
+    if (rank == 0 && done)
+        task_journal_remove(journal);
+    else if (rank == 0)
+        task_journal_close(journal);
+}
+
+/* ---- convergence -------------------------------------------------------------------------------------------------- */
+
+static void say(const struct study *study, const char *folder)
+{
+    const struct plan *plan = study->plan;
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        if (study->trials[k].t_end != plan->t_end)
+            printf(
+                "note: t_end = %.10g is not a multiple of h = %.10g: those runs take %lld steps and end at t = %.10g\n",
+                plan->t_end, plan->h[k], (long long)study->trials[k].steps, study->trials[k].t_end);
+    study_table_write(study, stdout);
+    printf("\nreference: rk8pd, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
+           study->reference_energy_error, study->reference_uncertainty, study->norm_squared);
+    if (study->reference_uncertainty > 1e-3)
+        printf("the motion is chaotic: no method can follow it to the end, and errors of trajectories mean nothing "
+               "there\n");
+    printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,
+           study->seconds, folder);
+}
+
+int study_go(const struct plan *plan, const struct study_place *place, int rank)
+{
+    struct study study;
+    struct task_journal journal;
+    struct message message = {""};
+    const struct task_identity identity = study_identity(plan);
+    if (open_journal(&journal, place, "study.journal", &identity, rank) != 0)
+        return -1;
+    const struct store store = task_journal_store(&journal);
+    int failed = study_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &study, &message);
+    progress_clear();
+    if (failed == 0 && rank == 0) {
+        failed = study_files_write(&study, place->folder, &message);
+        if (failed == 0)
+            say(&study, place->folder);
+    }
+    close_journal(&journal, failed == 0 || study.refused, rank);
+    study_destroy(&study);
+    return study_agree(failed, rank, &message);
+}
+
+/* ---- cost --------------------------------------------------------------------------------------------------------- */
+
+int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
+{
+    static struct cost cost;
+    struct task_journal journal;
+    struct message message = {""};
+    const struct task_identity identity = cost_identity(plan);
+    if (open_journal(&journal, place, "cost.journal", &identity, rank) != 0)
+        return -1;
+    const struct store store = task_journal_store(&journal);
+    int failed = cost_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &cost, &message);
+    progress_clear();
+    if (failed == 0 && rank == 0) {
+        failed = cost_files_write(&cost, place->folder, &message);
+        if (failed == 0) {
+            cost_table_write(&cost, stdout);
+            printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n",
+                   (long long)cost.runs, cost.seconds, place->folder);
+        }
+    }
+    close_journal(&journal, failed == 0, rank);
+    cost_destroy(&cost);
+    return study_agree(failed, rank, &message);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A study from its plan to its files, on all ranks. */
+#ifndef VTI_STUDY_GO_H
+#define VTI_STUDY_GO_H
+
+#include "cost.h"
+#include "study.h"
+
+/** Where it goes and whether one that was interrupted there goes on. */
+struct study_place {
+    const char *folder;
+    int resume;
+};
+
+/** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
+int study_agree(int failed, int rank, const struct message *message);
+
+/** Runs the plan, writes its files and says on the terminal what came out. Collective. Returns 0, or -1 on all ranks when
+ *  one line has been said about it. */
+int study_go(const struct plan *plan, const struct study_place *place, int rank);
+int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank);
+
+#endif

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A model without a scene: the kit's bodies, and one effect that asks the kit for its forces. */
+#include "method_check.h"
+
+#include <string.h>
+
+/** What the effect needs, and the model's memory. Rivals want packed arrays of the model's own. */
+struct guest {
+    struct model model;
+    struct scene scene;
+    vti_check_forces *forces;
+    void *kit;
+    double x[3 * VTI_CHECK_BODIES], v[3 * VTI_CHECK_BODIES], force[3 * VTI_CHECK_BODIES];
+    double alpha[3 * VTI_CHECK_BODIES], omega[3 * VTI_CHECK_BODIES], moment[3 * VTI_CHECK_BODIES];
+};
+
+/** The attitude of body i, as alpha or quaternion, whichever the method holds. */
+static void attitude(const vti_bodies *b, int64_t i, double quat[4])
+{
+    double alpha[3];
+    if (b->quat.xyzw[0] != NULL) {
+        for (int k = 0; k < 4; ++k)
+            quat[k] = b->quat.xyzw[k][i * b->quat.stride];
+        return;
+    }
+    for (int k = 0; k < 3; ++k)
+        alpha[k] = b->alpha.c[k][i * b->alpha.stride];
+    vti_rrv_to_quat_xyzw(alpha, quat);
+}
+
+static void ask(const void *self, const vti_bodies *b)
+{
+    const struct guest *guest = self;
+    double x[3 * VTI_CHECK_BODIES], quat[4 * VTI_CHECK_BODIES], force[3 * VTI_CHECK_BODIES],
+        moment[3 * VTI_CHECK_BODIES];
+    for (int64_t i = 0; i < b->count; ++i) {
+        for (int k = 0; k < 3; ++k)
+            x[3 * i + k] = b->x.c[k][i * b->x.stride];
+        attitude(b, i, quat + 4 * i);
+    }
+    guest->forces(guest->kit, b->count, x, quat, force, moment);
+    for (int64_t i = 0; i < b->count; ++i)
+        for (int k = 0; k < 3; ++k) {
+            b->force.c[k][i * b->force.stride] += force[3 * i + k];
+            b->moment.c[k][i * b->moment.stride] += moment[3 * i + k];
+        }
+}
+
+static void invite(struct guest *g, int64_t n, const double *x, const double *v, const double *quat,
+                   const double *omega, const double *mass, const double *inertia)
+{
+    const size_t size = (size_t)(3 * n) * sizeof *x;
+    memcpy(g->x, x, size);
+    memcpy(g->v, v, size);
+    memcpy(g->omega, omega, size);
+    for (int64_t i = 0; i < n; ++i)
+        vti_rrv_from_quat_xyzw(quat + 4 * i, g->alpha + 3 * i);
+    strcpy(g->scene.name, "vti-check");
+    struct model *m = &g->model;
+    m->scene = &g->scene;
+    m->translates = m->turns = 1;
+    m->bodies = vti_bodies_none(n);
+    m->bodies.x = vti_view_packed(g->x);
+    m->bodies.v = vti_view_packed(g->v);
+    m->bodies.force = vti_view_packed(g->force);
+    m->bodies.alpha = vti_view_packed(g->alpha);
+    m->bodies.omega = vti_view_packed(g->omega);
+    m->bodies.moment = vti_view_packed(g->moment);
+    m->bodies.mass = vti_scalars_array(mass);
+    m->bodies.inertia = vti_scalars_array(inertia);
+    m->effects[0].name = "vti-check";
+    m->effects[0].apply = ask;
+    m->effects[0].self = g;
+    m->effects_count = 1;
+}
+
+static void read_back(const vti_bodies *b, double *x, double *v, double *quat, double *omega)
+{
+    for (int64_t i = 0; i < b->count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            x[3 * i + k] = b->x.c[k][i * b->x.stride];
+            v[3 * i + k] = b->v.c[k][i * b->v.stride];
+            omega[3 * i + k] = b->omega.c[k][i * b->omega.stride];
+        }
+        attitude(b, i, quat + 4 * i);
+    }
+}
+
+int method_check_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
+                         double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
+{
+    struct guest guest;
+    struct travel travel;
+    struct message message;
+    memset(&guest, 0, sizeof guest);
+    if (n < 1 || n > VTI_CHECK_BODIES)
+        return -1;
+    guest.forces = forces;
+    guest.kit = kit;
+    invite(&guest, n, x, v, quat, omega, mass, inertia);
+    if (travel_create(&travel, self, &guest.model, h, &message) != 0)
+        return -1;
+    const int result = travel_go(&travel, steps, &message);
+    if (result == 0) {
+        const vti_bodies b = travel_bodies(&travel);
+        read_back(&b, x, v, quat, omega);
+    }
+    travel_destroy(&travel);
+    return result;
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-2.0-only */
+#include "fix_nve_vti.h"
+
+#include <lammps/atom.h>
+#include <lammps/error.h>
+#include <lammps/force.h>
+#include <lammps/update.h>
+
+using namespace LAMMPS_NS;
+
+FixNVEVTI::FixNVEVTI(LAMMPS *host, int narg, char **arg)
+    : Fix(host, narg, arg), method(vti_stepper_find(narg > 3 ? arg[3] : "vti2"))
+{
+    time_integrate = 1;
+    if (narg > 4)
+        error->all(FLERR, "Fix nve/vti takes the name of a stepper and nothing else");
+    // LAMMPS evaluates forces once a step, and its moments and spins are in space.
+    if (!method || method->stages != 1 || method->lag != 0.0 || method->frame != VTI_FRAME_SPACE)
+        error->all(FLERR, "Fix nve/vti has the steppers vti1, vti2, vti3 and exact, not {}", arg[narg - 1]);
+    if (!atom->quat || !atom->omega || !atom->torque || !atom->radius || !atom->rmass)
+        error->all(FLERR, "Fix nve/vti needs spheres that have an orientation: atom_style bpm/sphere");
+}
+
+int FixNVEVTI::setmask()
+{
+    return FixConst::INITIAL_INTEGRATE | FixConst::POST_NEIGHBOR | FixConst::FINAL_INTEGRATE;
+}
+
+void FixNVEVTI::init()
+{
+    if (utils::strmatch(update->integrate_style, "^respa"))
+        error->all(FLERR, "Fix nve/vti has one time step for all forces: run_style verlet");
+    if (force->ftm2v != 1.0)
+        error->all(FLERR, "Fix nve/vti needs units in which force is mass times acceleration, such as lj and si");
+}
+
+/* Atoms change places only where neighbour lists are built, so that this is the only place to look at them one by one. */
+void FixNVEVTI::post_neighbor()
+{
+    const int n = atom->nlocal;
+    inertia.resize(n);
+    runs.clear();
+    for (int i = 0; i < n; ++i) {
+        inertia[i] = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+        if (!(atom->mask[i] & groupbit))
+            continue;
+        if (runs.empty() || runs.back().first + runs.back().count < i)
+            runs.push_back({i, 0});
+        ++runs.back().count;
+    }
+    const vti_bodies all = views();
+    for (const Run &run : runs) {
+        vti_fault fault = {-1, 0.0};
+        const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
+        stop(vti_bodies_check_values(&bodies, &fault), fault);
+    }
+}
+
+void FixNVEVTI::setup_post_neighbor()
+{
+    post_neighbor();
+}
+
+/* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y, z). */
+vti_bodies FixNVEVTI::views() const
+{
+    vti_bodies bodies = vti_bodies_none(atom->nlocal);
+    double *q = atom->quat[0];
+    bodies.x = vti_view_packed(atom->x[0]);
+    bodies.v = vti_view_packed(atom->v[0]);
+    bodies.force = vti_view_packed(atom->f[0]);
+    bodies.quat = {{q + 1, q + 2, q + 3, q}, 4};
+    bodies.omega = vti_view_packed(atom->omega[0]);
+    bodies.moment = vti_view_packed(atom->torque[0]);
+    bodies.mass = vti_scalars_array(atom->rmass);
+    bodies.inertia = vti_scalars_array(inertia.data());
+    return bodies;
+}
+
+void FixNVEVTI::initial_integrate(int)
+{
+    const vti_bodies all = views();
+    for (const Run &run : runs) {
+        vti_fault fault = {-1, 0.0};
+        const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
+        stop(vti_step_begin(method, update->dt, &bodies, &fault), fault);
+    }
+}
+
+void FixNVEVTI::final_integrate()
+{
+    const vti_bodies all = views();
+    for (const Run &run : runs) {
+        const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
+        stop(vti_step_finish(method, update->dt, &bodies), {-1, 0.0});
+    }
+}
+
+void FixNVEVTI::stop(int status, const vti_fault &fault) const
+{
+    if (status == VTI_OK)
+        return;
+    const long long tag = fault.body >= 0 ? atom->tag[fault.body] : 0;
+    error->one(FLERR, "Fix nve/vti, atom {}, value {}: {}", tag, fault.value, vti_status_text(status));
+}

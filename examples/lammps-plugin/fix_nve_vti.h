@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-2.0-only
+ * Part of a plugin for LAMMPS, and under the licence of LAMMPS; the library that it calls is not. See LICENSE.
+ *
+ * fix ID group-ID nve/vti [vti1 | vti2 | vti3 | exact]
+ *     moves spheres that have an orientation (atom_style bpm/sphere) in the place of fix nve/bpm/sphere; vti2 unless said. */
+#ifndef FIX_NVE_VTI_H
+#define FIX_NVE_VTI_H
+
+#include <vector>
+
+#include <lammps/fix.h>
+
+#include "vti.h"
+
+namespace LAMMPS_NS
+{
+
+class FixNVEVTI : public Fix
+{
+  public:
+    FixNVEVTI(LAMMPS *host, int narg, char **arg);
+    int setmask() override;
+    void init() override;
+    void setup_post_neighbor() override;
+    void post_neighbor() override;
+    void initial_integrate(int) override;
+    void final_integrate() override;
+
+  private:
+    /// Atoms next to each other that are all of this fix's group.
+    struct Run {
+        std::int64_t first, count;
+    };
+
+    vti_bodies views() const;
+    void stop(int status, const vti_fault &fault) const;
+
+    const vti_stepper *method;
+    std::vector<double> inertia;
+    std::vector<Run> runs;
+};
+
+} // namespace LAMMPS_NS
+
+#endif

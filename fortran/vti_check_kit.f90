@@ -1,0 +1,105 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!
+!> vti_check_kit -- the conformance kit (vti_check.h) for a time step that is a Fortran procedure. Link with -lvti_check too.
+!>
+!>     faults = vti_check('my code', advance)       the report goes to stdout; the number of faults
+!>
+!> advance is a procedure of the interface vti_check_advance. Arrays are x(3,n), quat(4,n) in the order x, y, z, w; it
+!> gets forces and moments by call vti_check_forces(kit, x, quat, force, moment). Frames are those of vti_check.h.
+module vti_check_kit
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, &
+        c_int64_t, c_loc, c_null_char, c_ptr
+    implicit none
+    private
+    public :: vti_check, vti_check_advance, vti_check_forces, vti_kit
+
+    !> Where forces come from.
+    type :: vti_kit
+        private
+        type(c_funptr) :: forces
+        type(c_ptr) :: kit
+    end type
+
+    abstract interface
+        !> Takes n bodies so many steps of h further, with all that the host does before its first step. Returns 0, or anything
+        !> else if the host refuses.
+        function vti_check_advance(h, steps, n, x, v, quat, omega, mass, inertia, kit) result(status)
+            import :: c_double, c_int, c_int64_t, vti_kit
+            real(c_double), intent(in) :: h
+            integer(c_int64_t), intent(in) :: steps, n
+            real(c_double), intent(inout) :: x(3, n), v(3, n), quat(4, n), omega(3, n)
+            real(c_double), intent(in) :: mass(n), inertia(n)
+            type(vti_kit), intent(in) :: kit
+            integer(c_int) :: status
+        end function
+
+        subroutine c_forces(kit, n, x, quat, force, moment) bind(c)
+            import :: c_double, c_int64_t, c_ptr
+            type(c_ptr), value :: kit
+            integer(c_int64_t), value :: n
+            real(c_double), intent(in) :: x(3, n), quat(4, n)
+            real(c_double), intent(out) :: force(3, n), moment(3, n)
+        end subroutine
+    end interface
+
+    interface
+        function c_check(name, advance, self) result(faults) bind(c, name='vti_check')
+            import :: c_char, c_funptr, c_int, c_ptr
+            character(kind=c_char), intent(in) :: name(*)
+            type(c_funptr), value :: advance
+            type(c_ptr), value :: self
+            integer(c_int) :: faults
+        end function
+    end interface
+
+    !> What goes through C as self.
+    type :: host
+        procedure(vti_check_advance), pointer, nopass :: advance
+    end type
+
+contains
+
+    !> Runs all checks and prints what they find. Returns the number of faults.
+    function vti_check(name, advance) result(faults)
+        character(len=*), intent(in) :: name
+        procedure(vti_check_advance) :: advance
+        integer(c_int) :: faults
+        type(host), target :: own
+        own%advance => advance
+        faults = c_check(letters(name), c_funloc(advance_for_c), c_loc(own))
+    end function
+
+    !> Forces and moments at the positions x(3,n) and attitudes quat(4,n), any norm but 0: written, not added.
+    subroutine vti_check_forces(kit, x, quat, force, moment)
+        type(vti_kit), intent(in) :: kit
+        real(c_double), intent(in) :: x(:, :), quat(:, :)
+        real(c_double), intent(out) :: force(:, :), moment(:, :)
+        procedure(c_forces), pointer :: forces
+        call c_f_procpointer(kit%forces, forces)
+        call forces(kit%kit, size(x, 2, c_int64_t), x, quat, force, moment)
+    end subroutine
+
+    !> The callback of C, which hands over to that of Fortran.
+    function advance_for_c(self, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit) result(status) bind(c)
+        type(c_ptr), value :: self, kit
+        real(c_double), value :: h
+        integer(c_int64_t), value :: steps, n
+        real(c_double), intent(inout) :: x(3, n), v(3, n), quat(4, n), omega(3, n)
+        real(c_double), intent(in) :: mass(n), inertia(n)
+        type(c_funptr), value :: forces
+        integer(c_int) :: status
+        type(host), pointer :: own
+        call c_f_pointer(self, own)
+        status = own%advance(h, steps, n, x, v, quat, omega, mass, inertia, vti_kit(forces, kit))
+    end function
+
+    pure function letters(text) result(c)
+        character(len=*), intent(in) :: text
+        character(kind=c_char) :: c(len(text) + 1)
+        integer :: i
+        do i = 1, len(text)
+            c(i) = text(i:i)
+        end do
+        c(len(text) + 1) = c_null_char
+    end function
+end module

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Velocity Verlet on quaternions, by bits of fault: what hosts get wrong. Without a bit it is right. */
+#ifndef VTI_TESTS_FAULTY_H
+#define VTI_TESTS_FAULTY_H
+
+#include "vti_check.h"
+
+enum fault {
+    OLD_VELOCITY = 1 << 0,     /* x += h v before the kick that should precede it */
+    OLD_SPIN = 1 << 1,         /* the same of rotation */
+    NO_FIRST_HALF = 1 << 2,    /* the first half kick is left out */
+    NOT_PRIMED = 1 << 3,       /* the first half kick is by forces that are still 0 */
+    WRONG_SIDE = 1 << 4,       /* q dq for dq q */
+    BODY_SPIN = 1 << 5,        /* the spin is kept in the body's frame, and kicked by the spatial moment */
+    BODY_MOMENT = 1 << 6,      /* the moment is turned into the body's frame, the spin is not */
+    ADDED_TURNS = 1 << 7,      /* rotation vectors are added up */
+    NOT_NORMALISED = 1 << 8,   /* q += h/2 (0, omega) q, and no more */
+    WRONG_SIGN = 1 << 9,       /* of the moment */
+    PREVIOUS_MOMENT = 1 << 10, /* the second half kick of spins is by the moment of the step before */
+    TWICE = 1 << 11,           /* every kick of velocities and spins */
+    LATE = 1 << 12,            /* kick h, drift h */
+    EARLY = 1 << 13,           /* drift h, kick h */
+    EULER = 1 << 14,           /* drift by old velocities, kick by old forces */
+    NO_INERTIA = 1 << 15,      /* the moment is not divided by J */
+    MASS_FOR_INERTIA = 1 << 16,
+    INVERSE_ATTITUDE = 1 << 17,  /* the quaternion is taken as space to body */
+    DOUBLE_TURN = 1 << 18,       /* dq by h omega for h omega/2 */
+    REFUSES_HALF_TURN = 1 << 19, /* a Rodrigues vector that overflows: not a number at pi */
+    NO_FORCE = 1 << 20,
+    WEAK_DAMPING = 1 << 21, /* spins lose 1e-4 of themselves at every step: nobody expects it, no sentence knows it */
+    PREVIOUS_FORCE = 1 << 22
+};
+
+/** A vti_check_advance; self points to an int of these bits. */
+int faulty_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
+                   const double *mass, const double *inertia, vti_check_forces *forces, void *kit);
+
+#endif

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What the kit says of the library's steppers and of the rivals: nothing, but of those that are known to be of first order. */
+#include "support.h"
+
+#include "method_check.h"
+#include "rival.h"
+
+struct known {
+    const char *name, *sentence[2];
+};
+
+static const char late_v[] = "order 1: velocities are half a kick late";
+static const char late_w[] = "order 1: spins are half a kick late";
+
+/* VTI-3 and its like; Campello's map, which dissipates (E17) */
+static const struct known of_order_1[] = {
+    {"vti3", {late_v, late_w}},
+    {"quat-euler", {late_v, late_w}},
+    {"campello",
+     {"positions are pushed with the velocity of the end of the step: energy decays",
+      "rotation is pushed with the spin of the end of the step: energy decays"}},
+};
+
+static const struct known *known_of(const char *name)
+{
+    for (size_t k = 0; k < sizeof of_order_1 / sizeof of_order_1[0]; ++k)
+        if (strcmp(of_order_1[k].name, name) == 0)
+            return &of_order_1[k];
+    return NULL;
+}
+
+static int wrongly_judged(const struct method *m)
+{
+    vti_check_report report;
+    const struct known *known = known_of(m->name);
+    const int faults = vti_check_run(m->name, method_check_advance, (void *)m, &report);
+    int good = faults == (known != NULL ? 2 : 0);
+    for (int k = 0; good && known != NULL && k < 2; ++k)
+        good = strcmp(report.word[k].text, known->sentence[k]) == 0;
+    for (int k = 0; k < report.lines && known == NULL; ++k)
+        good = good && report.line[k].verdict != VTI_CHECK_FAIL;
+    if (!good) {
+        print_error("%s is judged wrongly\n", m->name);
+        vti_check_print(&report, stderr);
+    }
+    return !good;
+}
+
+static void each_is_judged_rightly(void **state)
+{
+    (void)state;
+    int wrong = 0;
+    assert_true(method_count() > rival_count() && rival_count() > 0);
+    for (int64_t i = 0; i < method_count(); ++i)
+        wrong += wrongly_judged(method_at(i));
+    assert_int_equal(wrong, 0);
+}
+
+static const vti_check_line *line_of(const vti_check_report *report, const char *begin)
+{
+    for (int k = 0; k < report->lines; ++k)
+        if (strncmp(report->line[k].name, begin, strlen(begin)) == 0)
+            return &report->line[k];
+    fail_msg("there is no line '%s'", begin);
+    return NULL;
+}
+
+static void run(const char *name, vti_check_report *report)
+{
+    assert_non_null(method_find(name));
+    vti_check_run(name, method_check_advance, (void *)method_find(name), report);
+}
+
+static void laws_and_orders_are_recognised(void **state)
+{
+    static const char *const laws[][2] = {
+        {"vti1", "turns by asin s"}, {"vti2", "turns by 2 atan(s/2)"},    {"exact", "turns by s"},
+        {"lgvi", "turns by asin s"}, {"mercury", "turns by 2 atan(s/2)"}, {"spiral", "turns by s"}};
+    vti_check_report report;
+    (void)state;
+    for (size_t k = 0; k < sizeof laws / sizeof laws[0]; ++k) {
+        run(laws[k][0], &report);
+        assert_string_equal(line_of(&report, "free spin: turn at")->said, laws[k][1]);
+    }
+    run("rk4", &report);
+    assert_close(line_of(&report, "order of attitudes")->measured, 4.0, 0.1);
+    assert_int_equal(line_of(&report, "symplecticity")->verdict, VTI_CHECK_NOTE);
+    assert_int_equal(report.word[0].is_fault, 0);
+    run("vti2", &report);
+    /* Verlet is stable to 2; the ladder's steps are 2^(1/16) = 1.044 apart */
+    assert_close(line_of(&report, "torsion pair: amplitude")->measured, 2.0, 0.09);
+    assert_close(line_of(&report, "torsion pair: frequency")->measured, 0.04 / 24, 1e-4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_is_judged_rightly),
+                                       cmocka_unit_test(laws_and_orders_are_recognised)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

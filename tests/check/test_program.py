@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-check as users meet it: plugins, JSON, refusals, exit status; and the example hosts.
+test_program.py VTI_CHECK PLUGIN EXAMPLE..."""
+import json
+import subprocess
+import sys
+
+program, plugin, examples = sys.argv[1], sys.argv[2], sys.argv[3:]
+failures = 0
+OLD_SPIN = "rotation is pushed with the old spin: energy grows"
+
+
+def check(condition, what):
+    global failures
+    print(("ok      " if condition else "FAILED  ") + what)
+    failures += not condition
+
+
+def run(*arguments):
+    result = subprocess.run([program, *arguments], check=False, capture_output=True, text=True, timeout=120)
+    return result.returncode, result.stdout, result.stderr
+
+
+code, out, err = run("--plugin", plugin + ":right")
+check(code == 0 and "no fault found" in out and "FAIL" not in out and err == "", "a plugin without fault passes")
+code, out, err = run("--plugin", plugin + ":old_spin")
+check(code == 1 and OLD_SPIN in out, "a plugin with a fault is told so")
+
+code, out, err = run("--plugin", plugin + ":old_spin", "--json")
+report = json.loads(out)
+check(code == 1 and report["faults"] == [OLD_SPIN] and report["remarks"] == [], "JSON has the sentence")
+check({line["verdict"] for line in report["checks"]} <= {"pass", "note", "fail"} and len(report["checks"]) > 20
+      and any(line["verdict"] == "fail" for line in report["checks"]), "JSON has the checks")
+check(json.loads(run("--rival", "rk8pd", "--json")[1])["faults"] == [], "JSON has null for what is not finite")
+
+code, out, err = run("--list")
+check(code == 0 and "--stepper vti2" in " ".join(out.split()) and "--rival lgvi" in " ".join(out.split()), "--list names both kinds")
+check(run("--help")[0] == 0 and "Usage" in run("--help")[1], "--help helps")
+for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--rival", "vti2"), "no rival of that name"),
+                       (("--stepper",), "needs a value"), (("--nonsense",), "is not an option"), (("vti2",), "is not an option"),
+                       (("--json",), "needs the name"), (("--stepper", "vti1", "--rival", "lgvi"), "only one stepper"),
+                       (("--plugin", plugin), "is not FILE.so:SYMBOL"), (("--plugin", plugin + ":none"), "has no symbol none"),
+                       (("--plugin", "/nowhere.so:x"), "nowhere.so")):
+    code, out, err = run(*arguments)
+    check(code == 2 and why in err and err.count("\n") == 1 and out == "", f"refused: {' '.join(arguments)}: {err.strip()}")
+
+for example in examples:
+    result = subprocess.run([example], check=False, capture_output=True, text=True, timeout=120)
+    check(result.returncode == 0 and "no fault found" in result.stdout and "FAIL" not in result.stdout, example)
+sys.exit(1 if failures else 0)

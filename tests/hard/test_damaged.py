@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checkpoints of vti-run cut at every byte of their head and at random behind it, with flipped bits, and foreign: one line, and
+the file stays as it is.      test_damaged.py VTI_RUN SCENES"""
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+HEAD, MORE = 160, 60
+failures = []
+
+
+def check(condition, what):
+    print(("ok      " if condition else "FAILED  ") + what)
+    if not condition:
+        failures.append(what)
+
+
+def run(*arguments):
+    return subprocess.run([RUN, *arguments], capture_output=True, text=True, timeout=60, check=False)
+
+
+def damages(whole):
+    """Each a name and bytes."""
+    for length in [*range(HEAD), *(random.randrange(HEAD, len(whole)) for _ in range(MORE))]:
+        yield f"cut to {length}", whole[:length]
+    for _ in range(MORE):
+        at, bit = random.randrange(len(whole)), random.randrange(8)
+        yield f"bit {bit} of byte {at}", whole[:at] + bytes([whole[at] ^ 1 << bit]) + whole[at + 1:]
+    yield "longer", whole + b"\0"
+    yield "a text", b"x,y,z\n" * 1000
+    yield "random", random.randbytes(len(whole))
+
+
+def interrupted(folder):
+    """A run that got to its end and found no place for its files; its journal stays."""
+    os.makedirs(f"{folder}")
+    os.symlink("/dev/full", f"{folder}/out.csv.part")
+    arguments = [f"{SCENES}/pendulum.yaml", "--t-end", "1", "-o", f"{folder}/out.h5"]
+    result = run(*arguments)
+    check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and "--resume" in result.stderr,
+          f"no space for a file: {result.stderr.strip()}")
+    return arguments
+
+
+def checkpoints(base):
+    arguments = interrupted(f"{base}/run")
+    path = f"{base}/run/out.h5.run/checkpoint"
+    with open(path, "rb") as file:
+        whole = file.read()
+    good, count = 0, 0
+    for name, data in damages(whole):
+        os.unlink(path)
+        with open(path, "wb") as file:
+            file.write(data)
+        result = run(*arguments, "--resume")
+        lines = result.stderr.splitlines()
+        with open(path, "rb") as file:
+            kept = file.read() == data
+        fine = (result.returncode == 1 and len(lines) == 1 and lines[0].startswith("vti-run: ") and "damaged" in lines[0] and
+                "delete" in lines[0] and kept and not os.path.exists(f"{base}/run/out.h5"))
+        good, count = good + fine, count + 1
+        if not fine:
+            check(False, f"checkpoint, {name}: code {result.returncode} {result.stderr.strip()}")
+    check(good == count > HEAD, f"{good} of {count} damaged checkpoints are refused and stay as they are")
+    with open(path, "wb") as file:
+        file.write(whole)
+    result = run(*arguments, "--resume")
+    check(result.returncode == 0 and os.path.exists(f"{base}/run/out.h5"), "the whole one goes on")
+    shutil.rmtree(f"{base}/run")
+
+
+def busy(base):
+    """Two runs into one file: the second is told that there is another, not that it may delete what is there."""
+    arguments = [f"{SCENES}/torus.yaml", "--t-end", "1000", "-o", f"{base}/two.h5"]
+    with subprocess.Popen([RUN, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        while not os.path.exists(f"{base}/two.h5.run/frames"):
+            pass
+        for more in ([], ["--resume"]):
+            result = run(*arguments, *more)
+            check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and "another vti-run" in result.stderr and
+                  "delete" not in result.stderr, f"two at once {more}: {result.stderr.strip()}")
+        process.kill()
+        process.wait()
+    result = run(*arguments)
+    check(result.returncode == 1 and "--resume" in result.stderr, f"... and of one that is dead: {result.stderr.strip()}")
+
+
+random.seed(20240607)
+for topic in (checkpoints, busy):
+    with tempfile.TemporaryDirectory() as root:
+        topic(root)
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-study that is killed, stopped, out of space or memory, or misused: what it had done is kept, --resume ends with the same
+bytes, every refusal is one line, and nothing hangs.      test_study_resume.py VTI_STUDY MPIRUN SCENES [KILLS]"""
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+STUDY, MPIRUN, SCENES = map(os.path.abspath, sys.argv[1:4])
+LONG = len(sys.argv) > 4
+KILLS = int(sys.argv[4]) if LONG else 2
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
+PATIENCE = 120  # seconds; what takes longer hangs
+JOURNALS = ("study.journal", "cost.journal")
+failures = []
+
+
+def check(condition, what):
+    print(("ok      " if condition else "FAILED  ") + what)
+    if not condition:
+        failures.append(what)
+
+
+def scene(name):
+    return os.path.join(SCENES, name + ".yaml")
+
+
+def command(ranks, *arguments):
+    launch = [MPIRUN, "-n", str(ranks)] if ranks > 0 else []
+    return [*launch, STUDY, *([] if "--cost" in arguments else ["--no-plot"]), *arguments]
+
+
+def study(ranks, *arguments, **options):
+    """0 ranks: without mpirun."""
+    return subprocess.run(command(ranks, *arguments), env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE,
+                          check=False, **options)
+
+
+def contents(folder, timed=("timing.csv",)):
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        if name not in timed:
+            with open(f"{folder}/{name}", "rb") as file:
+                found[name] = file.read()
+    return found
+
+
+def one_line(result, *words):
+    ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
+    return result.returncode != 0 and len(ours) == 1 and all(word in ours[0] for word in words)
+
+
+def processes(folder):
+    """The ranks that write there: mpirun, whose command line is the same, is not one of them."""
+    found = []
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{name}/cmdline", "rb") as file:
+                words = file.read().split(b"\0")
+        except OSError:
+            continue
+        if words[0] == STUDY.encode() and folder.encode() in words:
+            found.append(int(name))
+    return found
+
+
+def killed(folder, seconds, ranks, *arguments):
+    """Starts a study and kills one of its ranks after so many seconds; False if it had ended by itself."""
+    with subprocess.Popen(command(ranks, *arguments, "-o", folder), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as process:
+        time.sleep(seconds)
+        there = processes(folder)
+        if there:
+            try:
+                os.kill(random.choice(there), signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        code = process.wait(timeout=PATIENCE)
+    end = time.monotonic() + 10
+    while processes(folder) and time.monotonic() < end:
+        time.sleep(0.01)
+    if processes(folder):
+        check(False, f"no rank outlives the one that is killed after {seconds:.2f} s")
+    return code != 0
+
+
+def kills(base, what, timed, *arguments):
+    """SIGKILL of any rank at random moments, some of a study that has been resumed; then it is resumed to its end."""
+    begin = time.monotonic()
+    result = study(2, *arguments, "-o", f"{base}/whole")
+    duration = time.monotonic() - begin
+    whole = contents(f"{base}/whole", timed)
+    check(result.returncode == 0 and whole, f"{what}: {', '.join(whole)} in {duration:.2f} s")
+    done, tries, same, gone_on = 0, 0, 0, 0
+    while done < KILLS and tries < 20 * KILLS:
+        tries += 1
+        folder = f"{base}/killed{tries}"
+        if not killed(folder, random.uniform(0.2, 1.0) * duration, random.choice((1, 2, 3)), *arguments, "--resume"):
+            continue
+        done += 1
+        while random.random() < 0.4:
+            killed(folder, random.uniform(0.2, 1.0) * duration, 2, *arguments, "--resume")
+        last = study(random.choice((1, 2, 3)), *arguments, "--resume", "-o", folder)
+        gone_on += "goes on: " in last.stdout
+        same += last.returncode == 0 and contents(folder, timed) == whole
+        shutil.rmtree(folder)
+    check(done == same == KILLS, f"{what}: killed {done} times, resumed {same} times to the same bytes and nothing else")
+    check(gone_on > 0 or not LONG, f"... {gone_on} times with runs that were there")
+
+
+LADDER = ("--h", "2^-4:2^-14", "--steppers", "vti1,vti2,vti3")
+
+
+def begun(folder, *arguments, number=signal.SIGKILL):
+    """A study on two ranks that is ended when it has kept something; a machine that is busy may need several. Returns its code."""
+    journal, code = f"{folder}/study.journal", 0
+    for _ in range(20):
+        shutil.rmtree(folder, ignore_errors=True)
+        with subprocess.Popen(command(2, *arguments, "-o", folder), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL) as process:
+            while process.poll() is None and not (os.path.exists(journal) and os.path.getsize(journal) > 1000):
+                time.sleep(0.001)
+            if number == signal.SIGKILL:
+                for rank in processes(folder):
+                    os.kill(rank, number)
+            else:
+                process.send_signal(number)
+            code = process.wait(timeout=PATIENCE)
+        if code != 0 and os.path.exists(journal) and os.path.getsize(journal) > 1000:
+            break
+    return code
+
+
+def refused_resumes(base):
+    folder, path = f"{base}/kept", f"{base}/own.yaml"
+    shutil.copy(scene("pendulum"), path)
+    begun(folder, path, *LADDER)
+    before = contents(folder)
+    check(list(before) == ["study.journal"], f"an ended study leaves its journal: {list(before)}")
+
+    def refusal(what, words, *arguments, ranks=0):
+        result = study(ranks, *arguments, "-o", folder)
+        check(one_line(result, "study.journal", *words) and contents(folder) == before, f"{what}: {result.stderr.strip()[:240]}")
+
+    refusal("no --resume, 3 ranks", ["--resume", "delete it"], path, *LADDER, ranks=3)
+    refusal("another value", ["another study", "--set"], path, *LADDER, "--resume", "--set", "bodies.inertia=2")
+    refusal("another scene", ["another study", "scene"], scene("spin"), *LADDER, "--resume")
+    if LONG:
+        refusal("other steps", ["another study", "--h"], path, "--h", "2^-4:2^-13", "--resume")
+        refusal("other steppers", ["another study", "--steppers"], path, *LADDER[:2], "--steppers", "vti1", "--resume")
+        refusal("another end", ["another study", "--t-end"], path, *LADDER, "--resume", "--t-end", "9")
+    size = len(before["study.journal"])
+    for at in (0, 20, 60, 130, size - 3000) if LONG else (60, size - 3000):
+        spoilt = bytearray(before["study.journal"])
+        spoilt[at] ^= 4
+        # what is cut behind its head had not been written to its end, and goes on: below
+        for how, data in (("a wrong bit at", bytes(spoilt)), ("cut to", bytes(spoilt[:at])))[:2 if 0 < at < 100 else 1]:
+            with open(f"{folder}/study.journal", "wb") as file:
+                file.write(data)
+            result = study(0, path, *LADDER, "--resume", "-o", folder)
+            check(one_line(result, "study.journal", "damaged", "delete") and contents(folder)["study.journal"] == data,
+                  f"{how} {at}: {result.stderr.strip()[:200]}")
+    with open(f"{folder}/study.journal", "wb") as file:
+        file.write(before["study.journal"][:-1000])
+    study(2, path, *LADDER, "-o", f"{base}/whole")
+    result = study(2, path, *LADDER, "--resume", "-o", folder)
+    check(result.returncode == 0 and contents(folder) == contents(f"{base}/whole"), "a result that is cut off is made anew")
+
+
+def changed_tables(base):
+    """One number of a table is changed between a study and its resumption."""
+    def write(mass, axial):
+        with open(f"{base}/bodies.csv", "w", encoding="ascii") as file:
+            file.write(f"x,y,z,mass\n0,0,0,1\n1,0,0,{mass}\n2,0.1,0,1\n")
+        with open(f"{base}/bonds.csv", "w", encoding="ascii") as file:
+            file.write(f"i,j,axial\n0,1,{axial}\n1,2,10\n")
+        with open(f"{base}/own.yaml", "w", encoding="ascii") as file:
+            file.write("bodies: {table: bodies.csv}\nbinder: {table: bonds.csv}\nh: 1/64\nt_end: 10\n")
+
+    folder, arguments = f"{base}/out", [f"{base}/own.yaml", "--h", "1/64:1/8192", "--resume"]
+    write(1, 10)
+    begun(folder, *arguments)
+    for mass, axial, word in ((1.5, 10, "other bodies"), (1, 10.5, "other bonds")):
+        write(mass, axial)
+        result = study(0, *arguments, "-o", folder)
+        check(one_line(result, "another study", word), f"a table with {word}: {result.stderr.strip()[:200]}")
+    write(1, 10)
+    result = study(2, *arguments, "-o", folder)
+    check(result.returncode == 0 and "goes on" in result.stdout, "... with its own tables it goes on")
+
+
+def two_at_once(base):
+    folder, arguments = f"{base}/out", [scene("pendulum"), *LADDER]
+    with subprocess.Popen(command(2, *arguments, "-o", folder), env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
+        while not os.path.exists(f"{folder}/study.journal"):
+            time.sleep(0.001)
+        time.sleep(0.05)
+        first = processes(folder)
+        for rank in first:
+            os.kill(rank, signal.SIGSTOP)
+        for more in ([], ["--resume"]):
+            result = study(2 if more else 0, *arguments, *more, "-o", folder)
+            check(one_line(result, "another vti-study is writing there"), f"two at once {more}: {result.stderr.strip()[:200]}")
+        for rank in first:
+            os.kill(rank, signal.SIGCONT)
+        check(process.wait(timeout=PATIENCE) == 0, "... and the first ends well")
+    check(sorted(os.listdir(folder)) == ["study.csv", "study.h5", "timing.csv"], "... with its files and no others")
+
+
+def full_disk(base):
+    """A file that cannot be written, and files that may not grow: the results before stay, and nothing that was done is lost."""
+    arguments = [scene("pendulum"), "--h", "2^-4:2^-9"]
+    study(1, *arguments, "-o", f"{base}/whole")
+    whole = contents(f"{base}/whole")
+    for name in ("study.h5", "study.csv", "timing.csv") if LONG else ("study.csv",):
+        folder = f"{base}/{name}"
+        study(0, scene("spin"), "--h", "2^-4:2^-6", "-o", folder)
+        earlier = contents(folder, ())
+        os.symlink("/dev/full", f"{folder}/{name}.part")
+        result = study(2, *arguments, "-o", folder)
+        after = contents(folder, JOURNALS)
+        check(one_line(result, folder, "space") and after == earlier, f"{name}: {result.stderr.strip()[:200]}")
+        result = study(1, *arguments, "--resume", "-o", folder)
+        check(result.returncode == 0 and contents(folder) == whole and "18 of 18" in result.stdout,
+              "... with space it goes on to the same bytes")
+    folder = f"{base}/journal"
+    os.mkdir(folder)
+    os.symlink("/dev/full", f"{folder}/study.journal")
+    result = study(2, *arguments, "-o", folder)
+    check(one_line(result, "study.journal", "space"), f"the journal: {result.stderr.strip()[:200]}")
+    limited(base, arguments, whole)
+
+
+def limited(base, arguments, whole):
+    """Files up to a size that the journal reaches in the middle; without shared memory, whose files would be as limited."""
+    folder, less = f"{base}/limited", 'ulimit -f 600; exec "$0" "$@"'  # blocks of 512 bytes
+    result = subprocess.run([MPIRUN, "-n", "1", "sh", "-c", less, *command(0, *arguments, "-o", folder)],
+                            env=dict(ENVIRONMENT, OMPI_MCA_btl="self"), capture_output=True, text=True, timeout=PATIENCE,
+                            check=False)
+    check(one_line(result, "study.journal", "--resume"), f"files up to 300 kB: {result.stderr.strip()[:200]}")
+    result = study(2, *arguments, "--resume", "-o", folder)
+    check(result.returncode == 0 and "goes on" in result.stdout and contents(folder) == whole, "... it goes on from there")
+
+
+def stopped(base):
+    arguments = [scene("pendulum"), *LADDER]
+    study(2, *arguments, "-o", f"{base}/whole")
+    for number in (signal.SIGTERM, signal.SIGINT) if LONG else (signal.SIGTERM,):
+        folder = f"{base}/{number.name}"
+        code = begun(folder, *arguments, number=number)
+        result = study(2, *arguments, "--resume", "-o", folder)
+        check(code != 0 and "goes on" in result.stdout and contents(folder) == contents(f"{base}/whole"),
+              f"{number.name}: code {code}, and it goes on to the same bytes")
+
+
+def failing_rank(base):
+    """One run fails while others work; one rank has too little memory: a message, an end, and no hang."""
+    for ranks in (1, 2, 3) if LONG else (2,):
+        result = study(ranks, scene("pendulum"), "--steppers", "vti1,vti2", "--h", "2,1,1/64,2^-16", "-o", f"{base}/{ranks}")
+        check(one_line(result, "vti1 at h = ", "reduce h") and os.listdir(f"{base}/{ranks}") == [],
+              f"a run fails, {ranks} ranks: {result.stderr.strip()[:120]}")
+    arguments = [scene("torus"), "--h", "1/2000,1/4000", "--t-end", "2", "--no-plot", "-o", f"{base}/memory"]
+    ended = 0
+    for megabytes in range(40, 700, 20) if LONG else (100, 60, 40):
+        less = f'ulimit -v {1024 * megabytes}; exec "$0" "$@"'
+        result = subprocess.run([MPIRUN, "-n", "1", STUDY, *arguments, ":", "-n", "1", "sh", "-c", less, STUDY, *arguments],
+                                env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE, check=False)
+        ended += result.returncode != 0 and result.stderr.strip() != ""
+        words = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
+        print(f"        one rank with {megabytes} MB: code {result.returncode} {words[:1]}")
+        shutil.rmtree(f"{base}/memory", ignore_errors=True)
+        if ended > 0 and not LONG or result.returncode == 0 and LONG:
+            break
+    check(ended > 0, f"a rank without memory: {ended} times a message and an end")
+
+
+random.seed(20240605)
+TOPICS = [lambda base: kills(base, "pendulum", ("timing.csv",), scene("pendulum"), *LADDER),
+          lambda base: kills(base, "cost", ("cost.csv", "prices.csv", "machine.txt"), "--cost", scene("pendulum"), "--evals",
+                             "4096", "--repeats", "1", "--t-end", "1", "--steppers", "vti1,vti2,rk4,exact,srkn6"),
+          refused_resumes, changed_tables, two_at_once, full_disk, stopped, failing_rank]
+for topic in TOPICS:
+    with tempfile.TemporaryDirectory() as root:
+        started = time.monotonic()
+        topic(root)
+        print(f"        {time.monotonic() - started:.1f} s")
+print(f"{len(failures)} failures")
+sys.exit(1 if failures else 0)

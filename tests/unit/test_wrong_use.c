@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What a stateless library can see of wrong use beside bodies (test_status.c has those): arguments that are NULL, lists that
+ * name no body, effects and steppers in part. A status where there is one, no number where there is none, never a crash. */
+#include "support.h"
+
+static double x[6] = {0, 0, 0, 1, 0, 0}, v[6], mass = 1;
+static vti_bodies b;
+
+static int setup(void **state)
+{
+    (void)state;
+    b = vti_bodies_none(2);
+    b.x = vti_view_packed(x);
+    b.v = vti_view_packed(v);
+    b.mass = vti_scalars_one(&mass);
+    return 0;
+}
+
+static void rest(void **state)
+{
+    (void)state;
+    const int64_t good[2] = {0, 1}, below[4] = {0, 1, -1, 1};
+    const vti_view part = {{x, NULL, x + 2}, 3};
+    double r[8] = {7, 7, 7, 7, 7, 7, 7, 7};
+    const double before = 7;
+    vti_fault fault;
+    assert_int_equal(vti_bonds_rest(1, NULL, 0, &b.x, r, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_rest(1, good, 0, NULL, r, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &b.x, NULL, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &part, r, NULL), VTI_E_VIEW);
+    assert_int_equal(vti_bonds_rest(-1, good, 0, &b.x, r, NULL), VTI_E_COUNT);
+    assert_int_equal(vti_bonds_rest(0, NULL, 0, NULL, NULL, NULL), VTI_OK);
+    assert_int_equal(vti_bonds_rest(2, below, 0, &b.x, r, &fault), VTI_E_BOND);
+    assert_int_equal(fault.body, 1);
+    assert_true(fault.value == -1.0);
+    assert_same_bits(&r[0], &before, 1); /* the first bond was sound, and still nothing is written */
+    assert_int_equal(vti_bonds_rest(1, good, 1, &b.x, r, NULL), VTI_E_BOND);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &b.x, r, NULL), VTI_OK);
+    assert_true(r[0] == -1.0 && r[3] == 1.0);
+}
+
+static void bonds(void **state)
+{
+    (void)state;
+    vti_bonds some = {0};
+    assert_int_equal(vti_bonds_check(NULL, 2, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_check(&some, -1, NULL), VTI_E_COUNT);
+    some.count = 1;
+    assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_NULL);
+    some.count = -1;
+    assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_COUNT);
+}
+
+/** An effect of nothing is refused, and then forces are as they were. */
+static void effects(void **state)
+{
+    (void)state;
+    double force[6] = {3, 3, 3, 3, 3, 3};
+    const double before[6] = {3, 3, 3, 3, 3, 3};
+    const vti_bonds half = {.count = 1};
+    const vti_contacts sizeless = {.count = 1};
+    const vti_walls nowhere = {.count = 1};
+    const vti_effect none[] = {vti_pendulum_effect(NULL),  vti_gravity_effect(NULL),      vti_bonds_effect(NULL),
+                               vti_contacts_effect(NULL),  vti_walls_effect(NULL),        vti_bonds_effect(&half),
+                               vti_walls_effect(&nowhere), vti_contacts_effect(&sizeless)};
+    b.force = vti_view_packed(force);
+    for (size_t k = 0; k < sizeof none / sizeof none[0]; ++k) {
+        assert_int_equal(vti_apply(&none[k], 1, &b), VTI_E_NULL);
+        assert_same_bits(force, before, 6);
+        assert_true(isnan(vti_energy(&none[k], 1, &b)));
+    }
+    assert_true(isnan(vti_energy(NULL, 1, &b)));
+    assert_true(isnan(vti_energy(NULL, -1, &b)));
+    assert_true(vti_energy(NULL, 0, &b) == 0.0);
+}
+
+static void steppers(void **state)
+{
+    (void)state;
+    vti_stepper own = *vti_stepper_find("vti2");
+    own.kick = NULL;
+    assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_NULL);
+    assert_int_equal(vti_step_check(&own, NULL, 0), VTI_E_NULL);
+    own = *vti_stepper_find("vti2");
+    own.drift = NULL;
+    assert_int_equal(vti_step_finish(&own, 0.1, &b), VTI_E_NULL);
+    own = *vti_stepper_find("vti2");
+    own.stages = -1;
+    assert_int_equal(vti_step_finish(&own, 0.1, &b), VTI_E_STAGE);
+    assert_int_equal(vti_step_start(&own, 0.1, &b), VTI_E_STAGE);
+    assert_int_equal(vti_step_check(&own, NULL, 0), VTI_E_STAGE);
+    assert_null(vti_stepper_find(NULL));
+    assert_null(vti_stepper_at(-1));
+}
+
+static void measures(void **state)
+{
+    (void)state;
+    const double about[3] = {0, 0, 0};
+    double r[3] = {0, 0, 0};
+    vti_bodies stale = b;
+    stale.abi = VTI_ABI + 1;
+    const vti_bodies *const bad[] = {NULL, &stale};
+    for (int k = 0; k < 2; ++k) {
+        assert_true(isnan(vti_kinetic_translation(bad[k])) && isnan(vti_kinetic_rotation(bad[k])));
+        assert_true(isnan(vti_max_turn(1, bad[k])) && isnan(vti_h1_density(bad[k])));
+        assert_true(isnan(vti_h1_distance(bad[k], &b)) && isnan(vti_h1_distance(&b, bad[k])));
+        assert_true(isnan(vti_attitude_distance(bad[k], &b)) && isnan(vti_energy(NULL, 0, bad[k])));
+        vti_momentum(bad[k], r);
+        assert_true(isnan(r[0]) && isnan(r[2]));
+        r[0] = 0;
+        vti_spin(bad[k], r);
+        assert_true(isnan(r[0]));
+        r[0] = 0;
+        vti_angular_momentum(bad[k], about, r);
+        assert_true(isnan(r[0]));
+        r[0] = 0;
+        vti_pendulum_arm(NULL, bad[k], 0, r);
+        assert_true(isnan(r[0]));
+    }
+    vti_momentum(&b, NULL);
+    vti_spin(&b, NULL);
+    vti_angular_momentum(&b, about, NULL);
+    vti_angular_momentum(&b, NULL, r);
+    assert_true(isnan(r[1]));
+    const vti_bodies fewer = vti_bodies_slice(b, 0, 1), less = vti_bodies_none(2);
+    assert_true(isnan(vti_h1_distance(&b, &fewer)) && isnan(vti_h1_distance(&b, &less)));
+    assert_true(vti_h1_distance(&b, &b) == 0.0);
+}
+
+static void stable(void **state)
+{
+    (void)state;
+    const int64_t far[2] = {0, 2};
+    double scratch[2], h;
+    vti_bonds some = {.count = 1};
+    vti_contacts touching = {.count = 1, .pair = far};
+    vti_walls walls = {.count = 1};
+    vti_springs springs = {.bonds = &some};
+    assert_int_equal(vti_stable_step(NULL, &b, scratch, &h), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(&springs, &b, NULL, &h), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, NULL), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_NULL);
+    some.pair = far;
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_BOND);
+    some.count = -1;
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_COUNT);
+    springs.bonds = NULL;
+    springs.contacts = &touching;
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_BOND);
+    springs.contacts = NULL;
+    springs.walls = &walls;
+    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_NULL);
+}
+
+/** Scalars that are members of structs: a size that is no whole number of doubles is no mass. */
+static void members(void **state)
+{
+    (void)state;
+    double force[6] = {0};
+    const struct {
+        double m, other;
+    } two[2] = {{2, 7}, {3, 7}};
+    b.force = vti_view_packed(force);
+    b.mass = vti_scalars_member(&two[0].m, sizeof two[0]);
+    assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_OK);
+    v[0] = v[3] = 1;
+    assert_true(vti_kinetic_translation(&b) == 2.5);
+    const int64_t wrong[] = {0, 12};
+    for (int k = 0; k < 2; ++k) {
+        b.mass = vti_scalars_member(&two[0].m, wrong[k]);
+        assert_int_equal(vti_bodies_check(&b), VTI_E_MASS);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(rest, setup),     cmocka_unit_test_setup(bonds, setup),
+        cmocka_unit_test_setup(effects, setup),  cmocka_unit_test_setup(steppers, setup),
+        cmocka_unit_test_setup(measures, setup), cmocka_unit_test_setup(stable, setup),
+        cmocka_unit_test_setup(members, setup),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
