@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !> The algebra of rotations from Fortran: every function gives C's bits, and a matrix is the right way round.
 program test_fortran_rotation
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
     use, intrinsic :: iso_c_binding, only: c_double
     use, intrinsic :: iso_fortran_env, only: int64
     use common, only: expect, finish
@@ -56,8 +57,8 @@ contains
         stale%abi = VTI_ABI + 1
         s = 0
         call vti_momentum(stale, s)
-        call expect(all(s /= s), 'momentum of bodies of another version')
-        call expect(vti_kinetic_rotation(stale) /= vti_kinetic_rotation(stale), 'energy of bodies of another version')
+        call expect(all(ieee_is_nan(s)), 'momentum of bodies of another version')
+        call expect(ieee_is_nan(vti_kinetic_rotation(stale)), 'energy of bodies of another version')
     end subroutine
 
     subroutine compare()
