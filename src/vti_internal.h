@@ -68,7 +68,9 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
 /** vti_bodies_check, unless the bodies are sealed. */
 static inline int vti_bodies_ready(const vti_bodies *b)
 {
-    return b != NULL && b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
+    if (b == NULL)
+        return VTI_E_NULL;
+    return b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
 }
 
 /** What an effect of nothing is: vti_apply refuses it. */

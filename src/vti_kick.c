@@ -30,9 +30,7 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
     }
 #define KICK(SV, SF, SM)                                                                                               \
     kick_loop(v->c[0], v->c[1], v->c[2], SV, f->c[0], f->c[1], f->c[2], SF, m->p, SM, t, begin, end)
-    if (end - begin <= VTI_FEW)
-        KICK(v->stride, f->stride, m->stride);
-    else if (vti_is_packed(v) && vti_is_packed(f) && m->stride == 0)
+    if (end - begin > VTI_FEW && vti_is_packed(v) && vti_is_packed(f) && m->stride == 0)
         vti_sum_packed(v->c[0] + 3 * begin, f->c[0] + 3 * begin, t / *m->p, 3 * (end - begin));
     else if (v->stride == 3 && f->stride == 3 && m->stride == 1)
         KICK(3, 3, 1);

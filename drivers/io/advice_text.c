@@ -27,7 +27,7 @@ static void say_offer(const struct offer *o, FILE *file)
         return;
     }
     fprintf(file, "  %-14s %10.4g %10lld %12lld ", o->stepper->name, o->h, (long long)o->steps,
-            (long long)(o->steps * o->stepper->evals));
+            (long long)o->steps * (long long)o->stepper->evals);
     say_seconds(o->seconds, file);
     fprintf(file, " %9.1e %s\n", o->error, o->measured ? "" : "(from coarser runs)");
 }

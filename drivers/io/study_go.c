@@ -2,6 +2,7 @@
 #include "study_go.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "cost_files.h"
 #include "cost_table.h"
@@ -35,6 +36,7 @@ static int open_journal(struct task_journal *journal, const struct study_place *
                         const struct task_identity *identity, int rank)
 {
     struct message message = {""};
+    memset(journal, 0, sizeof *journal);
     int failed = rank == 0 ? folder_create(place->folder, &message) : 0;
     if (failed == 0 && rank == 0)
         failed = task_journal_open(journal, place->folder, name, place->resume, identity, &message);

@@ -27,7 +27,7 @@ def _against_best(cost, scene, error, most, written):
     if not np.isfinite(found):
         return [claim, "not reached by " + ("either" if not (mine or other) else "ours" if not mine else "a rival"), MET[None]]
     evaluations = price_list.ratio(cost, scene, error, "force_evals")[2]
-    return [claim, f"**{three(found)}** ({methods.name(mine)} against {methods.name(other)}); {three(evaluations)} of the "
+    return [claim, f"**{found:.3f}** ({methods.name(mine)} against {methods.name(other)}); {three(evaluations)} of the "
             "evaluations", MET[found <= most]]
 
 
