@@ -111,13 +111,13 @@ static inline void vti_rrv_from_pair(const double q[4], double a[3])
 }
 
 /** R p for the quaternion q ~ (v, w) up to a factor:
- *      R p = [ (w^2 - v.v) p + 2 (v.p) v + 2 w v x p ] / (w^2 + v.v),
+ *      R p = 2 [ (w^2 - v.v)/2 p + (v.p) v + w v x p ] / (w^2 + v.v),
  *  which is R(alpha) p = p + 4/(4+|alpha|^2) [S(alpha) + S(alpha)^2/2] p with (v, w) = (alpha, 2).
  *  side = +1 gives R p, side = -1 its inverse R^T p. q.q must be finite and not 0. r may be p. */
 VTI_INLINE void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
 {
-    const double vv = vti_dot(q, q), ww = q[3] * q[3], k = 1.0 / (ww + vv);
-    const double cp = ww - vv, cv = 2.0 * vti_dot(q, p), cx = 2.0 * side * q[3];
+    const double xy = q[0] * q[0] + q[1] * q[1], zz = q[2] * q[2], ww = q[3] * q[3], k = 2.0 / (xy + (zz + ww));
+    const double cp = 0.5 * ww - 0.5 * (xy + zz), cv = vti_dot(q, p), cx = side * q[3];
     double x[3];
     vti_cross(q, p, x);
     r[0] = k * (cp * p[0] + (cv * q[0] + cx * x[0]));
@@ -172,16 +172,19 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
  *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total. c
  *  and f u must be finite and not both 0.
  *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). f stands
- *  apart from u since it comes late: meanwhile the products with u are made. */
-VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], double side, const double a[3], double add[3])
+ *  apart from u since it comes late: meanwhile the products with u are made. small: the caller knows already that 2^-60 < c <
+ *  2^60 and |f u_i| < 2^29 c, which need not be found out then. */
+VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], int small, double side, const double a[3],
+                                 double add[3])
 {
-    const double ma = vti_max3(a), mu = fabs(f) * vti_max3(u), d = f * vti_dot(u, a), inv = 1.0 / (2.0 * c - d);
+    const double d = f * vti_dot(u, a), inv = 1.0 / (2.0 * c - d);
     double x[3];
     vti_cross(u, a, x);
     for (int k = 0; k < 3; ++k)
         add[k] = (2.0 * f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;
-    const int plain = c > VTI_RRV_SMALL && c < VTI_RRV_LARGE; /* with the rest: no product has left the range */
-    if (plain && ma < VTI_RRV_NEAR && mu < VTI_RRV_NEAR * c && 2.0 * fabs(d) < c)
+    if (!small)
+        small = c > VTI_RRV_SMALL && c < VTI_RRV_LARGE && fabs(f) * vti_max3(u) < VTI_RRV_NEAR * c;
+    if (small && vti_max3(a) < VTI_RRV_NEAR && 2.0 * fabs(d) < c) /* so that no product has left the range */
         return 1;
     const double scaled[3] = {f * u[0], f * u[1], f * u[2]};
     vti_rrv_direct(c, scaled, side, a, add);
@@ -189,24 +192,24 @@ VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], double s
 }
 
 /** alpha <- alpha (+) dalpha with dalpha = 2 f u/c, as vti_rrv_increment has it. */
-VTI_INLINE void vti_rrv_turn_by(double c, double f, const double u[3], double side, double a[3])
+VTI_INLINE void vti_rrv_turn_by(double c, double f, const double u[3], int small, double side, double a[3])
 {
     double add[3];
-    const int near = vti_rrv_increment(c, f, u, side, a, add);
+    const int near = vti_rrv_increment(c, f, u, small, side, a, add);
     for (int k = 0; k < 3; ++k)
         a[k] = (near ? a[k] : 0.0) + add[k];
 }
 
-/** The same with f = 1. */
+/** The same with f = 1, of a u that may be large. */
 VTI_INLINE void vti_rrv_turn_side(double c, const double u[3], double side, double a[3])
 {
-    vti_rrv_turn_by(c, 1.0, u, side, a);
+    vti_rrv_turn_by(c, 1.0, u, 0, side, a);
 }
 
 /** The same in space: R(alpha) <- R(2 u/c) R(alpha). */
 VTI_INLINE void vti_rrv_turn(double c, const double u[3], double a[3])
 {
-    vti_rrv_turn_by(c, 1.0, u, 1.0, a);
+    vti_rrv_turn_by(c, 1.0, u, 0, 1.0, a);
 }
 
 /** r = a (+) b, R(r) = R(b) R(a): first a, then b. r may be a or b. */

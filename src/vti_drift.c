@@ -37,24 +37,39 @@ static void translate(double t, const vti_view *x, const vti_view *v, const vti_
 
 /* ---- drift of attitudes -------------------------------------------------------------------------------------- */
 
-/** The increment dalpha = 2 f u/c of a body that turns with w for the time t, u = t w; s^2 = |t w|^2. Returns c.
+/** The increment dalpha = 2 f u/c of a body that turns by u = t Omega. small: as in vti_rrv_increment. */
+struct increment {
+    double c, f;
+    int small;
+};
+
+/** With s^2 = u.u,
  *      closed, VTI-1     dalpha = 2 u/(1 + sqrt(1 - s^2))
  *      Cayley, VTI-2, 3  dalpha = u
  *      exact             dalpha = 2 tan(s/2)/s u by its continued fraction, without a pole as
  *                        c = 2 - s^2/5, f = 1 - s^2/60;  c = 2 - 3s^2/14 + s^4/840, f = 1 - s^2/42
- *  Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as good as any. */
-VTI_INLINE double increment(int law, const double u[3], double *f)
+ *  Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as good as any.
+ *  Below s^2 = 8, c > 0.36 in both of the exact. */
+VTI_INLINE struct increment increment(int law, const double u[3])
 {
-    *f = 1.0;
     if (law == VTI_LAW_CAYLEY)
-        return 2.0;
+        return (struct increment){2.0, 1.0, 0};
     const double s2 = vti_dot(u, u);
     if (law == VTI_LAW_CLOSED)
-        return 1.0 + sqrt(1.0 - s2);
-    if (!(s2 < 0x1p60))
-        return 0.0;
-    *f = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);
-    return 2.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 5.0 : (180.0 - s2) * (1.0 / 840.0));
+        return (struct increment){1.0 + sqrt(1.0 - s2), 1.0, 0};
+    const int small = s2 < 8.0;
+    if (!small && !(s2 < 0x1p60))
+        return (struct increment){0.0, 1.0, 0};
+    const double f = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);
+    const double c = 2.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 5.0 : (180.0 - s2) * (1.0 / 840.0));
+    return (struct increment){c, f, small};
+}
+
+/** alpha <- alpha (+) dalpha for side = 1, in space; for side = -1 in the body's frame. */
+VTI_INLINE void turn_by(int law, double side, const double u[3], double a[3])
+{
+    const struct increment d = increment(law, u);
+    vti_rrv_turn_by(d.c, d.f, u, d.small, side, a);
 }
 
 VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *restrict a1, double *restrict a2,
@@ -63,9 +78,8 @@ VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *res
 {
     for (int64_t i = begin; i < end; ++i) {
         const double u[3] = {t * w0[i * sw], t * w1[i * sw], t * w2[i * sw]};
-        double a[3] = {a0[i * sa], a1[i * sa], a2[i * sa]}, f;
-        const double c = increment(law, u, &f);
-        vti_rrv_turn_by(c, f, u, side, a);
+        double a[3] = {a0[i * sa], a1[i * sa], a2[i * sa]};
+        turn_by(law, side, u, a);
         a0[i * sa] = a[0];
         a1[i * sa] = a[1];
         a2[i * sa] = a[2];
@@ -75,7 +89,7 @@ VTI_INLINE void turn_loop(int law, double side, double *restrict a0, double *res
 VTI_INLINE void turn_alpha(int law, double side, double t, const vti_view *a, const vti_view *w, int64_t begin,
                            int64_t end)
 {
-    if (end - begin > VTI_FEW && vti_is_packed(a) && vti_is_packed(w)) {
+    if (vti_is_packed(a) && vti_is_packed(w)) {
         double *p = a->c[0];
         const double *q = w->c[0];
         turn_loop(law, side, p, p + 1, p + 2, 3, q, q + 1, q + 2, 3, t, begin, end);
@@ -88,14 +102,14 @@ VTI_INLINE void turn_compensated(int law, double side, double t, const vti_view 
                                  const vti_view *low, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
-        double u[3], base[3], add[3], r[3], f;
+        double u[3], base[3], add[3], r[3];
         vti_load(w, i, u);
         vti_load(a, i, base);
         vti_load(low, i, r);
         for (int k = 0; k < 3; ++k)
             u[k] *= t;
-        const double c = increment(law, u, &f);
-        const int incremental = vti_rrv_increment(c, f, u, side, base, add);
+        const struct increment d = increment(law, u);
+        const int incremental = vti_rrv_increment(d.c, d.f, u, d.small, side, base, add);
         for (int k = 0; k < 3; ++k) {
             r[k] = incremental ? r[k] : 0.0;
             base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
@@ -110,16 +124,17 @@ VTI_INLINE void turn_quat(int law, double side, double t, const vti_quat_view *q
                           int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
-        double u[3], q[4], r[4], x[3], f;
+        double u[3], q[4], r[4], x[3];
         vti_load(w, i, u);
         for (int k = 0; k < 3; ++k)
             u[k] *= t;
         for (int k = 0; k < 4; ++k)
             q[k] = quat->xyzw[k][i * quat->stride];
         /* scaled, lest the square of a huge u overflow */
-        const double wide = increment(law, u, &f), s = vti_max3(u) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * wide;
+        const struct increment d = increment(law, u);
+        const double s = vti_max3(u) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.c;
         for (int k = 0; k < 3; ++k)
-            u[k] *= s * f;
+            u[k] *= s * d.f;
         vti_cross(u, q, x);
         for (int k = 0; k < 3; ++k)
             r[k] = c * q[k] + q[3] * u[k] + side * x[k];
@@ -132,18 +147,54 @@ VTI_INLINE void turn_quat(int law, double side, double t, const vti_quat_view *q
 
 /* ---- kick and drift -------------------------------------------------------------------------------------------- */
 
+/** Few bodies, one after the other in registers: Omega += kick_t RM/J as in vti_kick.c, then the turn. A body that is alone
+ *  would wait for what it has just stored. */
+VTI_INLINE void kick_and_turn(int law, double side, double kick_t, double t, const vti_bodies *b, int64_t begin,
+                              int64_t end)
+{
+    const vti_view omega = b->omega, moment = b->moment, alpha = b->alpha;
+    for (int64_t i = begin; i < end; ++i) {
+        double w[3], m[3], a[3];
+        vti_load(&omega, i, w);
+        vti_load(&alpha, i, a);
+        if (kick_t != 0.0 && vti_has(&moment)) {
+            const double k = kick_t / vti_scalar(&b->inertia, i);
+            vti_load(&moment, i, m);
+            for (int c = 0; c < 3; ++c)
+                w[c] += k * m[c];
+            vti_store(&omega, i, w);
+        }
+        const double u[3] = {t * w[0], t * w[1], t * w[2]};
+        turn_by(law, side, u, a);
+        vti_store(&alpha, i, a);
+    }
+}
+
+VTI_INLINE void push_alpha(int law, double side, double kick_t, double t, const vti_bodies *b, int64_t begin,
+                           int64_t end)
+{
+    if (end - begin <= VTI_FEW && !vti_has(&b->omega_low))
+        kick_and_turn(law, side, kick_t, t, b, begin, end);
+    else {
+        vti_kick_omega(kick_t, b, begin, end);
+        turn_alpha(law, side, t, &b->alpha, &b->omega, begin, end);
+    }
+}
+
 /* Literal arguments, so that each way to keep the attitude, each law and each frame is a loop of its own. */
 #define TURNS(NAME, LAW, SIDE)                                                                                         \
-    static void alpha_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                                \
+    static void alpha_##NAME(double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end)                 \
     {                                                                                                                  \
-        turn_alpha(LAW, SIDE, t, &b->alpha, &b->omega, begin, end);                                                    \
+        push_alpha(LAW, SIDE, kick_t, t, b, begin, end);                                                               \
     }                                                                                                                  \
-    static void compensated_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                          \
+    static void compensated_##NAME(double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end)           \
     {                                                                                                                  \
+        vti_kick_omega(kick_t, b, begin, end);                                                                         \
         turn_compensated(LAW, SIDE, t, &b->alpha, &b->omega, &b->alpha_low, begin, end);                               \
     }                                                                                                                  \
-    static void quat_##NAME(double t, const vti_bodies *b, int64_t begin, int64_t end)                                 \
+    static void quat_##NAME(double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end)                  \
     {                                                                                                                  \
+        vti_kick_omega(kick_t, b, begin, end);                                                                         \
         turn_quat(LAW, SIDE, t, &b->quat, &b->omega, begin, end);                                                      \
     }
 TURNS(closed, VTI_LAW_CLOSED, 1.0)
@@ -156,7 +207,7 @@ TURNS(exact_body, VTI_LAW_EXACT, -1.0)
 TURNS(exact9_body, VTI_LAW_EXACT9, -1.0)
 #undef TURNS
 
-typedef void turn(double t, const vti_bodies *b, int64_t begin, int64_t end);
+typedef void turn(double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end);
 
 enum { BY_ALPHA, COMPENSATED, BY_QUAT };
 
@@ -173,16 +224,15 @@ static turn *const turns[3][2][VTI_LAW_EXACT9 + 1] = {KEPT(alpha), KEPT(compensa
 
 void vti_push(int law, int frame, double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    if (kick_t != 0.0) {
-        vti_kick_v(kick_t, b, begin, end);
-        vti_kick_omega(kick_t, b, begin, end);
-    }
+    vti_kick_v(kick_t, b, begin, end);
     if (vti_has(&b->x) && vti_has(&b->v))
         translate(t, &b->x, &b->v, &b->x_low, begin, end);
-    if (!vti_has_attitude(b) || !vti_has(&b->omega))
+    if (!vti_has_attitude(b) || !vti_has(&b->omega)) {
+        vti_kick_omega(kick_t, b, begin, end);
         return;
+    }
     const int kept = !vti_has(&b->alpha) ? BY_QUAT : vti_has(&b->alpha_low) ? COMPENSATED : BY_ALPHA;
-    turns[kept][frame == VTI_FRAME_BODY][law](t, b, begin, end);
+    turns[kept][frame == VTI_FRAME_BODY][law](kick_t, t, b, begin, end);
 }
 
 /* ---- the bound of the closed form ----------------------------------------------------------------------------- */

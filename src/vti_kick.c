@@ -45,13 +45,13 @@ static void kick_view(double t, const vti_view *v, const vti_view *f, const vti_
 
 void vti_kick_v(double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    if (vti_has(&b->v) && vti_has(&b->force))
+    if (t != 0.0 && vti_has(&b->v) && vti_has(&b->force))
         kick_view(t, &b->v, &b->force, &b->mass, &b->v_low, begin, end);
 }
 
 void vti_kick_omega(double t, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    if (vti_has(&b->omega) && vti_has(&b->moment))
+    if (t != 0.0 && vti_has(&b->omega) && vti_has(&b->moment))
         kick_view(t, &b->omega, &b->moment, &b->inertia, &b->omega_low, begin, end);
 }
 

@@ -22,33 +22,39 @@ void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *b, int64_t
         arm_of(pendulum, b, i, arm);
 }
 
-/** RM += (R m g rho0) x e3. by_alpha is literal. Copies of views: what is not in a struct that others see stays in registers. */
-VTI_INLINE void swing(int by_alpha, const vti_pendulum *p, const vti_bodies *b)
+/** RM += (R m g rho0) x e3 of one body. */
+VTI_INLINE void swing(const double q[4], const double pull[3], const vti_view *moment, int64_t i)
 {
-    const double pull[3] = {p->weight * p->rho0[0], p->weight * p->rho0[1], p->weight * p->rho0[2]};
-    const vti_view moment = b->moment, alpha = b->alpha;
-    for (int64_t i = b->first, end = b->first + b->count; i < end; ++i) {
-        double q[4], arm[3];
-        if (by_alpha) {
-            double a[3];
-            vti_load(&alpha, i, a);
-            vti_rrv_to_pair(a, q);
-        } else
-            vti_load_pair(b, i, q);
-        vti_pair_rotate(q, 1.0, pull, arm);
-        moment.c[0][i * moment.stride] += arm[1];
-        moment.c[1][i * moment.stride] -= arm[0];
-    }
+    double arm[3];
+    vti_pair_rotate(q, 1.0, pull, arm);
+    moment->c[0][i * moment->stride] += arm[1];
+    moment->c[1][i * moment->stride] -= arm[0];
+}
+
+/** The same of a quaternion, or of an alpha that has to be scaled; apart, so that the others need not wait for either. */
+VTI_APART void swing_any(const vti_bodies *b, const double pull[3], int64_t i)
+{
+    double q[4];
+    vti_load_pair(b, i, q);
+    swing(q, pull, &b->moment, i);
 }
 
 static void apply(const void *self, const vti_bodies *b)
 {
+    const vti_pendulum *p = self;
     if (!vti_has(&b->moment) || !vti_has_attitude(b))
         return;
-    if (vti_has(&b->alpha))
-        swing(1, self, b);
-    else
-        swing(0, self, b);
+    const double pull[3] = {p->weight * p->rho0[0], p->weight * p->rho0[1], p->weight * p->rho0[2]};
+    const vti_view moment = b->moment, alpha = b->alpha; /* copies: what nobody else can change stays in registers */
+    for (int64_t i = b->first, end = b->first + b->count; i < end; ++i) {
+        double q[4] = {0.0, 0.0, 0.0, 2.0};
+        if (vti_has(&alpha))
+            vti_load(&alpha, i, q);
+        if (vti_has(&alpha) && vti_max3(q) <= VTI_RRV_LARGE)
+            swing(q, pull, &moment, i);
+        else
+            swing_any(b, pull, i);
+    }
 }
 
 /** U = -m g e3 . R rho0 */
