@@ -7,6 +7,7 @@
 
 #include "advice_text.h"
 #include "number.h"
+#include "output.h"
 #include "study.h"
 #include "table_hdf5.h"
 
@@ -137,6 +138,8 @@ int main(int argc, char **argv)
         failed = tables_read(&scene, &tables, &message);
     if (failed == 0)
         failed = give_advice(&arguments, &scene, &message);
+    if (failed == 0)
+        failed = output_end(&message);
     if (failed != 0)
         fprintf(stderr, "vti-advise: %s\n", message.text);
     tables_destroy(&tables);

@@ -9,27 +9,29 @@
 #include "message.h"
 #include "method_check.h"
 
-static const char usage[] = "Usage: vti-check [options] [--stepper NAME | --rival NAME | --plugin FILE.so:SYMBOL]\n"
-                            "\n"
-                            "Makes a time step of rigid spheres show what it is: how it turns bodies, when and where "
-                            "its forces act, its orders,\n"
-                            "what it conserves. Without a name: all steppers and rivals, one line each.\n"
-                            "\n"
-                            "  --stepper NAME        a stepper of the library\n"
-                            "  --rival NAME          what other codes use\n"
-                            "  --plugin FILE:SYMBOL  a function vti_check_advance (vti_check.h) of a shared library\n"
-                            "  --json                one JSON object\n"
-                            "  --list                names of steppers and rivals\n"
-                            "  -h, --help            this text\n"
-                            "\n"
-                            "Exit status: 0 if there is no fault, 1 if there is one, 2 if nothing could be checked.\n";
+static const char usage[] =
+    "Usage: vti-check [options] [--stepper NAME | --rival NAME | --plugin FILE.so:SYMBOL]\n"
+    "\n"
+    "Makes a time step of rigid spheres show what it is: how it turns bodies, when and where "
+    "its forces act, its orders,\n"
+    "what it conserves. Without a name: all steppers and rivals, one line each.\n"
+    "\n"
+    "  --stepper NAME        a stepper of the library\n"
+    "  --rival NAME          what other codes use\n"
+    "  --plugin FILE:SYMBOL  a function vti_check_advance (vti_check.h) of a shared library\n"
+    "  --translation         for steppers that do not turn bodies: positions and velocities only\n"
+    "  --json                one JSON object\n"
+    "  --list                names of steppers and rivals\n"
+    "  -h, --help            this text\n"
+    "\n"
+    "Exit status: 0 if there is no fault, 1 if there is one, 2 if nothing could be checked.\n";
 
-enum { STEPPER = 256, RIVAL, PLUGIN, JSON, LIST };
+enum { STEPPER = 256, RIVAL, PLUGIN, TRANSLATION, JSON, LIST };
 
 struct arguments {
     int kind; /* STEPPER, RIVAL, PLUGIN, or 0 */
     const char *name;
-    int json, list, help;
+    int translation, json, list, help;
 };
 
 static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
@@ -37,6 +39,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
     static const struct option options[] = {{"stepper", required_argument, NULL, STEPPER},
                                             {"rival", required_argument, NULL, RIVAL},
                                             {"plugin", required_argument, NULL, PLUGIN},
+                                            {"translation", no_argument, NULL, TRANSLATION},
                                             {"json", no_argument, NULL, JSON},
                                             {"list", no_argument, NULL, LIST},
                                             {"help", no_argument, NULL, 'h'},
@@ -45,6 +48,8 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
     for (int c; (c = getopt_long(argc, argv, ":h", options, NULL)) != -1;) {
         if (c == JSON)
             a->json = 1;
+        else if (c == TRANSLATION)
+            a->translation = 1;
         else if (c == LIST)
             a->list = 1;
         else if (c == 'h')
@@ -98,6 +103,12 @@ static int open_plugin(const char *name, vti_check_advance **advance, struct mes
     return 0;
 }
 
+static int look_at(const char *name, vti_check_advance *advance, const struct method *method, int translation,
+                   vti_check_report *report)
+{
+    return (translation ? vti_check_run_translation : vti_check_run)(name, advance, (void *)method, report);
+}
+
 static int show(const vti_check_report *report, int json)
 {
     (json ? vti_check_print_json : vti_check_print)(report, stdout);
@@ -111,20 +122,20 @@ static int check_one(const struct arguments *a, struct message *message)
     const struct method *method = NULL;
     if (a->kind == PLUGIN ? open_plugin(a->name, &advance, message) != 0 : find_method(a, &method, message) != 0)
         return 2;
-    vti_check_run(a->name, advance, (void *)method, &report);
+    look_at(a->name, advance, method, a->translation, &report);
     return show(&report, a->json);
 }
 
 /** Every method and what is said of it. */
-static int check_all(void)
+static int check_all(int translation)
 {
     int faults = 0;
     for (int64_t i = 0; i < method_count(); ++i) {
         const struct method *m = method_at(i);
         vti_check_report report;
-        faults += vti_check_run(m->name, method_check_advance, (void *)m, &report);
-        printf("%-24s %s\n", m->name, report.words == 0 ? "no fault found" : report.word[0].text);
-        for (int k = 1; k < report.words; ++k)
+        faults += look_at(m->name, method_check_advance, m, translation, &report);
+        printf("%-24s %s\n", m->name, report.faults == 0 ? "no fault found" : report.word[0].text);
+        for (int k = report.faults == 0 ? 0 : 1; k < report.words; ++k)
             printf("%-24s %s\n", "", report.word[k].text);
         fflush(stdout);
     }
@@ -141,7 +152,7 @@ static void list(void)
 
 int main(int argc, char **argv)
 {
-    struct arguments a = {0, NULL, 0, 0, 0};
+    struct arguments a = {0, NULL, 0, 0, 0, 0};
     struct message message = {""};
     int result = 0;
     if (read_arguments(argc, argv, &a, &message) != 0)
@@ -151,7 +162,7 @@ int main(int argc, char **argv)
     else if (a.list)
         list();
     else
-        result = a.kind == 0 ? check_all() : check_one(&a, &message);
+        result = a.kind == 0 ? check_all(a.translation) : check_one(&a, &message);
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-check: %s\n", message.text);
     return result;

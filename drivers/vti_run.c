@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "number.h"
+#include "output.h"
 #include "progress.h"
 #include "run.h"
 #include "run_say.h"
@@ -169,6 +170,8 @@ int main(int argc, char **argv)
         progress_clear();
         if (end == RUN_COMPLETE || end == RUN_BROKEN)
             run_say_end(&run, stdout);
+        if (end == RUN_COMPLETE && output_end(&message) != 0)
+            end = RUN_FAILED;
     }
     run_close(&run);
     if (end != RUN_COMPLETE)

@@ -10,6 +10,7 @@
 #include "cost_scenes.h"
 #include "folder.h"
 #include "number.h"
+#include "output.h"
 #include "pictures.h"
 #include "study_go.h"
 #include "table_hdf5.h"
@@ -212,7 +213,8 @@ int main(int argc, char **argv)
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     int failed = run(argc, argv, rank, folder, &wants_plot);
-    fflush(stdout);
+    if (failed == 0)
+        failed = study_agree(output_end(&message), rank, &message);
     MPI_Finalize();
     /* forking is not safe on every transport while MPI is up, so pictures come last */
     if (failed == 0 && wants_plot && pictures_draw(folder, "study.h5", &message) != 0) {

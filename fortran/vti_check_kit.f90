@@ -3,6 +3,7 @@
 !> vti_check_kit -- the conformance kit (vti_check.h) for a time step that is a Fortran procedure. Link with -lvti_check too.
 !>
 !>     faults = vti_check('my code', advance)       the report goes to stdout; the number of faults
+!>     faults = vti_check('my code', advance, translation=.true.)     of a code that moves positions only
 !>
 !> advance is a procedure of the interface vti_check_advance. Arrays are x(3,n), quat(4,n) in the order x, y, z, w; it
 !> gets forces and moments by call vti_check_forces(kit, x, quat, force, moment). Frames are those of vti_check.h.
@@ -50,6 +51,14 @@ module vti_check_kit
             type(c_ptr), value :: self
             integer(c_int) :: faults
         end function
+
+        function c_check_translation(name, advance, self) result(faults) bind(c, name='vti_check_translation')
+            import :: c_char, c_funptr, c_int, c_ptr
+            character(kind=c_char), intent(in) :: name(*)
+            type(c_funptr), value :: advance
+            type(c_ptr), value :: self
+            integer(c_int) :: faults
+        end function
     end interface
 
     !> What goes through C as self.
@@ -59,14 +68,22 @@ module vti_check_kit
 
 contains
 
-    !> Runs all checks and prints what they find. Returns the number of faults.
-    function vti_check(name, advance) result(faults)
+    !> Runs all checks, or those of translation only, and prints what they find. Returns the number of faults.
+    function vti_check(name, advance, translation) result(faults)
         character(len=*), intent(in) :: name
         procedure(vti_check_advance) :: advance
+        logical, intent(in), optional :: translation
         integer(c_int) :: faults
         type(host), target :: own
+        logical :: only
         own%advance => advance
-        faults = c_check(letters(name), c_funloc(advance_for_c), c_loc(own))
+        only = .false.
+        if (present(translation)) only = translation
+        if (only) then
+            faults = c_check_translation(letters(name), c_funloc(advance_for_c), c_loc(own))
+        else
+            faults = c_check(letters(name), c_funloc(advance_for_c), c_loc(own))
+        end if
     end function
 
     !> Forces and moments at the positions x(3,n) and attitudes quat(4,n), any norm but 0: written, not added.

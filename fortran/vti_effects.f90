@@ -10,6 +10,7 @@
 module vti_effects
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
+    use vti_c, only: vti_bodies_check
     use vti_c_effects
     use vti_steps, only: blame, handle
     use vti_types
@@ -122,11 +123,15 @@ contains
         integer(c_int) :: status
         integer(c_int64_t) :: k, body
         type(vti_fault) :: found
+        type(vti_bodies) :: centres
         if (present(fault)) fault = vti_fault()
         status = VTI_E_COUNT
         if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
         status = VTI_E_VIEW
         if (.not. all([(c_associated(bodies%x%c(k)), k=1, 3)])) return
+        centres = vti_bodies(abi=bodies%abi, first=bodies%first, count=bodies%count, x=bodies%x)
+        status = vti_bodies_check(centres)
+        if (status /= VTI_OK) return
         do k = 1, size(pair, 2, c_int64_t)
             body = maxval(pair(:, k))
             if (minval(pair(:, k)) < 1) body = minval(pair(:, k))

@@ -67,7 +67,7 @@ module vti_types
     !> type(c_ptr), value :: self; type(vti_bodies), intent(in) :: bodies; real(c_double), intent(inout) :: energies(*).
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
-        type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr
+        type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr
         type(c_ptr) :: self = c_null_ptr
         integer(c_int64_t) :: terms = 0
         type(c_ptr) :: term = c_null_ptr

@@ -75,10 +75,10 @@ typedef struct vti_scalars {
 } vti_scalars;
 
 /** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
- *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. mass is
- *  needed for a force and for momenta, inertia for a moment and for spin. Give the attitude as alpha or as a quaternion,
- *  never as both. Mass and inertia are finite: a body that is held is one outside the slice that is stepped, as effects act
- *  across slices. Start from vti_bodies_none(). */
+ *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. Effects that read
+ *  what is absent are refused. mass is needed for a force and for momenta, inertia for a moment and for spin. Give the
+ *  attitude as alpha or as a quaternion, never as both. Mass and inertia are finite: a body that is held is one outside the
+ *  slice that is stepped, as effects act across slices. Start from vti_bodies_none(). */
 typedef struct vti_bodies {
     int64_t abi;         /**< VTI_ABI */
     int64_t sealed;      /**< 0, or what vti_bodies_seal has put here */

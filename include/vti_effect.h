@@ -20,11 +20,13 @@ extern "C" {
  *  object behind self stays the caller's. */
 typedef struct vti_effect {
     const char *name; /**< what it is called */
-    /** Adds this effect's force and moment to the bodies' (views that are absent are left out). */
+    /** Adds this effect's force and moment to the bodies' (a force or moment that is absent is left out). */
     void (*apply)(const void *self, const vti_bodies *bodies);
     /** Writes the effect's energies, one per term. */
     void (*energy)(const void *self, const vti_bodies *bodies, double *energies);
-    const void *self;        /**< first argument of both */
+    /** VTI_OK if all that these two read is there, of self and of the bodies; may be NULL. Asked before each of them. */
+    int (*check)(const void *self, const vti_bodies *bodies);
+    const void *self;        /**< first argument of the three */
     int64_t terms;           /**< at most VTI_TERMS */
     const char *const *term; /**< names of the terms, one each */
     int64_t breaks; /**< momenta that it does not conserve, bits: 0-2 linear, 3-5 angular about 0, 6-8 sum of J Omega */
@@ -33,7 +35,7 @@ typedef struct vti_effect {
 } vti_effect;
 
 /** force = moment = 0 on the slice, then every effect in order. An effect without apply, as is made of what is NULL or given
- *  in part, is refused with VTI_E_NULL. */
+ *  in part, is refused with VTI_E_NULL, and one whose check says no with what it says; then nothing has been touched. */
 VTI_API int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
 /** Once before a run, if forces are effects: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates, else VTI_OK. */
 VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n);

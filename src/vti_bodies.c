@@ -51,11 +51,11 @@ static int is_positive(double value)
 }
 
 /** A kick needs what it divides by; one value for all is looked at here, arrays in vti_bodies_check_values. */
-static int scalars_check(const vti_scalars *s, int needed, int64_t count, int error)
+static int scalars_check(const vti_scalars *s, int needed, int error)
 {
     if (s->p == NULL)
         return needed ? error : VTI_OK;
-    return s->stride == 0 && count > 0 && !is_positive(*s->p) ? error : VTI_OK;
+    return s->stride == 0 && !is_positive(*s->p) ? error : VTI_OK;
 }
 
 int vti_bodies_check(const vti_bodies *b)
@@ -85,10 +85,10 @@ int vti_bodies_check(const vti_bodies *b)
     if (status != VTI_OK)
         return status;
 
-    const int mass = scalars_check(&b->mass, vti_has(&b->v) && vti_has(&b->force), b->count, VTI_E_MASS);
+    const int mass = scalars_check(&b->mass, vti_has(&b->v) && vti_has(&b->force), VTI_E_MASS);
     if (mass != VTI_OK)
         return mass;
-    return scalars_check(&b->inertia, vti_has(&b->omega) && vti_has(&b->moment), b->count, VTI_E_INERTIA);
+    return scalars_check(&b->inertia, vti_has(&b->omega) && vti_has(&b->moment), VTI_E_INERTIA);
 }
 
 int vti_bodies_seal(vti_bodies *b)

@@ -14,6 +14,18 @@ static const struct bond_kernel (*kernels(void))[4]
     return vti_bond_baseline;
 }
 
+/** What the terms read, and the list, if it is another one than when the effect was made. */
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_bonds *p = self;
+    const int reads_x = p->axial.p != NULL || p->shear.p != NULL, turns = p->moment.p != NULL || p->shear.p != NULL;
+    if (p->count <= 0)
+        return VTI_OK;
+    const int lacks =
+        p->pair == NULL || p->rest == NULL || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
+    return lacks ? VTI_E_NULL : VTI_OK;
+}
+
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
 {
     if (bonds == NULL || (bonds->count > 0 && (bonds->pair == NULL || bonds->rest == NULL)))
@@ -31,6 +43,7 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
     const vti_effect effect = {"binder",
                                kernel.apply,
                                kernel.energy,
+                               check,
                                bonds,
                                has_moment + has_axial + has_shear,
                                names[has_moment + 2 * has_axial + 4 * has_shear],

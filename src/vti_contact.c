@@ -33,11 +33,20 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
     return !(*r2 >= *length * *length);
 }
 
+/** The list may be another one than when the effect was made. */
+static int contacts_check(const void *self, const vti_bodies *b)
+{
+    const vti_contacts *p = self;
+    if (p->count < 0)
+        return VTI_E_COUNT;
+    return p->diameter.p == NULL || !vti_has(&b->x) || (p->count > 0 && p->pair == NULL) ? VTI_E_NULL : VTI_OK;
+}
+
 /** F_i = (K/D) o^{3/2} n = -F_j */
 static void contacts_apply(const void *self, const vti_bodies *b)
 {
     const vti_contacts *p = self;
-    for (int64_t k = 0; vti_has(&b->x) && vti_has(&b->force) && k < p->count; ++k) {
+    for (int64_t k = 0; vti_has(&b->force) && k < p->count; ++k) {
         double d[3], length, r2;
         if (!touch(p, b, k, d, &length, &r2))
             continue;
@@ -53,7 +62,7 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
 {
     const vti_contacts *p = self;
     vti_sum sum = {0.0, 0.0};
-    for (int64_t k = 0; vti_has(&b->x) && k < p->count; ++k) {
+    for (int64_t k = 0; k < p->count; ++k) {
         double d[3], length, r2;
         if (touch(p, b, k, d, &length, &r2))
             vti_sum_add(&sum, hertz_energy(p->stiffness, 1.0 - sqrt(r2) / length));
@@ -64,9 +73,10 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};
-    if (contacts == NULL || contacts->diameter.p == NULL)
+    if (contacts == NULL || contacts->diameter.p == NULL || contacts->count < 0 ||
+        (contacts->count > 0 && contacts->pair == NULL))
         return vti_effect_none();
-    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts, 1, term, 0, 0};
+    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts_check, contacts, 1, term, 0, 0};
     return effect;
 }
 
@@ -82,11 +92,17 @@ static inline double wall_overlap(const vti_walls *p, const vti_bodies *b, const
     return 1.0 - (vti_dot(plane, x) - plane[3]) / *radius;
 }
 
+static int walls_check(const void *self, const vti_bodies *b)
+{
+    const vti_walls *p = self;
+    return p->count > 0 && !vti_has(&b->x) ? VTI_E_NULL : VTI_OK;
+}
+
 /** F = (K/(D/2)) o^{3/2} along the normal */
 static void walls_apply(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
-    for (int64_t w = 0; vti_has(&b->x) && vti_has(&b->force) && w < p->count; ++w) {
+    for (int64_t w = 0; vti_has(&b->force) && w < p->count; ++w) {
         const double *plane = p->plane + 4 * w;
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
             double radius;
@@ -104,7 +120,7 @@ static void walls_energy(const void *self, const vti_bodies *b, double *energies
 {
     const vti_walls *p = self;
     vti_sum sum = {0.0, 0.0};
-    for (int64_t w = 0; vti_has(&b->x) && w < p->count; ++w)
+    for (int64_t w = 0; w < p->count; ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
             double radius;
             const double o = wall_overlap(p, b, p->plane + 4 * w, i, &radius);
@@ -124,6 +140,6 @@ vti_effect vti_walls_effect(const vti_walls *walls)
         for (int k = 0; k < 3; ++k)
             if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
                 breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"wall", walls_apply, walls_energy, walls, 1, term, breaks, 0};
+    const vti_effect effect = {"wall", walls_apply, walls_energy, walls_check, walls, 1, term, breaks, 0};
     return effect;
 }

@@ -47,9 +47,11 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
         return VTI_E_COUNT;
     if (n > 0 && effects == NULL)
         return VTI_E_NULL;
-    for (int64_t k = 0; k < n; ++k)
-        if (effects[k].apply == NULL)
-            return VTI_E_NULL;
+    for (int64_t k = 0; k < n; ++k) {
+        const int refused = effects[k].apply == NULL ? VTI_E_NULL : vti_effect_check(&effects[k], b);
+        if (refused != VTI_OK)
+            return refused;
+    }
     clear_loads(b);
     for (int64_t k = 0; k < n; ++k)
         effects[k].apply(effects[k].self, b);

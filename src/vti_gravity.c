@@ -2,10 +2,16 @@
  * Uniform gravity: F = m g, U = -m g.x. */
 #include "vti_internal.h"
 
+static int check(const void *self, const vti_bodies *b)
+{
+    (void)self;
+    return b->mass.p != NULL ? VTI_OK : VTI_E_MASS;
+}
+
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_gravity *p = self;
-    if (!vti_has(&b->force) || b->mass.p == NULL)
+    if (!vti_has(&b->force))
         return;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         const double m = vti_scalar(&b->mass, i), force[3] = {m * p->g[0], m * p->g[1], m * p->g[2]};
@@ -16,8 +22,8 @@ static void apply(const void *self, const vti_bodies *b)
 static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     const vti_gravity *p = self;
-    vti_sum sum = {0.0, 0.0};
-    for (int64_t i = b->first; vti_has(&b->x) && b->mass.p != NULL && i < b->first + b->count; ++i) {
+    vti_sum sum = {vti_has(&b->x) ? 0.0 : NAN, 0.0};
+    for (int64_t i = b->first; vti_has(&b->x) && i < b->first + b->count; ++i) {
         double x[3];
         vti_load(&b->x, i, x);
         vti_sum_add(&sum, -vti_scalar(&b->mass, i) * vti_dot(p->g, x));
@@ -34,6 +40,6 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
     for (int k = 0; k < 3; ++k)
         if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */
             breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"gravity", apply, energy, gravity, 1, term, breaks, 0};
+    const vti_effect effect = {"gravity", apply, energy, check, gravity, 1, term, breaks, 0};
     return effect;
 }

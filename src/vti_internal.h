@@ -76,8 +76,13 @@ static inline int vti_bodies_ready(const vti_bodies *b)
 /** What an effect of nothing is: vti_apply refuses it. */
 static inline vti_effect vti_effect_none(void)
 {
-    const vti_effect none = {NULL, NULL, NULL, NULL, 0, NULL, 0, 0};
+    const vti_effect none = {NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, 0};
     return none;
+}
+
+static inline int vti_effect_check(const vti_effect *effect, const vti_bodies *b)
+{
+    return effect->check != NULL ? effect->check(effect->self, b) : VTI_OK;
 }
 
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */

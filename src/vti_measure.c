@@ -49,7 +49,7 @@ double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
     vti_sum_add(&sum, vti_kinetic_rotation(b));
     for (int64_t k = 0; k < n; ++k) {
         double energies[VTI_TERMS] = {0.0};
-        if (effects[k].terms > VTI_TERMS || effects[k].energy == NULL)
+        if (effects[k].terms > VTI_TERMS || effects[k].energy == NULL || vti_effect_check(&effects[k], b) != VTI_OK)
             return NAN;
         effects[k].energy(effects[k].self, b, energies);
         for (int64_t j = 0; j < effects[k].terms; ++j)

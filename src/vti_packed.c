@@ -19,7 +19,7 @@ static int scalars(int64_t values, const double *p, int64_t n, vti_scalars *s)
 static const vti_stepper *of_one_stage(int64_t stepper)
 {
     const vti_stepper *s = vti_stepper_at(stepper);
-    return s != NULL && s->stages == 1 && s->drift[1] == 0.0 && s->probe == NULL ? s : NULL;
+    return s != NULL && s->stages == 1 ? s : NULL;
 }
 
 int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force, double *alpha,

@@ -39,10 +39,16 @@ VTI_APART void swing_any(const vti_bodies *b, const double pull[3], int64_t i)
     swing(q, pull, &b->moment, i);
 }
 
+static int check(const void *self, const vti_bodies *b)
+{
+    (void)self;
+    return vti_has_attitude(b) ? VTI_OK : VTI_E_NULL;
+}
+
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_pendulum *p = self;
-    if (!vti_has(&b->moment) || !vti_has_attitude(b))
+    if (!vti_has(&b->moment))
         return;
     const double pull[3] = {p->weight * p->rho0[0], p->weight * p->rho0[1], p->weight * p->rho0[2]};
     const vti_view moment = b->moment, alpha = b->alpha; /* copies: what nobody else can change stays in registers */
@@ -62,7 +68,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     const vti_pendulum *p = self;
     vti_sum sum = {0.0, 0.0};
-    for (int64_t i = b->first; vti_has_attitude(b) && i < b->first + b->count; ++i) {
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double arm[3];
         arm_of(p, b, i, arm);
         vti_sum_add(&sum, -p->weight * arm[2]);
@@ -76,6 +82,6 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
     if (pendulum == NULL)
         return vti_effect_none();
     /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
-    const vti_effect effect = {"pendulum", apply, energy, pendulum, 1, term, 0xdf, 0};
+    const vti_effect effect = {"pendulum", apply, energy, check, pendulum, 1, term, 0xdf, 0};
     return effect;
 }

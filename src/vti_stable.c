@@ -179,6 +179,6 @@ int vti_stable_step(const vti_springs *springs, const vti_bodies *b, double *scr
         scratch[i] = 0.0;
     each_spring(springs, &tally, add_weight);
     each_spring(springs, &tally, find_most);
-    *h = 2.0 / sqrt(tally.most);
+    *h = tally.most > 0.0 ? 2.0 / sqrt(tally.most) : INFINITY;
     return VTI_OK;
 }

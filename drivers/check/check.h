@@ -37,7 +37,8 @@ struct host {
 struct kit {
     struct host host;
     vti_check_report *report;
-    double order;      /* of convergence, the least of the four */
+    int rotates;       /* 0: translation only */
+    double order;      /* of convergence, the least of all */
     int energy_known;  /* a sentence says already what the energy does */
     int attitude_lost; /* a sentence says already that attitudes are wrong */
 };
@@ -73,6 +74,10 @@ struct bed scene_pendulum(struct field *field);
 struct bed scene_pair(struct field *field);
 /** The same bond turning steadily like a rigid body, stretched as its centripetal force demands. *r is the distance. */
 struct bed scene_rigid(struct field *field, double *r);
+/** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
+struct bed scene_spring(struct field *field);
+/** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
+struct bed scene_stretch(struct field *field);
 /** Two bodies on a torsion spring about z, twisted by 1e-3; oscillates by the frequency 1. */
 struct bed scene_torsion(struct field *field);
 
@@ -92,12 +97,12 @@ void check_spin(struct kit *kit);     /* spin.c: law, side, half turns, norm */
 void check_response(struct kit *kit); /* response.c: what constant and growing loads do */
 void check_frame(struct kit *kit);    /* spin.c: a moment on a body that is turned */
 void check_pendulum(struct kit *kit); /* motion.c */
-void check_torsion(struct kit *kit);  /* motion.c */
+void check_torsion(struct kit *kit);  /* motion.c; translation only: of a stretched pair */
 void check_rigid(struct kit *kit);    /* motion.c */
 void check_order(struct kit *kit);    /* motion.c */
 void check_momentum(struct kit *kit); /* structure.c */
 void check_reversal(struct kit *kit); /* structure.c */
-void check_two_form(struct kit *kit); /* structure.c */
+void check_two_form(struct kit *kit); /* two_form.c */
 void check_energy(struct kit *kit);   /* structure.c */
 
 #endif

@@ -205,6 +205,10 @@ void check_response(struct kit *kit)
 {
     struct response push, twist;
     measure(kit, &push, &twist);
+    if (!kit->rotates) {
+        judge(kit, &of_push, &push);
+        return;
+    }
     const int attitude_lost = kit->attitude_lost;
     kit->attitude_lost = 0; /* which says nothing of positions */
     judge(kit, &of_push, &push);

@@ -5,7 +5,8 @@
 
 static const int64_t one_pair[2] = {0, 1};
 static const double rest[4] = {-1.0, 0.0, 0.0, 1.0}; /* n0 = (x_0 - x_1)/L0 with body 1 on the right, L0 = 1 */
-static const double stiff_moment = 8.0, stiff_axial = 15.0, stiff_shear = 10.0, stiff_torsion = 0.5;
+static const double stiff_moment = 8.0, stiff_axial = 15.0, stiff_shear = 10.0, stiff_torsion = 0.5,
+                    stiff_stretch = 0.5, stiff_spring = 2.0;
 static const vti_pendulum paper = {1.0, {0.0, 0.0, 1.0}};
 
 static void bond(struct field *field, int is_torsion)
@@ -67,6 +68,35 @@ struct bed scene_pair(struct field *field)
     turn(&b, 1, -0.1, 0.1, 0.2);
     set(b.w, 0.5, 0.3, -0.4);
     set(b.w + 3, 0.2, -0.3, 0.6);
+    return b;
+}
+
+static void spring(struct field *field, const double *stiffness)
+{
+    bond(field, 0);
+    field->bonds.moment.p = field->bonds.shear.p = NULL;
+    field->bonds.axial = vti_scalars_one(stiffness);
+    field->effect = vti_bonds_effect(&field->bonds);
+}
+
+struct bed scene_spring(struct field *field)
+{
+    struct bed b = bed_none(2);
+    spring(field, &stiff_spring);
+    b.mass[1] = 1.5;
+    set(b.x + 3, 1.3, 0.0, 0.0);
+    set(b.v, 0.2, -0.6, 0.4);
+    set(b.v + 3, -0.1, 0.5, 0.2);
+    return b;
+}
+
+/** m r'' = -2 K/L0 (r/L0 - 1) for the distance r of two like bodies, m = L0 = 1. */
+struct bed scene_stretch(struct field *field)
+{
+    struct bed b = bed_none(2);
+    spring(field, &stiff_stretch);
+    set(b.x, -0.5e-3, 0.0, 0.0);
+    set(b.x + 3, 1.0 + 0.5e-3, 0.0, 0.0);
     return b;
 }
 

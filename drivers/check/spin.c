@@ -87,6 +87,9 @@ static void say_side(struct kit *kit, const struct turn *t, double s)
     if (t->across > 1e-6 * s)
         kit_fault(kit, "a free spin does not turn a body about omega: increments are added up, or a quaternion's order "
                        "is another one");
+    else if (fabs(t->angle) <= 1e-6 * s)
+        kit_fault(kit,
+                  "a free spin does not turn bodies (what moves positions only is checked by vti-check --translation)");
     else if (t->side < 0 && t->angle < 0.0)
         kit_fault(kit, "the attitude is taken for its inverse, space to body");
     else if (t->side < 0)

@@ -64,6 +64,9 @@ typedef struct vti_check_report {
 
 /** Runs all checks; some 120000 steps of up to four bodies. Returns the number of faults. */
 int vti_check_run(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
+/** The same for a host that moves positions only: scenes without moments, and a remark that rotation was not looked at. What
+ *  the host does to quat and omega does not matter, as long as they stay finite. */
+int vti_check_run_translation(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
 
 /** The sentences, then a line for each check. */
 void vti_check_print(const vti_check_report *report, FILE *file);
@@ -72,6 +75,8 @@ void vti_check_print_json(const vti_check_report *report, FILE *file);
 
 /** vti_check_run and vti_check_print to stdout. Returns the number of faults. */
 int vti_check(const char *name, vti_check_advance *advance, void *self);
+/** The same of translation only. */
+int vti_check_translation(const char *name, vti_check_advance *advance, void *self);
 
 #ifdef __cplusplus
 }

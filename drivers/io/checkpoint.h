@@ -31,9 +31,9 @@ struct checkpoint {
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      struct message *message);
 
-/** Reads the checkpoint in the journal's folder for these bodies, which get its state, or stay as they are if
- *  that is of step 0: they are at t = 0 already. Returns 1, 0 if there is
- *  none, or -1 with one line in *message: it is damaged, or of another run than *identity, that of *scene. */
+/** Reads the checkpoint in the journal's folder for these bodies, which get its state, or stay as they are if that is of
+ *  step 0: they are at t = 0 already. Returns 1, 0 if there is none, or -1 with one line in *message: it is damaged, or of
+ *  another run than *identity, that of *scene. */
 int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
                     struct checkpoint *checkpoint, const vti_bodies *bodies, struct message *message);
 

@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause A 64-bit digest (FNV-1a) that tells damaged or foreign bytes from the right
- * ones. It is no protection against intent. */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * A 64-bit digest (FNV-1a) that tells damaged or foreign bytes from the right ones. It is no protection against intent. */
 #ifndef VTI_DIGEST_H
 #define VTI_DIGEST_H
 

@@ -13,7 +13,7 @@ int file_lock(int fd);
  *  another process holds it, or -1 with errno. */
 int file_lock_open(const char *path);
 
-/** Whether another process holds the file: 1 or 0. */
+/** Whether another process holds the file: 1 or 0. Not for a process that has locked it, whose lock this would undo. */
 int file_lock_taken(const char *path);
 
 #endif

@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "sync.h"
+
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
 {
     const int length = snprintf(path, FOLDER_PATH, "%s/%s%s", folder, name, part ? ".part" : "");
@@ -50,25 +52,72 @@ int folder_create(const char *folder, struct message *message)
         return message_set(message, "%s: the folder cannot be written to: %s; choose another with -o", folder,
                            strerror(errno));
     fclose(file);
-    folder_drop(folder, probe);
+    unlink(path);
     return 0;
 }
 
-int folder_keep(const char *folder, const char *name, struct message *message)
+/* ---- one file ---------------------------------------------------------------------------------------------------- */
+
+static int fail(const char *path, struct message *message)
+{
+    return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
+}
+
+FILE *folder_open(const char *folder, const char *name, struct message *message)
+{
+    char path[FOLDER_PATH];
+    if (folder_path(folder, name, 1, path, message) != 0)
+        return NULL;
+    FILE *file = fopen(path, "wb");
+    if (file == NULL)
+        fail(path, message);
+    return file;
+}
+
+int folder_close(FILE *file, const char *folder, const char *name, struct message *message)
+{
+    char path[FOLDER_PATH];
+    const int before = ferror(file);
+    if (folder_path(folder, name, 1, path, message) != 0)
+        return -1;  /* it has been opened under this name */
+    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
+    return fclose(file) != 0 || before ? fail(path, message) : 0;
+}
+
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
+
+static int sync_part(const char *folder, const char *name, struct message *message)
+{
+    char path[FOLDER_PATH];
+    if (folder_path(folder, name, 1, path, message) != 0)
+        return -1;
+    return sync_path(path) != 0 ? fail(path, message) : 0;
+}
+
+/** folder/name.part gets its real name. */
+static int keep(const char *folder, const char *name, struct message *message)
 {
     char from[FOLDER_PATH], to[FOLDER_PATH];
     if (folder_path(folder, name, 1, from, message) != 0 || folder_path(folder, name, 0, to, message) != 0)
         return -1;
-    if (rename(from, to) != 0)
-        return message_set(message, "%s: cannot be written: %s; free some space or choose another folder with -o", to,
-                           strerror(errno));
-    return 0;
+    return rename(from, to) != 0 ? fail(to, message) : 0;
 }
 
-void folder_drop(const char *folder, const char *name)
+static void drop(const char *folder, const char *name)
 {
     char path[FOLDER_PATH];
     struct message ignored = {""};
     if (folder_path(folder, name, 1, path, &ignored) == 0)
         unlink(path);
+}
+
+int folder_finish(const char *folder, const char *const *names, int count, int failed, struct message *message)
+{
+    for (int k = 0; failed == 0 && k < count; ++k)
+        failed = sync_part(folder, names[k], message);
+    for (int k = 0; failed == 0 && k < count; ++k)
+        failed = keep(folder, names[k], message);
+    for (int k = 0; failed != 0 && k < count; ++k)
+        drop(folder, names[k]);
+    return failed == 0 && sync_path(folder) != 0 ? fail(folder, message) : failed;
 }

@@ -3,6 +3,8 @@
 #ifndef VTI_FOLDER_H
 #define VTI_FOLDER_H
 
+#include <stdio.h>
+
 #include "message.h"
 
 enum { FOLDER_PATH = 4096 };
@@ -14,9 +16,14 @@ int folder_create(const char *folder, struct message *message);
 /** path = folder/name, or folder/name.part for the file while it is written. Returns 0, or -1 with *message if too long. */
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
 
-/** Gives folder/name.part, written and closed, its real name. Returns 0, or -1 with *message. */
-int folder_keep(const char *folder, const char *name, struct message *message);
-/** Removes folder/name.part. */
-void folder_drop(const char *folder, const char *name);
+/** Opens folder/name.part for writing; NULL with *message if that cannot be. */
+FILE *folder_open(const char *folder, const char *name, struct message *message);
+/** Closes it. Returns 0, or -1 with *message if not all that was written to it has got there. */
+int folder_close(FILE *file, const char *folder, const char *name, struct message *message);
+
+/** The end of files that belong together. If failed is 0, brings every folder/name.part, written and closed, to the disk and
+ *  then gives all of them their real names; otherwise, and if that fails, removes them. Returns 0, or -1 with *message, which is
+ *  as it was if failed is not 0. */
+int folder_finish(const char *folder, const char *const *names, int count, int failed, struct message *message);
 
 #endif

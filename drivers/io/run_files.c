@@ -2,13 +2,11 @@
 #define _POSIX_C_SOURCE 200809L
 #include "run_files.h"
 
-#include <errno.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "run_hdf5.h"
 #include "run_text.h"
-#include "sync.h"
 
 enum { HDF5, CSV, XDMF, DUMP, KINDS };
 
@@ -48,35 +46,26 @@ static void name_of(const struct run_files *files, int kind, char name[264])
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
-static int fail(const char *path, struct message *message)
+static int write_hdf5(const struct run_files *files, const struct record *record, struct message *message)
 {
-    return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
+    char path[FOLDER_PATH];
+    if (folder_path(files->folder, files->hdf5, 1, path, message) != 0)
+        return -1;
+    return run_hdf5_write(record, path, message);
 }
 
-static int write_text(const struct run_files *files, const struct record *record, int kind, const char *path,
+static int write_text(const struct run_files *files, const struct record *record, int kind, const char *name,
                       struct message *message)
 {
-    FILE *file = fopen(path, "wb");
-    if (file == NULL)
-        return fail(path, message);
+    struct message ignored = {""};
     message->text[0] = '\0';
-    int failed = kind == CSV    ? run_csv_write(record, file, message)
-                 : kind == XDMF ? run_xdmf_write(record, files->hdf5, file, message)
-                                : run_dump_write(record, file, message);
-    if (ferror(file) && message->text[0] == '\0')
-        failed = fail(path, message);
-    return fclose(file) != 0 && failed == 0 ? fail(path, message) : failed;
-}
-
-static int write_part(const struct run_files *files, const struct record *record, int kind, struct message *message)
-{
-    char name[264], path[FOLDER_PATH];
-    name_of(files, kind, name);
-    if (folder_path(files->folder, name, 1, path, message) != 0)
+    FILE *file = folder_open(files->folder, name, message);
+    if (file == NULL)
         return -1;
-    const int failed =
-        kind == HDF5 ? run_hdf5_write(record, path, message) : write_text(files, record, kind, path, message);
-    return failed == 0 && sync_path(path) != 0 ? fail(path, message) : failed;
+    const int failed = kind == CSV    ? run_csv_write(record, file, message)
+                       : kind == XDMF ? run_xdmf_write(record, files->hdf5, file, message)
+                                      : run_dump_write(record, file, message);
+    return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
 /** A dump of an earlier run beside the files of this one would only mislead. */
@@ -92,18 +81,19 @@ static void remove_dump(const struct run_files *files)
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
 {
     const int kinds = files->dump ? KINDS : DUMP;
-    char name[264];
+    char name[KINDS][264];
+    const char *names[KINDS];
     int failed = 0;
-    for (int kind = 0; failed == 0 && kind < kinds; ++kind)
-        failed = write_part(files, record, kind, message);
     for (int kind = 0; kind < kinds; ++kind) {
-        name_of(files, kind, name);
+        name_of(files, kind, name[kind]);
+        names[kind] = name[kind];
         if (failed == 0)
-            failed = folder_keep(files->folder, name, message);
-        else
-            folder_drop(files->folder, name);
+            failed = kind == HDF5 ? write_hdf5(files, record, message)
+                                  : write_text(files, record, kind, name[kind], message);
     }
-    if (failed == 0 && !files->dump)
+    if (folder_finish(files->folder, names, kinds, failed, message) != 0)
+        return -1;
+    if (!files->dump)
         remove_dump(files);
-    return failed == 0 && sync_path(files->folder) != 0 ? fail(files->folder, message) : failed;
+    return 0;
 }

@@ -58,9 +58,16 @@ static void close_journal(struct task_journal *journal, int done, int rank)
         task_journal_close(journal);
 }
 
+/** What is wrong with the files, and where the results are. */
+static int not_written(const struct task_journal *journal, const struct message *problem, struct message *message)
+{
+    return message_set(message, "%.600s; the results are kept in %.300s: make space and use --resume", problem->text,
+                       journal->path);
+}
+
 /* ---- convergence -------------------------------------------------------------------------------------------------- */
 
-static void say(const struct study *study, const char *folder)
+static void say_study(const struct study *study, const char *folder)
 {
     const struct plan *plan = study->plan;
     for (int64_t k = 0; k < plan->h_count; ++k)
@@ -82,45 +89,48 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
     struct study study;
     struct task_journal journal;
-    struct message message = {""};
+    struct message message = {""}, problem = {""};
     const struct task_identity identity = study_identity(plan);
     if (open_journal(&journal, place, "study.journal", &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
     int failed = study_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
-    if (failed == 0 && rank == 0) {
-        failed = study_files_write(&study, place->folder, &message);
-        if (failed == 0)
-            say(&study, place->folder);
-    }
+    if (failed == 0 && rank == 0 && study_files_write(&study, place->folder, &problem) != 0)
+        failed = not_written(&journal, &problem, &message);
+    /* a run that is refused would be refused again */
     close_journal(&journal, failed == 0 || study.refused, rank);
+    if (failed == 0 && rank == 0)
+        say_study(&study, place->folder);
     study_destroy(&study);
     return study_agree(failed, rank, &message);
 }
 
 /* ---- cost --------------------------------------------------------------------------------------------------------- */
 
+static void say_cost(const struct cost *cost, const char *folder)
+{
+    cost_table_write(cost, stdout);
+    printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n", (long long)cost->runs,
+           cost->seconds, folder);
+}
+
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
     static struct cost cost;
     struct task_journal journal;
-    struct message message = {""};
+    struct message message = {""}, problem = {""};
     const struct task_identity identity = cost_identity(plan);
     if (open_journal(&journal, place, "cost.journal", &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
     int failed = cost_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
-    if (failed == 0 && rank == 0) {
-        failed = cost_files_write(&cost, place->folder, &message);
-        if (failed == 0) {
-            cost_table_write(&cost, stdout);
-            printf("%lld runs in %.2f s, written to %s: cost.csv errors.csv prices.csv machine.txt\n",
-                   (long long)cost.runs, cost.seconds, place->folder);
-        }
-    }
+    if (failed == 0 && rank == 0 && cost_files_write(&cost, place->folder, &problem) != 0)
+        failed = not_written(&journal, &problem, &message);
     close_journal(&journal, failed == 0, rank);
+    if (failed == 0 && rank == 0)
+        say_cost(&cost, place->folder);
     cost_destroy(&cost);
     return study_agree(failed, rank, &message);
 }

@@ -153,8 +153,7 @@ int study_hdf5_write(const struct study *study, const char *path, struct message
     hdf5_start();
     struct hdf5_sink file = hdf5_file(path);
     if (file.failed)
-        return message_set(message,
-                           "%s: cannot be made; check the folder's rights and space, or choose another with -o", path);
+        return message_set(message, "%s: cannot be made; the disk may be full", path);
     hdf5_text(&file, "scene", study->plan->scene->name);
     hdf5_text(&file, "vti_version", vti_version());
     hdf5_attribute(&file, "t_end", H5T_NATIVE_DOUBLE, 1, &study->t_end);
@@ -166,6 +165,6 @@ int study_hdf5_write(const struct study *study, const char *path, struct message
     write_orders(&file, study);
     write_series(&file, study);
     if (hdf5_close_file(&file) != 0)
-        return message_set(message, "%s: writing failed; free some space or choose another folder with -o", path);
+        return message_set(message, "%s: cannot be written; the disk may be full", path);
     return 0;
 }

@@ -27,8 +27,13 @@ static void add_table(struct task_identity *identity, enum task_part part, const
     }
 }
 
-/** All of it but what a study has for itself, and but where its tables lie. scene_read leaves zeros in what it does not
- *  set. */
+/** Whether there is a table, but not where it lies: what it holds counts. */
+static void forget_place(char *path, size_t size)
+{
+    memset(path, path[0] != '\0', size);
+}
+
+/** All of it but what a study has for itself. scene_read leaves zeros in what it does not set. */
 static void add_scene(struct task_identity *identity, const struct scene *scene)
 {
     static struct scene copy;
@@ -36,8 +41,8 @@ static void add_scene(struct task_identity *identity, const struct scene *scene)
     copy.tables = NULL;
     copy.stepper = NULL;
     copy.h = copy.t_end = 0.0;
-    memset(copy.table, copy.table[0] != '\0', sizeof copy.table);
-    memset(copy.binder.table, copy.binder.table[0] != '\0', sizeof copy.binder.table);
+    forget_place(copy.table, sizeof copy.table);
+    forget_place(copy.binder.table, sizeof copy.binder.table);
     add(identity, TASK_SCENES, &copy, sizeof copy);
     if (scene->tables != NULL) {
         add_table(identity, TASK_BODIES, &scene->tables->bodies);

@@ -161,6 +161,15 @@ static int read_records(struct task_journal *journal, struct message *message)
     return more;
 }
 
+/** Whether the file ends within its head, of this very study, which was killed while it wrote that: there is nothing in it. */
+static int is_begun(const struct task_journal *journal, const struct task_identity *identity, int64_t size)
+{
+    char there[sizeof(struct head)];
+    const struct head head = head_of(identity);
+    return size < (int64_t)sizeof head && read_at(journal, 0, there, (size_t)size) == 1 &&
+           memcmp(there, &head, (size_t)size) == 0;
+}
+
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
 static int begin(struct task_journal *journal, const struct task_identity *identity, struct message *message)
@@ -179,7 +188,7 @@ static int take_over(struct task_journal *journal, int resume, const struct task
     struct stat info;
     if (fstat(journal->fd, &info) != 0)
         return fail(journal, message);
-    if (info.st_size == 0)
+    if (is_begun(journal, identity, info.st_size))
         return begin(journal, identity, message);
     if (!resume)
         return message_set(
@@ -188,37 +197,39 @@ static int take_over(struct task_journal *journal, int resume, const struct task
     return check_head(journal, identity, message) != 0 ? -1 : read_records(journal, message);
 }
 
+static int make_room(struct task_journal *journal, const struct task_identity *identity, struct message *message)
+{
+    journal->tasks = identity->tasks;
+    journal->bytes = identity->bytes;
+    journal->place = calloc((size_t)identity->tasks, sizeof *journal->place);
+    journal->record = calloc(1, record_size(journal));
+    return journal->place == NULL || journal->record == NULL
+               ? message_set(message, "%s: out of memory; use fewer runs", journal->path)
+               : 0;
+}
+
+static int open_file(struct task_journal *journal, struct message *message)
+{
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is to be an error as others are, not the end of the program */
+    journal->fd = file_lock_open(journal->path);
+    if (journal->fd == FILE_LOCK_TAKEN)
+        return message_set(message,
+                           "%s: another vti-study is writing there; wait for it or choose another folder with -o",
+                           journal->path);
+    return journal->fd < 0 ? fail(journal, message) : 0;
+}
+
 int task_journal_open(struct task_journal *journal, const char *folder, const char *name, int resume,
                       const struct task_identity *identity, struct message *message)
 {
     memset(journal, 0, sizeof *journal);
     journal->fd = -1;
-    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is to be an error as others are, not the end of the program */
-    if (folder_path(folder, name, 0, journal->path, message) != 0)
-        return -1;
-    journal->tasks = identity->tasks;
-    journal->bytes = identity->bytes;
-    journal->place = calloc((size_t)identity->tasks, sizeof *journal->place);
-    journal->record = calloc(1, record_size(journal));
-    int failed = journal->place == NULL || journal->record == NULL
-                     ? message_set(message, "%s: out of memory; use fewer runs", journal->path)
-                     : 0;
-    if (failed == 0) {
-        journal->fd = file_lock_open(journal->path);
-        if (journal->fd == FILE_LOCK_TAKEN)
-            failed = message_set(message,
-                                 "%s: another vti-study is writing there; wait for it or choose another folder with -o",
-                                 journal->path);
-        else if (journal->fd < 0)
-            failed = fail(journal, message);
-    }
-    if (failed == 0)
-        failed = take_over(journal, resume, identity, message);
-    if (failed != 0) {
-        journal->kept = 1; /* it is not ours to remove */
-        task_journal_close(journal);
-    }
-    return failed;
+    if (folder_path(folder, name, 0, journal->path, message) == 0 && make_room(journal, identity, message) == 0 &&
+        open_file(journal, message) == 0 && take_over(journal, resume, identity, message) == 0)
+        return 0;
+    journal->kept = 1; /* the file is not ours to remove */
+    task_journal_close(journal);
+    return -1;
 }
 
 /* ---- results ----------------------------------------------------------------------------------------------------- */
@@ -257,11 +268,11 @@ static int keep(void *self, int64_t task, int rank, const void *result, struct m
     const uint64_t digest = digest_add(DIGEST_START, journal->record, body);
     memcpy(journal->record + body, &digest, sizeof digest);
     const int64_t place = journal->end;
-    if (append(journal, journal->record, size) != 0 || sync_now_and_then(journal) != 0)
+    if (append(journal, journal->record, size) != 0)
         return fail(journal, message);
     journal->kept += journal->place[task] == 0;
     journal->place[task] = place;
-    return 0;
+    return sync_now_and_then(journal) != 0 ? fail(journal, message) : 0;
 }
 
 struct store task_journal_store(struct task_journal *journal)

@@ -40,7 +40,7 @@ static void kick_by(struct run *r, double t, const double *f, const double *m)
             vti_rrv_rotate_back(alpha, moment, moment);
         for (int64_t k = 3 * i; k < 3 * i + 3; ++k) {
             r->v[k] += has(r, NO_FORCE) ? 0.0 : s * f[k] / r->mass[i];
-            r->w[k] += s * moment[k - 3 * i] * per_load(r, i);
+            r->w[k] += has(r, NO_ROTATION) ? 0.0 : s * moment[k - 3 * i] * per_load(r, i);
         }
     }
 }
@@ -101,7 +101,7 @@ static void drift_positions(struct run *r)
 
 static void drift_attitudes(struct run *r)
 {
-    for (int64_t i = 0; i < r->n; ++i)
+    for (int64_t i = 0; i < r->n && !has(r, NO_ROTATION); ++i)
         turn(r, r->w + 3 * i, r->q + 4 * i);
 }
 

@@ -29,7 +29,8 @@ enum fault {
     REFUSES_HALF_TURN = 1 << 19, /* a Rodrigues vector that overflows: not a number at pi */
     NO_FORCE = 1 << 20,
     WEAK_DAMPING = 1 << 21, /* spins lose 1e-4 of themselves at every step: nobody expects it, no sentence knows it */
-    PREVIOUS_FORCE = 1 << 22
+    PREVIOUS_FORCE = 1 << 22,
+    NO_ROTATION = 1 << 23 /* attitudes and spins stay as they are */
 };
 
 /** A vti_check_advance; self points to an int of these bits. */

@@ -68,6 +68,28 @@ static const struct expected expected[] = {
     {"no force", NO_FORCE, {"the force does nothing"}},
 };
 
+static const char only[] = "translation only: rotation is not looked at";
+
+/** What codes get wrong that do not turn their spheres, and are asked for no more. */
+static const struct expected expected_of_translation[] = {
+    {"right", 0, {only}},
+    {"old velocity", OLD_VELOCITY, {old_v, only}},
+    {"no first half kick", NO_FIRST_HALF, {no_half_f, only}},
+    {"not primed", NOT_PRIMED, {unprimed, only}},
+    {"not primed, old velocity", NOT_PRIMED | OLD_VELOCITY, {unprimed, old_v, only}},
+    {"force of the previous step",
+     PREVIOUS_FORCE,
+     {"velocities are kicked by the force of the previous step: energy grows", only}},
+    {"twice", TWICE, {"the kick by the force is applied twice", only}},
+    {"late", LATE, {late_v, only}},
+    {"early", EARLY, {early_v, only}},
+    {"explicit Euler",
+     EULER,
+     {"explicit Euler: positions are pushed with the old velocity, and kicks are by the old force: energy grows",
+      only}},
+    {"no force", NO_FORCE, {"the force does nothing", only}},
+};
+
 static int is_expected(const struct expected *e, const char *text)
 {
     for (int k = 0; k < 3; ++k)
@@ -84,14 +106,19 @@ static int count_of(const struct expected *e)
     return n;
 }
 
-static int differs(const struct expected *e)
+/** remarks is how many of the sentences are not faults. */
+static int differs(const struct expected *e, int also, int remarks,
+                   int (*check)(const char *, vti_check_advance *, void *, vti_check_report *))
 {
     vti_check_report report;
-    int fault = e->fault, good = 1;
-    const int faults = vti_check_run(e->name, faulty_advance, &fault, &report);
-    good = faults == count_of(e) && faults == report.faults;
+    int fault = e->fault | also, good = 1;
+    const int faults = check(e->name, faulty_advance, &fault, &report);
+    good = report.words == count_of(e) && faults == report.words - remarks && faults == report.faults;
     for (int k = 0; k < report.words; ++k)
-        good = good && report.word[k].is_fault && is_expected(e, report.word[k].text);
+        good = good && report.word[k].is_fault == (strcmp(report.word[k].text, only) != 0) &&
+               is_expected(e, report.word[k].text);
+    for (int k = 0; k < report.lines && faults == 0; ++k)
+        good = good && report.line[k].verdict != VTI_CHECK_FAIL;
     if (!good) {
         print_error("%s:\n", e->name);
         vti_check_print(&report, stderr);
@@ -104,8 +131,32 @@ static void every_mistake_is_named(void **state)
     (void)state;
     int wrong = 0;
     for (size_t k = 0; k < sizeof expected / sizeof expected[0]; ++k)
-        wrong += differs(&expected[k]);
+        wrong += differs(&expected[k], 0, 0, vti_check_run);
     assert_int_equal(wrong, 0);
+}
+
+/** Whether the host turns its bodies rightly, wrongly or not at all makes no difference where only translation is asked for. */
+static void every_mistake_of_translation_is_named(void **state)
+{
+    (void)state;
+    const int rotations[] = {NO_ROTATION, 0, WRONG_SIGN | WRONG_SIDE, OLD_SPIN | NO_INERTIA, DOUBLE_TURN};
+    int wrong = 0;
+    for (size_t k = 0; k < sizeof expected_of_translation / sizeof expected_of_translation[0]; ++k)
+        for (size_t r = 0; r < sizeof rotations / sizeof rotations[0]; ++r)
+            wrong += differs(&expected_of_translation[k], rotations[r], 1, vti_check_run_translation);
+    assert_int_equal(wrong, 0);
+}
+
+/** Asked for everything, a host that does not turn its bodies is told so. */
+static void missing_rotation_is_named(void **state)
+{
+    (void)state;
+    const struct expected none = {
+        "no rotation",
+        NO_ROTATION,
+        {"the moment does nothing",
+         "a free spin does not turn bodies (what moves positions only is checked by vti-check --translation)"}};
+    assert_int_equal(differs(&none, 0, 0, vti_check_run), 0);
 }
 
 /** A mistake that no sentence knows is still not passed. */
@@ -141,8 +192,9 @@ static void nothing_passes_where_the_host_refuses(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_mistake_is_named),
-                                       cmocka_unit_test(what_is_not_known_is_not_passed),
-                                       cmocka_unit_test(nothing_passes_where_the_host_refuses)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_mistake_is_named), cmocka_unit_test(every_mistake_of_translation_is_named),
+        cmocka_unit_test(missing_rotation_is_named), cmocka_unit_test(what_is_not_known_is_not_passed),
+        cmocka_unit_test(nothing_passes_where_the_host_refuses)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

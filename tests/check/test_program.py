@@ -34,6 +34,21 @@ check({line["verdict"] for line in report["checks"]} <= {"pass", "note", "fail"}
       and any(line["verdict"] == "fail" for line in report["checks"]), "JSON has the checks")
 check(json.loads(run("--rival", "rk8pd", "--json")[1])["faults"] == [], "JSON has null for what is not finite")
 
+code, out, err = run("--plugin", plugin + ":still")
+check(code == 1 and "vti-check --translation" in out, "what does not turn bodies is told of --translation")
+code, out, err = run("--plugin", plugin + ":still", "--translation")
+check(code == 0 and "no fault found" in out and "FAIL" not in out and "rotation is not looked at" in out,
+      "and passes with it")
+words = ("spin", "moment ", "attitude", "pendulum", "turn", "torsion")
+check(not [line for line in out.splitlines() if any(word in line for word in words)], "no line is about rotation then")
+code, out, err = run("--plugin", plugin + ":still_and_late", "--translation", "--json")
+report = json.loads(out)
+check(code == 1 and report["faults"] == ["order 1: velocities are half a kick late"]
+      and report["remarks"] == ["translation only: rotation is not looked at"], "a fault of translation, as JSON")
+code, out, err = run("--translation")
+faulty = {line.split()[0] for line in out.splitlines() if not line.startswith(" ") and "no fault" not in line}
+check(code == 1 and faulty == {"vti3", "quat-euler", "campello"} and "spin" not in out, "all methods, translation only")
+
 code, out, err = run("--list")
 check(code == 0 and "--stepper vti2" in " ".join(out.split()) and "--rival lgvi" in " ".join(out.split()), "--list names both kinds")
 check(run("--help")[0] == 0 and "Usage" in run("--help")[1], "--help helps")

@@ -192,6 +192,8 @@ contains
         call step(2, h, 10, 1, 1, 10, VTI_E_STRIDE, 0, 'components of different bodies in one place')
         call step(2, h, 10, 1, 9, 10, VTI_E_STRIDE, 0, 'LC one too small')
         call step(2, h, 10, 3, 0, 10, VTI_E_ALIAS, 0, 'LC = 0')
+        call step(2, ieee_value(h, ieee_quiet_nan), 10, 1, nmax, 10, VTI_E_TIME, 0, 'h is no number')
+        call masses()
         w(4, :) = [0d0, 600d0, 0d0]
         call step(1, h, 10, 1, nmax, 10, VTI_E_TOO_LARGE, 4, 'a body that turns too far')
         call primitives()
@@ -222,6 +224,29 @@ contains
         if (wanted == VTI_E_STEPPER .or. wanted == VTI_E_TIME) return
         call vtichk(n, lb, lc, x, v, f, a, w, t, nm, rm, nm, ri, ibody, value, ier(4))
         call expect_status(int(ier(4), c_int), wanted, 'F77 check, '//what)
+    end subroutine
+
+    !> One for each body: VTICHK names the body. One for all: every call looks at it.
+    subroutine masses()
+        double precision :: f(nmax, 3), t(nmax, 3), value, bad(3)
+        integer :: ibody, ier, k
+        f = 0
+        t = 0
+        bad = [0d0, -1d0, ieee_value(value, ieee_quiet_nan)]
+        do k = 1, 3
+            rm(3) = bad(k)
+            call vtichk(10, 1, nmax, x, v, f, a, w, t, 10, rm, 10, ri, ibody, value, ier)
+            call expect(ier == VTI_E_MASS .and. ibody == 3, 'F77 check, a mass')
+            rm(3) = 1
+            ri(10) = bad(k)
+            call vtichk(10, 1, nmax, x, v, f, a, w, t, 10, rm, 10, ri, ibody, value, ier)
+            call expect(ier == VTI_E_INERTIA .and. ibody == 10, 'F77 check, an inertia')
+            ri(10) = 1
+            call vtibeg(2, h, 10, 1, nmax, x, v, f, a, w, t, 1, bad(k), 10, ri, ibody, value, ier)
+            call expect(ier == VTI_E_MASS .and. ibody == 0, 'F77 begin, one mass for all')
+            call vtifin(2, h, 10, 1, nmax, x, v, f, a, w, t, 10, rm, 1, bad(k), ier)
+            call expect_status(int(ier, c_int), VTI_E_INERTIA, 'F77 finish, one inertia for all')
+        end do
     end subroutine
 
     !> What lies behind the last body is a number too.

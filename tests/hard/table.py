@@ -58,13 +58,30 @@ eps is 2^-52.
 
 
 TAIL = """
+## Programs in trouble
+
+Not by stepper, but by program; each row is a test of the suite, and its message one line on the standard error.
+
+| trouble | program | what happens | test |
+|---|---|---|---|
+| a call that changes a file fails, or the disk is full, at any moment | vti-run, vti-study, vti-study --cost | reported: the file and why; files are the old or the new ones; --resume ends with the same bytes | hard trouble |
+| killed at any such call, or within a write | the same | the same bytes after --resume | hard trouble |
+| SIGTERM during a write | vti-run | ends with a checkpoint, 75, or with all files, 0 | hard trouble |
+| standard output cannot be written | vti-run, vti-study, vti-advise | reported, 1 | hard trouble |
+| kill -9 of any rank | vti-study | mpirun ends with a message; the same bytes after --resume | hard study_resume |
+| one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
+| two studies in one folder | vti-study | the second is refused: another vti-study is writing there | hard study_resume, hard task_journal |
+| a checkpoint or its tables cut at any length; a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged, or of another run | hard damaged, hard task_journal |
+| scenes, tables and --set of random bytes | all | reported: the line, the value and the remedy; no fault of memory (`./dev fuzz`) | hard fuzz scene, table, set |
+
 ## Compilers and machines
 
 The bits do not depend on the compiler, the optimisation level or the width of vectors: `tests/hard/digest.txt` holds hashes of
 runs by all steppers and of all effects, and a test builds the core with gcc and clang from -O0 to -O3, for x86-64-v2 to -v4 and
-with the kernels that are picked at run time, and compares. On aarch64 (`./dev arch`, under qemu-user) they are the same. Measures of
-angles call atan2, whose last bit is the C library's; nothing that moves a body does. Slices stepped by threads give the bits of one
-thread, without a race (`./dev sanitize`).
+with the kernels that are picked at run time, and compares. On aarch64 (under qemu-user) and on i386 with SSE2 they are the same; with
+the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). Measures of angles call atan2, whose last bit is
+the C library's; nothing that moves a body does. Slices stepped by threads give the bits of one thread, without a race
+(`./dev sanitize`).
 """
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checkpoints of vti-run cut at every byte of their head and at random behind it, with flipped bits, and foreign: one line, and
-the file stays as it is.      test_damaged.py VTI_RUN SCENES"""
+"""Checkpoints of vti-run cut at every byte, with flipped bits, and foreign, and records that are cut: one line, and the file
+stays as it is.      test_damaged.py VTI_RUN SCENES"""
 import os
 import random
 import shutil
@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
-HEAD, MORE = 160, 60
+STEPS, MORE = 64, 60
 failures = []
 
 
@@ -26,7 +26,7 @@ def run(*arguments):
 
 def damages(whole):
     """Each a name and bytes."""
-    for length in [*range(HEAD), *(random.randrange(HEAD, len(whole)) for _ in range(MORE))]:
+    for length in range(len(whole)):
         yield f"cut to {length}", whole[:length]
     for _ in range(MORE):
         at, bit = random.randrange(len(whole)), random.randrange(8)
@@ -47,13 +47,10 @@ def interrupted(folder):
     return arguments
 
 
-def checkpoints(base):
-    arguments = interrupted(f"{base}/run")
-    path = f"{base}/run/out.h5.run/checkpoint"
-    with open(path, "rb") as file:
-        whole = file.read()
+def refused(arguments, path, whole, spoilt, word):
+    """Each of the spoilt contents of the file is refused, with this word, and stays; then the file is whole again."""
     good, count = 0, 0
-    for name, data in damages(whole):
+    for name, data in spoilt:
         os.unlink(path)
         with open(path, "wb") as file:
             file.write(data)
@@ -61,14 +58,25 @@ def checkpoints(base):
         lines = result.stderr.splitlines()
         with open(path, "rb") as file:
             kept = file.read() == data
-        fine = (result.returncode == 1 and len(lines) == 1 and lines[0].startswith("vti-run: ") and "damaged" in lines[0] and
-                "delete" in lines[0] and kept and not os.path.exists(f"{base}/run/out.h5"))
+        fine = (result.returncode == 1 and len(lines) == 1 and lines[0].startswith(f"vti-run: {path}: ") and word in lines[0] and
+                "delete" in lines[0] and kept and not os.path.exists(arguments[-1]))
         good, count = good + fine, count + 1
         if not fine:
-            check(False, f"checkpoint, {name}: code {result.returncode} {result.stderr.strip()}")
-    check(good == count > HEAD, f"{good} of {count} damaged checkpoints are refused and stay as they are")
+            check(False, f"{path}, {name}: code {result.returncode} {result.stderr.strip()}")
     with open(path, "wb") as file:
         file.write(whole)
+    check(good == count > MORE, f"{os.path.basename(path)}: {good} of {count} damaged ones are refused and stay as they are")
+
+
+def checkpoints(base):
+    arguments = interrupted(f"{base}/run")
+    for name, word in (("checkpoint", "damaged"), ("rows", "checkpoint counts"), ("frames", "checkpoint counts")):
+        path = f"{base}/run/out.h5.run/{name}"
+        with open(path, "rb") as file:
+            whole = file.read()
+        counted = len(whole) * STEPS // (STEPS + 1)  # the record of the last state follows its checkpoint
+        cuts = ((f"cut to {n}", whole[:n]) for n in [*range(MORE), counted - 1, *random.sample(range(counted), MORE)])
+        refused(arguments, path, whole, damages(whole) if name == "checkpoint" else cuts, word)
     result = run(*arguments, "--resume")
     check(result.returncode == 0 and os.path.exists(f"{base}/run/out.h5"), "the whole one goes on")
     shutil.rmtree(f"{base}/run")

@@ -161,18 +161,18 @@ def refused_resumes(base):
     for at in (0, 20, 60, 130, size - 3000) if LONG else (60, size - 3000):
         spoilt = bytearray(before["study.journal"])
         spoilt[at] ^= 4
-        # what is cut behind its head had not been written to its end, and goes on: below
-        for how, data in (("a wrong bit at", bytes(spoilt)), ("cut to", bytes(spoilt[:at])))[:2 if 0 < at < 100 else 1]:
-            with open(f"{folder}/study.journal", "wb") as file:
-                file.write(data)
-            result = study(0, path, *LADDER, "--resume", "-o", folder)
-            check(one_line(result, "study.journal", "damaged", "delete") and contents(folder)["study.journal"] == data,
-                  f"{how} {at}: {result.stderr.strip()[:200]}")
-    with open(f"{folder}/study.journal", "wb") as file:
-        file.write(before["study.journal"][:-1000])
+        with open(f"{folder}/study.journal", "wb") as file:
+            file.write(spoilt)
+        result = study(0, path, *LADDER, "--resume", "-o", folder)
+        check(one_line(result, "study.journal", "damaged", "delete") and contents(folder)["study.journal"] == spoilt,
+              f"a wrong bit at {at}: {result.stderr.strip()[:200]}")
     study(2, path, *LADDER, "-o", f"{base}/whole")
-    result = study(2, path, *LADDER, "--resume", "-o", folder)
-    check(result.returncode == 0 and contents(folder) == contents(f"{base}/whole"), "a result that is cut off is made anew")
+    for length in (60, size - 1000):
+        with open(f"{folder}/study.journal", "wb") as file:
+            file.write(before["study.journal"][:length])
+        result = study(2, path, *LADDER, "--resume", "-o", folder)
+        check(result.returncode == 0 and contents(folder) == contents(f"{base}/whole"),
+              f"cut to {length}, what is missing is made anew")
 
 
 def changed_tables(base):
@@ -268,6 +268,11 @@ def failing_rank(base):
         result = study(ranks, scene("pendulum"), "--steppers", "vti1,vti2", "--h", "2,1,1/64,2^-16", "-o", f"{base}/{ranks}")
         check(one_line(result, "vti1 at h = ", "reduce h") and os.listdir(f"{base}/{ranks}") == [],
               f"a run fails, {ranks} ranks: {result.stderr.strip()[:120]}")
+    arguments = ["--h", "1/64", "--no-plot", "-o", f"{base}/unread"]
+    result = subprocess.run([MPIRUN, "-n", "1", STUDY, scene("pendulum"), *arguments, ":", "-n", "1", STUDY, f"{base}/none.yaml",
+                             *arguments], env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE, check=False)
+    check(one_line(result, "none.yaml", "cannot be read") and not os.path.exists(f"{base}/unread"),
+          f"a rank that cannot read the scene: {result.stderr.strip()[:120]}")
     arguments = [scene("torus"), "--h", "1/2000,1/4000", "--t-end", "2", "--no-plot", "-o", f"{base}/memory"]
     ended = 0
     for megabytes in range(40, 700, 20) if LONG else (100, 60, 40):

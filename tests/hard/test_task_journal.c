@@ -1,16 +1,24 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The journal of a study: cut at every byte, with every byte of its head and many behind it flipped, foreign, of another
- * study, in use by another process, on a disk that is full. What is refused stays as it was. */
+ * study, in use by other processes, on a disk that is full. What is refused stays as it was. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "support.h"
 #include "task_journal.h"
 
-enum { TASKS = 5, BYTES = 40, KEPT = 3, HEAD = 16 + 16 + 8 + 8 + 8 * TASK_PARTS + 8, RECORD = 16 + BYTES + 8 };
+enum {
+    TASKS = 5,
+    BYTES = 40,
+    KEPT = 3,
+    PARTS = 16 + 16 + 8 + 8,
+    HEAD = PARTS + 8 * TASK_PARTS + 8,
+    RECORD = 16 + BYTES + 8
+};
 
 static char folder[] = "journal-XXXXXX";
 static char path[sizeof folder + 2];
@@ -130,14 +138,14 @@ static void cut_anywhere(void **state)
 {
     unsigned char bytes[4096];
     const size_t size = make(bytes);
-    const struct task_identity id = identity();
+    struct task_identity other = identity();
     (void)state;
+    other.part[0] ^= 1;
     for (size_t length = 0; length <= size; ++length) {
         write_file(bytes, length);
-        if (length == 0 || length >= HEAD)
-            goes_on(length == 0 ? 0 : (int64_t)((length - HEAD) / RECORD));
-        else
-            refused(1, &id, "damaged");
+        if (length > PARTS && length < HEAD) /* killed as it began, which only the same study may do again */
+            refused(1, &other, "damaged");
+        goes_on(length < HEAD ? 0 : (int64_t)((length - HEAD) / RECORD));
     }
 }
 
@@ -221,6 +229,48 @@ static void two_at_once(void **state)
     close(ready[1]);
 }
 
+/** Opens and removes the journal again and again; nobody else may have it between. */
+static int take_turns(const char *held, int times)
+{
+    struct task_journal journal;
+    const struct task_identity id = identity();
+    int turns = 0;
+    while (turns < times) {
+        struct message message = {""};
+        if (task_journal_open(&journal, folder, "j", 0, &id, &message) != 0) {
+            if (strstr(message.text, "another vti-study is writing there") == NULL)
+                return 1;
+            continue;
+        }
+        if (mkdir(held, 0777) != 0 || rmdir(held) != 0)
+            return 1;
+        task_journal_remove(&journal);
+        ++turns;
+    }
+    return 0;
+}
+
+/** Studies that begin and end in one folder all the time: a journal is never locked when it has been removed already. */
+static void many_at_once(void **state)
+{
+    enum { PROCESSES = 4, TURNS = 1000 };
+    char held[sizeof path + 5];
+    int code, wrong = 0;
+    (void)state;
+    unlink(path);
+    snprintf(held, sizeof held, "%s.held", path);
+    for (int k = 0; k < PROCESSES; ++k) {
+        const pid_t child = fork();
+        assert_int_not_equal(child, -1);
+        if (child == 0)
+            _exit(take_turns(held, TURNS));
+    }
+    for (int k = 0; k < PROCESSES; ++k)
+        wrong += wait(&code) < 0 || code != 0;
+    assert_int_equal(wrong, 0);
+    assert_int_equal(access(path, F_OK), -1);
+}
+
 static void full_disk(void **state)
 {
     struct task_journal journal;
@@ -274,7 +324,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(cut_anywhere), cmocka_unit_test(flipped_anywhere),
                                        cmocka_unit_test(foreign),      cmocka_unit_test(another_study),
-                                       cmocka_unit_test(two_at_once),  cmocka_unit_test(full_disk),
-                                       cmocka_unit_test(removed)};
+                                       cmocka_unit_test(two_at_once),  cmocka_unit_test(many_at_once),
+                                       cmocka_unit_test(full_disk),    cmocka_unit_test(removed)};
     return cmocka_run_group_tests(tests, enter, leave);
 }

@@ -83,6 +83,30 @@ static void momenta_of_what_is_absent(void **state)
     assert_close3(r, zero, 0);
 }
 
+/** What has no mass has no energy and no momentum, whatever its velocity. */
+static void massless(void **state)
+{
+    (void)state;
+    const double zero[3] = {0, 0, 0}, s[3] = {4, 5.5, 6}, orbit[3] = {28, 6, 15};
+    double r[3];
+    vti_bodies b = bodies();
+    b.mass.p = NULL;
+    assert_close(vti_kinetic_translation(&b), 0, 0);
+    assert_close(vti_energy(NULL, 0, &b), 17.25, 0);
+    vti_momentum(&b, r);
+    assert_close3(r, zero, 0);
+    vti_angular_momentum(&b, zero, r);
+    assert_close3(r, s, 0);
+    b = bodies();
+    b.inertia.p = NULL;
+    assert_close(vti_kinetic_rotation(&b), 0, 0);
+    assert_close(vti_energy(NULL, 0, &b), 20, 0);
+    vti_spin(&b, r);
+    assert_close3(r, zero, 0);
+    vti_angular_momentum(&b, zero, r);
+    assert_close3(r, orbit, 0);
+}
+
 static void sums_are_compensated(void **state)
 {
     (void)state;
@@ -182,6 +206,24 @@ static void distances(void **state)
     assert_close(vti_h1_distance(&b, &r), 42, 0);
 }
 
+/** The reference has to have what the bodies have; what it has besides is not looked at. No bodies are no distance apart. */
+static void what_can_be_compared(void **state)
+{
+    (void)state;
+    const size_t offsets[] = {offsetof(vti_bodies, x), offsetof(vti_bodies, v), offsetof(vti_bodies, omega),
+                              offsetof(vti_bodies, alpha)};
+    const vti_bodies b = bodies(), none = vti_bodies_none(0);
+    for (int k = 0; k < 4; ++k) {
+        vti_bodies less = b;
+        *(vti_view *)((char *)&less + offsets[k]) = vti_view_none();
+        assert_true(isnan(vti_h1_distance(&b, &less)));
+        assert_true(vti_h1_distance(&less, &b) == 0.0 && vti_attitude_distance(&less, &b) == 0.0);
+        assert_true(k == 3 ? isnan(vti_attitude_distance(&b, &less)) : vti_attitude_distance(&b, &less) == 0.0);
+    }
+    const vti_bodies empty = vti_bodies_slice(b, 2, 0);
+    assert_true(vti_h1_distance(&empty, &none) == 0.0 && vti_attitude_distance(&empty, &none) == 0.0);
+}
+
 enum { TERMS = VTI_TERMS };
 
 static void many_energies(const void *self, const vti_bodies *b, double *energies)
@@ -196,7 +238,7 @@ static void many_energies(const void *self, const vti_bodies *b, double *energie
 static void effects_of_many_terms(void **state)
 {
     (void)state;
-    vti_effect effect = {"many", NULL, many_energies, NULL, TERMS, NULL, 0, 0};
+    vti_effect effect = {"many", NULL, many_energies, NULL, NULL, TERMS, NULL, 0, 0};
     const vti_bodies b = bodies();
     assert_close(vti_energy(&effect, 1, &b), 37.25 + TERMS * (TERMS - 1) / 2, 0);
     effect.terms = TERMS + 1;
@@ -209,10 +251,12 @@ int main(void)
         cmocka_unit_test(kinetic_energies),
         cmocka_unit_test(momenta),
         cmocka_unit_test(momenta_of_what_is_absent),
+        cmocka_unit_test(massless),
         cmocka_unit_test(sums_are_compensated),
         cmocka_unit_test(turn_per_step),
         cmocka_unit_test(norms),
         cmocka_unit_test(distances),
+        cmocka_unit_test(what_can_be_compared),
         cmocka_unit_test(effects_of_many_terms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -126,6 +126,7 @@ static void several_stages(void **state)
     for (int64_t s = 0; s < vti_stepper_count(); ++s) {
         if (of_one_stage(s)) {
             ++passed;
+            assert_true(vti_stepper_at(s)->drift[1] == 0 && vti_stepper_at(s)->probe == NULL);
             continue;
         }
         assert_int_equal(begin(s, 0.1, N, N, N, NULL, NULL), VTI_E_STEPPER);

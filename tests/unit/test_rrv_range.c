@@ -176,6 +176,21 @@ static void convert_to_alpha(void **state)
     }
 }
 
+/** cos(6381956970095103 2^797) = -4.7e-19: no double comes nearer to an odd number of right angles. Twice that is a half turn,
+ *  whose tangent lies beyond the largest alpha: cut off as compositions are, on every axis, either way round. */
+static void nearest_half_turn(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; ++k) {
+        double theta[3] = {0, 0, 0}, a[3];
+        theta[k % 3] = (k < 3 ? 2.0 : -2.0) * 6381956970095103.0 * 0x1p797;
+        vti_rrv_from_rotvec(theta, a);
+        assert_close(fabs(a[k % 3]), VTI_RRV_LARGE, 4 * EPS * VTI_RRV_LARGE);
+        assert_true(a[(k + 1) % 3] == 0 && a[(k + 2) % 3] == 0);
+        assert_true((a[k % 3] < 0) == (k < 3)); /* sin is 1 there, cos negative: w turns negative */
+    }
+}
+
 /** Distance of attitudes, and that it is finite, symmetric and at most pi. */
 static void distance(void **state)
 {
@@ -194,9 +209,10 @@ static void distance(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(compose),       cmocka_unit_test(turn),           cmocka_unit_test(rotate),
-        cmocka_unit_test(convert_alpha), cmocka_unit_test(norm_and_angle), cmocka_unit_test(convert_to_alpha),
-        cmocka_unit_test(distance),
+        cmocka_unit_test(compose),        cmocka_unit_test(turn),
+        cmocka_unit_test(rotate),         cmocka_unit_test(convert_alpha),
+        cmocka_unit_test(norm_and_angle), cmocka_unit_test(convert_to_alpha),
+        cmocka_unit_test(distance),       cmocka_unit_test(nearest_half_turn),
     };
     return cmocka_run_group_tests(tests, needs_long_double, NULL);
 }

@@ -146,6 +146,9 @@ static void views(void **state)
             view->c[k] = good.c[(k + 1) % 3];
             refused(bad, VTI_E_ALIAS);
             *view = good;
+            view->c[k] = view->c[(k + 1) % 3] = NULL;
+            refused(bad, VTI_E_VIEW);
+            *view = good;
         }
         view->stride = 0;
         refused(bad, VTI_E_STRIDE);
@@ -174,6 +177,8 @@ static void quaternion_views(void **state)
     bad = b;
     bad.quat.stride = 0;
     refused(bad, VTI_E_STRIDE);
+    bad.count = 1; /* one body has no next */
+    assert_int_equal(vti_bodies_check(&bad), VTI_OK);
     for (int k = 0; k < 4; ++k) {
         bad = b;
         bad.quat.xyzw[k] = NULL;
@@ -226,6 +231,19 @@ static void masses(void **state)
     refused(bad, VTI_E_INERTIA);
     bad.omega = vti_view_none();
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
+}
+
+/** A seal is for bodies that pass: others lose one that they had, and are looked at again. */
+static void seal(void **state)
+{
+    (void)state;
+    assert_int_equal(vti_bodies_seal(NULL), VTI_E_NULL);
+    assert_int_equal(vti_bodies_seal(&b), VTI_OK);
+    const vti_bodies sealed = b;
+    b.x.c[1] = NULL;
+    assert_int_equal(vti_bodies_seal(&b), VTI_E_VIEW);
+    assert_true(sealed.sealed != 0 && b.sealed == 0);
+    refused(b, VTI_E_VIEW);
 }
 
 static void time(void **state)
@@ -285,6 +303,7 @@ int main(void)
         cmocka_unit_test_setup(views, sound),
         cmocka_unit_test_setup(quaternion_views, sound),
         cmocka_unit_test_setup(masses, sound),
+        cmocka_unit_test_setup(seal, sound),
         cmocka_unit_test_setup(time, sound),
         cmocka_unit_test_setup(law_frame_stage_stepper_bond, sound),
     };

@@ -245,6 +245,34 @@ static void absent_physics(void **state)
         }
 }
 
+/** A probe is where forces would take the bodies: without them, where they are. */
+static void probe_without_loads(void **state)
+{
+    (void)state;
+    const double one = 1;
+    const vti_stepper *const chin4 = vti_stepper_find("chin4");
+    const body start = {{1, 2, 3}, {0.5, 0.25, 0.5}, {4, 5, 6}, {0.1, 0.2, 0}, {8, -8, 4}, {1, 0, 2}};
+    for (int which = 0; which < 4; ++which) {
+        body p = start, elsewhere = {{0}, {0}, {0}, {0}, {0}, {0}};
+        vti_bodies b = bodies_of(&p, &one, &one), probed = b;
+        if (which & 1) {
+            b.force = vti_view_none();
+            b.mass.p = NULL;
+        }
+        if (which & 2) {
+            b.moment = vti_view_none();
+            b.inertia.p = NULL;
+        }
+        probed.x = vti_view_packed(elsewhere.x);
+        probed.alpha = vti_view_packed(elsewhere.a);
+        assert_true(chin4->probe[1] != 0);
+        assert_int_equal(vti_step_probe(chin4, 1, 0.1, &b, &probed), VTI_OK);
+        assert_int_equal(memcmp(elsewhere.x, start.x, sizeof start.x) == 0, which & 1);
+        assert_int_equal(memcmp(elsewhere.a, start.a, sizeof start.a) == 0, which >> 1);
+        assert_memory_equal(&p, &start, sizeof p);
+    }
+}
+
 /** Steppers without lag are neither started nor read out: not a bit changes, whatever the force. */
 static void no_lag_no_change(void **state)
 {
@@ -265,9 +293,15 @@ static void no_lag_no_change(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(found_by_name_and_index), cmocka_unit_test(unknown),          cmocka_unit_test(fields),
-        cmocka_unit_test(step_plays_its_list),     cmocka_unit_test(no_lag_no_change), cmocka_unit_test(last_drift),
-        cmocka_unit_test(no_kick_no_forces),       cmocka_unit_test(absent_physics),
+        cmocka_unit_test(found_by_name_and_index),
+        cmocka_unit_test(unknown),
+        cmocka_unit_test(fields),
+        cmocka_unit_test(step_plays_its_list),
+        cmocka_unit_test(no_lag_no_change),
+        cmocka_unit_test(last_drift),
+        cmocka_unit_test(no_kick_no_forces),
+        cmocka_unit_test(absent_physics),
+        cmocka_unit_test(probe_without_loads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

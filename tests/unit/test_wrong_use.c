@@ -21,7 +21,9 @@ static void rest(void **state)
 {
     (void)state;
     const int64_t good[2] = {0, 1}, below[4] = {0, 1, -1, 1};
-    const vti_view part = {{x, NULL, x + 2}, 3};
+    const vti_view part = {{x, NULL, x + 2}, 3}, first = {{NULL, x + 1, x + 2}, 3}, last = {{x, x + 1, NULL}, 3};
+    double far[6] = {1e308, 0, 0, -1e308, 0, 0};
+    const vti_view apart = vti_view_packed(far);
     double r[8] = {7, 7, 7, 7, 7, 7, 7, 7};
     const double before = 7;
     vti_fault fault;
@@ -29,6 +31,10 @@ static void rest(void **state)
     assert_int_equal(vti_bonds_rest(1, good, 0, NULL, r, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(1, good, 0, &b.x, NULL, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(1, good, 0, &part, r, NULL), VTI_E_VIEW);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &first, r, NULL), VTI_E_VIEW);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &last, r, NULL), VTI_E_VIEW);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &apart, r, &fault), VTI_E_BOND);
+    assert_true(fault.body == 0 && isinf(fault.value));
     assert_int_equal(vti_bonds_rest(-1, good, 0, &b.x, r, NULL), VTI_E_COUNT);
     assert_int_equal(vti_bonds_rest(0, NULL, 0, NULL, NULL, NULL), VTI_OK);
     assert_int_equal(vti_bonds_rest(2, below, 0, &b.x, r, &fault), VTI_E_BOND);
@@ -50,6 +56,23 @@ static void bonds(void **state)
     assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_NULL);
     some.count = -1;
     assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_COUNT);
+    const int64_t wrong[][3] = {{-1, 1, -1}, {2, 1, 2}, {0, -1, -1}, {0, 2, 2}, {1, 1, 1}}; /* the last is to blame */
+    const double rest[4] = {1, 0, 0, 1}, endless[4] = {1, 0, 0, INFINITY};
+    vti_fault fault;
+    some.count = 1;
+    some.rest = rest;
+    for (int k = 0; k < 5; ++k) {
+        fault.body = -7;
+        some.pair = wrong[k];
+        assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_BOND);
+        assert_true(fault.body == 0 && fault.value == (double)wrong[k][2]);
+    }
+    const int64_t good[2] = {0, 1};
+    some.pair = good;
+    assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_OK);
+    some.rest = endless;
+    assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_BOND);
+    assert_true(isinf(fault.value));
 }
 
 /** An effect of nothing is refused, and then forces are as they were. */
@@ -58,12 +81,13 @@ static void effects(void **state)
     (void)state;
     double force[6] = {3, 3, 3, 3, 3, 3};
     const double before[6] = {3, 3, 3, 3, 3, 3};
-    const vti_bonds half = {.count = 1};
+    const int64_t pair[2] = {0, 1};
+    const vti_bonds half = {.count = 1}, restless = {.count = 1, .pair = pair};
     const vti_contacts sizeless = {.count = 1};
     const vti_walls nowhere = {.count = 1};
-    const vti_effect none[] = {vti_pendulum_effect(NULL),  vti_gravity_effect(NULL),      vti_bonds_effect(NULL),
-                               vti_contacts_effect(NULL),  vti_walls_effect(NULL),        vti_bonds_effect(&half),
-                               vti_walls_effect(&nowhere), vti_contacts_effect(&sizeless)};
+    const vti_effect none[] = {vti_pendulum_effect(NULL),  vti_gravity_effect(NULL),       vti_bonds_effect(NULL),
+                               vti_contacts_effect(NULL),  vti_walls_effect(NULL),         vti_bonds_effect(&half),
+                               vti_walls_effect(&nowhere), vti_contacts_effect(&sizeless), vti_bonds_effect(&restless)};
     b.force = vti_view_packed(force);
     for (size_t k = 0; k < sizeof none / sizeof none[0]; ++k) {
         assert_int_equal(vti_apply(&none[k], 1, &b), VTI_E_NULL);
@@ -85,6 +109,7 @@ static void steppers(void **state)
     own = *vti_stepper_find("vti2");
     own.drift = NULL;
     assert_int_equal(vti_step_finish(&own, 0.1, &b), VTI_E_NULL);
+    assert_int_equal(vti_step_check(&own, NULL, 0), VTI_E_NULL);
     own = *vti_stepper_find("vti2");
     own.stages = -1;
     assert_int_equal(vti_step_finish(&own, 0.1, &b), VTI_E_STAGE);
@@ -152,6 +177,45 @@ static void stable(void **state)
     springs.contacts = NULL;
     springs.walls = &walls;
     assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_NULL);
+    /* the rest is right, and still something is missing; nothing is written */
+    const int64_t good[2] = {0, 1}, below[2] = {0, -1};
+    const vti_bonds restless = {.count = 1, .pair = good};
+    const vti_contacts sizeless = {.count = 1, .pair = good}, under = {.count = 1, .pair = below};
+    const vti_springs wrong[] = {{.bonds = &restless}, {.contacts = &sizeless}, {.contacts = &under}};
+    const int status[] = {VTI_E_NULL, VTI_E_NULL, VTI_E_BOND};
+    vti_bodies stale = b;
+    stale.abi = VTI_ABI + 1;
+    h = scratch[0] = 7;
+    for (int k = 0; k < 3; ++k)
+        assert_int_equal(vti_stable_step(&wrong[k], &b, scratch, &h), status[k]);
+    assert_int_equal(vti_stable_step(&springs, &stale, scratch, &h), VTI_E_ABI);
+    assert_true(h == 7 && scratch[0] == 7);
+}
+
+/** Lists of nothing, springs of no stiffness, and springs at bodies without mass: nothing oscillates. */
+static void nothing_oscillates(void **state)
+{
+    (void)state;
+    const int64_t pair[2] = {0, 1};
+    const double rest[4] = {1, 0, 0, 1}, zero = 0, one = 1;
+    const vti_bonds no_bonds = {0}, slack = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&zero)};
+    const vti_contacts no_contacts = {0}, touching = {1, pair, 0, vti_scalars_one(&one), 3};
+    const vti_walls no_walls = {0};
+    const vti_springs still[] = {{.bonds = &no_bonds, .contacts = &no_contacts, .walls = &no_walls},
+                                 {.bonds = &slack},
+                                 {.contacts = &touching, .overlap = 0.1}};
+    double scratch[2], h;
+    for (int k = 0; k < 3; ++k) {
+        vti_bodies some = b;
+        if (k == 2) {
+            assert_int_equal(vti_stable_step(&still[k], &some, scratch, &h), VTI_OK);
+            assert_true(isfinite(h));
+            some.mass.p = NULL;
+        }
+        h = 7;
+        assert_int_equal(vti_stable_step(&still[k], &some, scratch, &h), VTI_OK);
+        assert_true(isinf(h) && h > 0);
+    }
 }
 
 /** Scalars that are members of structs: a size that is no whole number of doubles is no mass. */
@@ -180,7 +244,7 @@ int main(void)
         cmocka_unit_test_setup(rest, setup),     cmocka_unit_test_setup(bonds, setup),
         cmocka_unit_test_setup(effects, setup),  cmocka_unit_test_setup(steppers, setup),
         cmocka_unit_test_setup(measures, setup), cmocka_unit_test_setup(stable, setup),
-        cmocka_unit_test_setup(members, setup),
+        cmocka_unit_test_setup(members, setup),  cmocka_unit_test_setup(nothing_oscillates, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

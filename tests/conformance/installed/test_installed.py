@@ -26,7 +26,7 @@ use.mkdir()
 for source in ("pendulum.c", "pendulum.f90"):
     shutil.copy(project / "examples" / source, use)
 shutil.copytree(project / "examples", use / "examples")
-for source in ("rotation.cpp", "turn.f", "cmake"):
+for source in ("rotation.cpp", "check.cpp", "turn.f", "cmake"):
     (shutil.copytree if (here / source).is_dir() else shutil.copy)(here / source, use / source)
 
 
@@ -110,7 +110,7 @@ def by_the_page():
     """The commands of docs/linking.md, as they stand there."""
     examples = use / "examples"
     for line in block(project, "sh").splitlines():
-        if "gfortran" in line and not package.fortran:
+        if ("gfortran" in line and not package.fortran) or not have(line.split()[0]):
             continue
         run("sh", "-c", line, folder=examples, PKG_CONFIG_LIBDIR=str(package.prefix / package.lib / "pkgconfig"))
         name = line.split()[-1]
@@ -127,13 +127,23 @@ def by_the_page():
 
 def by_check_kit():
     """A host's own step behind the conformance kit."""
-    hosts = [("cc", "check_host.c", ["vti-check"])]
+    hosts = [("cc", "examples/check_host.c", ["vti-check"])]
+    if have("c++"):
+        hosts.append(("c++", "check.cpp", ["vti-check"]))
     if package.fortran:
-        hosts.append(("gfortran", "check_host.f90", ["vti-fortran", "vti-check"]))
+        hosts.append(("gfortran", "examples/check_host.f90", ["vti-fortran", "vti-check"]))
     for compiler, source, packages in hosts:
-        run(compiler, "examples/" + source, "-o", source + ".out", *package.pkg_config("--cflags", "--libs", *packages), folder=use)
-        said = run(use / (source + ".out"), **package.library_path()) or ""
-        check("no fault found" in said, f"{source} is checked by the installed kit")
+        program = use / (pathlib.Path(source).name + ".out")
+        flags = package.pkg_config("--cflags", "--libs", *packages)
+        run(compiler, "-Wall", "-Wextra", "-Werror", source, "-o", program, *flags, folder=use)
+        checked(program, source)
+
+
+def checked(program, what, path=None):
+    """The kit looks at a step and finds nothing wrong; the program of C++ has a second step, which is."""
+    said = run(program, **(package.library_path() if path is None else path)) or ""
+    good = "no fault found" in said and ("cpp" not in program.name or "does nothing" in said)
+    check(good, f"{what} is checked by the installed kit")
 
 
 def by_cmake(prefix, what, path):
@@ -146,6 +156,9 @@ def by_cmake(prefix, what, path):
     for name in ["c_shared", "c_static", "cpp"] + (["fortran", "f77"] if package.fortran else []):
         if good:
             ran(build / name, f"CMake, {what}, {name}", path)
+    for name in ["check", "check_cpp"] + (["check_fortran"] if package.fortran else []):
+        if good:
+            checked(build / name, f"CMake, {what}, {name}", path)
     versions = [(f"{major}.{minor}", True), (f"{major}.{int(minor) + 1}", False), (str(int(major) + 1), False)]
     if int(minor) > 0:
         versions.append((f"{major}.{int(minor) - 1}", int(major) > 0)) # of 0.y.z each y has its own interface
