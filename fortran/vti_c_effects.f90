@@ -81,6 +81,14 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_contacts_check(contacts, n, fault) result(status) bind(c, name='vti_contacts_check')
+            import :: c_int, c_int64_t, vti_contacts, vti_fault
+            type(vti_contacts), intent(in) :: contacts
+            integer(c_int64_t), value :: n
+            type(vti_fault), intent(inout) :: fault
+            integer(c_int) :: status
+        end function
+
         function c_step_check(method, effects, n) result(status) bind(c, name='vti_step_check')
             import :: c_int, c_int64_t, c_ptr, vti_effect
             type(c_ptr), value :: method

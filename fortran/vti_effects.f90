@@ -19,7 +19,7 @@ module vti_effects
     public :: vti_apply, vti_energy, vti_step_check, vti_stable_step
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
-    public :: vti_contacts_between, vti_contacts_effect, vti_walls_at, vti_walls_effect
+    public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
 
 contains
 
@@ -180,6 +180,20 @@ contains
         if (size(pair, 1) /= 2) return
         contacts%count = size(pair, 2, c_int64_t)
         if (contacts%count > 0) contacts%pair = c_loc(pair)
+    end function
+
+    !> When the list has changed: every pair names two different bodies of the n that exist, of finite diameters > 0, and
+    !> the stiffness is finite and >= 0. VTI_E_CONTACT, with fault%body the number of the pair (from 1; 0 for the stiffness).
+    function vti_contacts_check(contacts, n, fault) result(status)
+        type(vti_contacts), intent(in) :: contacts
+        integer(c_int64_t), intent(in) :: n
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        found%body = -1
+        status = VTI_E_COUNT
+        if (contacts%count >= 0) status = c_contacts_check(contacts, n, found)
+        if (present(fault)) fault = blame(found)
     end function
 
     !> The effect; the list of contacts may change between steps.

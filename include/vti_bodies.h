@@ -26,22 +26,23 @@ extern "C" {
 
 /** What calls return; vti_status_text says what to do about it. */
 enum vti_status {
-    VTI_OK = 0,            /**< done */
-    VTI_E_NULL = -1,       /**< an argument that is needed is NULL */
-    VTI_E_ABI = -2,        /**< header and library are of different versions */
-    VTI_E_COUNT = -3,      /**< a number of things is negative, or neither 1 nor n */
-    VTI_E_VIEW = -4,       /**< a view is given in part, or the attitude twice */
-    VTI_E_STRIDE = -5,     /**< a view of more than one body has stride 0 */
-    VTI_E_ALIAS = -6,      /**< two quantities begin at the same memory */
-    VTI_E_TIME = -7,       /**< a time step is not finite, or not positive where it must be */
-    VTI_E_MASS = -8,       /**< mass is missing, not finite or not positive */
-    VTI_E_INERTIA = -9,    /**< inertia is missing, not finite or not positive */
-    VTI_E_TOO_LARGE = -10, /**< a body turns too far for the closed form */
-    VTI_E_STAGE = -11,     /**< the stepper has no such stage */
-    VTI_E_STEPPER = -12,   /**< there is no such stepper or law */
-    VTI_E_FRAME = -13,     /**< there is no such frame */
-    VTI_E_BOND = -14,      /**< a bond is not between two bodies that exist apart, or is of no stiffness */
-    VTI_E_DISSIPATES = -15 /**< the stepper steps back in time, and an effect dissipates */
+    VTI_OK = 0,             /**< done */
+    VTI_E_NULL = -1,        /**< an argument that is needed is NULL */
+    VTI_E_ABI = -2,         /**< header and library are of different versions */
+    VTI_E_COUNT = -3,       /**< a number of things is negative, or neither 1 nor n */
+    VTI_E_VIEW = -4,        /**< a view is given in part, or the attitude twice */
+    VTI_E_STRIDE = -5,      /**< a view of more than one body has stride 0 */
+    VTI_E_ALIAS = -6,       /**< two quantities begin at the same memory */
+    VTI_E_TIME = -7,        /**< a time step is not finite, or not positive where it must be */
+    VTI_E_MASS = -8,        /**< mass is missing, not finite or not positive */
+    VTI_E_INERTIA = -9,     /**< inertia is missing, not finite or not positive */
+    VTI_E_TOO_LARGE = -10,  /**< a body turns too far for the closed form */
+    VTI_E_STAGE = -11,      /**< the stepper has no such stage */
+    VTI_E_STEPPER = -12,    /**< there is no such stepper or law */
+    VTI_E_FRAME = -13,      /**< there is no such frame */
+    VTI_E_BOND = -14,       /**< a bond is not between two bodies that exist apart, or is of no stiffness */
+    VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates */
+    VTI_E_CONTACT = -16     /**< a contact is not between two bodies that exist, or its size or stiffness is none */
 };
 
 /** One English sentence for a status, remedy included; never NULL. */

@@ -113,6 +113,10 @@ typedef struct vti_contacts {
     double stiffness;     /**< K^pp, energy */
 } vti_contacts;
 
+/** When the list has changed, for those who do not trust it: every pair names two different bodies of the n that exist, of
+ *  finite diameters > 0, and K is finite and >= 0. On failure VTI_E_CONTACT, with fault->body the number of the pair, -1 for K,
+ *  and fault->value what is wrong. */
+VTI_API int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault);
 /** The effect of *contacts, which must outlive it; its list may change between steps. Energy term: "contact". */
 VTI_API vti_effect vti_contacts_effect(const vti_contacts *contacts);
 

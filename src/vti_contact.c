@@ -70,6 +70,35 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
     energies[0] = vti_sum_value(&sum);
 }
 
+static int blame(vti_fault *fault, int64_t pair, double value)
+{
+    if (fault != NULL) {
+        fault->body = pair;
+        fault->value = value;
+    }
+    return VTI_E_CONTACT;
+}
+
+int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
+{
+    if (contacts == NULL || contacts->diameter.p == NULL || (contacts->count > 0 && contacts->pair == NULL))
+        return VTI_E_NULL;
+    if (contacts->count < 0 || n < 0)
+        return VTI_E_COUNT;
+    if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
+        return blame(fault, -1, contacts->stiffness);
+    for (int64_t k = 0; k < contacts->count; ++k)
+        for (int side = 0; side < 2; ++side) {
+            const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
+            if (i < 0 || i >= n || pair[0] == pair[1])
+                return blame(fault, k, (double)pair[side]);
+            const double diameter = vti_scalar(&contacts->diameter, i);
+            if (!(isfinite(diameter) && diameter > 0.0))
+                return blame(fault, k, diameter);
+        }
+    return VTI_OK;
+}
+
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};

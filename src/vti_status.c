@@ -28,6 +28,9 @@ static const struct {
                  "negative or not finite; mend that bond"},
     {VTI_E_DISSIPATES, "the stepper steps back in time, which turns dissipation into gain; use one without negative "
                        "coefficients: vti2, exact or chin4"},
+    {VTI_E_CONTACT,
+     "a contact is not between two different bodies that exist, or a diameter is not positive and finite, "
+     "or the stiffness negative or not finite; mend that pair"},
 };
 
 const char *vti_status_text(int status)

@@ -128,6 +128,12 @@ contains
         call refused(vti_bonds_effect(bad), 'bonds of the wrong shape')
         contacts = vti_contacts_between(wrong_pair, vti_scalars_array(c%diameter), 1.0_c_double)
         call refused(vti_contacts_effect(contacts), 'contacts of the wrong shape')
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_COUNT, 0, 'contacts of the wrong shape, checked')
+        contacts = vti_contacts_between(pair, vti_scalars_array(c%diameter), 1.0_c_double)
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
+        call blamed(vti_contacts_check(contacts, n - 1, fault), VTI_E_CONTACT, 9, 'a contact with a body too many')
+        contacts%stiffness = -1
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 0, 'contacts that pull')
         contacts = vti_contacts_between(pair, vti_scalars(), 1.0_c_double)
         call refused(vti_contacts_effect(contacts), 'contacts without diameters')
         walls = vti_walls_at(wrong, vti_scalars_array(c%diameter), 1.0_c_double)

@@ -3,7 +3,7 @@
  * Every status that the interface names is what some call returns, and says what to do in a sentence of its own. */
 #include "hard.h"
 
-enum { LOWEST = VTI_E_DISSIPATES };
+enum { LOWEST = VTI_E_CONTACT };
 
 static crowd c;
 static vti_fault fault;
@@ -19,6 +19,7 @@ static int reached(int status)
     vti_effect effect;
     memset(&effect, 0, sizeof effect);
     const int64_t pair[2] = {0, 1};
+    const vti_contacts contacts = {1, pair, 0, vti_scalars_one(&c.mass[0]), 1};
     double rest[4];
     switch (status) {
     case VTI_E_NULL:
@@ -59,6 +60,8 @@ static int reached(int status)
         return vti_step_begin(&own, 0.1, &b, &fault);
     case VTI_E_BOND:
         return vti_bonds_rest(1, pair, 0, &b.x, rest, &fault);
+    case VTI_E_CONTACT:
+        return vti_contacts_check(&contacts, 1, &fault);
     case VTI_E_DISSIPATES:
         effect.dissipates = 1;
         return vti_step_check(vti_stepper_find("srkn11"), &effect, 1);

@@ -3,7 +3,7 @@
  * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
 #include "support.h"
 
-enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_DISSIPATES };
+enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_CONTACT };
 
 static const vti_stepper *vti1, *vti2;
 static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];

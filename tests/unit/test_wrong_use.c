@@ -75,6 +75,46 @@ static void bonds(void **state)
     assert_true(isinf(fault.value));
 }
 
+static void contacts(void **state)
+{
+    (void)state;
+    const double diameter[2] = {1, 2};
+    const int64_t good[2] = {1, 2}, wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
+    const vti_contacts right = {1, good, 1, vti_scalars_array(diameter), 5};
+    vti_contacts some = right;
+    vti_fault fault;
+    assert_int_equal(vti_contacts_check(NULL, 2, &fault), VTI_E_NULL);
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_OK);
+    assert_int_equal(vti_contacts_check(&some, -1, &fault), VTI_E_COUNT);
+    some.pair = NULL;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_NULL);
+    some.count = 0;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_OK);
+    some.count = -1;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_COUNT);
+    some.diameter.p = NULL;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_NULL);
+    some = right;
+    for (int k = 0; k < 5; ++k) {
+        some.pair = wrong[k];
+        assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+        assert_true(fault.body == 0 && fault.value == (double)wrong[k][2]);
+        assert_int_equal(vti_contacts_check(&some, 2, NULL), VTI_E_CONTACT);
+    }
+    const double none[] = {-1, NAN, INFINITY, 0};
+    for (int k = 0; k < 4; ++k) {
+        const double sizes[2] = {1, none[k]};
+        some = right;
+        some.diameter = vti_scalars_array(sizes);
+        assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+        assert_true(fault.body == 0 && memcmp(&fault.value, &none[k], sizeof none[k]) == 0);
+        some = right;
+        some.stiffness = none[k];
+        assert_int_equal(vti_contacts_check(&some, 2, &fault), none[k] == 0 ? VTI_OK : VTI_E_CONTACT);
+        assert_true(fault.body == (none[k] == 0 ? 0 : -1));
+    }
+}
+
 /** An effect of nothing is refused, and then forces are as they were. */
 static void effects(void **state)
 {
@@ -241,10 +281,15 @@ static void members(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(rest, setup),     cmocka_unit_test_setup(bonds, setup),
-        cmocka_unit_test_setup(effects, setup),  cmocka_unit_test_setup(steppers, setup),
-        cmocka_unit_test_setup(measures, setup), cmocka_unit_test_setup(stable, setup),
-        cmocka_unit_test_setup(members, setup),  cmocka_unit_test_setup(nothing_oscillates, setup),
+        cmocka_unit_test_setup(rest, setup),
+        cmocka_unit_test_setup(bonds, setup),
+        cmocka_unit_test_setup(contacts, setup),
+        cmocka_unit_test_setup(effects, setup),
+        cmocka_unit_test_setup(steppers, setup),
+        cmocka_unit_test_setup(measures, setup),
+        cmocka_unit_test_setup(stable, setup),
+        cmocka_unit_test_setup(members, setup),
+        cmocka_unit_test_setup(nothing_oscillates, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

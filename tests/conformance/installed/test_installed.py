@@ -118,9 +118,9 @@ def by_the_page():
         loaded = run("ldd", examples / name) or ""
         check(str(package.prefix) in loaded, f"linking.md: {name} finds this copy by itself")
         check(len(end) == 120 and end == ends(examples / "host_structs"), f"linking.md: {line}")
-    if have("cmake"):
+    if have("cmake", "ninja"):
         (examples / "CMakeLists.txt").write_text(block(project, "cmake"), encoding="utf-8")
-        run("cmake", "-S", examples, "-B", use / "page", f"-DCMAKE_PREFIX_PATH={package.prefix}")
+        run("cmake", "-G", "Ninja", "-S", examples, "-B", use / "page", f"-DCMAKE_PREFIX_PATH={package.prefix}")
         run("cmake", "--build", use / "page")
         check(ends(use / "page" / "host") == ends(examples / "host_structs"), "linking.md: CMake")
 
@@ -149,7 +149,7 @@ def checked(program, what, path=None):
 def by_cmake(prefix, what, path):
     build = use / ("cmake-" + what)
     options = [f"-DCMAKE_PREFIX_PATH={prefix}", f"-DWITH_FORTRAN={'ON' if package.fortran else 'OFF'}"]
-    said = run("cmake", "-S", use / "cmake", "-B", build, "-DWANTED=" + version, *options) or ""
+    said = run("cmake", "-G", "Ninja", "-S", use / "cmake", "-B", build, "-DWANTED=" + version, *options) or ""
     check(f"found in: {prefix}/" in said, f"CMake, {what}: finds this one")
     good = run("cmake", "--build", build) is not None
     check(good, f"CMake, {what}: built")
@@ -163,7 +163,7 @@ def by_cmake(prefix, what, path):
     if int(minor) > 0:
         versions.append((f"{major}.{int(minor) - 1}", int(major) > 0)) # of 0.y.z each y has its own interface
     for wanted, fits in versions:
-        out = run("cmake", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", *options) or ""
+        out = run("cmake", "-G", "Ninja", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", *options) or ""
         check(f"found: {1 if fits else 0}" in out, f"CMake, {what}: version {wanted} {'fits' if fits else 'does not fit'}")
 
 
@@ -174,11 +174,11 @@ by_the_page()
 by_check_kit()
 if package.fortran:
     from_sources()
-if have("cmake", "c++"):
+if have("cmake", "ninja", "c++"):
     by_cmake(package.prefix, "installed", {})
     moved = package.folder / "moved"
     package.prefix.rename(moved)
     by_cmake(moved, "moved", {"LD_LIBRARY_PATH": str(moved / package.lib)})
 else:
-    print("skipped: CMake, because cmake or c++ is not here")
+    print("skipped: CMake, because cmake, ninja or c++ is not here")
 sys.exit(1 if failures else 0)
