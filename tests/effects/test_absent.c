@@ -125,6 +125,17 @@ static void bonds_are_refused(void **state)
             w.bonds.count = 0;
             assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK); /* none of them */
         }
+    /* and bonds that have lost their list */
+    const vti_bodies b = without(0);
+    web_terms(&w, count, AXIAL, VTI_SHEAR_OBJECTIVE);
+    const vti_effect effect = vti_bonds_effect(&w.bonds);
+    const vti_bonds right = w.bonds;
+    assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK);
+    w.bonds.pair = NULL;
+    assert_int_equal(vti_apply(&effect, 1, &b), VTI_E_NULL);
+    w.bonds = right;
+    w.bonds.rest = NULL;
+    assert_int_equal(vti_apply(&effect, 1, &b), VTI_E_NULL);
 }
 
 static int applied;
