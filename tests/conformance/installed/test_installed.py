@@ -35,8 +35,8 @@ def expected():
     lib = package.lib + "/"
     files = ["include/" + header.name for header in (project / "include").glob("*.h")]
     files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + major, "pkgconfig/vti.pc",
-                                      "cmake/vti/vti-config.cmake", "cmake/vti/vti-config-version.cmake",
                                       "libvti_check.a", "pkgconfig/vti-check.pc")] + ["include/vti_check.h"]
+    files += ["lib/cmake/vti/vti-config.cmake", "lib/cmake/vti/vti-config-version.cmake"]
     if package.fortran:
         sources = [path.name for path in (project / "fortran").glob("*.f90")]
         gfortran = "gfortran-" + run("gfortran", "-dumpversion").strip().split(".", maxsplit=1)[0]
