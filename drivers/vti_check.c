@@ -89,16 +89,16 @@ static int open_plugin(const char *name, vti_check_advance **advance, struct mes
 {
     char file[4096];
     const char *colon = strrchr(name, ':');
-    if (colon == NULL || colon == name || colon[1] == '\0' || (size_t)(colon - name) >= sizeof file)
+    if (colon == NULL || colon == name || colon[1] == '\0' || (size_t)(colon - name) >= sizeof file - 2)
         return message_set(message, "%s: is not FILE.so:SYMBOL", name);
-    memcpy(file, name, (size_t)(colon - name));
-    file[colon - name] = '\0';
+    const int bare = memchr(name, '/', (size_t)(colon - name)) == NULL; /* not where the system keeps its libraries */
+    snprintf(file, sizeof file, "%s%.*s", bare ? "./" : "", (int)(colon - name), name);
     void *library = dlopen(file, RTLD_NOW);
     if (library == NULL)
         return message_set(message, "%s", dlerror());
     void *symbol = dlsym(library, colon + 1);
     if (symbol == NULL)
-        return message_set(message, "%s: has no symbol %s", file, colon + 1);
+        return message_set(message, "%s: has no symbol %s; it must not be static", file, colon + 1);
     memcpy(advance, &symbol, sizeof *advance); /* C has no conversion from objects to functions; POSIX does */
     return 0;
 }

@@ -42,13 +42,15 @@ enum vti_status {
     VTI_E_FRAME = -13,      /**< there is no such frame */
     VTI_E_BOND = -14,       /**< a bond is not between two bodies that exist apart, or is of no stiffness */
     VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates */
-    VTI_E_CONTACT = -16     /**< a contact is not between two bodies that exist, or its size or stiffness is none */
+    VTI_E_CONTACT = -16,    /**< a contact is not between two bodies that exist, or its size or stiffness is none */
+    VTI_E_STATE = -17       /**< a position, velocity, attitude or spin is not finite, or a quaternion is zero */
 };
 
 /** One English sentence for a status, remedy included; never NULL. */
 VTI_API const char *vti_status_text(int status);
 
-/** Where and why a call failed: the body (0-based index into the views, -1 if no body is to blame) and the value. */
+/** Where and why a call failed: the body (index into the views, from 0) and the value. If no body is to blame, body is -1,
+ *  and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA, else 0. */
 typedef struct vti_fault {
     int64_t body; /**< index of the body, from 0; -1 if none is to blame */
     double value; /**< what is wrong about it */
@@ -183,7 +185,8 @@ VTI_API int vti_bodies_check(const vti_bodies *bodies);
  *  them, do not check again. For hosts that step few bodies very often. Seal again after changing a view. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
-/** All of vti_bodies_check, and every mass and inertia of the slice finite and > 0. fault may be NULL. */
+/** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and
+ *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
 
 #ifdef __cplusplus

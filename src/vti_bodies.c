@@ -112,16 +112,55 @@ static int values_check(const vti_scalars *s, const vti_bodies *b, int error, vt
     return VTI_OK;
 }
 
+/** n numbers of body i: all finite, and if one has to be there, not all zero. */
+static int state_check(double *const *c, int n, int64_t at, int one, int64_t i, vti_fault *fault)
+{
+    int some = !one;
+    double bad = 0.0;
+    for (int k = 0; k < n; ++k) {
+        bad = isfinite(c[k][at]) ? bad : c[k][at];
+        some |= c[k][at] != 0.0;
+    }
+    if (some && bad == 0.0)
+        return VTI_OK;
+    if (fault != NULL) {
+        fault->body = i;
+        fault->value = bad;
+    }
+    return VTI_E_STATE;
+}
+
+static int states_check(const vti_bodies *b, vti_fault *fault)
+{
+    const vti_view *const views[] = {&b->x, &b->v, &b->alpha, &b->omega};
+    int status = VTI_OK;
+    for (int64_t i = b->first; i < b->first + b->count && status == VTI_OK; ++i) {
+        for (int k = 0; k < 4 && status == VTI_OK; ++k)
+            if (vti_has(views[k]))
+                status = state_check(views[k]->c, 3, i * views[k]->stride, 0, i, fault);
+        if (b->quat.xyzw[0] != NULL && status == VTI_OK)
+            status = state_check(b->quat.xyzw, 4, i * b->quat.stride, 1, i, fault);
+    }
+    return status;
+}
+
+/** The one for all that vti_bodies_check has refused. */
+static double refused_value(int status, const vti_bodies *b)
+{
+    const double *p = status == VTI_E_MASS ? b->mass.p : status == VTI_E_INERTIA ? b->inertia.p : NULL;
+    return p != NULL ? *p : 0.0;
+}
+
 int vti_bodies_check_values(const vti_bodies *b, vti_fault *fault)
 {
     int status = vti_bodies_check(b);
     if (fault != NULL) {
         fault->body = -1;
-        fault->value = 0.0;
+        fault->value = refused_value(status, b);
     }
     if (status == VTI_OK)
         status = values_check(&b->mass, b, VTI_E_MASS, fault);
     if (status == VTI_OK)
         status = values_check(&b->inertia, b, VTI_E_INERTIA, fault);
-    return status;
+    return status == VTI_OK ? states_check(b, fault) : status;
 }

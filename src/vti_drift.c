@@ -297,7 +297,7 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
         status = VTI_E_TIME;
     if (fault != NULL) {
         fault->body = -1;
-        fault->value = t;
+        fault->value = status == VTI_E_TIME ? t : 0.0;
     }
     if (status == VTI_OK)
         status = vti_drift_refuses(law, 0.0, t, b, fault);

@@ -31,6 +31,9 @@ static const struct {
     {VTI_E_CONTACT,
      "a contact is not between two different bodies that exist, or a diameter is not positive and finite, "
      "or the stiffness negative or not finite; mend that pair"},
+    {VTI_E_STATE,
+     "a position, velocity, attitude or spin is not finite, or a quaternion is zero; set all of them before "
+     "the first step, an unturned quaternion to real part 1"},
 };
 
 const char *vti_status_text(int status)

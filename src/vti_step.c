@@ -100,13 +100,13 @@ VTI_INLINE int play(const vti_stepper *method, int64_t k, double h, const vti_bo
 
 int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
 {
-    if (fault != NULL) {
-        fault->body = -1;
-        fault->value = h;
-    }
     int status = check(method, h, b);
     if (status == VTI_OK && (k < 0 || k >= method->stages))
         status = VTI_E_STAGE;
+    if (fault != NULL) {
+        fault->body = -1;
+        fault->value = status == VTI_E_TIME ? h : 0.0;
+    }
     return status == VTI_OK ? play(method, k, h, b, fault) : status;
 }
 

@@ -145,7 +145,8 @@ static void say_start(struct kit *kit, const struct nouns *of, double e1, int pr
     else if (is(e1, -0.5))
         kit_fault(kit, "the half kick by the %s at the start is missing", of->load);
     else
-        kit_fault(kit, "%.2g kicks by the %s too %s at the start", fabs(e1), of->load, e1 < 0.0 ? "few" : "many");
+        kit_fault(kit, "at the start the %s kicks too %s, by %.2g of a kick", of->load, e1 < 0.0 ? "little" : "much",
+                  fabs(e1));
 }
 
 /** What leads or lags, and what the energy does for it. */

@@ -107,11 +107,11 @@ static const int64_t layout[] = {
 };
 
 static const int64_t constants[] = {
-    VTI_ABI,       VTI_TERMS,      VTI_SHEAR_OBJECTIVE, VTI_SHEAR_QUARTIC, VTI_SHEAR_PRINTED, VTI_OK,
-    VTI_E_NULL,    VTI_E_ABI,      VTI_E_COUNT,         VTI_E_VIEW,        VTI_E_STRIDE,      VTI_E_ALIAS,
-    VTI_E_TIME,    VTI_E_MASS,     VTI_E_INERTIA,       VTI_E_TOO_LARGE,   VTI_E_STAGE,       VTI_E_STEPPER,
-    VTI_E_FRAME,   VTI_E_BOND,     VTI_E_DISSIPATES,    VTI_E_CONTACT,     VTI_LAW_CLOSED,    VTI_LAW_CAYLEY,
-    VTI_LAW_EXACT, VTI_LAW_EXACT9, VTI_FRAME_SPACE,     VTI_FRAME_BODY};
+    VTI_ABI,        VTI_TERMS,     VTI_SHEAR_OBJECTIVE, VTI_SHEAR_QUARTIC, VTI_SHEAR_PRINTED, VTI_OK,
+    VTI_E_NULL,     VTI_E_ABI,     VTI_E_COUNT,         VTI_E_VIEW,        VTI_E_STRIDE,      VTI_E_ALIAS,
+    VTI_E_TIME,     VTI_E_MASS,    VTI_E_INERTIA,       VTI_E_TOO_LARGE,   VTI_E_STAGE,       VTI_E_STEPPER,
+    VTI_E_FRAME,    VTI_E_BOND,    VTI_E_DISSIPATES,    VTI_E_CONTACT,     VTI_E_STATE,       VTI_LAW_CLOSED,
+    VTI_LAW_CAYLEY, VTI_LAW_EXACT, VTI_LAW_EXACT9,      VTI_FRAME_SPACE,   VTI_FRAME_BODY};
 
 int64_t shim_layout(int64_t room, int64_t *values);
 int64_t shim_constants(int64_t room, int64_t *values);

@@ -38,8 +38,8 @@ NOTES = {
     "torsion": "h is the given share of reach/2 times `vti_stable_step`, so each stepper is beside its own limit. The limit is "
                "that of small oscillations, 1e-6 rad; the other rows say what was seen of large ones in 20000 steps. Bounded "
                "means an energy below 1e4 times its start.",
-    "nonfinite": "Mass and inertia are looked at by `vti_bodies_check_values`, bonds by `vti_bonds_check`; both are for once "
-                 "before a run. Nobody looks at numbers during a step: there they spread to what they act on, and show in "
+    "nonfinite": "State, masses and inertias are looked at by `vti_bodies_check_values`, bonds by `vti_bonds_check`, contacts by "
+                 "`vti_contacts_check`; all are for once before a run. Nobody looks at numbers during a step: there they spread to what they act on, and show in "
                  "energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",

@@ -3,7 +3,7 @@
  * Every status that the interface names is what some call returns, and says what to do in a sentence of its own. */
 #include "hard.h"
 
-enum { LOWEST = VTI_E_CONTACT };
+enum { LOWEST = VTI_E_STATE };
 
 static crowd c;
 static vti_fault fault;
@@ -60,6 +60,9 @@ static int reached(int status)
         return vti_step_begin(&own, 0.1, &b, &fault);
     case VTI_E_BOND:
         return vti_bonds_rest(1, pair, 0, &b.x, rest, &fault);
+    case VTI_E_STATE:
+        c.omega[1][2] = INFINITY;
+        return vti_bodies_check_values(&b, &fault);
     case VTI_E_CONTACT:
         return vti_contacts_check(&contacts, 1, &fault);
     case VTI_E_DISSIPATES:

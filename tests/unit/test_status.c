@@ -3,7 +3,7 @@
  * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
 #include "support.h"
 
-enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_CONTACT };
+enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_STATE };
 
 static const vti_stepper *vti1, *vti2;
 static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];
@@ -215,6 +215,11 @@ static void masses(void **state)
         assert_same_bits(&fault.value, &wrong[k], 1);
         const vti_bodies rest = vti_bodies_slice(b, 3, 1);
         assert_int_equal(vti_bodies_check_values(&rest, &fault), VTI_OK);
+        bad = b;
+        bad.mass = vti_scalars_one(&wrong[k]);
+        assert_int_equal(vti_bodies_check_values(&bad, &fault), VTI_E_MASS);
+        assert_int_equal(fault.body, -1);
+        assert_same_bits(&fault.value, &wrong[k], 1);
         mass[2] = 1;
         inertia[3] = wrong[k];
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_INERTIA);
@@ -231,6 +236,47 @@ static void masses(void **state)
     refused(bad, VTI_E_INERTIA);
     bad.omega = vti_view_none();
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
+}
+
+/** The state before the first step: finite, and no quaternion that memory has been cleared to. Forces need not be there yet. */
+static void states(void **state)
+{
+    (void)state;
+    const double wrong[] = {NAN, INFINITY, -INFINITY};
+    double *const all[] = {x, v, a, w};
+    vti_fault fault;
+    for (int k = 0; k < 4; ++k)
+        for (int n = 0; n < 3; ++n) {
+            const double right = all[k][3 * 2 + n];
+            all[k][3 * 2 + n] = wrong[n];
+            assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
+            assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_E_STATE);
+            assert_int_equal(fault.body, 2);
+            assert_same_bits(&fault.value, &wrong[n], 1);
+            const vti_bodies others = vti_bodies_slice(b, 3, 1);
+            assert_int_equal(vti_bodies_check_values(&others, &fault), VTI_OK);
+            all[k][3 * 2 + n] = right;
+        }
+    f[0] = m[4] = NAN;
+    assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
+    b.alpha = vti_view_none();
+    b.quat.stride = 4;
+    for (int k = 0; k < 4; ++k)
+        b.quat.xyzw[k] = quat_ + k;
+    memset(quat_, 0, sizeof quat_);
+    for (int i = 0; i < N; ++i) {
+        assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
+        assert_true(fault.body == i && fault.value == 0);
+        quat_[4 * i + (i + 3) % 4] = -1e-3;
+    }
+    assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
+    quat_[4 * 2 + 1] = NAN;
+    assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
+    assert_true(fault.body == 2 && isnan(fault.value));
+    b.quat.xyzw[0] = NULL;
+    b.quat.xyzw[1] = b.quat.xyzw[2] = b.quat.xyzw[3] = NULL;
+    b.x = b.v = b.omega = vti_view_none();
+    assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
 }
 
 /** A seal is for bodies that pass: others lose one that they had, and are looked at again. */
@@ -261,6 +307,9 @@ static void time(void **state)
         const int either_sign = k < 3 ? VTI_E_TIME : VTI_OK;
         assert_int_equal(vti_kick(wrong[k], &b), either_sign);
         assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, wrong[k], &b, NULL), either_sign);
+        assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, wrong[k], &b, &fault), either_sign);
+        const double said = k < 3 ? wrong[k] : 0.0; /* an h of another sign is no fault */
+        assert_same_bits(&fault.value, &said, 1);
     }
 }
 
@@ -303,6 +352,7 @@ int main(void)
         cmocka_unit_test_setup(views, sound),
         cmocka_unit_test_setup(quaternion_views, sound),
         cmocka_unit_test_setup(masses, sound),
+        cmocka_unit_test_setup(states, sound),
         cmocka_unit_test_setup(seal, sound),
         cmocka_unit_test_setup(time, sound),
         cmocka_unit_test_setup(law_frame_stage_stepper_bond, sound),

@@ -37,6 +37,8 @@ def expected():
     files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + major, "pkgconfig/vti.pc",
                                       "libvti_check.a", "pkgconfig/vti-check.pc")] + ["include/vti_check.h"]
     files += ["lib/cmake/vti/vti-config.cmake", "lib/cmake/vti/vti-config-version.cmake"]
+    files += ["share/vti/" + str(path.relative_to(project)) for path in (project / "examples").rglob("*")
+              if path.is_file() and path.name != "meson.build" and "lammps" not in str(path.relative_to(project))]
     if package.fortran:
         sources = [path.name for path in (project / "fortran").glob("*.f90")]
         gfortran = "gfortran-" + run("gfortran", "-dumpversion").strip().split(".", maxsplit=1)[0]
