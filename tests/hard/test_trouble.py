@@ -96,7 +96,8 @@ class Topic:
         codes = [-signal.SIGTERM if how == "term" else -signal.SIGKILL]
         if how == "term" and "run" in self.name:
             codes = [0, 75]
-        one_line = len(result.stderr.splitlines()) == (result.returncode == 75)
+        ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]  # MPI may have to say something too
+        one_line = len(ours) == (result.returncode == 75)
         return "" if result.returncode in codes and one_line else f"code {result.returncode}: {result.stderr.strip()}; "
 
     def full(self, result, after, call):
