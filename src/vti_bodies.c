@@ -102,13 +102,8 @@ int vti_bodies_seal(vti_bodies *b)
 static int values_check(const vti_scalars *s, const vti_bodies *b, int error, vti_fault *fault)
 {
     for (int64_t i = b->first; s->p != NULL && i < b->first + b->count; ++i)
-        if (!is_positive(vti_scalar(s, i))) {
-            if (fault != NULL) {
-                fault->body = i;
-                fault->value = vti_scalar(s, i);
-            }
-            return error;
-        }
+        if (!is_positive(vti_scalar(s, i)))
+            return vti_blame(error, i, vti_scalar(s, i), fault);
     return VTI_OK;
 }
 
@@ -121,13 +116,7 @@ static int state_check(double *const *c, int n, int64_t at, int one, int64_t i, 
         bad = isfinite(c[k][at]) ? bad : c[k][at];
         some |= c[k][at] != 0.0;
     }
-    if (some && bad == 0.0)
-        return VTI_OK;
-    if (fault != NULL) {
-        fault->body = i;
-        fault->value = bad;
-    }
-    return VTI_E_STATE;
+    return some && bad == 0.0 ? VTI_OK : vti_blame(VTI_E_STATE, i, bad, fault);
 }
 
 static int states_check(const vti_bodies *b, vti_fault *fault)
@@ -154,10 +143,7 @@ static double refused_value(int status, const vti_bodies *b)
 int vti_bodies_check_values(const vti_bodies *b, vti_fault *fault)
 {
     int status = vti_bodies_check(b);
-    if (fault != NULL) {
-        fault->body = -1;
-        fault->value = refused_value(status, b);
-    }
+    vti_blame(status, -1, refused_value(status, b), fault);
     if (status == VTI_OK)
         status = values_check(&b->mass, b, VTI_E_MASS, fault);
     if (status == VTI_OK)

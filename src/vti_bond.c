@@ -14,6 +14,11 @@ static const struct bond_kernel (*kernels(void))[4]
     return vti_bond_baseline;
 }
 
+static int has_list(const vti_bonds *bonds)
+{
+    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
+}
+
 /** What the terms read, and the list, if it is another one than when the effect was made. */
 static int check(const void *self, const vti_bodies *b)
 {
@@ -21,14 +26,13 @@ static int check(const void *self, const vti_bodies *b)
     const int reads_x = p->axial.p != NULL || p->shear.p != NULL, turns = p->moment.p != NULL || p->shear.p != NULL;
     if (p->count <= 0)
         return VTI_OK;
-    const int lacks =
-        p->pair == NULL || p->rest == NULL || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
+    const int lacks = !has_list(p) || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
     return lacks ? VTI_E_NULL : VTI_OK;
 }
 
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
 {
-    if (bonds == NULL || (bonds->count > 0 && (bonds->pair == NULL || bonds->rest == NULL)))
+    if (bonds == NULL || !has_list(bonds))
         return vti_effect_none();
     static const char moment[] = "binder_moment", axial[] = "binder_axial", shear[] = "binder_shear";
     static const char *const names[8][TERMS] = {{NULL},  {moment},        {axial},        {moment, axial},
@@ -54,15 +58,6 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
 
 /* ---- making and checking a list ----------------------------------------------------------------------------------------- */
 
-static int blame(vti_fault *fault, int64_t bond, double value)
-{
-    if (fault != NULL) {
-        fault->body = bond;
-        fault->value = value;
-    }
-    return VTI_E_BOND;
-}
-
 /** d = x_i - x_j of one pair; returns |d|. */
 static double separation(const int64_t pair[2], int64_t base, const vti_view *x, double d[3])
 {
@@ -80,11 +75,11 @@ static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vt
     for (int64_t k = 0; k < count; ++k) {
         for (int side = 0; side < 2; ++side)
             if (pair[2 * k + side] < base)
-                return blame(fault, k, (double)pair[2 * k + side]);
+                return vti_blame(VTI_E_BOND, k, (double)pair[2 * k + side], fault);
         double d[3];
         const double length = separation(pair + 2 * k, base, x, d);
         if (!(length > 0.0) || !isfinite(length))
-            return blame(fault, k, length);
+            return vti_blame(VTI_E_BOND, k, length, fault);
     }
     return VTI_OK;
 }
@@ -117,7 +112,7 @@ static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
-    if (bonds == NULL || (bonds->count > 0 && (bonds->pair == NULL || bonds->rest == NULL)))
+    if (bonds == NULL || !has_list(bonds))
         return VTI_E_NULL;
     if (bonds->count < 0 || n < 0)
         return VTI_E_COUNT;
@@ -125,15 +120,15 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
         const double *rest = bonds->rest + 4 * k;
         if (i < 0 || i >= n)
-            return blame(fault, k, (double)bonds->pair[2 * k]);
+            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k], fault);
         if (j < 0 || j >= n || i == j)
-            return blame(fault, k, (double)bonds->pair[2 * k + 1]);
+            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], fault);
         if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
-            return blame(fault, k, rest[3]);
+            return vti_blame(VTI_E_BOND, k, rest[3], fault);
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return blame(fault, k, stiffness(all[c], k));
+                return vti_blame(VTI_E_BOND, k, stiffness(all[c], k), fault);
     }
     return VTI_OK;
 }

@@ -33,13 +33,19 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
     return !(*r2 >= *length * *length);
 }
 
+/** Whether there is a list, and diameters. */
+static int list_check(const vti_contacts *p)
+{
+    if (p->diameter.p == NULL || (p->count > 0 && p->pair == NULL))
+        return VTI_E_NULL;
+    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
+}
+
 /** The list may be another one than when the effect was made. */
 static int contacts_check(const void *self, const vti_bodies *b)
 {
-    const vti_contacts *p = self;
-    if (p->count < 0)
-        return VTI_E_COUNT;
-    return p->diameter.p == NULL || !vti_has(&b->x) || (p->count > 0 && p->pair == NULL) ? VTI_E_NULL : VTI_OK;
+    const int status = list_check(self);
+    return status == VTI_OK && !vti_has(&b->x) ? VTI_E_NULL : status;
 }
 
 /** F_i = (K/D) o^{3/2} n = -F_j */
@@ -70,31 +76,23 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
     energies[0] = vti_sum_value(&sum);
 }
 
-static int blame(vti_fault *fault, int64_t pair, double value)
-{
-    if (fault != NULL) {
-        fault->body = pair;
-        fault->value = value;
-    }
-    return VTI_E_CONTACT;
-}
-
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
-    if (contacts == NULL || contacts->diameter.p == NULL || (contacts->count > 0 && contacts->pair == NULL))
-        return VTI_E_NULL;
-    if (contacts->count < 0 || n < 0)
-        return VTI_E_COUNT;
+    int status = contacts == NULL ? VTI_E_NULL : list_check(contacts);
+    if (status == VTI_OK && n < 0)
+        status = VTI_E_COUNT;
+    if (status != VTI_OK)
+        return status;
     if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
-        return blame(fault, -1, contacts->stiffness);
+        return vti_blame(VTI_E_CONTACT, -1, contacts->stiffness, fault);
     for (int64_t k = 0; k < contacts->count; ++k)
         for (int side = 0; side < 2; ++side) {
             const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
             if (i < 0 || i >= n || pair[0] == pair[1])
-                return blame(fault, k, (double)pair[side]);
+                return vti_blame(VTI_E_CONTACT, k, (double)pair[side], fault);
             const double diameter = vti_scalar(&contacts->diameter, i);
             if (!(isfinite(diameter) && diameter > 0.0))
-                return blame(fault, k, diameter);
+                return vti_blame(VTI_E_CONTACT, k, diameter, fault);
         }
     return VTI_OK;
 }
@@ -102,8 +100,7 @@ int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};
-    if (contacts == NULL || contacts->diameter.p == NULL || contacts->count < 0 ||
-        (contacts->count > 0 && contacts->pair == NULL))
+    if (contacts == NULL || list_check(contacts) != VTI_OK)
         return vti_effect_none();
     const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts_check, contacts, 1, term, 0, 0};
     return effect;

@@ -295,10 +295,7 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))
         status = VTI_E_TIME;
-    if (fault != NULL) {
-        fault->body = -1;
-        fault->value = status == VTI_E_TIME ? t : 0.0;
-    }
+    vti_blame(status, -1, status == VTI_E_TIME ? t : 0.0, fault);
     if (status == VTI_OK)
         status = vti_drift_refuses(law, 0.0, t, b, fault);
     if (status == VTI_OK)

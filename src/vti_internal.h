@@ -7,6 +7,16 @@
 
 #include "vti.h"
 
+/** Says in fault, where there is one, what is to blame and for which value. Returns the status. */
+static inline int vti_blame(int status, int64_t body, double value, vti_fault *fault)
+{
+    if (fault != NULL) {
+        fault->body = body;
+        fault->value = value;
+    }
+    return status;
+}
+
 static inline int vti_has(const vti_view *view)
 {
     return view->c[0] != NULL;

@@ -103,10 +103,7 @@ int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bod
     int status = check(method, h, b);
     if (status == VTI_OK && (k < 0 || k >= method->stages))
         status = VTI_E_STAGE;
-    if (fault != NULL) {
-        fault->body = -1;
-        fault->value = status == VTI_E_TIME ? h : 0.0;
-    }
+    vti_blame(status, -1, status == VTI_E_TIME ? h : 0.0, fault);
     return status == VTI_OK ? play(method, k, h, b, fault) : status;
 }
 
