@@ -44,13 +44,32 @@ static void stretch_of(const struct bed *b, double *stretch, double *rate)
     *rate = (b->v[3] - b->v[0]) / amplitude;
 }
 
+/** The oscillator that a host is put to: by its rotation, or by translation only. */
+struct oscillator {
+    struct bed (*scene)(struct field *field);
+    void (*state)(const struct bed *b, double *size, double *rate);
+    const char *frequency, *amplitude;
+};
+
+static const struct oscillator torsion = {scene_torsion, twist_of, "torsion pair: frequency at h omega = 0.2, off by",
+                                          "torsion pair: amplitude bounded to h omega ="};
+static const struct oscillator stretching = {scene_stretch, stretch_of,
+                                             "stretched pair: frequency at h omega = 0.2, off by",
+                                             "stretched pair: amplitude bounded to h omega ="};
+
+static const struct oscillator *oscillator_of(const struct kit *kit)
+{
+    return kit->rotates ? &torsion : &stretching;
+}
+
 /** The oscillator after so many steps. */
 static void swing_to(struct kit *kit, double h, int64_t steps, double *size, double *rate)
 {
     struct field field;
-    struct bed b = kit->rotates ? scene_torsion(&field) : scene_stretch(&field);
+    const struct oscillator *o = oscillator_of(kit);
+    struct bed b = o->scene(&field);
     bed_advance(&kit->host, &b, &field, h, steps);
-    (kit->rotates ? twist_of : stretch_of)(&b, size, rate);
+    o->state(&b, size, rate);
 }
 
 /** The amplitude after so many steps, 1 at first. */
@@ -84,14 +103,8 @@ void check_torsion(struct kit *kit)
     swing_to(kit, h, STEPS, &twist, &rate);
     const double phase = atan2(-rate, twist) - t;
     const double off = fabs(remainder(phase, 2.0 * CHECK_PI)) / t;
-    kit_line(kit,
-             kit->rotates ? "torsion pair: frequency at h omega = 0.2, off by"
-                          : "stretched pair: frequency at h omega = 0.2, off by",
-             off, -1, 4e-3, VTI_CHECK_FAIL);
-    kit_line(kit,
-             kit->rotates ? "torsion pair: amplitude bounded to h omega ="
-                          : "stretched pair: amplitude bounded to h omega =",
-             stable_to(kit), 1, 0.5, VTI_CHECK_FAIL);
+    kit_line(kit, oscillator_of(kit)->frequency, off, -1, 4e-3, VTI_CHECK_FAIL);
+    kit_line(kit, oscillator_of(kit)->amplitude, stable_to(kit), 1, 0.5, VTI_CHECK_FAIL);
 }
 
 /* ---- rigid motion ---------------------------------------------------------------------------------------------------- */
