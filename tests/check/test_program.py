@@ -6,15 +6,10 @@ import json
 import subprocess
 import sys
 
+from tally import check, conclude
+
 program, plugin, examples = sys.argv[1], sys.argv[2], sys.argv[3:]
-failures = 0
 OLD_SPIN = "rotation is pushed with the old spin: energy grows"
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what)
-    failures += not condition
 
 
 def run(*arguments):
@@ -63,4 +58,4 @@ for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--
 for example in examples:
     result = subprocess.run([example], check=False, capture_output=True, text=True, timeout=120)
     check(result.returncode == 0 and "no fault found" in result.stdout and "FAIL" not in result.stdout, example)
-sys.exit(1 if failures else 0)
+conclude()

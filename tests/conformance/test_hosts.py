@@ -11,16 +11,11 @@ import tempfile
 import h5py
 import numpy
 
+from tally import check, conclude
+
 project, vti_run = pathlib.Path(sys.argv[1]), sys.argv[2]
 hosts = {pathlib.Path(path).name: path for path in sys.argv[3:]}
 chain = project / "examples" / "chain"
-failures = 0
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what)
-    failures += not condition
 
 
 def by_vti_run():
@@ -64,4 +59,4 @@ for threads in ("1", "2", "3", "7", "16"):
     if "host_threads" in hosts:
         rows = by_host(hosts["host_threads"], OMP_NUM_THREADS=threads)[0]
         check(rows.tobytes() == expected.tobytes(), f"host_threads, {threads} threads")
-sys.exit(1 if failures else 0)
+conclude()

@@ -6,18 +6,13 @@ import pathlib
 import re
 import sys
 
+from tally import check, conclude
+
 project = pathlib.Path(sys.argv[1])
 SUFFIXES = {"c": (".c",), "cpp": (".cpp",), "fortran": (".f90", ".f")}
 sources = {language: "\n".join(path.read_text(encoding="utf-8") for path in sorted((project / "examples").rglob("*"))
                                if path.suffix in suffixes) for language, suffixes in SUFFIXES.items()}
 commands = (project / "dev").read_text(encoding="utf-8")
-failures = 0
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what)
-    failures += not condition
 
 
 def blocks(page, text):
@@ -60,4 +55,4 @@ def linking():
 
 for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src|fortran)/[\w./-]+)`", readme() + linking()):
     check((project / path).exists() or path.startswith("include/vti/"), f"{path} exists")
-sys.exit(1 if failures else 0)
+conclude()

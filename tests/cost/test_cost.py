@@ -8,15 +8,10 @@ import subprocess
 import sys
 import tempfile
 
+from tally import check, conclude
+
 COST, VALGRIND = sys.argv[1:3]
 BODIES, STEPS = 512, 40
-failures = 0
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what)
-    failures += not condition
 
 
 def callgrind(config, steps):
@@ -67,4 +62,4 @@ _, names = per_body("tla")
 check(not any(map(rotation.search, names)), "a scene in which nothing can turn calls no function of rotation")
 kernels = [n for n in names_whole if re.match("apply_|energy_", n)]
 check(kernels == ["apply_moment_axial_objective"], f"one kernel of bonds, and no energy unless asked: {kernels}")
-sys.exit(1 if failures else 0)
+conclude()

@@ -9,13 +9,6 @@ import h5py
 import numpy
 
 FILES = (".h5", ".csv", ".xdmf", ".dump")
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what)
-    if not condition:
-        failures.append(what)
 
 
 def run(program, *arguments, **options):

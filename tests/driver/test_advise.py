@@ -10,7 +10,8 @@ import os
 import sys
 import tempfile
 
-from run_support import check, failures, run
+from run_support import run
+from tally import check, conclude
 
 KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "stable_h", "h_max_omega", "alternatives"]
 STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4"]
@@ -116,5 +117,4 @@ what_others_need("chain", 10, 1e-4, "exact")
 words()
 h_max_omega()
 refusals()
-print(f"{len(failures)} failed")
-sys.exit(1 if failures else 0)
+conclude()

@@ -9,18 +9,13 @@ import subprocess
 import sys
 import tempfile
 
+from tally import check, conclude
+
 STUDY, MPIRUN, SCENES = sys.argv[1:4]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
 PENDULUM, CHAIN, PILE = (os.path.join(SCENES, name + ".yaml") for name in ("pendulum", "chain", "pile"))
 TARGETS = [10.0**-k for k in range(2, 11)]
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what)
-    if not condition:
-        failures.append(what)
 
 
 def cost(ranks, *arguments, folder):
@@ -170,5 +165,4 @@ with tempfile.TemporaryDirectory() as work:
     translating(work)
     failing(work)
     refused(work)
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

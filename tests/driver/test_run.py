@@ -10,7 +10,8 @@ import tempfile
 import h5py
 import numpy
 
-from run_support import check, contents, failures, read_csv, read_dump, read_vtkhdf, read_xdmf, run, same
+from run_support import contents, read_csv, read_dump, read_vtkhdf, read_xdmf, run, same
+from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
 XYZ = ("x", "y", "z")
@@ -158,5 +159,4 @@ with tempfile.TemporaryDirectory() as root:
         one_case(root, *case)
     says(root)
     contact_flag(root)
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

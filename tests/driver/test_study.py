@@ -12,7 +12,7 @@ import tempfile
 import h5py
 import numpy
 
-from run_support import check, failures
+from tally import check, conclude
 
 STUDY, MPIRUN = sys.argv[1:3]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
@@ -186,5 +186,4 @@ with tempfile.TemporaryDirectory() as base:
     refused(base)
     from_tables(base)
     keeps_what_was_there(base)
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

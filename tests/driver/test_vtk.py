@@ -13,7 +13,8 @@ if os.path.exists(PYTHON) and os.path.realpath(sys.prefix) != os.path.realpath(s
 
 import numpy  # noqa: E402
 
-from run_support import check, failures, read_vtkhdf, run, same  # noqa: E402
+from run_support import read_vtkhdf, run, same  # noqa: E402
+from tally import check, conclude  # noqa: E402
 
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -68,5 +69,4 @@ for scene, *options in CASES:
         for ending, more in ((".h5", ["Lines"]), (".xdmf", [])):
             check(same(frames, read(f"{folder}/out{ending}", ending), data + more),
                   f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

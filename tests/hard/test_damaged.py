@@ -9,15 +9,10 @@ import subprocess
 import sys
 import tempfile
 
+from tally import check, conclude
+
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
 STEPS, MORE = 64, 60
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what)
-    if not condition:
-        failures.append(what)
 
 
 def run(*arguments):
@@ -102,5 +97,4 @@ random.seed(20240607)
 for topic in (checkpoints, busy):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

@@ -12,17 +12,12 @@ import sys
 import tempfile
 import time
 
+from tally import check, conclude
+
 TROUBLE, RUN, STUDY, ADVISE, SCENES = map(os.path.abspath, sys.argv[1:6])
 LONG = len(sys.argv) > 6
 ENVIRONMENT = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")  # no daemon for a single rank
 PATIENCE = 120  # seconds; what takes longer hangs
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what)
-    if not condition:
-        failures.append(what)
 
 
 def start(command, folder, how="", at=0, log=""):
@@ -180,5 +175,4 @@ with tempfile.TemporaryDirectory() as root:
     for name, topic in TOPICS.items():
         os.mkdir(f"{root}/{name}")
         topic(f"{root}/{name}")
-print(f"{len(failures)} failures")
-sys.exit(1 if failures else 0)
+conclude()

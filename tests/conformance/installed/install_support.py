@@ -10,18 +10,12 @@ import subprocess
 import sys
 import tempfile
 
+from tally import check
+
 # the system's own, as ./dev has it
 environment = dict(os.environ, PATH="/usr/bin:/bin:" + os.environ.get("PATH", ""))
 for name in ("DESTDIR", "PKG_CONFIG_PATH", "CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "MESON_BUILD_ROOT", "MESON_SOURCE_ROOT"):
     environment.pop(name, None)
-failures = []
-
-
-def check(condition, what):
-    print(("ok      " if condition else "FAILED  ") + what, flush=True)
-    if not condition:
-        failures.append(what)
-    return condition
 
 
 def run(*command, folder=None, **more):

@@ -7,7 +7,8 @@ import re
 import shutil
 import sys
 
-from install_support import Installed, block, check, failures, have, run
+from install_support import Installed, block, have, run
+from tally import check, conclude
 
 ANGLE = """#include "vti.h"
 int main(int argc, char **argv)
@@ -183,4 +184,4 @@ if have("cmake", "ninja", "c++"):
     by_cmake(moved, "moved", {"LD_LIBRARY_PATH": str(moved / package.lib)})
 else:
     print("skipped: CMake, because cmake, ninja or c++ is not here")
-sys.exit(1 if failures else 0)
+conclude()

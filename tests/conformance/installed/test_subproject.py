@@ -7,7 +7,8 @@ import re
 import shutil
 import sys
 
-from install_support import block, check, failures, have, run, scratch
+from install_support import block, have, run, scratch
+from tally import check, conclude
 
 MESON_BUILD_FORTRAN = """project('host', 'c', 'fortran')
 subproject('vti', default_options: ['fortran=enabled'])
@@ -48,4 +49,4 @@ use(block(project, "meson").replace("'c_std=c99'", "'c_std=c99', 'force_fallback
 if have("gfortran"):
     use(MESON_BUILD_FORTRAN, folder / "with-fortran", {"host", "vti", "vti_fortran"},
         lambda said: "energy = 0.74711" in said)
-sys.exit(1 if failures else 0)
+conclude()

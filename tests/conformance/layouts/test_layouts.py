@@ -11,16 +11,11 @@ import tempfile
 import h5py
 import numpy
 
+from tally import check, conclude
+
 project, vti_run, programs = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
 STEPS, INERTIA = 1000, 0.1 # of the solid spheres of both scenes
 STIFFNESS = 10.0, 200.0, 200.0, 2100.0 # moment, axial, shear; wall, where there is one
-failures = 0
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what)
-    failures += not condition
 
 
 def row(numbers):
@@ -74,4 +69,4 @@ with tempfile.TemporaryDirectory() as place:
             off = [name for name, end in ends.items() if end.tobytes() != last.tobytes()]
             check(len(ends) > 4 and not off,
                   f"{scene}, {pathlib.Path(program).name}: {len(ends)} ways end where vti-run ends {off or ''}")
-sys.exit(1 if failures else 0)
+conclude()
