@@ -4,6 +4,7 @@
 #ifndef VTI_TESTS_CHAIN_H
 #define VTI_TESTS_CHAIN_H
 
+#include "bodies.h"
 #include "play.h"
 
 enum { LINKS = 10 };
@@ -20,26 +21,12 @@ typedef struct chain {
 
 static inline vti_bodies chain_bodies(chain *c)
 {
-    vti_bodies b = vti_bodies_none(c->n);
-    b.x = vti_view_packed(c->x[0]);
-    b.v = vti_view_packed(c->v[0]);
-    b.force = vti_view_packed(c->force[0]);
-    b.omega = vti_view_packed(c->omega[0]);
-    b.moment = vti_view_packed(c->moment[0]);
-    b.mass = vti_scalars_array(c->mass);
-    b.inertia = vti_scalars_array(c->inertia);
-    b.quat.stride = 4;
-    for (int k = 0; c->storage == CHAIN_QUAT && k < 4; ++k)
-        b.quat.xyzw[k] = c->quat[0] + k;
-    if (c->storage == CHAIN_ALPHA)
-        b.alpha = vti_view_packed(c->alpha[0]);
-    return b;
+    return bodies_of(c, c->n, c->storage == CHAIN_QUAT);
 }
 
 static inline rotor chain_attitude(const chain *c, int i)
 {
-    const rotor q = {c->quat[i][0], c->quat[i][1], c->quat[i][2], c->quat[i][3]};
-    return c->storage == CHAIN_QUAT ? quat_unit(q) : quat_of_alpha(c->alpha[i]);
+    return c->storage == CHAIN_QUAT ? quat_of_xyzw(c->quat[i]) : quat_of_alpha(c->alpha[i]);
 }
 
 static inline vti_bonds chain_bonds(const chain *c)

@@ -4,6 +4,7 @@
 #ifndef VTI_TESTS_RIG_H
 #define VTI_TESTS_RIG_H
 
+#include "bodies.h"
 #include "play.h"
 
 enum rig_storage { RIG_ALPHA, RIG_QUAT, RIG_RESIDUALS };
@@ -21,10 +22,9 @@ static inline vti_bodies rig_bodies(rig *p)
     b.omega = vti_view_packed(p->omega);
     b.moment = vti_view_packed(p->moment);
     b.inertia = vti_scalars_one(&p->inertia);
-    b.quat.stride = 4;
-    for (int k = 0; p->storage == RIG_QUAT && k < 4; ++k)
-        b.quat.xyzw[k] = p->quat + k;
-    if (p->storage != RIG_QUAT)
+    if (p->storage == RIG_QUAT)
+        b.quat = quats_packed(p->quat);
+    else
         b.alpha = vti_view_packed(p->alpha);
     if (p->storage == RIG_RESIDUALS) {
         b.alpha_low = vti_view_packed(p->alpha_low);
@@ -36,8 +36,7 @@ static inline vti_bodies rig_bodies(rig *p)
 /** The attitude as a reference quaternion. */
 static inline rotor rig_attitude(const rig *p)
 {
-    const rotor q = {p->quat[0], p->quat[1], p->quat[2], p->quat[3]};
-    return p->storage == RIG_QUAT ? quat_unit(q) : quat_of_alpha(p->alpha);
+    return p->storage == RIG_QUAT ? quat_of_xyzw(p->quat) : quat_of_alpha(p->alpha);
 }
 
 static inline void rig_set_attitude(rig *p, rotor q)

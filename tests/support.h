@@ -195,6 +195,12 @@ static inline rotor quat_turn(const double axis[3], long double angle)
     return q;
 }
 
+static inline rotor quat_of_xyzw(const double q[4])
+{
+    const rotor r = {q[0], q[1], q[2], q[3]};
+    return quat_unit(r);
+}
+
 /** alpha = 2 v/w, read backwards. */
 static inline rotor quat_of_alpha(const double a[3])
 {

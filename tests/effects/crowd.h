@@ -4,6 +4,7 @@
 #ifndef VTI_TESTS_CROWD_H
 #define VTI_TESTS_CROWD_H
 
+#include "bodies.h"
 #include "support.h"
 
 enum { CROWD_MAX = 80, WEB_MAX = 240 };
@@ -29,26 +30,12 @@ typedef struct web {
 
 static inline vti_bodies crowd_bodies(crowd *c)
 {
-    vti_bodies b = vti_bodies_none(c->n);
-    b.x = vti_view_packed(c->x[0]);
-    b.v = vti_view_packed(c->v[0]);
-    b.force = vti_view_packed(c->force[0]);
-    b.omega = vti_view_packed(c->omega[0]);
-    b.moment = vti_view_packed(c->moment[0]);
-    b.mass = vti_scalars_array(c->mass);
-    b.inertia = vti_scalars_array(c->inertia);
-    b.quat.stride = 4;
-    for (int k = 0; c->storage == CROWD_QUAT && k < 4; ++k)
-        b.quat.xyzw[k] = c->quat[0] + k;
-    if (c->storage == CROWD_ALPHA)
-        b.alpha = vti_view_packed(c->alpha[0]);
-    return b;
+    return bodies_of(c, c->n, c->storage == CROWD_QUAT);
 }
 
 static inline rotor crowd_attitude(const crowd *c, int i)
 {
-    const rotor q = {c->quat[i][0], c->quat[i][1], c->quat[i][2], c->quat[i][3]};
-    return c->storage == CROWD_QUAT ? quat_unit(q) : quat_of_alpha(c->alpha[i]);
+    return c->storage == CROWD_QUAT ? quat_of_xyzw(c->quat[i]) : quat_of_alpha(c->alpha[i]);
 }
 
 static inline void crowd_set_attitude(crowd *c, int i, rotor q)
@@ -127,6 +114,15 @@ static inline void crowd_momenta(crowd *c, double momenta[9])
     vti_momentum(&b, momenta);
     vti_angular_momentum(&b, origin, momenta + 3);
     vti_spin(&b, momenta + 6);
+}
+
+/** vti_stable_step, and no complaint. */
+static inline double crowd_stable(crowd *c, const vti_springs *springs)
+{
+    double h = NAN, scratch[CROWD_MAX];
+    const vti_bodies b = crowd_bodies(c);
+    assert_int_equal(vti_stable_step(springs, &b, scratch, &h), VTI_OK);
+    return h;
 }
 
 /* ---- webs -------------------------------------------------------------------------------------------------------- */

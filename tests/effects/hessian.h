@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_eigen.h>
 
-#include "support.h"
+#include "crowd.h"
 
 /** R_i <- exp S(angle e_k) R_i, in the numbers that the bodies are kept in. */
 static inline void hessian_turn(const vti_bodies *b, int64_t i, int k, double angle)
@@ -17,7 +17,7 @@ static inline void hessian_turn(const vti_bodies *b, int64_t i, int k, double an
         q[l] = b->quat.xyzw[0] != NULL ? b->quat.xyzw[l][i * b->quat.stride] : 2.0; /* alpha = 2 v/w: (alpha, 2) */
     for (int l = 0; l < 3 && b->alpha.c[0] != NULL; ++l)
         q[l] = b->alpha.c[l][i * b->alpha.stride];
-    const rotor old = {q[0], q[1], q[2], q[3]}, r = quat_times(quat_turn(axis, angle), quat_unit(old));
+    const rotor r = quat_times(quat_turn(axis, angle), quat_of_xyzw(q));
     const long double v[4] = {r.x, r.y, r.z, r.w};
     for (int l = 0; l < 3; ++l)
         alpha[l] = (double)(2 * v[l] / v[3]);
@@ -101,6 +101,12 @@ static inline double hessian_limit(const vti_bodies *b, const vti_effect *effect
     gsl_matrix_free(m);
     vti_apply(effects, n, b);
     return 2 / sqrt(omega2);
+}
+
+static inline double crowd_limit(crowd *c, const vti_effect *effects, int64_t n)
+{
+    const vti_bodies b = crowd_bodies(c);
+    return hessian_limit(&b, effects, n);
 }
 
 #endif

@@ -10,20 +10,6 @@ static crowd c;
 static web w;
 static double scratch[CROWD_MAX];
 
-static double stable(const vti_springs *springs)
-{
-    double h = NAN;
-    const vti_bodies b = crowd_bodies(&c);
-    assert_int_equal(vti_stable_step(springs, &b, scratch, &h), VTI_OK);
-    return h;
-}
-
-static double limit_of(const vti_effect *effects, int64_t n)
-{
-    const vti_bodies b = crowd_bodies(&c);
-    return hessian_limit(&b, effects, n);
-}
-
 /** Masses and inertias over three decades. */
 static void weigh(rng *g)
 {
@@ -40,7 +26,7 @@ static void torus_is_close(void **state)
     torus_start(&t, VTI_SHEAR_OBJECTIVE);
     const vti_springs springs = {&t.w.bonds, NULL, NULL, NULL, 0};
     c = t.c;
-    const double limit = limit_of(t.effects, 1), h = stable(&springs);
+    const double limit = crowd_limit(&c, t.effects, 1), h = crowd_stable(&c, &springs);
     print_message("torus: h %.10g, 2/omega_max %.10g, ratio %.6f\n", h, limit, h / limit);
     assert_close(limit, 8.328e-3, 0.0005e-3); /* EQUATIONS 5, as printed there */
     assert_true(h >= 0.99 * limit);
@@ -63,14 +49,14 @@ static void closed_forms(void **state)
         /* the bound is some 8 operations and a root away; of a and 1/J it takes off again what is not called for */
         web_terms(&w, 1, AXIAL, 0);
         const double a = (1 / c.mass[0] + 1 / c.mass[1]) / (length * length), axial = w.axial[0] * a;
-        assert_close(stable(&springs), 2 / sqrt(axial), 8 * EPS * 2 / sqrt(axial));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(axial), 8 * EPS * 2 / sqrt(axial));
         web_terms(&w, 1, MOMENT, 0);
         const double b = 1 / c.inertia[0] + 1 / c.inertia[1], torsion = w.moment[0] * b;
-        assert_close(stable(&springs), 2 / sqrt(torsion), 8 * EPS * (1 + a / b) * 2 / sqrt(torsion));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(torsion), 8 * EPS * (1 + a / b) * 2 / sqrt(torsion));
         /* a shear of gamma = u/L0 - (theta_i + theta_j)/2 */
         web_terms(&w, 1, SHEAR, VTI_SHEAR_OBJECTIVE);
         const double shear = w.shear[0] * (a + 0.25 * b);
-        assert_close(stable(&springs), 2 / sqrt(shear), 8 * EPS * 2 / sqrt(shear));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(shear), 8 * EPS * 2 / sqrt(shear));
     }
 }
 
@@ -90,8 +76,8 @@ static void one_bond(void **state)
             web_terms(&w, 1, 1 + trial % 7, form);
             const vti_effect effect = vti_bonds_effect(&w.bonds);
             const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-            h[form] = stable(&springs);
-            limit[form] = limit_of(&effect, 1);
+            h[form] = crowd_stable(&c, &springs);
+            limit[form] = crowd_limit(&c, &effect, 1);
             assert_below(h[form], limit[form] * (1 + HESSIAN_ERROR));
         }
         assert_close(h[VTI_SHEAR_OBJECTIVE], limit[VTI_SHEAR_OBJECTIVE], limit[VTI_SHEAR_OBJECTIVE] * HESSIAN_ERROR);
@@ -123,7 +109,7 @@ static void bent_bonds(void **state)
         }
         const vti_effect effect = vti_bonds_effect(&w.bonds);
         const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-        most[form] = fmax(most[form], stable(&springs) / limit_of(&effect, 1));
+        most[form] = fmax(most[form], crowd_stable(&c, &springs) / crowd_limit(&c, &effect, 1));
         assert_below(most[form], 1 + above[form]);
     }
     print_message("bent: at most %.3f (objective), %.3f (quartic), %.3f (printed) of the limit\n", most[1], most[2],
@@ -149,7 +135,7 @@ static void parallel_springs(void **state)
         vti_springs springs = {NULL, &contacts, NULL, NULL, o};
         const double k = n * 1.5 * contacts.stiffness * sqrt(o);
         double omega2 = k * (1 / c.mass[0] + 1 / c.mass[1]) / (length * length);
-        assert_close(stable(&springs), 2 / sqrt(omega2), 8 * EPS * 2 / sqrt(omega2));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(omega2), 8 * EPS * 2 / sqrt(omega2));
 
         /* a wall is a neighbour that does not move */
         c.n = 1;
@@ -159,7 +145,7 @@ static void parallel_springs(void **state)
         springs.contacts = NULL;
         springs.walls = &walls;
         omega2 = k / (c.mass[0] * radius * radius);
-        assert_close(stable(&springs), 2 / sqrt(omega2), 8 * EPS * 2 / sqrt(omega2));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(omega2), 8 * EPS * 2 / sqrt(omega2));
 
         /* an arm alone, and with walls, whose shares it takes though they do not turn: as much as it is fast */
         vti_pendulum pendulum = {uniform(&g, 0.1, 20), {0, 0, 0}};
@@ -167,13 +153,13 @@ static void parallel_springs(void **state)
         springs.walls = NULL;
         springs.pendulum = &pendulum;
         const double arm = pendulum.weight * vti_norm(pendulum.rho0) / c.inertia[0];
-        assert_close(stable(&springs), 2 / sqrt(arm), 8 * EPS * 2 / sqrt(arm));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(arm), 8 * EPS * 2 / sqrt(arm));
         springs.walls = &walls;
         const double both = arm + omega2;
-        assert_close(stable(&springs), 2 / sqrt(both), 8 * EPS * 2 / sqrt(both));
+        assert_close(crowd_stable(&c, &springs), 2 / sqrt(both), 8 * EPS * 2 / sqrt(both));
         springs.walls = NULL;
         springs.pendulum = NULL;
-        assert_true(isinf(stable(&springs))); /* nothing oscillates */
+        assert_true(isinf(crowd_stable(&c, &springs))); /* nothing oscillates */
     }
 }
 
@@ -193,7 +179,7 @@ static void slice(void **state)
         const double diameter = 0.5, plane[4] = {0, 0, 1, 0};
         const vti_walls walls = {1, plane, vti_scalars_one(&diameter), 10};
         vti_springs springs = {&w.bonds, NULL, &walls, &pendulum, 0.1};
-        const double expected = stable(&springs);
+        const double expected = crowd_stable(&c, &springs);
         for (int i = n - 1; i >= 0; --i) { /* body i becomes body first + i; what is before is light */
             c.mass[first + i] = c.mass[i];
             c.inertia[first + i] = c.inertia[i];

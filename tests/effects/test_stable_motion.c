@@ -24,9 +24,7 @@ static double growth(int bodies, uint64_t seed, double share_of_bound, double sh
     const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
     const vti_bodies b = crowd_bodies(&c);
     const double limit = hessian_limit(&b, &effect, 1);
-    double bound = NAN, scratch[CROWD_MAX];
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &bound), VTI_OK);
-    const double h = share_of_bound > 0 ? share_of_bound * bound : share_of_limit * limit;
+    const double h = share_of_bound > 0 ? share_of_bound * crowd_stable(&c, &springs) : share_of_limit * limit;
     for (int i = 0; i < c.n; ++i) {
         double axis[3], move[3];
         random_unit(&g, 3, axis);

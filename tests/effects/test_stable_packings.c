@@ -7,21 +7,6 @@
 
 static crowd c;
 static web w;
-static double scratch[CROWD_MAX];
-
-static double stable(const vti_springs *springs)
-{
-    double h = NAN;
-    const vti_bodies b = crowd_bodies(&c);
-    assert_int_equal(vti_stable_step(springs, &b, scratch, &h), VTI_OK);
-    return h;
-}
-
-static double limit_of(const vti_effect *effects, int64_t n)
-{
-    const vti_bodies b = crowd_bodies(&c);
-    return hessian_limit(&b, effects, n);
-}
 
 /** Uniform in its logarithm, within a ratio of 100. */
 static void spread(rng *g, double *values, int64_t n)
@@ -70,7 +55,7 @@ static void bonded_packings(void **state)
         web_base(&w, trial / 2 % 2);
         const vti_effect effect = vti_bonds_effect(&w.bonds);
         const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-        ratio[trial] = stable(&springs) / limit_of(&effect, 1);
+        ratio[trial] = crowd_stable(&c, &springs) / crowd_limit(&c, &effect, 1);
         assert_below(ratio[trial], 1 + HESSIAN_ERROR);
     }
     qsort(ratio, PACKINGS, sizeof ratio[0], by_size);
@@ -117,7 +102,7 @@ static void packings_in_contact(void **state)
         const vti_effect all[4] = {vti_bonds_effect(&w.bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_pendulum_effect(&pendulum)};
         const vti_springs springs = {&w.bonds, &contacts, &walls, &pendulum, overlap};
-        const double ratio = stable(&springs) / limit_of(all, 4);
+        const double ratio = crowd_stable(&c, &springs) / crowd_limit(&c, all, 4);
         assert_below(ratio, 1 + HESSIAN_ERROR);
         low = fmin(low, ratio);
         high = fmax(high, ratio);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vti.h"
+#include "../bodies.h" /* builds without meson have no other path to it */
 
 /* ---- hash and numbers -------------------------------------------------------------------------------------------- */
 
@@ -71,19 +71,7 @@ typedef struct scene {
 
 static inline vti_bodies scene_bodies(scene *s, enum storage storage)
 {
-    vti_bodies b = vti_bodies_none(BODIES);
-    b.x = vti_view_packed(s->x[0]);
-    b.v = vti_view_packed(s->v[0]);
-    b.force = vti_view_packed(s->force[0]);
-    b.omega = vti_view_packed(s->omega[0]);
-    b.moment = vti_view_packed(s->moment[0]);
-    b.mass = vti_scalars_array(s->mass);
-    b.inertia = vti_scalars_array(s->inertia);
-    b.quat.stride = 4;
-    for (int k = 0; storage == BY_QUATERNION && k < 4; ++k)
-        b.quat.xyzw[k] = s->quat[0] + k;
-    if (storage != BY_QUATERNION)
-        b.alpha = vti_view_packed(s->alpha[0]);
+    vti_bodies b = bodies_of(s, BODIES, storage == BY_QUATERNION);
     if (storage == BY_RESIDUALS) {
         b.x_low = vti_view_packed(s->low[0][0]);
         b.v_low = vti_view_packed(s->low[1][0]);

@@ -43,8 +43,7 @@ static void steady_increment_in_the_bodys_frame(void **state)
 {
     (void)state;
     const double u[3] = {-1e-3, 7e-3, 2e-3}, start[4] = {0.1, -0.7, 0.5, 0.5};
-    const rotor q = {start[0], start[1], start[2], start[3]};
-    const double error = error_after(1.9, u, -1, quat_unit(q));
+    const double error = error_after(1.9, u, -1, quat_of_xyzw(start));
     print_message("%ld compositions: %.3g eps, bound %.3g eps\n", compositions, error / EPS, bound() / EPS);
     assert_below(error, bound());
 }

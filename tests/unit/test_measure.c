@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Energies, momenta and norms against values worked out by hand: small integers, whose products and sums are exact. */
+#include "bodies.h"
 #include "support.h"
 
 /* body          0          1          2 */
@@ -189,9 +190,7 @@ static void distances(void **state)
         q2[8 + 1] = q2[8 + 3] = q2[12 + 3] = root;
         q2[12 + 2] = -root;
         r.alpha = vti_view_none();
-        r.quat.stride = 4;
-        for (int k = 0; k < 4; ++k)
-            r.quat.xyzw[k] = q2 + k;
+        r.quat = quats_packed(q2);
     }
     assert_close(vti_h1_distance(&b, &b), 0, 0);
     for (int i = 1; i < 4; ++i) {

@@ -2,6 +2,7 @@
  *
  * The pendulum against its closed form, U = -m g e3 . R rho0 and RM = m g (R rho0) x e3 (E1, E2), whichever way the
  * attitude is stored; and effects as data: what vti_apply clears, adds and leaves alone. */
+#include "bodies.h"
 #include "support.h"
 
 enum { N = 500 };
@@ -37,9 +38,7 @@ static int hang(void **state)
 static void as_quaternions(void)
 {
     b.alpha = vti_view_none();
-    b.quat.stride = 4;
-    for (int k = 0; k < 4; ++k)
-        b.quat.xyzw[k] = quaternion + k;
+    b.quat = quats_packed(quaternion);
 }
 
 /* 8 eps of rotation, as in test_rrv_table.c, and a unit quaternion rounded to 4 eps more */

@@ -2,6 +2,7 @@
  *
  * vti_step_probe: x + c h^2 F/m and R(c h^2 RM/J) R, for one mass and for many, in alpha and in quaternions, space and body
  * frame; the bodies themselves are not touched; what it refuses. */
+#include "bodies.h"
 #include "support.h"
 
 enum { N = 7 };
@@ -15,19 +16,8 @@ static const double wild = 12345;
 
 static vti_bodies bodies(set *s, int quat, int poly)
 {
-    vti_bodies b = vti_bodies_none(N);
-    b.x = vti_view_packed(s->x[0]);
-    b.v = vti_view_packed(s->v[0]);
-    b.force = vti_view_packed(s->force[0]);
-    b.omega = vti_view_packed(s->omega[0]);
-    b.moment = vti_view_packed(s->moment[0]);
-    b.mass = poly ? vti_scalars_array(s->mass) : vti_scalars_one(s->mass);
-    b.inertia = poly ? vti_scalars_array(s->inertia) : vti_scalars_one(s->inertia);
-    b.quat.stride = 4;
-    for (int k = 0; quat && k < 4; ++k)
-        b.quat.xyzw[k] = s->quat[0] + k;
-    if (!quat)
-        b.alpha = vti_view_packed(s->alpha[0]);
+    vti_bodies b = bodies_of(s, N, quat);
+    b.mass.stride = b.inertia.stride = poly ? 1 : 0;
     return b;
 }
 
@@ -59,8 +49,7 @@ static int fill(void **state)
 /** The attitude of body i, in whichever form it is kept. */
 static rotor attitude(const set *s, int quat, int i)
 {
-    const rotor q = {s->quat[i][0], s->quat[i][1], s->quat[i][2], s->quat[i][3]};
-    return quat ? quat_unit(q) : quat_of_alpha(s->alpha[i]);
+    return quat ? quat_of_xyzw(s->quat[i]) : quat_of_alpha(s->alpha[i]);
 }
 
 /** The body i of the probe is where the formulas have it. */

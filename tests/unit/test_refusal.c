@@ -2,6 +2,7 @@
  *
  * The bound h|Omega| < 1 of the closed form: one bad body among a thousand, and nothing is written for any of them; the
  * fault names it and its value. */
+#include "bodies.h"
 #include "support.h"
 
 enum { N = 1000, QUANTITIES = 6, DOUBLES = QUANTITIES * 3 * N + 4 * N };
@@ -35,9 +36,7 @@ static int sound(void **state)
 static void use_quaternions(void)
 {
     b.alpha = vti_view_none();
-    b.quat.stride = 4;
-    for (int k = 0; k < 4; ++k)
-        b.quat.xyzw[k] = quaternions + k;
+    b.quat = quats_packed(quaternions);
 }
 
 /** A step by h = 1/2 is refused because of the body, with the value, and leaves no trace. */

@@ -13,18 +13,12 @@
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-static rotor quat_of(const double q[4])
-{
-    const rotor r = {q[0], q[1], q[2], q[3]};
-    return quat_unit(r);
-}
-
 /** alpha stands for the attitude q: within `ulps` eps of angle, and of relative size where the angle is below 2 rad.
  *  ulps is beyond 12 only for rotation vectors of more than 2 rad, whose small remainder is not known so well. */
 static void check_alpha(const double alpha[3], const double q[4], double ulps)
 {
     assert_true(all_finite(alpha, 3));
-    const rotor r = quat_of(q);
+    const rotor r = quat_of_xyzw(q);
     assert_close(quat_distance(quat_of_alpha(alpha), r), 0, ulps * EPS + CUT);
     if (ulps <= 12 && 2 * acosl(fabsl(r.w)) < 2) {
         const double expected[3] = {(double)(2 * r.x / r.w), (double)(2 * r.y / r.w), (double)(2 * r.z / r.w)};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
+#include "bodies.h"
 #include "support.h"
 
 enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_STATE };
@@ -165,9 +166,7 @@ static void views(void **state)
 static void quaternion_views(void **state)
 {
     (void)state;
-    b.quat.stride = 4;
-    for (int k = 0; k < 4; ++k)
-        b.quat.xyzw[k] = quat_ + k;
+    b.quat = quats_packed(quat_);
     refused(b, VTI_E_VIEW); /* alpha and quaternion */
     b.alpha = vti_view_none();
     assert_int_equal(vti_bodies_check(&b), VTI_OK);
@@ -260,9 +259,7 @@ static void states(void **state)
     f[0] = m[4] = NAN;
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
     b.alpha = vti_view_none();
-    b.quat.stride = 4;
-    for (int k = 0; k < 4; ++k)
-        b.quat.xyzw[k] = quat_ + k;
+    b.quat = quats_packed(quat_);
     memset(quat_, 0, sizeof quat_);
     for (int i = 0; i < N; ++i) {
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
