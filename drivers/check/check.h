@@ -76,6 +76,8 @@ struct bed scene_pair(struct field *field);
 struct bed scene_rigid(struct field *field, double *r);
 /** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
 struct bed scene_spring(struct field *field);
+/** scene_pair, or scene_spring where only translation is looked at. */
+struct bed scene_bonded(const struct kit *kit, struct field *field);
 /** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
 struct bed scene_stretch(struct field *field);
 /** Two bodies on a torsion spring about z, twisted by 1e-3; oscillates by the frequency 1. */

@@ -164,7 +164,7 @@ void check_order(struct kit *kit)
 {
     enum { FIRST = 32, T = 2, FINER = 4 };
     struct field field;
-    const struct bed start = kit->rotates ? scene_pair(&field) : scene_spring(&field);
+    const struct bed start = scene_bonded(kit, &field);
     struct bed reference = start;
     double x[LADDER], v[LADDER], attitude[LADDER], w[LADDER];
     const int64_t finest = (int64_t)FIRST << (LADDER - 1);

@@ -90,6 +90,11 @@ struct bed scene_spring(struct field *field)
     return b;
 }
 
+struct bed scene_bonded(const struct kit *kit, struct field *field)
+{
+    return kit->rotates ? scene_pair(field) : scene_spring(field);
+}
+
 /** m r'' = -2 K/L0 (r/L0 - 1) for the distance r of two like bodies, m = L0 = 1. */
 struct bed scene_stretch(struct field *field)
 {
