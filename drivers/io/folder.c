@@ -77,11 +77,9 @@ FILE *folder_open(const char *folder, const char *name, struct message *message)
 int folder_close(FILE *file, const char *folder, const char *name, struct message *message)
 {
     char path[FOLDER_PATH];
-    const int before = ferror(file);
     if (folder_path(folder, name, 1, path, message) != 0)
-        return -1;  /* it has been opened under this name */
-    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
-    return fclose(file) != 0 || before ? fail(path, message) : 0;
+        return -1; /* it has been opened under this name */
+    return sync_end(file, fclose) != 0 ? fail(path, message) : 0;
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */

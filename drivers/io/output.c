@@ -5,10 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "sync.h"
+
 int output_end(struct message *message)
 {
-    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
-    if (fflush(stdout) == 0 && !ferror(stdout))
+    if (sync_end(stdout, fflush) == 0)
         return 0;
     return message_set(message, "standard output: cannot be written: %s; send it to another place", strerror(errno));
 }

@@ -6,6 +6,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+int sync_end(FILE *file, int (*end)(FILE *file))
+{
+    const int before = ferror(file);
+    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
+    return end(file) != 0 || before ? -1 : 0;
+}
+
 int sync_file(FILE *file)
 {
     return fflush(file) != 0 || fsync(fileno(file)) != 0 ? -1 : 0;
