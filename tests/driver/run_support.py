@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of vti-run share: calling it, and readers of its files that are written from the formats' descriptions
-and know nothing of the writer. Each reader returns frames: dictionaries of t, step and arrays by their names in HDF5."""
+"""What the tests of vti-run share: readers of its files that are written from the formats' descriptions and know nothing of the
+writer. Each reader returns frames: dictionaries of t, step and arrays by their names in HDF5."""
 import os
-import subprocess
 import xml.etree.ElementTree as ElementTree
 
 import h5py
 import numpy
 
 FILES = (".h5", ".csv", ".xdmf", ".dump")
-
-
-def run(program, *arguments, **options):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, check=False, **options)
 
 
 def contents(stem):

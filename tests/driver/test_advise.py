@@ -10,7 +10,7 @@ import os
 import sys
 import tempfile
 
-from run_support import run
+from programs import run
 from tally import check, conclude
 
 KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "stable_h", "h_max_omega", "alternatives"]

@@ -4,13 +4,14 @@
 and ||q||^2 = int_0^10 theta^2 + |Omega|^2 dt, theta in [0, pi], split where the body passes a half turn (t = 9.55386...), at
 which the integrand has a kink.      test_norm.py VTI_STUDY MPIRUN"""
 import os
-import subprocess
 import sys
 import tempfile
 
 import h5py
 import mpmath
 from mpmath import mpf
+
+from programs import run
 
 mpmath.mp.dps = 30
 TERMS, STEPS, T_END = 30, 160, mpf(10)
@@ -63,9 +64,8 @@ def norm_squared():
 
 STUDY, MPIRUN = sys.argv[1:3]
 with tempfile.TemporaryDirectory() as folder:
-    subprocess.run([MPIRUN, "-n", "1", STUDY, "--no-plot", "--h", "1/16", "--t-end", "10", "-o", folder], check=True,
-                   stdout=subprocess.DEVNULL, env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1",
-                                                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"))
+    done = run(MPIRUN, "-n", "1", STUDY, "--no-plot", "--h", "1/16", "--t-end", "10", "-o", folder)
+    assert done.returncode == 0, done.stderr
     with h5py.File(os.path.join(folder, "study.h5")) as file:
         found = mpf(float(file.attrs["norm_squared"]))
 exact = norm_squared()

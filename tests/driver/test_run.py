@@ -10,7 +10,8 @@ import tempfile
 import h5py
 import numpy
 
-from run_support import contents, read_csv, read_dump, read_vtkhdf, read_xdmf, run, same
+from programs import run
+from run_support import contents, read_csv, read_dump, read_vtkhdf, read_xdmf, same
 from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])

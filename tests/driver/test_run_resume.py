@@ -15,7 +15,8 @@ import time
 import h5py
 import numpy
 
-from run_support import contents, read_csv, read_vtkhdf, run
+from programs import run
+from run_support import contents, read_csv, read_vtkhdf
 from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])

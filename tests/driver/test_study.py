@@ -5,25 +5,21 @@ bad input.      test_study.py VTI_STUDY MPIRUN"""
 import csv
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
 import h5py
 import numpy
 
+from programs import contents, one_line, run
 from tally import check, conclude
 
 STUDY, MPIRUN = sys.argv[1:3]
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
 
 
 def study(ranks, *arguments, folder=None):
-    command = [MPIRUN, "-n", str(ranks), STUDY, "--no-plot", *arguments]
-    if folder is not None:
-        command += ["-o", folder]
-    return subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=120, check=False)
+    into = [] if folder is None else ["-o", folder]
+    return run(MPIRUN, "-n", str(ranks), STUDY, "--no-plot", *arguments, *into)
 
 
 def rows(folder):
@@ -157,9 +153,7 @@ def from_tables(base):
 
 
 def one_refusal(what, result, expected, folder):
-    ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
-    check(result.returncode != 0, f"{what}: exit code {result.returncode}")
-    check(len(ours) == 1 and all(word in ours[0] for word in expected), f"{what}: {ours}")
+    check(one_line(result, *expected), f"{what}: exit code {result.returncode}, {result.stderr.strip()[:200]}")
     left = sorted(os.listdir(folder)) if folder is not None and os.path.isdir(folder) else []
     check(left == [], f"{what}: leaves nothing behind {left}")
 
@@ -168,10 +162,9 @@ def keeps_what_was_there(base):
     """A study that fails does not touch the files of the one before it."""
     folder = f"{base}/kept"
     study(2, "--h", "1/64", folder=folder)
-    before = {name: open(f"{folder}/{name}", "rb").read() for name in sorted(os.listdir(folder))}
+    before = contents(folder)
     study(2, "--h", "1,1/64", "--steppers", "vti1", folder=folder)
-    after = {name: open(f"{folder}/{name}", "rb").read() for name in sorted(os.listdir(folder))}
-    check(len(before) == 3 and before == after, "a failed study leaves the files of the one before")
+    check(len(before) == 3 and before == contents(folder), "a failed study leaves the files of the one before")
 
 
 with tempfile.TemporaryDirectory() as base:

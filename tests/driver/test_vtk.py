@@ -13,7 +13,8 @@ if os.path.exists(PYTHON) and os.path.realpath(sys.prefix) != os.path.realpath(s
 
 import numpy  # noqa: E402
 
-from run_support import read_vtkhdf, run, same  # noqa: E402
+from programs import run  # noqa: E402
+from run_support import read_vtkhdf, same  # noqa: E402
 from tally import check, conclude  # noqa: E402
 
 try:

@@ -9,14 +9,11 @@ import subprocess
 import sys
 import tempfile
 
+from programs import run
 from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
 STEPS, MORE = 64, 60
-
-
-def run(*arguments):
-    return subprocess.run([RUN, *arguments], capture_output=True, text=True, timeout=60, check=False)
 
 
 def damages(whole):
@@ -36,7 +33,7 @@ def interrupted(folder):
     os.makedirs(f"{folder}")
     os.symlink("/dev/full", f"{folder}/out.csv.part")
     arguments = [f"{SCENES}/pendulum.yaml", "--t-end", "1", "-o", f"{folder}/out.h5"]
-    result = run(*arguments)
+    result = run(RUN, *arguments)
     check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and "--resume" in result.stderr,
           f"no space for a file: {result.stderr.strip()}")
     return arguments
@@ -49,7 +46,7 @@ def refused(arguments, path, whole, spoilt, word):
         os.unlink(path)
         with open(path, "wb") as file:
             file.write(data)
-        result = run(*arguments, "--resume")
+        result = run(RUN, *arguments, "--resume")
         lines = result.stderr.splitlines()
         with open(path, "rb") as file:
             kept = file.read() == data
@@ -72,7 +69,7 @@ def checkpoints(base):
         counted = len(whole) * STEPS // (STEPS + 1)  # the record of the last state follows its checkpoint
         cuts = ((f"cut to {n}", whole[:n]) for n in [*range(MORE), counted - 1, *random.sample(range(counted), MORE)])
         refused(arguments, path, whole, damages(whole) if name == "checkpoint" else cuts, word)
-    result = run(*arguments, "--resume")
+    result = run(RUN, *arguments, "--resume")
     check(result.returncode == 0 and os.path.exists(f"{base}/run/out.h5"), "the whole one goes on")
     shutil.rmtree(f"{base}/run")
 
@@ -84,12 +81,12 @@ def busy(base):
         while not os.path.exists(f"{base}/two.h5.run/frames"):
             pass
         for more in ([], ["--resume"]):
-            result = run(*arguments, *more)
+            result = run(RUN, *arguments, *more)
             check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and "another vti-run" in result.stderr and
                   "delete" not in result.stderr, f"two at once {more}: {result.stderr.strip()}")
         process.kill()
         process.wait()
-    result = run(*arguments)
+    result = run(RUN, *arguments)
     check(result.returncode == 1 and "--resume" in result.stderr, f"... and of one that is dead: {result.stderr.strip()}")
 
 

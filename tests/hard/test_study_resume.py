@@ -11,15 +11,14 @@ import sys
 import tempfile
 import time
 
+from programs import ENVIRONMENT, PATIENCE, contents, one_line, run
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES = map(os.path.abspath, sys.argv[1:4])
 LONG = len(sys.argv) > 4
 KILLS = int(sys.argv[4]) if LONG else 2
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
-PATIENCE = 120  # seconds; what takes longer hangs
 JOURNALS = ("study.journal", "cost.journal")
+TIMED = ("timing.csv",)
 
 
 def scene(name):
@@ -33,22 +32,7 @@ def command(ranks, *arguments):
 
 def study(ranks, *arguments, **options):
     """0 ranks: without mpirun."""
-    return subprocess.run(command(ranks, *arguments), env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE,
-                          check=False, **options)
-
-
-def contents(folder, timed=("timing.csv",)):
-    found = {}
-    for name in sorted(os.listdir(folder)):
-        if name not in timed:
-            with open(f"{folder}/{name}", "rb") as file:
-                found[name] = file.read()
-    return found
-
-
-def one_line(result, *words):
-    ours = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
-    return result.returncode != 0 and len(ours) == 1 and all(word in ours[0] for word in words)
+    return run(*command(ranks, *arguments), **options)
 
 
 def processes(folder):
@@ -178,7 +162,7 @@ def refused_resumes(base):
         with open(f"{folder}/study.journal", "wb") as file:
             file.write(before["study.journal"][:length])
         result = study(2, path, *LADDER, "--resume", "-o", folder)
-        check(result.returncode == 0 and contents(folder) == contents(f"{base}/whole"),
+        check(result.returncode == 0 and contents(folder, TIMED) == contents(f"{base}/whole", TIMED),
               f"cut to {length}, what is missing is made anew")
 
 
@@ -231,17 +215,17 @@ def full_disk(base):
     """A file that cannot be written, and files that may not grow: the results before stay, and nothing that was done is lost."""
     arguments = [scene("pendulum"), "--h", "2^-4:2^-9"]
     study(1, *arguments, "-o", f"{base}/whole")
-    whole = contents(f"{base}/whole")
+    whole = contents(f"{base}/whole", TIMED)
     for name in ("study.h5", "study.csv", "timing.csv") if LONG else ("study.csv",):
         folder = f"{base}/{name}"
         study(0, scene("spin"), "--h", "2^-4:2^-6", "-o", folder)
-        earlier = contents(folder, ())
+        earlier = contents(folder)
         os.symlink("/dev/full", f"{folder}/{name}.part")
         result = study(2, *arguments, "-o", folder)
         after = contents(folder, JOURNALS)
         check(one_line(result, folder, "space") and after == earlier, f"{name}: {result.stderr.strip()[:200]}")
         result = study(1, *arguments, "--resume", "-o", folder)
-        check(result.returncode == 0 and contents(folder) == whole and "18 of 18" in result.stdout,
+        check(result.returncode == 0 and contents(folder, TIMED) == whole and "18 of 18" in result.stdout,
               "... with space it goes on to the same bytes")
     folder = f"{base}/journal"
     os.mkdir(folder)
@@ -254,12 +238,11 @@ def full_disk(base):
 def limited(base, arguments, whole):
     """Files up to a size that the journal reaches in the middle; without shared memory, whose files would be as limited."""
     folder, less = f"{base}/limited", 'ulimit -f 600; exec "$0" "$@"'  # blocks of 512 bytes
-    result = subprocess.run([MPIRUN, "-n", "1", "sh", "-c", less, *command(0, *arguments, "-o", folder)],
-                            env=dict(ENVIRONMENT, OMPI_MCA_btl="self"), capture_output=True, text=True, timeout=PATIENCE,
-                            check=False)
+    result = run(MPIRUN, "-n", "1", "sh", "-c", less, *command(0, *arguments, "-o", folder),
+                 env=dict(ENVIRONMENT, OMPI_MCA_btl="self"))
     check(one_line(result, "study.journal", "--resume"), f"files up to 300 kB: {result.stderr.strip()[:200]}")
     result = study(2, *arguments, "--resume", "-o", folder)
-    check(result.returncode == 0 and "goes on" in result.stdout and contents(folder) == whole, "... it goes on from there")
+    check(result.returncode == 0 and "goes on" in result.stdout and contents(folder, TIMED) == whole, "... it goes on from there")
 
 
 def stopped(base):
@@ -270,7 +253,7 @@ def stopped(base):
         folder = f"{base}/{number.name}"
         code = begun(folder, *arguments, number=number)
         result = study(2, *arguments, "--resume", "-o", folder)
-        check(code != 0 and "goes on" in result.stdout and contents(folder) == contents(f"{base}/whole"),
+        check(code != 0 and "goes on" in result.stdout and contents(folder, TIMED) == contents(f"{base}/whole", TIMED),
               f"{number.name}: code {code}, and it goes on to the same bytes")
 
 
@@ -281,16 +264,14 @@ def failing_rank(base):
         check(one_line(result, "vti1 at h = ", "reduce h") and os.listdir(f"{base}/{ranks}") == [],
               f"a run fails, {ranks} ranks: {result.stderr.strip()[:120]}")
     arguments = ["--h", "1/64", "--no-plot", "-o", f"{base}/unread"]
-    result = subprocess.run([MPIRUN, "-n", "1", STUDY, scene("pendulum"), *arguments, ":", "-n", "1", STUDY, f"{base}/none.yaml",
-                             *arguments], env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE, check=False)
+    result = run(MPIRUN, "-n", "1", STUDY, scene("pendulum"), *arguments, ":", "-n", "1", STUDY, f"{base}/none.yaml", *arguments)
     check(one_line(result, "none.yaml", "cannot be read") and not os.path.exists(f"{base}/unread"),
           f"a rank that cannot read the scene: {result.stderr.strip()[:120]}")
     arguments = [scene("torus"), "--h", "1/2000,1/4000", "--t-end", "2", "--no-plot", "-o", f"{base}/memory"]
     ended = 0
     for megabytes in range(40, 700, 20) if LONG else (100, 60, 40):
         less = f'ulimit -v {1024 * megabytes}; exec "$0" "$@"'
-        result = subprocess.run([MPIRUN, "-n", "1", STUDY, *arguments, ":", "-n", "1", "sh", "-c", less, STUDY, *arguments],
-                                env=ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE, check=False)
+        result = run(MPIRUN, "-n", "1", STUDY, *arguments, ":", "-n", "1", "sh", "-c", less, STUDY, *arguments)
         ended += result.returncode != 0 and result.stderr.strip() != ""
         words = [line for line in result.stderr.splitlines() if line.startswith("vti-study: ")]
         print(f"        one rank with {megabytes} MB: code {result.returncode} {words[:1]}")
@@ -301,7 +282,7 @@ def failing_rank(base):
 
 
 random.seed(20240605)
-TOPICS = [lambda base: kills(base, "pendulum", ("timing.csv",), scene("pendulum"), *LADDER),
+TOPICS = [lambda base: kills(base, "pendulum", TIMED, scene("pendulum"), *LADDER),
           lambda base: kills(base, "cost", ("cost.csv", "prices.csv", "machine.txt"), "--cost", scene("pendulum"), "--evals",
                              "4096", "--repeats", "1", "--t-end", "1", "--steppers", "vti1,vti2,rk4,exact,srkn6"),
           refused_resumes, changed_tables, two_at_once, full_disk, stopped, failing_rank]

@@ -7,36 +7,22 @@ leaves nothing else. Short: the first and the last such call of each kind on eac
 import os
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import time
 
+import programs
 from tally import check, conclude
 
 TROUBLE, RUN, STUDY, ADVISE, SCENES = map(os.path.abspath, sys.argv[1:6])
 LONG = len(sys.argv) > 6
-ENVIRONMENT = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1")  # no daemon for a single rank
-PATIENCE = 120  # seconds; what takes longer hangs
+programs.ENVIRONMENT["OMPI_MCA_ess_singleton_isolated"] = "1"  # no daemon for a single rank
 
 
-def start(command, folder, how="", at=0, log=""):
+def start(command, folder, how="", at=0, log="", **options):
     """A program in a folder, with trouble there if how says which."""
     preload = {"LD_PRELOAD": TROUBLE, "TROUBLE_IN": folder, "TROUBLE_HOW": how, "TROUBLE_AT": str(at), "TROUBLE_LOG": log}
-    return subprocess.run(command(folder), env={**ENVIRONMENT, **(preload if how else {})}, capture_output=True, text=True,
-                          timeout=PATIENCE, check=False)
-
-
-def contents(folder):
-    """The bytes of all files; None stands for a folder."""
-    found = {}
-    for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else ():
-        path = os.path.join(folder, name)
-        found[name] = None
-        if not os.path.isdir(path):
-            with open(path, "rb") as file:
-                found[name] = file.read()
-    return found
+    return programs.run(*command(folder), env={**programs.ENVIRONMENT, **(preload if how else {})}, **options)
 
 
 class Topic:
@@ -56,7 +42,7 @@ class Topic:
               f"{self.name}: {len(self.calls)} calls change {', '.join(self.whole)}")
 
     def files(self, folder):
-        return {name: b"" if name in self.timed else data for name, data in contents(folder).items()}
+        return {name: b"" if name in self.timed else data for name, data in programs.contents(folder).items()}
 
     def is_whole(self, after):
         return all(after.get(name) == self.whole[name] for name in self.whole)
@@ -84,7 +70,7 @@ class Topic:
         if at > self.kept and not self.is_whole(after) and "goes on" not in again.stdout:
             wrong += "what had been kept is lost; "
         if again.returncode != 0 or self.files(self.folder) != self.whole:
-            wrong += f"goes on with code {again.returncode}: {again.stderr.strip()} {list(contents(self.folder))}; "
+            wrong += f"goes on with code {again.returncode}: {again.stderr.strip()} {list(programs.contents(self.folder))}; "
         return wrong
 
     def ended(self, result, how):
@@ -154,8 +140,7 @@ def unsaid(base):
     for command in (run("--t-end", "1"), study("--h", "1/16"), cost("vti1"),
                     lambda folder: [ADVISE, f"{SCENES}/spin.yaml", "--json"]):
         with open("/dev/full", "w", encoding="ascii") as full:
-            result = subprocess.run(command(base), env=ENVIRONMENT, stdout=full, stderr=subprocess.PIPE, text=True,
-                                    timeout=PATIENCE, check=False)
+            result = start(command, base, stdout=full)
         ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]
         check(result.returncode == 1 and len(ours) == 1 and "standard output" in ours[0], f"terminal: {result.stderr.strip()}")
     check({"out.h5", "study.h5", "cost.csv"} <= set(os.listdir(base)), "... and the files are there")
@@ -171,7 +156,7 @@ TOPICS = {
     "unsaid": unsaid,
 }
 with tempfile.TemporaryDirectory() as root:
-    ENVIRONMENT["OMPI_MCA_orte_tmpdir_base"] = root  # such ranks would share one
+    programs.ENVIRONMENT["OMPI_MCA_orte_tmpdir_base"] = root  # such ranks would share one
     for name, topic in TOPICS.items():
         os.mkdir(f"{root}/{name}")
         topic(f"{root}/{name}")

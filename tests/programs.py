@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of programs share: how one is run, under mpirun too, how it refuses, and what it leaves in a folder."""
+import os
+import subprocess
+
+PATIENCE = 120  # seconds; what takes longer hangs
+# Open MPI refuses root, which is who one is in a container, and more ranks than cores; its fast path between ranks needs a
+# right that containers lack.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
+
+
+def run(*command, **options):
+    """To its end, whatever that is."""
+    usual = {"env": ENVIRONMENT, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": PATIENCE}
+    return subprocess.run(command, check=False, **{**usual, **options})
+
+
+def one_line(result, *words):
+    """It has failed, and said so in one line with these words; mpirun may have to say something too."""
+    ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]
+    return result.returncode != 0 and len(ours) == 1 and all(word in ours[0] for word in words)
+
+
+def contents(folder, without=()):
+    """The bytes of its files by their names; None stands for a folder."""
+    found = {}
+    for name in sorted(set(os.listdir(folder)) - set(without)):
+        path = os.path.join(folder, name)
+        found[name] = None
+        if not os.path.isdir(path):
+            with open(path, "rb") as file:
+                found[name] = file.read()
+    return found
