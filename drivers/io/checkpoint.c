@@ -19,7 +19,7 @@ struct head {
     struct checkpoint checkpoint;
 };
 
-static const char magic[16] = "vti checkpoint2";
+static const char magic[16] = "vti checkpoint3";
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
@@ -65,10 +65,8 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     if (folder_path(journal->folder, "checkpoint", 1, part, message) != 0 ||
         folder_path(journal->folder, "checkpoint", 0, path, message) != 0 || journal_sync(journal, message) != 0)
         return -1;
-    checkpoint->row_doubles = journal->rows.doubles;
-    checkpoint->rows = journal->rows.count;
-    checkpoint->frame_doubles = journal->frames.doubles;
-    checkpoint->frames = journal->frames.count;
+    checkpoint->rows = journal->rows.mark;
+    checkpoint->frames = journal->frames.mark;
     checkpoint->state_doubles = state_size(bodies);
     unsigned char *bytes = pack(checkpoint, bodies, &size);
     if (bytes == NULL)

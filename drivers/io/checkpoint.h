@@ -21,9 +21,8 @@ struct checkpoint {
     struct identity identity;
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */
-    int64_t row_doubles, rows;          /* of the journal */
-    int64_t frame_doubles, frames;
-    int64_t state_doubles; /* of the bodies */
+    struct journal_mark rows, frames;   /* of the journal */
+    int64_t state_doubles;              /* of the bodies */
 };
 
 /** Brings the journal and then a checkpoint of the bodies to the disk; lengths and sizes in *checkpoint are set from

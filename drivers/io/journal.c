@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "digest.h"
 #include "file_lock.h"
 #include "sync.h"
 
@@ -54,18 +55,58 @@ static int lock(const struct journal *journal, int fd, const char *name, struct 
     return locked != 0 ? fail(journal, name, message) : 0;
 }
 
-/** Cuts the file to its records and moves to the end. */
-static int cut(const struct journal *journal, const struct journal_file *file, int fd, struct message *message)
+struct journal_mark journal_mark_start(int64_t doubles)
+{
+    const struct journal_mark mark = {doubles, 0, DIGEST_START};
+    return mark;
+}
+
+static int unreadable(const struct journal *journal, const struct journal_file *file, struct message *message)
+{
+    return message_set(message, "%s/%s: cannot be read: %s; delete %s and start the run anew", journal->folder,
+                       file->name, feof(file->stream) ? "it is too short" : strerror(errno), journal->folder);
+}
+
+static int64_t bytes_of(const struct journal_file *file)
+{
+    return 8 * file->mark.doubles * file->mark.count;
+}
+
+static int check_size(const struct journal *journal, const struct journal_file *file, struct message *message)
 {
     struct stat info;
-    const int64_t bytes = 8 * file->doubles * file->count;
-    if (fstat(fd, &info) != 0)
+    if (fstat(fileno(file->stream), &info) != 0)
         return fail(journal, file->name, message);
-    if (info.st_size < bytes)
-        return message_set(message,
-                           "%s/%s: has %lld bytes where its checkpoint counts %lld; delete %s and start the run anew",
-                           journal->folder, file->name, (long long)info.st_size, (long long)bytes, journal->folder);
-    if (ftruncate(fd, bytes) != 0 || lseek(fd, 0, SEEK_END) != bytes)
+    if (info.st_size >= bytes_of(file))
+        return 0;
+    return message_set(
+        message, "%s/%s: has %lld bytes where its checkpoint counts %lld; delete %s and start the run anew",
+        journal->folder, file->name, (long long)info.st_size, (long long)bytes_of(file), journal->folder);
+}
+
+static int check_digest(const struct journal *journal, const struct journal_file *file, struct message *message)
+{
+    enum { PIECE = 4096 };
+    double piece[PIECE];
+    uint64_t digest = DIGEST_START;
+    for (int64_t left = bytes_of(file) / 8; left > 0;) {
+        const size_t n = (size_t)(left < PIECE ? left : PIECE);
+        if (fread(piece, 8, n, file->stream) != n)
+            return unreadable(journal, file, message);
+        digest = digest_numbers(digest, piece, n);
+        left -= (int64_t)n;
+    }
+    if (digest == file->mark.digest)
+        return 0;
+    return message_set(
+        message, "%s/%s: is damaged: its records are not those of its checkpoint; delete %s and start the run anew",
+        journal->folder, file->name, journal->folder);
+}
+
+/** Cuts the file to its records and moves to the end. */
+static int cut(const struct journal *journal, const struct journal_file *file, struct message *message)
+{
+    if (ftruncate(fileno(file->stream), bytes_of(file)) != 0 || fseeko(file->stream, 0, SEEK_END) != 0)
         return fail(journal, file->name, message);
     return 0;
 }
@@ -78,22 +119,20 @@ static int open_file(struct journal *journal, struct journal_file *file, struct 
     const int fd = open(path, O_RDWR | O_CREAT, 0666);
     if (fd < 0)
         return fail(journal, file->name, message);
-    if (lock(journal, fd, file->name, message) != 0 || cut(journal, file, fd, message) != 0) {
-        close(fd);
-        return -1;
-    }
     file->stream = fdopen(fd, "r+b");
-    if (file->stream != NULL)
-        return 0;
-    close(fd);
-    return fail(journal, file->name, message);
+    if (file->stream == NULL) {
+        close(fd);
+        return fail(journal, file->name, message);
+    }
+    if (lock(journal, fd, file->name, message) != 0 || check_size(journal, file, message) != 0 ||
+        check_digest(journal, file, message) != 0)
+        return -1;
+    return cut(journal, file, message);
 }
 
-int journal_open(struct journal *journal, int64_t row_doubles, int64_t rows, int64_t frame_doubles, int64_t frames,
-                 struct message *message)
+int journal_open(struct journal *journal, struct journal_mark rows, struct journal_mark frames, struct message *message)
 {
-    const struct journal_file of_rows = {NULL, "rows", row_doubles, rows},
-                              of_frames = {NULL, "frames", frame_doubles, frames};
+    const struct journal_file of_rows = {NULL, "rows", rows}, of_frames = {NULL, "frames", frames};
     journal->rows = of_rows;
     journal->frames = of_frames;
     if (mkdir(journal->folder, 0777) != 0 && errno != EEXIST)
@@ -107,9 +146,12 @@ int journal_open(struct journal *journal, int64_t row_doubles, int64_t rows, int
 
 int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message)
 {
-    if (fwrite(record, 8, (size_t)file->doubles, file->stream) != (size_t)file->doubles)
+    struct journal_mark *mark = &file->mark;
+    const size_t n = (size_t)mark->doubles;
+    if (fwrite(record, 8, n, file->stream) != n)
         return fail(journal, file->name, message);
-    ++file->count;
+    mark->digest = digest_numbers(mark->digest, record, n);
+    ++mark->count;
     return 0;
 }
 
@@ -125,12 +167,11 @@ int journal_sync(struct journal *journal, struct message *message)
 int journal_read(const struct journal *journal, const struct journal_file *file, int64_t first, int64_t count,
                  double *records, struct message *message)
 {
-    const size_t wanted = (size_t)(count * file->doubles);
-    if (fseeko(file->stream, (off_t)(8 * file->doubles * first), SEEK_SET) == 0 &&
+    const size_t wanted = (size_t)(count * file->mark.doubles);
+    if (fseeko(file->stream, (off_t)(8 * file->mark.doubles * first), SEEK_SET) == 0 &&
         fread(records, 8, wanted, file->stream) == wanted)
         return 0;
-    return message_set(message, "%s/%s: cannot be read: %s; delete %s and start the run anew", journal->folder,
-                       file->name, feof(file->stream) ? "it is too short" : strerror(errno), journal->folder);
+    return unreadable(journal, file, message);
 }
 
 /* ---- the end ----------------------------------------------------------------------------------------------------- */

@@ -11,12 +11,17 @@
 
 #include "folder.h"
 
-/** One file of records of equal size. */
+/** Where a file of records of equal size stands. */
+struct journal_mark {
+    int64_t doubles; /* of a record */
+    int64_t count;   /* records */
+    uint64_t digest; /* of all of them */
+};
+
 struct journal_file {
     FILE *stream;
     const char *name;
-    int64_t doubles; /* of a record */
-    int64_t count;   /* records */
+    struct journal_mark mark;
 };
 
 struct journal {
@@ -24,16 +29,19 @@ struct journal {
     struct journal_file rows, frames;
 };
 
+/** Of a file without records. */
+struct journal_mark journal_mark_start(int64_t doubles);
+
 /** Sets the folder for an output file. Returns 0, or -1 with one line in *message. */
 int journal_name(struct journal *journal, const char *output, struct message *message);
 /** Refuses a folder that is there already. Returns 0, or -1 with one line in *message: what is to be done depends on
  *  whether another program is at work in it. */
 int journal_refuse(const struct journal *journal, struct message *message);
 
-/** Makes the folder if need be, locks it against other programs and opens the two files with rows and frames
- *  records, which they must have at least; what is behind them is cut off. Returns 0, or -1 with one line in
- *  *message. */
-int journal_open(struct journal *journal, int64_t row_doubles, int64_t rows, int64_t frame_doubles, int64_t frames,
+/** Makes the folder if need be, locks it against other programs and opens the two files, which must hold the records of
+ *  these marks, bit for bit; what is behind them is cut off. Returns 0, or -1 with one line in *message and what is
+ *  there as it was. */
+int journal_open(struct journal *journal, struct journal_mark rows, struct journal_mark frames,
                  struct message *message);
 
 /** Appends one record. Returns 0, or -1 with one line in *message. */

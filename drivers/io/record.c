@@ -16,10 +16,10 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
 {
     enum { BLOCK = 4096 };
     const struct journal_file *file = &record->journal->rows;
-    double *rows = memory(BLOCK * file->doubles, record, message);
+    double *rows = memory(BLOCK * file->mark.doubles, record, message);
     int failed = rows == NULL;
-    for (int64_t first = 0; !failed && first < file->count; first += BLOCK) {
-        const int64_t count = file->count - first < BLOCK ? file->count - first : BLOCK;
+    for (int64_t first = 0; !failed && first < file->mark.count; first += BLOCK) {
+        const int64_t count = file->mark.count - first < BLOCK ? file->mark.count - first : BLOCK;
         failed = journal_read(record->journal, file, first, count, rows, message) != 0 ||
                  take(self, first, count, rows) != 0;
     }
@@ -31,9 +31,9 @@ int record_frames(const struct record *record, int (*take)(void *self, int64_t k
                   struct message *message)
 {
     const struct journal_file *file = &record->journal->frames;
-    double *frame = memory(file->doubles, record, message);
+    double *frame = memory(file->mark.doubles, record, message);
     int failed = frame == NULL;
-    for (int64_t k = 0; !failed && k < file->count; ++k)
+    for (int64_t k = 0; !failed && k < file->mark.count; ++k)
         failed = journal_read(record->journal, file, k, 1, frame, message) != 0 || take(self, k, frame) != 0;
     free(frame);
     return failed ? -1 : 0;

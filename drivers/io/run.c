@@ -57,7 +57,11 @@ static int open_checkpoint(struct run *run, struct message *message)
     if (found < 0)
         return -1;
     run->from = c->step;
-    if (found && (c->row_doubles != run->record.columns.count || c->frame_doubles != run->record.frames.doubles))
+    if (!found) {
+        c->rows = journal_mark_start(run->record.columns.count);
+        c->frames = journal_mark_start(run->record.frames.doubles);
+    }
+    if (found && (c->rows.doubles != run->record.columns.count || c->frames.doubles != run->record.frames.doubles))
         return message_set(message, "%s: records other quantities than this program does; delete it and start anew",
                            run->journal.folder);
     if (run->steps < run->from)
@@ -87,8 +91,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
     if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)
         return -1;
-    return journal_open(&run->journal, run->record.columns.count, run->checkpoint.rows, run->record.frames.doubles,
-                        run->checkpoint.frames, message);
+    return journal_open(&run->journal, run->checkpoint.rows, run->checkpoint.frames, message);
 }
 
 void run_close(struct run *run)

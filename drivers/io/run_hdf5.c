@@ -42,7 +42,7 @@ static void names(struct hdf5_sink *s, const struct columns *columns)
 
 static int energies_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
-    const hsize_t count = (hsize_t)record->journal->rows.count;
+    const hsize_t count = (hsize_t)record->journal->rows.mark.count;
     struct hdf5_sink s = hdf5_group(file, "energies");
     struct writer w = {&record->columns, &s, NULL};
     names(&s, &record->columns);

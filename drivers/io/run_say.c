@@ -91,6 +91,7 @@ void run_say_end(const struct run *run, FILE *file)
             run->energy1, run->t, (run->energy1 - run->energy0) / scale, run->drift / scale,
             run->energy0 != 0.0 ? " of it" : "");
     fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv, .xdmf%s%s\n",
-            (long long)run->journal.rows.count, (long long)run->journal.frames.count, run->seconds, run->output,
-            run->files.dump ? ", .dump" : "", run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+            (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
+            run->output, run->files.dump ? ", .dump" : "",
+            run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
 }

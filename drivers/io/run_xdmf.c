@@ -40,7 +40,7 @@ static void whole(const struct writer *w, const char *path, int64_t rows, int64_
  *  four components are written so that every version of ParaView's reader takes them for what they are. */
 static void slab(const struct writer *w, const char *path, int64_t k, int64_t columns)
 {
-    const long long n = (long long)w->record->frames.n, all = n * (long long)w->record->journal->frames.count;
+    const long long n = (long long)w->record->frames.n, all = n * (long long)w->record->journal->frames.mark.count;
     fprintf(w->file,
             "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld%s %lld\">\n"
             "<DataItem Dimensions=\"3 2\" NumberType=\"Int\" Format=\"XML\">%lld 0 1 1 %lld %lld</DataItem>\n",

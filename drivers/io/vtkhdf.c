@@ -93,7 +93,7 @@ static void fixed_data(struct hdf5_sink *s, const struct record *record)
 
 static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const struct record *record)
 {
-    const hsize_t points = (hsize_t)record->frames.n * (hsize_t)record->journal->frames.count;
+    const hsize_t points = (hsize_t)record->frames.n * (hsize_t)record->journal->frames.mark.count;
     struct quantity list[QUANTITIES];
     quantities_of(&record->frames, list);
     hdf5_dataset(root, "Points", H5T_NATIVE_DOUBLE, 2, (const hsize_t[]){points, 3}, NULL);
@@ -131,7 +131,7 @@ static int take_frame(void *self, int64_t k, const double *frame)
 
 static void write_steps(struct hdf5_sink *root, const struct record *record, const double *times)
 {
-    const int64_t frames = record->journal->frames.count, n = record->frames.n;
+    const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
     const hsize_t count = (hsize_t)frames;
     struct quantity list[QUANTITIES];
     quantities_of(&record->frames, list);
@@ -158,7 +158,7 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
 
 int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
-    const int64_t frames = record->journal->frames.count, n = record->frames.n;
+    const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
     struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData");
     struct writer w = {record, &root, &data, malloc(sizeof(double) * (size_t)(4 * n + 1)),
                        calloc((size_t)(frames + 1), sizeof(double))};

@@ -71,7 +71,7 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | kill -9 of any rank | vti-study | mpirun ends with a message; the same bytes after --resume | hard study_resume |
 | one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
 | two studies in one folder | vti-study | the second is refused: another vti-study is writing there | hard study_resume, hard task_journal |
-| a checkpoint or its tables cut at any length; a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged, or of another run | hard damaged, hard task_journal |
+| a checkpoint, its records or a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged, or of another run | hard damaged, hard task_journal |
 | scenes, tables and --set of random bytes | all | reported: the line, the value and the remedy; no fault of memory (`./dev fuzz`) | hard fuzz scene, table, set |
 
 ## Compilers and machines
