@@ -71,7 +71,8 @@ contains
     subroutine must(status)
         integer(c_int), intent(in) :: status
         if (status == VTI_OK) return
-        write (error_unit, '(a, i0, a, g0, 2a)') 'sphere ', fault%body, ', ', fault%value, ': ', vti_status_text(status)
+        write (error_unit, '(a, i0, 3a, g0, 2a)') 'sphere ', fault%body, ', ', vti_quantity_text(fault%quantity), ' ', &
+            fault%value, ': ', vti_status_text(status)
         stop 1
     end subroutine
 end program

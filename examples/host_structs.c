@@ -17,7 +17,8 @@ static struct sphere spheres[N];
 static void must(int status, const vti_fault *fault)
 {
     if (status != VTI_OK) {
-        fprintf(stderr, "sphere %d, %g: %s\n", (int)fault->body, fault->value, vti_status_text(status));
+        fprintf(stderr, "sphere %d, %s %g: %s\n", (int)fault->body, vti_quantity_text(fault->quantity), fault->value,
+                vti_status_text(status));
         exit(EXIT_FAILURE);
     }
 }
@@ -75,7 +76,7 @@ int main(int argc, char **argv)
     static int64_t pair[BONDS][2];
     static double rest[BONDS][4];
     const double h = 1.0 / 512.0, moment = 10.0, axial = 200.0, shear = 200.0;
-    vti_fault fault = {-1, 0.0};
+    vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
     read_spheres(argc > 1 ? argv[1] : "chain/bodies.csv");
 
     vti_bodies bodies = view_spheres();

@@ -16,7 +16,7 @@
 !> use vti brings it all: types (vti_types), views of arrays (vti_views), measures (vti_c, vti_sums), steps (vti_steps),
 !> effects (vti_effects), the packed door (vti_packed), the algebra of rotations (vti_rrv).
 module vti
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     use vti_c
     use vti_effects
     use vti_packed
@@ -26,9 +26,10 @@ module vti
     use vti_views
     implicit none
     public
-    private :: c_associated, c_char, c_f_pointer, c_int, c_ptr
+    private :: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     private :: c_bodies_check_values, c_drift, c_stepper_find, c_stepper_at, c_step_stage, c_step_finish, &
-        c_step_probe, c_step_start, c_step_sync, c_packed_begin, c_packed_finish, c_status_text, c_version, c_strlen
+        c_step_probe, c_step_start, c_step_sync, c_packed_begin, c_packed_finish, c_status_text, c_quantity_text, &
+        c_version, c_strlen
     private :: blame, handle
 
 contains
@@ -40,6 +41,13 @@ contains
         integer(c_int), intent(in) :: status
         character(len=:), allocatable :: text
         text = vti_text(c_status_text(status))
+    end function
+
+    !> The member of vti_bodies that a quantity of vti_fault is, by its name; empty if it is none.
+    function vti_quantity_text(quantity) result(text)
+        integer(c_int64_t), intent(in) :: quantity
+        character(len=:), allocatable :: text
+        text = vti_text(c_quantity_text(quantity))
     end function
 
     !> Version of the library that is running.

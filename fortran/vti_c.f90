@@ -201,6 +201,12 @@ module vti_c
             type(c_ptr) :: text
         end function
 
+        function c_quantity_text(quantity) result(text) bind(c, name='vti_quantity_text')
+            import :: c_int64_t, c_ptr
+            integer(c_int64_t), value :: quantity
+            type(c_ptr) :: text
+        end function
+
         function c_version() result(text) bind(c, name='vti_version')
             import :: c_ptr
             type(c_ptr) :: text

@@ -127,10 +127,10 @@ contains
         if (present(fault)) fault = vti_fault()
         status = VTI_E_COUNT
         if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
-        status = VTI_E_VIEW
-        if (.not. all([(c_associated(bodies%x%c(k)), k=1, 3)])) return
         centres = vti_bodies(abi=bodies%abi, first=bodies%first, count=bodies%count, x=bodies%x)
         status = vti_bodies_check(centres)
+        if (.not. all([(c_associated(bodies%x%c(k)), k=1, 3)])) status = VTI_E_VIEW
+        if (present(fault) .and. any(status == [VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS])) fault%quantity = VTI_QUANTITY_X
         if (status /= VTI_OK) return
         do k = 1, size(pair, 2, c_int64_t)
             body = maxval(pair(:, k))

@@ -9,7 +9,7 @@
 !>     X V F       positions, velocities, forces
 !>     A W T       attitudes (rescaled Rodrigues vectors), angular velocities, moments
 !>     NM RM       masses: one for all (NM = 1), or N of them;  NI RI  the same of moments of inertia
-!>     IBODY VALUE the body that is to blame, from 1 (0: none), and the value that is wrong
+!>     IBODY VALUE the body that is to blame, from 1 (0: none), and the value that is wrong; VTIQTY says of what
 !>     IER         0, or a negative status, and then nothing has changed; VTITXT says what it means
 !>
 !> Reals are DOUBLE PRECISION, integers default INTEGERs. Names have six letters and no type matters that is not in this
@@ -65,6 +65,22 @@ subroutine vtichk(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, ibody, value, ier
     type(vti_fault) :: fault
     call door_check(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, ier)
     call give_fault(fault, ibody, value)
+end subroutine
+
+!> NAME = which of its arrays VTICHK refuses, as vti_quantity_text has it: 'x', 'v', 'force', 'alpha' (A), 'omega' (W),
+!> 'moment' (T), 'mass' (RM), 'inertia' (RI); of two that are the same memory, the one that this list has later. LB and LC
+!> are those of all arrays: if they are wrong, 'x' is. Blank if VTICHK refuses none of them.
+subroutine vtiqty(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, name)
+    use vti_f77_door
+    use vti, only: vti_fault, vti_quantity_text
+    implicit none
+    integer, intent(in) :: n, lb, lc, nm, ni
+    double precision, intent(in) :: x(*), v(*), f(*), a(*), w(*), t(*), rm(*), ri(*)
+    character(len=*), intent(out) :: name
+    type(vti_fault) :: fault
+    integer :: ier
+    call door_check(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, ier)
+    name = vti_quantity_text(fault%quantity)
 end subroutine
 
 !> Kick and drift of all bodies, or of none. F and T are those at X and A: before the first step, compute them.

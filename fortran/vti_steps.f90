@@ -15,7 +15,8 @@ contains
 
     ! ---- checks and the two primitives ----------------------------------------------------------------------------
 
-    !> vti_bodies_check, and every mass and inertia of the slice finite and > 0.
+    !> vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and
+    !> spin finite, no quaternion zero. fault says what is wrong with which body.
     function vti_bodies_check_values(bodies, fault) result(status)
         type(vti_bodies), intent(in) :: bodies
         type(vti_fault), intent(out), optional :: fault
@@ -42,7 +43,8 @@ contains
     pure function blame(found) result(fault)
         type(vti_fault), intent(in) :: found
         type(vti_fault) :: fault
-        fault = vti_fault(found%body + 1, found%value)
+        fault = found
+        fault%body = found%body + 1
     end function
 
     ! ---- steppers -------------------------------------------------------------------------------------------------

@@ -18,11 +18,18 @@ module vti_types
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
     integer(c_int64_t), parameter :: VTI_TERMS = 8
 
-    !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if no body is to blame)
-    !> and the value.
+    !> What bodies consist of, in the order of the members of vti_bodies.
+    integer(c_int64_t), parameter :: VTI_QUANTITY_NONE = 0, VTI_QUANTITY_X = 1, VTI_QUANTITY_V = 2, &
+        VTI_QUANTITY_FORCE = 3, VTI_QUANTITY_ALPHA = 4, VTI_QUANTITY_QUAT = 5, VTI_QUANTITY_OMEGA = 6, &
+        VTI_QUANTITY_MOMENT = 7, VTI_QUANTITY_MASS = 8, VTI_QUANTITY_INERTIA = 9, VTI_QUANTITY_X_LOW = 10, &
+        VTI_QUANTITY_V_LOW = 11, VTI_QUANTITY_ALPHA_LOW = 12, VTI_QUANTITY_OMEGA_LOW = 13
+
+    !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if no body is to blame),
+    !> the value, and the quantity that it is a value of (vti_quantity_text names it).
     type, bind(c) :: vti_fault
         integer(c_int64_t) :: body = 0
         real(c_double) :: value = 0
+        integer(c_int64_t) :: quantity = VTI_QUANTITY_NONE
     end type
 
     !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles.

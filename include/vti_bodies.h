@@ -49,11 +49,37 @@ enum vti_status {
 /** One English sentence for a status, remedy included; never NULL. */
 VTI_API const char *vti_status_text(int status);
 
-/** Where and why a call failed: the body (index into the views, from 0) and the value. If no body is to blame, body is -1,
- *  and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA, else 0. */
+/** What bodies consist of, in the order of the members of vti_bodies. */
+enum vti_quantity {
+    VTI_QUANTITY_NONE = 0,       /**< none of them is to blame */
+    VTI_QUANTITY_X = 1,          /**< position of the centre */
+    VTI_QUANTITY_V = 2,          /**< velocity of the centre */
+    VTI_QUANTITY_FORCE = 3,      /**< force */
+    VTI_QUANTITY_ALPHA = 4,      /**< attitude as a rescaled Rodrigues vector */
+    VTI_QUANTITY_QUAT = 5,       /**< attitude as a quaternion */
+    VTI_QUANTITY_OMEGA = 6,      /**< angular velocity */
+    VTI_QUANTITY_MOMENT = 7,     /**< moment */
+    VTI_QUANTITY_MASS = 8,       /**< mass */
+    VTI_QUANTITY_INERTIA = 9,    /**< moment of inertia */
+    VTI_QUANTITY_X_LOW = 10,     /**< what x leaves out */
+    VTI_QUANTITY_V_LOW = 11,     /**< what v leaves out */
+    VTI_QUANTITY_ALPHA_LOW = 12, /**< what alpha leaves out */
+    VTI_QUANTITY_OMEGA_LOW = 13  /**< what omega leaves out */
+};
+
+/** The member of vti_bodies that a vti_quantity is, by its name: "x", "alpha_low"; "" for VTI_QUANTITY_NONE and for numbers
+ *  that are no quantity. Never NULL. */
+VTI_API const char *vti_quantity_text(int64_t quantity);
+
+/** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If no body is to blame,
+ *  body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA, else 0.
+ *  quantity is what VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE and VTI_E_STATE are
+ *  about, the first that was found; of two views that begin at one memory, or that cannot go together, the one that
+ *  vti_quantity has later. For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
 typedef struct vti_fault {
-    int64_t body; /**< index of the body, from 0; -1 if none is to blame */
-    double value; /**< what is wrong about it */
+    int64_t body;     /**< index of the body, from 0; -1 if none is to blame */
+    double value;     /**< what is wrong about it */
+    int64_t quantity; /**< vti_quantity: what of the body is wrong, or of all bodies; vti_quantity_text names it */
 } vti_fault;
 
 /* ---- bodies as views ----------------------------------------------------------------------------------------- */
@@ -186,7 +212,8 @@ VTI_API int vti_bodies_check(const vti_bodies *bodies);
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and
- *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault may be NULL. */
+ *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is wrong
+ *  with which body, may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
 
 #ifdef __cplusplus

@@ -75,11 +75,11 @@ static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vt
     for (int64_t k = 0; k < count; ++k) {
         for (int side = 0; side < 2; ++side)
             if (pair[2 * k + side] < base)
-                return vti_blame(VTI_E_BOND, k, (double)pair[2 * k + side], fault);
+                return vti_blame(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
         double d[3];
         const double length = separation(pair + 2 * k, base, x, d);
         if (!(length > 0.0) || !isfinite(length))
-            return vti_blame(VTI_E_BOND, k, length, fault);
+            return vti_blame(VTI_E_BOND, k, length, VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;
 }
@@ -87,13 +87,13 @@ static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vt
 int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
 {
     if (count < 0)
-        return VTI_E_COUNT;
+        return vti_blame_none(VTI_E_COUNT, fault);
     if (count == 0)
         return VTI_OK;
     if (pair == NULL || x == NULL || rest == NULL)
-        return VTI_E_NULL;
+        return vti_blame_none(VTI_E_NULL, fault);
     if (x->c[0] == NULL || x->c[1] == NULL || x->c[2] == NULL)
-        return VTI_E_VIEW;
+        return vti_blame(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X, fault);
     const int status = rest_check(count, pair, base, x, fault);
     for (int64_t k = 0; status == VTI_OK && k < count; ++k) {
         double d[3];
@@ -113,22 +113,22 @@ static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
     if (bonds == NULL || !has_list(bonds))
-        return VTI_E_NULL;
+        return vti_blame_none(VTI_E_NULL, fault);
     if (bonds->count < 0 || n < 0)
-        return VTI_E_COUNT;
+        return vti_blame_none(VTI_E_COUNT, fault);
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
         const double *rest = bonds->rest + 4 * k;
         if (i < 0 || i >= n)
-            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k], fault);
+            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k], VTI_QUANTITY_NONE, fault);
         if (j < 0 || j >= n || i == j)
-            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], fault);
+            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
         if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
-            return vti_blame(VTI_E_BOND, k, rest[3], fault);
+            return vti_blame(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return vti_blame(VTI_E_BOND, k, stiffness(all[c], k), fault);
+                return vti_blame(VTI_E_BOND, k, stiffness(all[c], k), VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;
 }

@@ -82,17 +82,17 @@ int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault
     if (status == VTI_OK && n < 0)
         status = VTI_E_COUNT;
     if (status != VTI_OK)
-        return status;
+        return vti_blame_none(status, fault);
     if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
-        return vti_blame(VTI_E_CONTACT, -1, contacts->stiffness, fault);
+        return vti_blame(VTI_E_CONTACT, -1, contacts->stiffness, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < contacts->count; ++k)
         for (int side = 0; side < 2; ++side) {
             const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
             if (i < 0 || i >= n || pair[0] == pair[1])
-                return vti_blame(VTI_E_CONTACT, k, (double)pair[side], fault);
+                return vti_blame(VTI_E_CONTACT, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
             const double diameter = vti_scalar(&contacts->diameter, i);
             if (!(isfinite(diameter) && diameter > 0.0))
-                return vti_blame(VTI_E_CONTACT, k, diameter, fault);
+                return vti_blame(VTI_E_CONTACT, k, diameter, VTI_QUANTITY_NONE, fault);
         }
     return VTI_OK;
 }

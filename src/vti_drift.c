@@ -265,8 +265,7 @@ static void name_worst(const vti_bodies *b, double kick_t, double t, vti_fault *
         const double s = vti_norm(u);
         if (!(s <= worst)) {
             worst = s;
-            fault->body = i;
-            fault->value = s;
+            vti_blame(VTI_E_TOO_LARGE, i, s, VTI_QUANTITY_OMEGA, fault);
         }
     }
 }
@@ -290,12 +289,12 @@ int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti
 
 int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
 {
-    int status = vti_bodies_ready(b);
+    vti_blame_none(VTI_OK, fault);
+    int status = vti_bodies_ready_or(b, fault);
     if (status == VTI_OK)
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))
-        status = VTI_E_TIME;
-    vti_blame(status, -1, status == VTI_E_TIME ? t : 0.0, fault);
+        status = vti_blame(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
     if (status == VTI_OK)
         status = vti_drift_refuses(law, 0.0, t, b, fault);
     if (status == VTI_OK)

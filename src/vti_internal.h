@@ -7,14 +7,21 @@
 
 #include "vti.h"
 
-/** Says in fault, where there is one, what is to blame and for which value. Returns the status. */
-static inline int vti_blame(int status, int64_t body, double value, vti_fault *fault)
+/** Says in fault, where there is one, what is to blame, for which value and of which quantity. Returns the status. */
+static inline int vti_blame(int status, int64_t body, double value, int64_t quantity, vti_fault *fault)
 {
     if (fault != NULL) {
         fault->body = body;
         fault->value = value;
+        fault->quantity = quantity;
     }
     return status;
+}
+
+/** The same where nothing about the bodies is to blame. */
+static inline int vti_blame_none(int status, vti_fault *fault)
+{
+    return vti_blame(status, -1, 0.0, VTI_QUANTITY_NONE, fault);
 }
 
 static inline int vti_has(const vti_view *view)
@@ -75,12 +82,20 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
 /** Marks sealed bodies: a number that memory does not hold by chance. */
 #define VTI_SEAL INT64_C(0x7674692d7365616c)
 
-/** vti_bodies_check, unless the bodies are sealed. */
-static inline int vti_bodies_ready(const vti_bodies *b)
+/** vti_bodies_check that says in fault, where there is one, which quantity is wrong; where none is, fault stays as it was. */
+int vti_bodies_fault(const vti_bodies *b, vti_fault *fault);
+
+/** vti_bodies_fault, unless the bodies are sealed. */
+static inline int vti_bodies_ready_or(const vti_bodies *b, vti_fault *fault)
 {
     if (b == NULL)
         return VTI_E_NULL;
-    return b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_check(b);
+    return b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_fault(b, fault);
+}
+
+static inline int vti_bodies_ready(const vti_bodies *b)
+{
+    return vti_bodies_ready_or(b, NULL);
 }
 
 /** What an effect of nothing is: vti_apply refuses it. */

@@ -26,7 +26,7 @@ int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v,
                      double *omega, const double *moment, int64_t masses, const double *mass, int64_t inertias,
                      const double *inertia, int64_t *body, double *value)
 {
-    vti_fault fault = {-1, h};
+    vti_fault fault = {-1, h, VTI_QUANTITY_NONE};
     vti_bodies b = vti_bodies_none(n);
     b.x = packed(x);
     b.v = packed(v);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Status texts and the version. */
+ * Texts of statuses and quantities, and the version. */
 #include "vti.h"
 
 static const struct {
@@ -42,6 +42,26 @@ const char *vti_status_text(int status)
         if (texts[i].status == status)
             return texts[i].text;
     return "unknown status; it does not come from this library";
+}
+
+const char *vti_quantity_text(int64_t quantity)
+{
+    static const char *const members[] = {[VTI_QUANTITY_NONE] = "",
+                                          [VTI_QUANTITY_X] = "x",
+                                          [VTI_QUANTITY_V] = "v",
+                                          [VTI_QUANTITY_FORCE] = "force",
+                                          [VTI_QUANTITY_ALPHA] = "alpha",
+                                          [VTI_QUANTITY_QUAT] = "quat",
+                                          [VTI_QUANTITY_OMEGA] = "omega",
+                                          [VTI_QUANTITY_MOMENT] = "moment",
+                                          [VTI_QUANTITY_MASS] = "mass",
+                                          [VTI_QUANTITY_INERTIA] = "inertia",
+                                          [VTI_QUANTITY_X_LOW] = "x_low",
+                                          [VTI_QUANTITY_V_LOW] = "v_low",
+                                          [VTI_QUANTITY_ALPHA_LOW] = "alpha_low",
+                                          [VTI_QUANTITY_OMEGA_LOW] = "omega_low"};
+    const int known = quantity >= 0 && quantity < (int64_t)(sizeof members / sizeof members[0]);
+    return members[known ? quantity : VTI_QUANTITY_NONE];
 }
 
 const char *vti_version(void)

@@ -68,16 +68,16 @@ const vti_stepper *vti_stepper_find(const char *name)
 /** Bodies of one block stay in the first-level cache from the kick to the drift. */
 enum { BLOCK = 256 };
 
-static int check(const vti_stepper *method, double h, const vti_bodies *b)
+static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
     if (method == NULL || method->kick == NULL || method->drift == NULL)
         return VTI_E_NULL;
     if (method->stages < 1)
         return VTI_E_STAGE;
-    const int status = vti_bodies_ready(b);
+    const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    return isfinite(h) && h > 0.0 ? VTI_OK : VTI_E_TIME;
+    return isfinite(h) && h > 0.0 ? VTI_OK : vti_blame(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
 }
 
 /** kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
@@ -100,10 +100,10 @@ VTI_INLINE int play(const vti_stepper *method, int64_t k, double h, const vti_bo
 
 int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
 {
-    int status = check(method, h, b);
+    vti_blame_none(VTI_OK, fault);
+    int status = check(method, h, b, fault);
     if (status == VTI_OK && (k < 0 || k >= method->stages))
         status = VTI_E_STAGE;
-    vti_blame(status, -1, status == VTI_E_TIME ? h : 0.0, fault);
     return status == VTI_OK ? play(method, k, h, b, fault) : status;
 }
 
@@ -120,7 +120,7 @@ static int kick_share(double share, double h, const vti_bodies *b)
 
 int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)
 {
-    int status = check(method, h, b);
+    int status = check(method, h, b, NULL);
     if (status != VTI_OK)
         return status;
     if (method->drift[method->stages] != 0.0)
@@ -130,13 +130,13 @@ int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)
 
 int vti_step_start(const vti_stepper *method, double h, const vti_bodies *b)
 {
-    const int status = check(method, h, b);
+    const int status = check(method, h, b, NULL);
     return status == VTI_OK ? kick_share(-method->lag, h, b) : status;
 }
 
 int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *b)
 {
-    const int status = check(method, h, b);
+    const int status = check(method, h, b, NULL);
     return status == VTI_OK ? kick_share(method->lag, h, b) : status;
 }
 
@@ -201,7 +201,7 @@ static void displace(int frame, double t, const vti_bodies *b, const vti_bodies 
 
 int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, const vti_bodies *probed)
 {
-    int status = check(method, h, b);
+    int status = check(method, h, b, NULL);
     if (status == VTI_OK && (k < 0 || k > method->stages))
         status = VTI_E_STAGE;
     if (status == VTI_OK)

@@ -171,7 +171,7 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
         free(run.reader.memory);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     }
-    vti_fault fault = {-1, 0.0};
+    vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
     int64_t step = from;
     int status = begin(&run, from);
     int stopped = status == VTI_OK && show(&run, step);

@@ -50,7 +50,7 @@ static double *columns_of(const double *table, int64_t rows, int width, int firs
 void scene_read(struct scene *scene, const char *bodies, const char *bonds)
 {
     double *table = NULL, *ends = NULL;
-    vti_fault fault = {-1, 0.0};
+    vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
     scene->bodies = read_table(bodies, 14, &table);
     scene->x = columns_of(table, scene->bodies, 14, 0, 3);
     scene->v = columns_of(table, scene->bodies, 14, 3, 3);

@@ -50,7 +50,7 @@ void FixNVEVTI::post_neighbor()
     }
     const vti_bodies all = views();
     for (const Run &run : runs) {
-        vti_fault fault = {-1, 0.0};
+        vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
         const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
         stop(vti_bodies_check_values(&bodies, &fault), fault);
     }
@@ -81,7 +81,7 @@ void FixNVEVTI::initial_integrate(int)
 {
     const vti_bodies all = views();
     for (const Run &run : runs) {
-        vti_fault fault = {-1, 0.0};
+        vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
         const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
         stop(vti_step_begin(method, update->dt, &bodies, &fault), fault);
     }
@@ -92,7 +92,7 @@ void FixNVEVTI::final_integrate()
     const vti_bodies all = views();
     for (const Run &run : runs) {
         const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
-        stop(vti_step_finish(method, update->dt, &bodies), {-1, 0.0});
+        stop(vti_step_finish(method, update->dt, &bodies), {-1, 0.0, VTI_QUANTITY_NONE});
     }
 }
 
@@ -101,5 +101,6 @@ void FixNVEVTI::stop(int status, const vti_fault &fault) const
     if (status == VTI_OK)
         return;
     const long long tag = fault.body >= 0 ? atom->tag[fault.body] : 0;
-    error->one(FLERR, "Fix nve/vti, atom {}, value {}: {}", tag, fault.value, vti_status_text(status));
+    error->one(FLERR, "Fix nve/vti, atom {}, {} {}: {}", tag, vti_quantity_text(fault.quantity), fault.value,
+               vti_status_text(status));
 }

@@ -10,8 +10,8 @@ program test_f77
     implicit none
 
     integer, parameter :: nmax = 256, mbond = 600, chain(3) = [10, 1, 1], block(3) = [7, 6, 5]
-    external :: f77row, f77col, f77qua, vtibeg, vtibnd, vtibrs, vtichk, vtidrf, vtifin, vtikck, vtistg, vtistp, vtitrn, &
-        vtitrq, vtitxt, vtiver
+    external :: f77row, f77col, f77qua, vtibeg, vtibnd, vtibrs, vtichk, vtidrf, vtifin, vtikck, vtiqty, vtistg, vtistp, &
+        vtitrn, vtitrq, vtitxt, vtiver
     double precision :: x(nmax, 3), v(nmax, 3), a(nmax, 3), w(nmax, 3), rm(nmax), ri(nmax), rest(4, mbond)
     integer :: ipair(2, mbond)
     common /state/ x, v, a, w, rm, ri, rest
@@ -196,6 +196,7 @@ contains
         call masses()
         w(4, :) = [0d0, 600d0, 0d0]
         call step(1, h, 10, 1, nmax, 10, VTI_E_TOO_LARGE, 4, 'a body that turns too far')
+        call quantities()
         call primitives()
         call bonds()
     end subroutine
@@ -247,6 +248,32 @@ contains
             call vtifin(2, h, 10, 1, nmax, x, v, f, a, w, t, 10, rm, 1, bad(k), ier)
             call expect_status(int(ier, c_int), VTI_E_INERTIA, 'F77 finish, one inertia for all')
         end do
+    end subroutine
+
+    !> What VTICHK refuses has a name.
+    subroutine quantities()
+        double precision :: f(nmax, 3), t(nmax, 3), keep
+        f = 0
+        t = 0
+        keep = w(4, 2)
+        call named(nmax, x, v, f, t, rm, 10, '')
+        call named(0, x, v, f, t, rm, 10, 'x')
+        call named(nmax, x, x, f, t, rm, 10, 'v')
+        call named(nmax, x, v, f, f, rm, 10, 'moment')
+        call named(nmax, x, v, f, t, f, 10, 'mass')
+        call named(nmax, x, v, f, t, rm, 3, '')
+        w(4, 2) = ieee_value(keep, ieee_quiet_nan)
+        call named(nmax, x, v, f, t, rm, 10, 'omega')
+        w(4, 2) = keep
+    end subroutine
+
+    subroutine named(lc, x, v, f, t, rm, nm, wanted)
+        integer, intent(in) :: lc, nm
+        double precision, intent(in) :: x(nmax, 3), v(nmax, 3), f(nmax, 3), t(nmax, 3), rm(nmax)
+        character(len=*), intent(in) :: wanted
+        character(len=9) :: name
+        call vtiqty(10, 1, lc, x, v, f, a, w, t, nm, rm, 10, ri, name)
+        call expect(name == wanted, 'F77 quantity, '//wanted//': '//name)
     end subroutine
 
     !> What lies behind the last body is a number too.

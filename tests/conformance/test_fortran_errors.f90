@@ -152,13 +152,43 @@ contains
         s%mass(3) = -1
         call expect_status(vti_bodies_check_values(good, fault), VTI_E_MASS, 'a negative mass')
         call expect(fault%body == 3 .and. abs(fault%value + 1) <= 0, 'body 3 has it')
+        call expect(vti_quantity_text(fault%quantity) == 'mass', 'and it is a mass')
         s%mass(3) = 1
         s%inertia(n) = not_a_number()
         call expect_status(vti_bodies_check_values(good, fault), VTI_E_INERTIA, 'an inertia that is no number')
         call expect(fault%body == n, 'the last body has it')
         s%inertia(n) = 1
         call expect_status(vti_bodies_check_values(good, fault), VTI_OK, 'mass and inertia are good again')
-        call expect(fault%body == 0, 'and no body is to blame')
+        call expect(fault%body == 0 .and. fault%quantity == VTI_QUANTITY_NONE, 'and no body is to blame')
+        call states()
+    end subroutine
+
+    !> What is not finite before the first step is named.
+    subroutine states()
+        call not_finite(s%x(2, 4), VTI_QUANTITY_X)
+        call not_finite(s%v(1, 4), VTI_QUANTITY_V)
+        call not_finite(s%alpha(3, 4), VTI_QUANTITY_ALPHA)
+        call not_finite(s%omega(2, 4), VTI_QUANTITY_OMEGA)
+        b = good
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_columns(s%quat)
+        before = s
+        s%quat(:, 4) = 0
+        call expect_status(vti_bodies_check_values(b, fault), VTI_E_STATE, 'a quaternion of cleared memory')
+        call expect(fault%body == 4 .and. fault%quantity == VTI_QUANTITY_QUAT, 'a quaternion of cleared memory is named')
+        s = before
+    end subroutine
+
+    !> One number of body 4.
+    subroutine not_finite(number, quantity)
+        real(c_double), intent(inout) :: number
+        integer(c_int64_t), intent(in) :: quantity
+        real(c_double) :: keep
+        keep = number
+        number = not_a_number()
+        call expect_status(vti_bodies_check_values(good, fault), VTI_E_STATE, vti_quantity_text(quantity)//' is no number')
+        call expect(fault%body == 4 .and. fault%quantity == quantity, vti_quantity_text(quantity)//' of body 4 is named')
+        number = keep
     end subroutine
 
     !> The bound of VTI-1: all or nothing, and the culprit counts from 1 through every door.
@@ -173,7 +203,7 @@ contains
         status = vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault)
         call culprit(5_c_int64_t, 1.25_c_double, 'drift')
         status = packed(1_c_int64_t, h, n, n)
-        fault = vti_fault(body, value)
+        fault = vti_fault(body, value, VTI_QUANTITY_OMEGA) ! which that door does not say
         call culprit(5_c_int64_t, 1.25_c_double, 'packed')
         call expect_status(vti_step_begin(vti1, h, good), VTI_E_TOO_LARGE, 'begin without a fault to fill')
         s%omega(1, 1) = not_a_number()
@@ -191,6 +221,7 @@ contains
         character(len=*), intent(in) :: what
         call expect_status(status, VTI_E_TOO_LARGE, 'too large, '//what)
         call expect(fault%body == wanted .and. abs(fault%value - turn) <= 0, 'the culprit, '//what)
+        call expect(fault%quantity == VTI_QUANTITY_OMEGA, 'the spin of the culprit, '//what)
         call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha) &
             .and. same_bits(s%omega, before%omega), 'nothing has changed, '//what)
     end subroutine

@@ -7,6 +7,12 @@ program test_fortran_layout
     integer(c_int64_t) :: theirs(200), count
     integer(c_int64_t) :: ours(200) = 0
     integer :: entries = 0
+    integer(c_int64_t), parameter :: quantity(13) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
+        VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_MASS, &
+        VTI_QUANTITY_INERTIA, VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW]
+    character(len=9), parameter :: name(13) = [character(len=9) :: 'x', 'v', 'force', 'alpha', 'quat', 'omega', 'moment', &
+        'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low']
+    integer :: k
 
     call fault()
     call view()
@@ -32,12 +38,17 @@ program test_fortran_layout
         VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, VTI_E_BOND, VTI_E_DISSIPATES, &
         VTI_E_CONTACT, VTI_E_STATE, &
         VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_LAW_EXACT, VTI_LAW_EXACT9, VTI_FRAME_SPACE, &
-        VTI_FRAME_BODY], c_int64_t)])
+        VTI_FRAME_BODY], c_int64_t), VTI_QUANTITY_NONE, quantity])
     count = shim_constants(200_c_int64_t, theirs)
     call compare('constant')
     call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
     call expect(vti_status_text(VTI_OK) == 'no error', 'text of VTI_OK')
     call expect(index(vti_status_text(99_c_int), 'unknown') == 1, 'text of no status')
+    do k = 1, 13
+        call expect(vti_quantity_text(quantity(k)) == trim(name(k)), 'text of the quantity '//name(k))
+    end do
+    call expect(len(vti_quantity_text(VTI_QUANTITY_NONE)) == 0, 'text of no quantity')
+    call expect(len(vti_quantity_text(14_c_int64_t)) == 0, 'text of a quantity that there is not')
     call finish()
 
 contains
@@ -68,7 +79,7 @@ contains
 
     subroutine fault()
         type(vti_fault), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%body), c_loc(t%value)])])
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%body), c_loc(t%value), c_loc(t%quantity)])])
     end subroutine
 
     subroutine view()

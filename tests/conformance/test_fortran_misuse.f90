@@ -66,13 +66,13 @@ contains
     subroutine counts_and_versions()
         b = good
         b%abi = VTI_ABI + 1
-        call refused(VTI_E_ABI, 'a module of another version')
+        call refused(VTI_E_ABI, VTI_QUANTITY_NONE, 'a module of another version')
         b = vti_bodies_slice(good, 1_c_int64_t, -1_c_int64_t)
-        call refused(VTI_E_COUNT, 'fewer bodies than none')
+        call refused(VTI_E_COUNT, VTI_QUANTITY_NONE, 'fewer bodies than none')
         b = vti_bodies_slice(good, 0_c_int64_t, 2_c_int64_t)
-        call refused(VTI_E_COUNT, 'a slice from body 0')
+        call refused(VTI_E_COUNT, VTI_QUANTITY_NONE, 'a slice from body 0')
         b = vti_bodies_slice(good, huge(n), 2_c_int64_t)
-        call refused(VTI_E_COUNT, 'a slice that ends nowhere')
+        call refused(VTI_E_COUNT, VTI_QUANTITY_NONE, 'a slice that ends nowhere')
     end subroutine
 
     !> View k of the bodies.
@@ -101,6 +101,8 @@ contains
     subroutine views()
         type(vti_view), pointer :: p, q
         type(vti_bodies), target :: spoiled, source
+        integer(c_int64_t), parameter :: quantity(7) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
+            VTI_QUANTITY_ALPHA, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_X_LOW]
         integer :: k, j, c
         do k = 1, 7
             p => view(spoiled, k)
@@ -108,30 +110,30 @@ contains
                 spoiled = good
                 p%c(c) = c_null_ptr
                 b = spoiled
-                call refused(VTI_E_VIEW, 'half a view')
+                call refused(VTI_E_VIEW, quantity(k), 'half a view')
             end do
             spoiled = good
             p%stride = 0
             b = spoiled
-            call refused(VTI_E_STRIDE, 'stride 0')
+            call refused(VTI_E_STRIDE, quantity(k), 'stride 0')
             source = good
             do j = 1, k - 1
                 spoiled = good
                 q => view(source, j)
                 p = q
                 b = spoiled
-                call refused(VTI_E_ALIAS, 'two quantities in one place')
+                call refused(VTI_E_ALIAS, quantity(k), 'two quantities in one place')
             end do
         end do
         b = good
         b%quat = vti_quat_view_columns(s%quat)
-        call refused(VTI_E_VIEW, 'the attitude twice')
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'the attitude twice')
         b%alpha = vti_view()
         b%quat%xyzw(4) = c_null_ptr
-        call refused(VTI_E_VIEW, 'three quarters of a quaternion')
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'three quarters of a quaternion')
         b%quat = vti_quat_view_columns(s%quat)
         b%quat%stride = 0
-        call refused(VTI_E_STRIDE, 'quaternions of stride 0')
+        call refused(VTI_E_STRIDE, VTI_QUANTITY_QUAT, 'quaternions of stride 0')
     end subroutine
 
     subroutine masses()
@@ -141,35 +143,36 @@ contains
         do k = 1, 4
             b = good
             b%mass = vti_scalars_one(bad(k))
-            call refused(VTI_E_MASS, 'one mass for all')
+            call refused(VTI_E_MASS, VTI_QUANTITY_MASS, 'one mass for all')
             b = good
             b%inertia = vti_scalars_one(bad(k))
-            call refused(VTI_E_INERTIA, 'one inertia for all')
-            call blamed(s%mass, bad(k), VTI_E_MASS, 'a mass')
-            call blamed(s%inertia, bad(k), VTI_E_INERTIA, 'an inertia')
+            call refused(VTI_E_INERTIA, VTI_QUANTITY_INERTIA, 'one inertia for all')
+            call blamed(s%mass, bad(k), VTI_E_MASS, VTI_QUANTITY_MASS, 'a mass')
+            call blamed(s%inertia, bad(k), VTI_E_INERTIA, VTI_QUANTITY_INERTIA, 'an inertia')
             call expect_status(vti_packed_begin(2_c_int64_t, h, n, v=s%v, force=force, masses=1_c_int64_t, &
                 mass=bad(k:k), inertias=1_c_int64_t), VTI_E_MASS, 'packed, one mass for all')
         end do
         b = good
         b%mass = vti_scalars()
-        call refused(VTI_E_MASS, 'no mass')
+        call refused(VTI_E_MASS, VTI_QUANTITY_MASS, 'no mass')
         b = good
         b%inertia = vti_scalars()
-        call refused(VTI_E_INERTIA, 'no inertia')
+        call refused(VTI_E_INERTIA, VTI_QUANTITY_INERTIA, 'no inertia')
     end subroutine
 
     !> One of the values is bad, and its body is named.
-    subroutine blamed(values, bad, wanted, what)
+    subroutine blamed(values, bad, wanted, quantity, what)
         real(c_double), intent(inout) :: values(n)
         real(c_double), intent(in) :: bad
         integer(c_int), intent(in) :: wanted
+        integer(c_int64_t), intent(in) :: quantity
         character(len=*), intent(in) :: what
         type(vti_fault) :: fault
         real(c_double) :: keep
         keep = values(3)
         values(3) = bad
         call expect_status(vti_bodies_check_values(good, fault), wanted, what)
-        call expect(fault%body == 3, what//': the body')
+        call expect(fault%body == 3 .and. fault%quantity == quantity, what//': the body and the quantity')
         values(3) = keep
     end subroutine
 
@@ -231,21 +234,24 @@ contains
         call unchanged(what)
     end subroutine
 
-    !> Every procedure refuses b, and nothing has changed.
-    subroutine refused(wanted, what)
+    !> Every procedure refuses b and, where it says more than a status, names the quantity; and nothing has changed.
+    subroutine refused(wanted, quantity, what)
         integer(c_int), intent(in) :: wanted
+        integer(c_int64_t), intent(in) :: quantity
         character(len=*), intent(in) :: what
         type(vti_bodies) :: copy, probed
+        type(vti_fault) :: fault(3)
         real(c_double) :: scratch(n), stable
         integer :: k
         copy = b
         call expect_status(vti_bodies_check(b), wanted, what//', check')
-        call expect_status(vti_bodies_check_values(b), wanted, what//', values')
+        call expect_status(vti_bodies_check_values(b, fault(1)), wanted, what//', values')
         call expect_status(vti_bodies_seal(copy), wanted, what//', seal')
         call expect(copy%sealed == 0, what//', not sealed')
         call expect_status(vti_kick(h, b), wanted, what//', kick')
-        call expect_status(vti_drift(VTI_LAW_EXACT, VTI_FRAME_BODY, h, b), wanted, what//', drift')
-        call expect_status(vti_step_begin(vti2, h, b), wanted, what//', begin')
+        call expect_status(vti_drift(VTI_LAW_EXACT, VTI_FRAME_BODY, h, b, fault(2)), wanted, what//', drift')
+        call expect_status(vti_step_begin(vti2, h, b, fault(3)), wanted, what//', begin')
+        call expect(all(fault%body == 0) .and. all(fault%quantity == quantity), what//', the quantity to blame')
         call expect_status(vti_step_stage(chin4, 1_c_int64_t, h, b), wanted, what//', stage')
         call expect_status(vti_step_finish(vti2, h, b), wanted, what//', finish')
         call expect_status(vti_step_start(vti2, h, b), wanted, what//', start')

@@ -63,8 +63,14 @@ contains
         other = b
         other%x = vti_view()
         call blamed(vti_bonds_rest(pair, other, c%rest, fault), VTI_E_VIEW, 0, 'no positions')
+        call expect(fault%quantity == VTI_QUANTITY_X, 'no positions: which are named')
+        other%x = b%x
+        other%x%stride = 0
+        call blamed(vti_bonds_rest(pair, other, c%rest, fault), VTI_E_STRIDE, 0, 'positions of stride 0')
+        call expect(fault%quantity == VTI_QUANTITY_X, 'positions of stride 0: which are named')
         pair(1, 4) = 0
         call blamed(vti_bonds_rest(pair, b, c%rest, fault), VTI_E_BOND, 4, 'body 0')
+        call expect(fault%quantity == VTI_QUANTITY_NONE, 'body 0: no quantity is to blame')
         call expect(abs(fault%value) <= 0, 'body 0: the value')
         pair(2, 4) = n + 1
         pair(1, 4) = 1

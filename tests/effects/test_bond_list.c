@@ -132,7 +132,7 @@ static void rest_configuration(void **state)
     for (int trial = 0; trial < 500; ++trial) {
         const int64_t pair[1][2] = {{2, 1}};
         double rest[4], fortran[4];
-        vti_fault fault = {-1, -1};
+        vti_fault fault = {-1, -1, 0};
         crowd_clear(&c, 3, CROWD_ALPHA);
         crowd_scatter(&c, &g, 1, 0.1);
         const vti_view x = vti_view_packed(c.x[0]), from_one = vti_view_packed(c.x[1]);
@@ -161,7 +161,7 @@ static void check_names_the_bond(void **state)
     rng g = rng_seed(3044);
     enum { FAULTS = 13 };
     for (int trial = 0; trial < FAULTS * 20; ++trial) {
-        vti_fault fault = {-1, -1};
+        vti_fault fault = {-1, -1, 0};
         const int64_t count = draw(&g, 20, 30, CROWD_ALPHA), k = rng_below(&g, (int)count);
         double value;
         web_terms(&w, count, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);

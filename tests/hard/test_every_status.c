@@ -74,12 +74,35 @@ static int reached(int status)
     return vti_step_begin(vti1, 0.1, &b, &fault);
 }
 
+/** The quantity that the spoiled step blames. */
+static int64_t blamed(int status)
+{
+    switch (status) {
+    case VTI_E_VIEW:
+    case VTI_E_STRIDE:
+        return VTI_QUANTITY_X;
+    case VTI_E_ALIAS:
+        return VTI_QUANTITY_V;
+    case VTI_E_MASS:
+        return VTI_QUANTITY_MASS;
+    case VTI_E_INERTIA:
+        return VTI_QUANTITY_INERTIA;
+    case VTI_E_TOO_LARGE:
+    case VTI_E_STATE:
+        return VTI_QUANTITY_OMEGA;
+    default:
+        return VTI_QUANTITY_NONE;
+    }
+}
+
 static void every_status(void **state)
 {
     (void)state;
     int count = 0;
     for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
+        fault.quantity = status == VTI_E_DISSIPATES ? VTI_QUANTITY_NONE : -7; /* that call has no fault to fill */
         assert_int_equal(reached(status), status);
+        assert_int_equal(fault.quantity, blamed(status));
         if (status == VTI_E_TOO_LARGE)
             assert_int_equal(fault.body, 1);
         for (int other = LOWEST; other < status; ++other)

@@ -62,7 +62,7 @@ static void others_are_the_same(void)
 /** One number of one body is none. */
 static int in_a_field(const vti_stepper *method, int field, int component, double value)
 {
-    vti_fault fault = {-1, 0};
+    vti_fault fault = {-1, 0, 0};
     spread(&bad);
     field_of(&bad, field)[component] = value;
     const vti_bodies b = crowd_bodies(&bad);
@@ -150,7 +150,7 @@ static void bond_parameters(void **state)
                                &w.rest[0][0], &w.rest[0][1], &w.rest[0][2]};
     for (int k = 0; k < 7; ++k)
         for (int v = 0; v < 4; ++v) {
-            vti_fault fault = {-1, 0};
+            vti_fault fault = {-1, 0, 0};
             memset(&w, 0, sizeof w);
             w.pair[0][1] = 1;
             w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;

@@ -16,7 +16,7 @@ static double wrapped(long double angle)
 static void refusal(const vti_stepper *method, double s, troupe *t)
 {
     const crowd before = t->c;
-    vti_fault fault = {-1, 0};
+    vti_fault fault = {-1, 0, 0};
     char what[64];
     assert_int_equal(troupe_step(t, 1, &fault), VTI_E_TOO_LARGE);
     assert_memory_equal(&before, &t->c, sizeof before);

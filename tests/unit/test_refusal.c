@@ -43,7 +43,7 @@ static void use_quaternions(void)
 static void refused(int64_t body, double value, double tolerance)
 {
     for (int k = 0; k < 2; ++k) {
-        vti_fault fault = {-7, -7};
+        vti_fault fault = {-7, -7, 7};
         memcpy(before, memory, sizeof memory);
         assert_int_equal(vti_step_begin(closed[k], 0.5, &b, &fault), VTI_E_TOO_LARGE);
         assert_int_equal(vti_step_begin(closed[k], 0.5, &b, NULL), VTI_E_TOO_LARGE);

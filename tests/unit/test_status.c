@@ -35,25 +35,66 @@ static int sound(void **state)
     return 0;
 }
 
-/** Every call that takes bodies refuses them with the status, and writes nothing. */
-static void refused(vti_bodies bad, int status)
+/** The members of bodies that are a vti_quantity. */
+static const struct {
+    int64_t quantity;
+    const char *name;
+    size_t offset;
+} members[] = {
+#define MEMBER(quantity, member)                                                                                       \
+    {                                                                                                                  \
+        VTI_QUANTITY_##quantity, #member, offsetof(vti_bodies, member)                                                 \
+    }
+    MEMBER(X, x),
+    MEMBER(V, v),
+    MEMBER(FORCE, force),
+    MEMBER(ALPHA, alpha),
+    MEMBER(QUAT, quat),
+    MEMBER(OMEGA, omega),
+    MEMBER(MOMENT, moment),
+    MEMBER(MASS, mass),
+    MEMBER(INERTIA, inertia),
+    MEMBER(X_LOW, x_low),
+    MEMBER(V_LOW, v_low),
+    MEMBER(ALPHA_LOW, alpha_low),
+    MEMBER(OMEGA_LOW, omega_low),
+#undef MEMBER
+};
+enum { MEMBERS = sizeof members / sizeof members[0] };
+
+static void at_fault(const vti_fault *fault, int status, int64_t body, int64_t quantity)
+{
+    if (fault->body != body || fault->quantity != quantity)
+        fail_msg("status %d: blames \"%s\" of body %d, not \"%s\" of body %d", status,
+                 vti_quantity_text(fault->quantity), (int)fault->body, vti_quantity_text(quantity), (int)body);
+}
+
+/** Every call that takes bodies refuses them with the status and, where it says more, names the quantity, and writes nothing. */
+static void refused(vti_bodies bad, int status, int64_t quantity)
 {
     double before[6][DOUBLES], after[6][DOUBLES];
     double *const all[6] = {x, v, f, a, w, m};
     for (int k = 0; k < 6; ++k)
         memcpy(before[k], all[k], sizeof x);
-    vti_fault fault;
+    const vti_fault stale = {7, 7, 7};
+    vti_fault fault = stale;
     assert_int_equal(vti_bodies_check(&bad), status);
+    assert_int_equal(vti_bodies_check_values(&bad, NULL), status);
     assert_int_equal(vti_bodies_check_values(&bad, &fault), status);
+    at_fault(&fault, status, -1, quantity);
     assert_int_equal(vti_kick(0.5, &bad), status);
     assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0.5, &bad, NULL), status);
+    fault = stale;
+    assert_int_equal(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0.5, &bad, &fault), status);
+    at_fault(&fault, status, -1, quantity);
+    fault = stale;
     assert_int_equal(vti_step_begin(vti1, 0.5, &bad, &fault), status);
+    at_fault(&fault, status, -1, quantity);
     assert_int_equal(vti_step_stage(vti2, 0, 0.5, &bad, NULL), status);
     assert_int_equal(vti_step_finish(vti1, 0.5, &bad), status);
     assert_int_equal(vti_step_start(vti1, 0.5, &bad), status);
     assert_int_equal(vti_step_sync(vti1, 0.5, &bad), status);
     assert_int_equal(vti_apply(NULL, 0, &bad), status);
-    assert_int_equal(fault.body, -1);
     for (int k = 0; k < 6; ++k)
         memcpy(after[k], all[k], sizeof x);
     assert_same_bits(before, after, 6 * DOUBLES);
@@ -74,13 +115,27 @@ static void texts(void **state)
     assert_string_equal(vti_version(), VTI_VERSION_STRING);
 }
 
+/** A quantity goes by the name of its member, and they are numbered in the order of the struct. */
+static void quantities(void **state)
+{
+    (void)state;
+    for (int k = 0; k < MEMBERS; ++k) {
+        assert_int_equal(members[k].quantity, k + 1);
+        assert_string_equal(vti_quantity_text(k + 1), members[k].name);
+        assert_true(k == 0 || members[k].offset > members[k - 1].offset);
+    }
+    const int64_t none[] = {VTI_QUANTITY_NONE, MEMBERS + 1, -1, INT64_MAX, INT64_MIN, (INT64_C(1) << 32) + 1};
+    for (int k = 0; k < 6; ++k)
+        assert_string_equal(vti_quantity_text(none[k]), "");
+}
+
 static void sound_bodies_pass(void **state)
 {
     (void)state;
-    vti_fault fault = {5, 5};
+    vti_fault fault = {5, 5, 5};
     assert_int_equal(vti_bodies_check(&b), VTI_OK);
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
-    assert_int_equal(fault.body, -1);
+    at_fault(&fault, VTI_OK, -1, VTI_QUANTITY_NONE);
     const vti_bodies none = vti_bodies_none(N);
     assert_int_equal(vti_bodies_check(&none), VTI_OK);
 }
@@ -113,52 +168,58 @@ static void abi_and_count(void **state)
     (void)state;
     vti_bodies bad = b;
     bad.abi = VTI_ABI + 1;
-    refused(bad, VTI_E_ABI);
+    refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
     bad.abi = 0;
-    refused(bad, VTI_E_ABI);
-    refused(vti_bodies_slice(b, -1, 1), VTI_E_COUNT);
-    refused(vti_bodies_slice(b, 0, -1), VTI_E_COUNT);
-    refused(vti_bodies_slice(b, INT64_MAX, 1), VTI_E_COUNT);
+    refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
+    refused(vti_bodies_slice(b, -1, 1), VTI_E_COUNT, VTI_QUANTITY_NONE);
+    refused(vti_bodies_slice(b, 0, -1), VTI_E_COUNT, VTI_QUANTITY_NONE);
+    refused(vti_bodies_slice(b, INT64_MAX, 1), VTI_E_COUNT, VTI_QUANTITY_NONE);
     assert_int_equal(vti_apply(NULL, -1, &b), VTI_E_COUNT);
     assert_int_equal(vti_step_check(vti1, NULL, -1), VTI_E_COUNT);
 }
 
-/** Each of the views in turn, in each of the ways to spoil it. */
+static vti_view *view_at(vti_bodies *bodies, int k)
+{
+    return (vti_view *)((char *)bodies + members[k].offset);
+}
+
+/** Each of the vector views in turn, in each of the ways to spoil it. */
 static void views(void **state)
 {
     (void)state;
-    const size_t offsets[] = {offsetof(vti_bodies, x),     offsetof(vti_bodies, v),
-                              offsetof(vti_bodies, force), offsetof(vti_bodies, alpha),
-                              offsetof(vti_bodies, omega), offsetof(vti_bodies, moment),
-                              offsetof(vti_bodies, x_low), offsetof(vti_bodies, alpha_low),
-                              offsetof(vti_bodies, v_low), offsetof(vti_bodies, omega_low)};
     static double low[4][DOUBLES];
     b.x_low = vti_view_packed(low[0]);
     b.v_low = vti_view_packed(low[1]);
     b.alpha_low = vti_view_packed(low[2]);
     b.omega_low = vti_view_packed(low[3]);
-    for (size_t i = 0; i < 10; ++i) {
+    for (int i = 0; i < MEMBERS; ++i) {
+        const int64_t quantity = members[i].quantity;
+        if (quantity == VTI_QUANTITY_QUAT || quantity == VTI_QUANTITY_MASS || quantity == VTI_QUANTITY_INERTIA)
+            continue;
         vti_bodies bad = b;
-        vti_view *view = (vti_view *)((char *)&bad + offsets[i]);
+        vti_view *view = view_at(&bad, i);
         const vti_view good = *view;
         for (int k = 0; k < 3; ++k) {
             view->c[k] = NULL;
-            refused(bad, VTI_E_VIEW);
+            refused(bad, VTI_E_VIEW, quantity);
             view->c[k] = good.c[(k + 1) % 3];
-            refused(bad, VTI_E_ALIAS);
+            refused(bad, VTI_E_ALIAS, quantity);
             *view = good;
             view->c[k] = view->c[(k + 1) % 3] = NULL;
-            refused(bad, VTI_E_VIEW);
+            refused(bad, VTI_E_VIEW, quantity);
             *view = good;
         }
         view->stride = 0;
-        refused(bad, VTI_E_STRIDE);
+        refused(bad, VTI_E_STRIDE, quantity);
         assert_int_equal(vti_bodies_check(&(vti_bodies){.abi = VTI_ABI, .count = 1, .x = *view}), VTI_OK);
-        *view = good;
-        for (size_t j = 0; j < 10; ++j)
-            if (j != i) {
-                *view = *(const vti_view *)((const char *)&b + offsets[j]);
-                refused(bad, VTI_E_ALIAS);
+        for (int j = 0; j < i; ++j) /* of the two, the later one */
+            if (j + 1 != VTI_QUANTITY_QUAT && j + 1 != VTI_QUANTITY_MASS && j + 1 != VTI_QUANTITY_INERTIA) {
+                *view = *view_at(&b, j);
+                refused(bad, VTI_E_ALIAS, quantity);
+                *view = good;
+                *view_at(&bad, j) = good;
+                refused(bad, VTI_E_ALIAS, quantity);
+                bad = b;
             }
     }
 }
@@ -167,31 +228,34 @@ static void quaternion_views(void **state)
 {
     (void)state;
     b.quat = quats_packed(quat_);
-    refused(b, VTI_E_VIEW); /* alpha and quaternion */
+    refused(b, VTI_E_VIEW, VTI_QUANTITY_QUAT); /* alpha and quaternion */
     b.alpha = vti_view_none();
     assert_int_equal(vti_bodies_check(&b), VTI_OK);
     vti_bodies bad = b;
     bad.alpha_low = vti_view_packed(zero);
-    refused(bad, VTI_E_VIEW);
+    refused(bad, VTI_E_VIEW, VTI_QUANTITY_ALPHA_LOW);
     bad = b;
     bad.quat.stride = 0;
-    refused(bad, VTI_E_STRIDE);
+    refused(bad, VTI_E_STRIDE, VTI_QUANTITY_QUAT);
     bad.count = 1; /* one body has no next */
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
     for (int k = 0; k < 4; ++k) {
         bad = b;
         bad.quat.xyzw[k] = NULL;
-        refused(bad, VTI_E_VIEW);
+        refused(bad, VTI_E_VIEW, VTI_QUANTITY_QUAT);
         for (int j = 0; j < k; ++j) {
             bad = b;
             bad.quat.xyzw[k] = b.quat.xyzw[j];
-            refused(bad, VTI_E_ALIAS);
+            refused(bad, VTI_E_ALIAS, VTI_QUANTITY_QUAT);
         }
     }
     bad = b;
     for (int k = 0; k < 4; ++k)
         bad.quat.xyzw[k] = x + k;
-    refused(bad, VTI_E_ALIAS); /* two quantities on one memory */
+    refused(bad, VTI_E_ALIAS, VTI_QUANTITY_QUAT); /* two quantities on one memory */
+    bad = b;
+    bad.omega = vti_view_packed(quat_);
+    refused(bad, VTI_E_ALIAS, VTI_QUANTITY_OMEGA);
 }
 
 static void masses(void **state)
@@ -201,38 +265,41 @@ static void masses(void **state)
     for (int k = 0; k < 6; ++k) {
         vti_bodies bad = b;
         bad.mass = vti_scalars_one(&wrong[k]);
-        refused(bad, VTI_E_MASS);
+        refused(bad, VTI_E_MASS, VTI_QUANTITY_MASS);
         bad = b;
         bad.inertia = vti_scalars_one(&wrong[k]);
-        refused(bad, VTI_E_INERTIA);
+        refused(bad, VTI_E_INERTIA, VTI_QUANTITY_INERTIA);
 
         vti_fault fault;
         mass[2] = wrong[k];
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_MASS);
         assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_E_MASS);
-        assert_int_equal(fault.body, 2);
+        at_fault(&fault, VTI_E_MASS, 2, VTI_QUANTITY_MASS);
         assert_same_bits(&fault.value, &wrong[k], 1);
         const vti_bodies rest = vti_bodies_slice(b, 3, 1);
         assert_int_equal(vti_bodies_check_values(&rest, &fault), VTI_OK);
         bad = b;
         bad.mass = vti_scalars_one(&wrong[k]);
         assert_int_equal(vti_bodies_check_values(&bad, &fault), VTI_E_MASS);
-        assert_int_equal(fault.body, -1);
+        at_fault(&fault, VTI_E_MASS, -1, VTI_QUANTITY_MASS);
+        assert_same_bits(&fault.value, &wrong[k], 1);
+        fault.value = 7;
+        assert_int_equal(vti_step_begin(vti2, 0.5, &bad, &fault), VTI_E_MASS);
         assert_same_bits(&fault.value, &wrong[k], 1);
         mass[2] = 1;
         inertia[3] = wrong[k];
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_INERTIA);
-        assert_int_equal(fault.body, 3);
+        at_fault(&fault, VTI_E_INERTIA, 3, VTI_QUANTITY_INERTIA);
         inertia[3] = 1;
     }
     vti_bodies bad = b;
     bad.mass.p = NULL;
-    refused(bad, VTI_E_MASS);
+    refused(bad, VTI_E_MASS, VTI_QUANTITY_MASS);
     bad.force = vti_view_none(); /* nothing divides by the mass now */
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
     bad = b;
     bad.inertia.p = NULL;
-    refused(bad, VTI_E_INERTIA);
+    refused(bad, VTI_E_INERTIA, VTI_QUANTITY_INERTIA);
     bad.omega = vti_view_none();
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
 }
@@ -243,6 +310,7 @@ static void states(void **state)
     (void)state;
     const double wrong[] = {NAN, INFINITY, -INFINITY};
     double *const all[] = {x, v, a, w};
+    const int64_t quantity[] = {VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_ALPHA, VTI_QUANTITY_OMEGA};
     vti_fault fault;
     for (int k = 0; k < 4; ++k)
         for (int n = 0; n < 3; ++n) {
@@ -250,7 +318,7 @@ static void states(void **state)
             all[k][3 * 2 + n] = wrong[n];
             assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
             assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_E_STATE);
-            assert_int_equal(fault.body, 2);
+            at_fault(&fault, VTI_E_STATE, 2, quantity[k]);
             assert_same_bits(&fault.value, &wrong[n], 1);
             const vti_bodies others = vti_bodies_slice(b, 3, 1);
             assert_int_equal(vti_bodies_check_values(&others, &fault), VTI_OK);
@@ -263,13 +331,15 @@ static void states(void **state)
     memset(quat_, 0, sizeof quat_);
     for (int i = 0; i < N; ++i) {
         assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
-        assert_true(fault.body == i && fault.value == 0);
+        at_fault(&fault, VTI_E_STATE, i, VTI_QUANTITY_QUAT);
+        assert_true(fault.value == 0);
         quat_[4 * i + (i + 3) % 4] = -1e-3;
     }
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
     quat_[4 * 2 + 1] = NAN;
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_E_STATE);
-    assert_true(fault.body == 2 && isnan(fault.value));
+    at_fault(&fault, VTI_E_STATE, 2, VTI_QUANTITY_QUAT);
+    assert_true(isnan(fault.value));
     b.quat.xyzw[0] = NULL;
     b.quat.xyzw[1] = b.quat.xyzw[2] = b.quat.xyzw[3] = NULL;
     b.x = b.v = b.omega = vti_view_none();
@@ -286,7 +356,7 @@ static void seal(void **state)
     b.x.c[1] = NULL;
     assert_int_equal(vti_bodies_seal(&b), VTI_E_VIEW);
     assert_true(sealed.sealed != 0 && b.sealed == 0);
-    refused(b, VTI_E_VIEW);
+    refused(b, VTI_E_VIEW, VTI_QUANTITY_X);
 }
 
 static void time(void **state)
@@ -294,9 +364,10 @@ static void time(void **state)
     (void)state;
     const double wrong[] = {NAN, INFINITY, -INFINITY, 0.0, -1.0};
     for (int k = 0; k < 5; ++k) {
-        vti_fault fault = {7, 7};
+        vti_fault fault = {7, 7, 7};
         assert_int_equal(vti_step_begin(vti1, wrong[k], &b, &fault), VTI_E_TIME);
-        assert_int_equal(fault.body, -1);
+        at_fault(&fault, VTI_E_TIME, -1, VTI_QUANTITY_NONE);
+        assert_same_bits(&fault.value, &wrong[k], 1);
         assert_int_equal(vti_step_stage(vti2, 0, wrong[k], &b, NULL), VTI_E_TIME);
         assert_int_equal(vti_step_finish(vti1, wrong[k], &b), VTI_E_TIME);
         assert_int_equal(vti_step_start(vti1, wrong[k], &b), VTI_E_TIME);
@@ -333,9 +404,11 @@ static void law_frame_stage_stepper_bond(void **state)
     vti_fault fault;
     w[4] = 20;
     assert_int_equal(vti_step_begin(vti1, 0.1, &b, &fault), VTI_E_TOO_LARGE);
+    at_fault(&fault, VTI_E_TOO_LARGE, 1, VTI_QUANTITY_OMEGA);
     const int64_t pair[2] = {1, 1};
     double rest[4] = {7, 7, 7, 7};
     assert_int_equal(vti_bonds_rest(1, pair, 0, &b.x, rest, &fault), VTI_E_BOND);
+    at_fault(&fault, VTI_E_BOND, 0, VTI_QUANTITY_NONE);
     assert_int_equal(vti_packed_begin(99, 0.1, N, x, v, f, a, w, m, N, mass, N, inertia, NULL, NULL), VTI_E_STEPPER);
 }
 
@@ -343,6 +416,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texts),
+        cmocka_unit_test(quantities),
         cmocka_unit_test_setup(sound_bodies_pass, sound),
         cmocka_unit_test_setup(null, sound),
         cmocka_unit_test_setup(abi_and_count, sound),

@@ -115,7 +115,7 @@ static void step_plays_its_list(void **state)
     memcpy(v, start.v, sizeof v);
     memcpy(x, start.x, sizeof x);
     for (int64_t s = 0; s < 3; ++s) {
-        vti_fault fault = {0, 0};
+        vti_fault fault = {0, 0, 0};
         assert_int_equal(s == 0 ? vti_step_begin(&own, h, &b, &fault) : vti_step_stage(&own, s, h, &b, &fault), VTI_OK);
         for (int k = 0; k < 3; ++k) {
             v[k] += kick[s] * h * start.force[k] / mass;

@@ -17,6 +17,14 @@ static int setup(void **state)
     return 0;
 }
 
+/** What is wrong is a list or a number, and with that no quantity of bodies. fault is spoiled for the next. */
+static void nothing_of_bodies(vti_fault *fault, int64_t body)
+{
+    assert_int_equal(fault->body, body);
+    assert_int_equal(fault->quantity, VTI_QUANTITY_NONE);
+    fault->body = fault->quantity = 7;
+}
+
 static void rest(void **state)
 {
     (void)state;
@@ -26,19 +34,26 @@ static void rest(void **state)
     const vti_view apart = vti_view_packed(far);
     double r[8] = {7, 7, 7, 7, 7, 7, 7, 7};
     const double before = 7;
-    vti_fault fault;
+    vti_fault fault = {7, 7, 7};
     assert_int_equal(vti_bonds_rest(1, NULL, 0, &b.x, r, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_rest(1, NULL, 0, &b.x, r, &fault), VTI_E_NULL);
+    nothing_of_bodies(&fault, -1);
     assert_int_equal(vti_bonds_rest(1, good, 0, NULL, r, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(1, good, 0, &b.x, NULL, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(1, good, 0, &part, r, NULL), VTI_E_VIEW);
     assert_int_equal(vti_bonds_rest(1, good, 0, &first, r, NULL), VTI_E_VIEW);
     assert_int_equal(vti_bonds_rest(1, good, 0, &last, r, NULL), VTI_E_VIEW);
+    assert_int_equal(vti_bonds_rest(1, good, 0, &last, r, &fault), VTI_E_VIEW);
+    assert_true(fault.body == -1 && fault.quantity == VTI_QUANTITY_X);
     assert_int_equal(vti_bonds_rest(1, good, 0, &apart, r, &fault), VTI_E_BOND);
-    assert_true(fault.body == 0 && isinf(fault.value));
+    nothing_of_bodies(&fault, 0);
+    assert_true(isinf(fault.value));
     assert_int_equal(vti_bonds_rest(-1, good, 0, &b.x, r, NULL), VTI_E_COUNT);
+    assert_int_equal(vti_bonds_rest(-1, good, 0, &b.x, r, &fault), VTI_E_COUNT);
+    nothing_of_bodies(&fault, -1);
     assert_int_equal(vti_bonds_rest(0, NULL, 0, NULL, NULL, NULL), VTI_OK);
     assert_int_equal(vti_bonds_rest(2, below, 0, &b.x, r, &fault), VTI_E_BOND);
-    assert_int_equal(fault.body, 1);
+    nothing_of_bodies(&fault, 1);
     assert_true(fault.value == -1.0);
     assert_same_bits(&r[0], &before, 1); /* the first bond was sound, and still nothing is written */
     assert_int_equal(vti_bonds_rest(1, good, 1, &b.x, r, NULL), VTI_E_BOND);
@@ -50,28 +65,32 @@ static void bonds(void **state)
 {
     (void)state;
     vti_bonds some = {0};
+    vti_fault fault = {7, 7, 7};
     assert_int_equal(vti_bonds_check(NULL, 2, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_check(NULL, 2, &fault), VTI_E_NULL);
+    nothing_of_bodies(&fault, -1);
     assert_int_equal(vti_bonds_check(&some, -1, NULL), VTI_E_COUNT);
     some.count = 1;
     assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_NULL);
     some.count = -1;
-    assert_int_equal(vti_bonds_check(&some, 2, NULL), VTI_E_COUNT);
+    assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_COUNT);
+    nothing_of_bodies(&fault, -1);
     const int64_t wrong[][3] = {{-1, 1, -1}, {2, 1, 2}, {0, -1, -1}, {0, 2, 2}, {1, 1, 1}}; /* the last is to blame */
     const double rest[4] = {1, 0, 0, 1}, endless[4] = {1, 0, 0, INFINITY};
-    vti_fault fault;
     some.count = 1;
     some.rest = rest;
     for (int k = 0; k < 5; ++k) {
-        fault.body = -7;
         some.pair = wrong[k];
         assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_BOND);
-        assert_true(fault.body == 0 && fault.value == (double)wrong[k][2]);
+        nothing_of_bodies(&fault, 0);
+        assert_true(fault.value == (double)wrong[k][2]);
     }
     const int64_t good[2] = {0, 1};
     some.pair = good;
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_OK);
     some.rest = endless;
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_BOND);
+    nothing_of_bodies(&fault, 0);
     assert_true(isinf(fault.value));
 }
 
@@ -82,10 +101,12 @@ static void contacts(void **state)
     const int64_t good[2] = {1, 2}, wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
     const vti_contacts right = {1, good, 1, vti_scalars_array(diameter), 5};
     vti_contacts some = right;
-    vti_fault fault;
+    vti_fault fault = {7, 7, 7};
     assert_int_equal(vti_contacts_check(NULL, 2, &fault), VTI_E_NULL);
+    nothing_of_bodies(&fault, -1);
     assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_OK);
     assert_int_equal(vti_contacts_check(&some, -1, &fault), VTI_E_COUNT);
+    nothing_of_bodies(&fault, -1);
     some.pair = NULL;
     assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_NULL);
     some.count = 0;
@@ -98,7 +119,8 @@ static void contacts(void **state)
     for (int k = 0; k < 5; ++k) {
         some.pair = wrong[k];
         assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
-        assert_true(fault.body == 0 && fault.value == (double)wrong[k][2]);
+        nothing_of_bodies(&fault, 0);
+        assert_true(fault.value == (double)wrong[k][2]);
         assert_int_equal(vti_contacts_check(&some, 2, NULL), VTI_E_CONTACT);
     }
     const double none[] = {-1, NAN, INFINITY, 0};
@@ -107,11 +129,13 @@ static void contacts(void **state)
         some = right;
         some.diameter = vti_scalars_array(sizes);
         assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
-        assert_true(fault.body == 0 && memcmp(&fault.value, &none[k], sizeof none[k]) == 0);
+        nothing_of_bodies(&fault, 0);
+        assert_same_bits(&fault.value, &none[k], 1);
         some = right;
         some.stiffness = none[k];
         assert_int_equal(vti_contacts_check(&some, 2, &fault), none[k] == 0 ? VTI_OK : VTI_E_CONTACT);
-        assert_true(fault.body == (none[k] == 0 ? 0 : -1));
+        if (none[k] != 0)
+            nothing_of_bodies(&fault, -1);
     }
 }
 

@@ -19,11 +19,15 @@ static int check(const vti_bodies *b)
     return vti_bodies_check(b);
 }
 
+/** What check_values, drift and steps, which say more than a status, have to blame. */
+static int64_t to_blame;
+
 static int check_values(const vti_bodies *b)
 {
-    vti_fault fault = {7, 7};
+    vti_fault fault = {7, 7, 7};
     const int status = vti_bodies_check_values(b, &fault);
     assert_int_equal(fault.body, -1);
+    assert_int_equal(fault.quantity, to_blame);
     return vti_bodies_check_values(b, NULL) == status ? status : VTI_OK;
 }
 
@@ -46,6 +50,7 @@ static int drift(const vti_bodies *b)
 {
     vti_fault fault;
     const int status = vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, 0.125, b, &fault);
+    assert_int_equal(fault.quantity, to_blame);
     return vti_drift(VTI_LAW_EXACT, VTI_FRAME_BODY, 0.125, b, NULL) == status ? status : VTI_OK;
 }
 
@@ -55,7 +60,7 @@ static int all_steps(const vti_bodies *b)
     for (int64_t s = 0; s < vti_stepper_count(); ++s) {
         const vti_stepper *method = vti_stepper_at(s);
         vti_fault fault;
-        same &= vti_step_begin(method, 0.125, b, &fault) == status && fault.body == -1;
+        same &= vti_step_begin(method, 0.125, b, &fault) == status && fault.body == -1 && fault.quantity == to_blame;
         same &= vti_step_stage(method, method->stages - 1, 0.125, b, NULL) == status;
         same &= vti_step_finish(method, 0.125, b) == status;
         same &= vti_step_start(method, 0.125, b) == status && vti_step_sync(method, 0.125, b) == status;
@@ -126,8 +131,9 @@ static const struct {
                {"drift", drift, 1}, {"steps", all_steps, 1},           {"probe", probe, 1},      {"probed", probed, 1},
                {"apply", apply, 1}, {"stable_step", stable, 1},        {"measures", measures, 0}};
 
-static void refused(const vti_bodies *b, int status, const char *what)
+static void refused(const vti_bodies *b, int status, int64_t quantity, const char *what)
 {
+    to_blame = quantity;
     for (size_t k = 0; k < sizeof entries / sizeof *entries; ++k) {
         const int found = entries[k].call(b);
         if (found != (entries[k].has_status ? status : REFUSED))
@@ -143,19 +149,19 @@ static void no_bodies_and_wrong_counts(void **state)
 {
     (void)state;
     vti_bodies b = good;
-    refused(NULL, VTI_E_NULL, "no bodies");
+    refused(NULL, VTI_E_NULL, VTI_QUANTITY_NONE, "no bodies");
     b.abi = VTI_ABI + 1;
-    refused(&b, VTI_E_ABI, "a header of another version");
+    refused(&b, VTI_E_ABI, VTI_QUANTITY_NONE, "a header of another version");
     memset(&b, 0, sizeof b);
-    refused(&b, VTI_E_ABI, "bodies that are all 0");
+    refused(&b, VTI_E_ABI, VTI_QUANTITY_NONE, "bodies that are all 0");
     memset(&b, 0xa5, sizeof b);
-    refused(&b, VTI_E_ABI, "bodies that are garbage");
+    refused(&b, VTI_E_ABI, VTI_QUANTITY_NONE, "bodies that are garbage");
     b = vti_bodies_slice(good, 0, -1);
-    refused(&b, VTI_E_COUNT, "fewer bodies than none");
+    refused(&b, VTI_E_COUNT, VTI_QUANTITY_NONE, "fewer bodies than none");
     b = vti_bodies_slice(good, -1, 2);
-    refused(&b, VTI_E_COUNT, "a slice before the first body");
+    refused(&b, VTI_E_COUNT, VTI_QUANTITY_NONE, "a slice before the first body");
     b = vti_bodies_slice(good, INT64_MAX, INT64_MAX);
-    refused(&b, VTI_E_COUNT, "a slice that ends nowhere");
+    refused(&b, VTI_E_COUNT, VTI_QUANTITY_NONE, "a slice that ends nowhere");
 }
 
 static vti_view *view_at(vti_bodies *b, int k)
@@ -163,6 +169,9 @@ static vti_view *view_at(vti_bodies *b, int k)
     vti_view *const all[] = {&b->x, &b->v, &b->force, &b->alpha, &b->omega, &b->moment, &b->x_low};
     return all[k];
 }
+
+static const int64_t quantity_at[] = {VTI_QUANTITY_X,     VTI_QUANTITY_V,      VTI_QUANTITY_FORCE, VTI_QUANTITY_ALPHA,
+                                      VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_X_LOW};
 
 static void views(void **state)
 {
@@ -174,18 +183,18 @@ static void views(void **state)
             for (int c = 0; c < 3; ++c)
                 if (part >> c & 1)
                     view_at(&b, k)->c[c] = NULL;
-            refused(&b, VTI_E_VIEW, "half a view");
+            refused(&b, VTI_E_VIEW, quantity_at[k], "half a view");
         }
         vti_bodies b = good;
         view_at(&b, k)->stride = 0;
-        refused(&b, VTI_E_STRIDE, "stride 0");
+        refused(&b, VTI_E_STRIDE, quantity_at[k], "stride 0");
         b = good;
         view_at(&b, k)->c[2] = view_at(&b, k)->c[0];
-        refused(&b, VTI_E_ALIAS, "two components in one place");
+        refused(&b, VTI_E_ALIAS, quantity_at[k], "two components in one place");
         for (int j = 0; j < k; ++j) {
             b = good;
             *view_at(&b, k) = *view_at(&b, j);
-            refused(&b, VTI_E_ALIAS, "two quantities in one place");
+            refused(&b, VTI_E_ALIAS, quantity_at[k], "two quantities in one place");
         }
     }
 }
@@ -197,20 +206,20 @@ static void quaternions(void **state)
     for (int k = 0; k < 4; ++k)
         b.quat.xyzw[k] = now.quat + k;
     b.quat.stride = 4;
-    refused(&b, VTI_E_VIEW, "the attitude twice");
+    refused(&b, VTI_E_VIEW, VTI_QUANTITY_QUAT, "the attitude twice");
     b.alpha = vti_view_none();
     const vti_bodies whole = b;
     b.quat.xyzw[3] = NULL;
-    refused(&b, VTI_E_VIEW, "three quarters of a quaternion");
+    refused(&b, VTI_E_VIEW, VTI_QUANTITY_QUAT, "three quarters of a quaternion");
     b = whole;
     b.quat.stride = 0;
-    refused(&b, VTI_E_STRIDE, "quaternions of stride 0");
+    refused(&b, VTI_E_STRIDE, VTI_QUANTITY_QUAT, "quaternions of stride 0");
     b = whole;
     b.quat.xyzw[1] = b.quat.xyzw[2];
-    refused(&b, VTI_E_ALIAS, "two parts of a quaternion in one place");
+    refused(&b, VTI_E_ALIAS, VTI_QUANTITY_QUAT, "two parts of a quaternion in one place");
     b = whole;
     b.omega.c[0] = b.quat.xyzw[0];
-    refused(&b, VTI_E_ALIAS, "quaternions and spins in one place");
+    refused(&b, VTI_E_ALIAS, VTI_QUANTITY_OMEGA, "quaternions and spins in one place");
 }
 
 static void masses(void **state)
@@ -220,20 +229,20 @@ static void masses(void **state)
     for (int k = 0; k < 5; ++k) {
         vti_bodies b = good;
         b.mass = vti_scalars_one(bad[k]);
-        refused(&b, VTI_E_MASS, "one mass for all");
+        refused(&b, VTI_E_MASS, VTI_QUANTITY_MASS, "one mass for all");
         b = good;
         b.inertia = vti_scalars_one(bad[k]);
-        refused(&b, VTI_E_INERTIA, "one inertia for all");
+        refused(&b, VTI_E_INERTIA, VTI_QUANTITY_INERTIA, "one inertia for all");
         if (bad[k] == NULL)
             continue;
         vti_fault fault;
         now.mass[2] = *bad[k];
         assert_int_equal(vti_bodies_check_values(&good, &fault), VTI_E_MASS);
-        assert_int_equal(fault.body, 2);
+        assert_true(fault.body == 2 && fault.quantity == VTI_QUANTITY_MASS);
         now.mass[2] = before.mass[2];
         now.inertia[3] = *bad[k];
         assert_int_equal(vti_bodies_check_values(&good, &fault), VTI_E_INERTIA);
-        assert_int_equal(fault.body, 3);
+        assert_true(fault.body == 3 && fault.quantity == VTI_QUANTITY_INERTIA);
         now.inertia[3] = before.inertia[3];
     }
 }
