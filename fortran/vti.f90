@@ -43,7 +43,7 @@ contains
         text = vti_text(c_status_text(status))
     end function
 
-    !> The member of vti_bodies that a quantity of vti_fault is, by its name; empty if it is none.
+    !> The member of vti_bodies that a quantity of vti_fault is, by its name; 'value' if it is none.
     function vti_quantity_text(quantity) result(text)
         integer(c_int64_t), intent(in) :: quantity
         character(len=:), allocatable :: text

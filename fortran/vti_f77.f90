@@ -69,7 +69,7 @@ end subroutine
 
 !> NAME = which of its arrays VTICHK refuses, as vti_quantity_text has it: 'x', 'v', 'force', 'alpha' (A), 'omega' (W),
 !> 'moment' (T), 'mass' (RM), 'inertia' (RI); of two that are the same memory, the one that this list has later. LB and LC
-!> are those of all arrays: if they are wrong, 'x' is. Blank if VTICHK refuses none of them.
+!> are those of all arrays: if they are wrong, 'x' is. 'value' if VTICHK refuses none of them.
 subroutine vtiqty(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, name)
     use vti_f77_door
     use vti, only: vti_fault, vti_quantity_text

@@ -67,8 +67,8 @@ enum vti_quantity {
     VTI_QUANTITY_OMEGA_LOW = 13  /**< what omega leaves out */
 };
 
-/** The member of vti_bodies that a vti_quantity is, by its name: "x", "alpha_low"; "" for VTI_QUANTITY_NONE and for numbers
- *  that are no quantity. Never NULL. */
+/** The member of vti_bodies that a vti_quantity is, by its name: "x", "alpha_low"; "value", which reads well in its place, for
+ *  VTI_QUANTITY_NONE and for numbers that are no quantity. Never NULL. */
 VTI_API const char *vti_quantity_text(int64_t quantity);
 
 /** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If no body is to blame,

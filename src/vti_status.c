@@ -46,7 +46,7 @@ const char *vti_status_text(int status)
 
 const char *vti_quantity_text(int64_t quantity)
 {
-    static const char *const members[] = {[VTI_QUANTITY_NONE] = "",
+    static const char *const members[] = {[VTI_QUANTITY_NONE] = "value",
                                           [VTI_QUANTITY_X] = "x",
                                           [VTI_QUANTITY_V] = "v",
                                           [VTI_QUANTITY_FORCE] = "force",

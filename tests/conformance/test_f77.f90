@@ -256,12 +256,12 @@ contains
         f = 0
         t = 0
         keep = w(4, 2)
-        call named(nmax, x, v, f, t, rm, 10, '')
+        call named(nmax, x, v, f, t, rm, 10, 'value')
         call named(0, x, v, f, t, rm, 10, 'x')
         call named(nmax, x, x, f, t, rm, 10, 'v')
         call named(nmax, x, v, f, f, rm, 10, 'moment')
         call named(nmax, x, v, f, t, f, 10, 'mass')
-        call named(nmax, x, v, f, t, rm, 3, '')
+        call named(nmax, x, v, f, t, rm, 3, 'value')
         w(4, 2) = ieee_value(keep, ieee_quiet_nan)
         call named(nmax, x, v, f, t, rm, 10, 'omega')
         w(4, 2) = keep

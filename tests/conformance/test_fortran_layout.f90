@@ -47,8 +47,8 @@ program test_fortran_layout
     do k = 1, 13
         call expect(vti_quantity_text(quantity(k)) == trim(name(k)), 'text of the quantity '//name(k))
     end do
-    call expect(len(vti_quantity_text(VTI_QUANTITY_NONE)) == 0, 'text of no quantity')
-    call expect(len(vti_quantity_text(14_c_int64_t)) == 0, 'text of a quantity that there is not')
+    call expect(vti_quantity_text(VTI_QUANTITY_NONE) == 'value', 'text of no quantity')
+    call expect(vti_quantity_text(14_c_int64_t) == 'value', 'text of a quantity that there is not')
     call finish()
 
 contains
