@@ -69,7 +69,7 @@ module vti_c_effects
             integer(c_int64_t), intent(in) :: pair(2, *)
             type(vti_view), intent(in) :: x
             real(c_double), intent(inout) :: rest(4, *)
-            type(vti_fault), intent(inout) :: fault
+            type(vti_fault), intent(out) :: fault
             integer(c_int) :: status
         end function
 
@@ -77,7 +77,7 @@ module vti_c_effects
             import :: c_int, c_int64_t, vti_bonds, vti_fault
             type(vti_bonds), intent(in) :: bonds
             integer(c_int64_t), value :: n
-            type(vti_fault), intent(inout) :: fault
+            type(vti_fault), intent(out) :: fault
             integer(c_int) :: status
         end function
 
@@ -85,7 +85,7 @@ module vti_c_effects
             import :: c_int, c_int64_t, vti_contacts, vti_fault
             type(vti_contacts), intent(in) :: contacts
             integer(c_int64_t), value :: n
-            type(vti_fault), intent(inout) :: fault
+            type(vti_fault), intent(out) :: fault
             integer(c_int) :: status
         end function
 

@@ -139,7 +139,6 @@ contains
             if (present(fault)) fault = vti_fault(k, real(body, c_double))
             if (body < 1 .or. body > bodies%first + bodies%count) return
         end do
-        found%body = -1
         status = c_bonds_rest(size(pair, 2, c_int64_t), pair, 1_c_int64_t, bodies%x, rest, found)
         if (present(fault)) fault = blame(found)
     end function
@@ -152,9 +151,7 @@ contains
         type(vti_fault), intent(out), optional :: fault
         integer(c_int) :: status
         type(vti_fault) :: found
-        found%body = -1
-        status = VTI_E_COUNT
-        if (bonds%count >= 0) status = c_bonds_check(bonds, n, found)
+        status = c_bonds_check(bonds, n, found)
         if (present(fault)) fault = blame(found)
     end function
 
@@ -190,9 +187,7 @@ contains
         type(vti_fault), intent(out), optional :: fault
         integer(c_int) :: status
         type(vti_fault) :: found
-        found%body = -1
-        status = VTI_E_COUNT
-        if (contacts%count >= 0) status = c_contacts_check(contacts, n, found)
+        status = c_contacts_check(contacts, n, found)
         if (present(fault)) fault = blame(found)
     end function
 

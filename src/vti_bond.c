@@ -86,12 +86,13 @@ static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vt
 
 int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
 {
+    vti_blame_none(VTI_OK, fault);
     if (count < 0)
-        return vti_blame_none(VTI_E_COUNT, fault);
+        return VTI_E_COUNT;
     if (count == 0)
         return VTI_OK;
     if (pair == NULL || x == NULL || rest == NULL)
-        return vti_blame_none(VTI_E_NULL, fault);
+        return VTI_E_NULL;
     if (x->c[0] == NULL || x->c[1] == NULL || x->c[2] == NULL)
         return vti_blame(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X, fault);
     const int status = rest_check(count, pair, base, x, fault);
@@ -112,10 +113,11 @@ static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
+    vti_blame_none(VTI_OK, fault);
     if (bonds == NULL || !has_list(bonds))
-        return vti_blame_none(VTI_E_NULL, fault);
+        return VTI_E_NULL;
     if (bonds->count < 0 || n < 0)
-        return vti_blame_none(VTI_E_COUNT, fault);
+        return VTI_E_COUNT;
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
         const double *rest = bonds->rest + 4 * k;

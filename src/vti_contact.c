@@ -78,11 +78,12 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
 
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
-    int status = contacts == NULL ? VTI_E_NULL : list_check(contacts);
-    if (status == VTI_OK && n < 0)
-        status = VTI_E_COUNT;
+    vti_blame_none(VTI_OK, fault);
+    const int status = contacts == NULL ? VTI_E_NULL : list_check(contacts);
     if (status != VTI_OK)
-        return vti_blame_none(status, fault);
+        return status;
+    if (n < 0)
+        return VTI_E_COUNT;
     if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
         return vti_blame(VTI_E_CONTACT, -1, contacts->stiffness, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < contacts->count; ++k)

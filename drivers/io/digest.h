@@ -24,17 +24,6 @@ static inline uint64_t digest_integer(uint64_t digest, uint64_t value)
     return digest;
 }
 
-/** Of n numbers, by their bits, a word at a time: quick, and still of another value for any change of one number. */
-static inline uint64_t digest_numbers(uint64_t digest, const double *values, size_t n)
-{
-    for (size_t k = 0; k < n; ++k) {
-        uint64_t bits;
-        memcpy(&bits, &values[k], sizeof bits);
-        digest = (digest ^ bits) * UINT64_C(0x100000001b3);
-    }
-    return digest;
-}
-
 /** By its bits. */
 static inline uint64_t digest_number(uint64_t digest, double value)
 {

@@ -93,7 +93,7 @@ static int check_digest(const struct journal *journal, const struct journal_file
         const size_t n = (size_t)(left < PIECE ? left : PIECE);
         if (fread(piece, 8, n, file->stream) != n)
             return unreadable(journal, file, message);
-        digest = digest_numbers(digest, piece, n);
+        digest = digest_add(digest, piece, 8 * n);
         left -= (int64_t)n;
     }
     if (digest == file->mark.digest)
@@ -150,7 +150,7 @@ int journal_add(struct journal *journal, struct journal_file *file, const double
     const size_t n = (size_t)mark->doubles;
     if (fwrite(record, 8, n, file->stream) != n)
         return fail(journal, file->name, message);
-    mark->digest = digest_numbers(mark->digest, record, n);
+    mark->digest = digest_add(mark->digest, record, 8 * n);
     ++mark->count;
     return 0;
 }
