@@ -3,24 +3,23 @@
 #ifndef VTI_SCENE_SUPPORT_H
 #define VTI_SCENE_SUPPORT_H
 
+#include "scratch.h"
 #include "support.h"
 
 #include <dirent.h>
-#include <unistd.h>
 
 #include "quote.h"
 #include "scene.h"
 
 enum { TEXT_SIZE = 8192 };
 
-static char own_directory[64];
+static char own_directory[1024];
 
-/** Group fixtures: the tests run in a new directory below the present one, which goes with all files in it. */
+/** Group fixtures: the tests run in a directory of their own, which goes with all files in it. */
 static inline int enter_directory(void **state)
 {
     (void)state;
-    snprintf(own_directory, sizeof own_directory, "scene-XXXXXX");
-    assert_non_null(mkdtemp(own_directory));
+    assert_true(scratch_make(own_directory, sizeof own_directory));
     assert_int_equal(chdir(own_directory), 0);
     return 0;
 }
@@ -35,7 +34,7 @@ static inline int leave_directory(void **state)
             assert_int_equal(remove(entry->d_name), 0);
     closedir(files);
     assert_int_equal(chdir(".."), 0);
-    assert_int_equal(rmdir(own_directory), 0);
+    assert_int_equal(rmdir(strrchr(own_directory, '/') + 1), 0);
     return 0;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "scratch.h"
 #include "support.h"
 #include "task_journal.h"
 
@@ -20,7 +21,7 @@ enum {
     RECORD = 16 + BYTES + 8
 };
 
-static char folder[] = "journal-XXXXXX";
+static char folder[1024];
 static char path[sizeof folder + 2];
 
 static struct task_identity identity(void)
@@ -308,7 +309,7 @@ static void removed(void **state)
 static int enter(void **state)
 {
     (void)state;
-    assert_non_null(mkdtemp(folder));
+    assert_true(scratch_make(folder, sizeof folder));
     snprintf(path, sizeof path, "%s/j", folder);
     return 0;
 }

@@ -17,15 +17,7 @@ static int sound(void **state)
     (void)state;
     vti1 = vti_stepper_find("vti1");
     vti2 = vti_stepper_find("vti2");
-    b = vti_bodies_none(N);
-    b.x = vti_view_packed(x);
-    b.v = vti_view_packed(v);
-    b.force = vti_view_packed(f);
-    b.alpha = vti_view_packed(a);
-    b.omega = vti_view_packed(w);
-    b.moment = vti_view_packed(m);
-    b.mass = vti_scalars_array(mass);
-    b.inertia = vti_scalars_array(inertia);
+    b = bodies_packed(N, x, v, f, a, NULL, w, m, mass, inertia);
     for (int i = 0; i < N; ++i)
         mass[i] = inertia[i] = 1.0;
     for (int i = 0; i < DOUBLES; ++i) {
@@ -178,6 +170,12 @@ static void abi_and_count(void **state)
     assert_int_equal(vti_step_check(vti1, NULL, -1), VTI_E_COUNT);
 }
 
+static int is_view(int k)
+{
+    const int64_t quantity = members[k].quantity;
+    return quantity != VTI_QUANTITY_QUAT && quantity != VTI_QUANTITY_MASS && quantity != VTI_QUANTITY_INERTIA;
+}
+
 static vti_view *view_at(vti_bodies *bodies, int k)
 {
     return (vti_view *)((char *)bodies + members[k].offset);
@@ -194,7 +192,7 @@ static void views(void **state)
     b.omega_low = vti_view_packed(low[3]);
     for (int i = 0; i < MEMBERS; ++i) {
         const int64_t quantity = members[i].quantity;
-        if (quantity == VTI_QUANTITY_QUAT || quantity == VTI_QUANTITY_MASS || quantity == VTI_QUANTITY_INERTIA)
+        if (!is_view(i))
             continue;
         vti_bodies bad = b;
         vti_view *view = view_at(&bad, i);
@@ -213,7 +211,7 @@ static void views(void **state)
         refused(bad, VTI_E_STRIDE, quantity);
         assert_int_equal(vti_bodies_check(&(vti_bodies){.abi = VTI_ABI, .count = 1, .x = *view}), VTI_OK);
         for (int j = 0; j < i; ++j) /* of the two, the later one */
-            if (j + 1 != VTI_QUANTITY_QUAT && j + 1 != VTI_QUANTITY_MASS && j + 1 != VTI_QUANTITY_INERTIA) {
+            if (is_view(j)) {
                 *view = *view_at(&b, j);
                 refused(bad, VTI_E_ALIAS, quantity);
                 *view = good;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #define _POSIX_C_SOURCE 200809L
-#include <unistd.h>
-
+#include "../../scratch.h" /* targets know the folders of drivers only */
 #include "fuzz.h"
 
 enum { FILES = 4 };
@@ -17,11 +16,9 @@ void fuzz_leave(void)
     rmdir(folder);
 }
 
-/** In memory where there is such a place: a disk would take longer than what is tested. */
 static void enter(void)
 {
-    snprintf(folder, sizeof folder, "%s/vti-fuzz-XXXXXX", access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp");
-    fuzz_must(mkdtemp(folder) != NULL, "there is place for a folder");
+    fuzz_must(scratch_make(folder, sizeof folder), "there is place for a folder");
     atexit(fuzz_leave);
 }
 

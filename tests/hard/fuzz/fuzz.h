@@ -16,7 +16,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-enum { FUZZ_PATH = 96 };
+enum { FUZZ_PATH = 1024 };
 
 /** Ends the program unless holds. */
 static inline void fuzz_must(int holds, const char *what)
