@@ -2,6 +2,7 @@
 // A host in C++ that keeps each component in a vector of its own: a chain of bonded spheres, by VTI-2.
 //     host_cpp chain/bodies.csv
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <fstream>
