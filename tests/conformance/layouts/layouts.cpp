@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene of test_layouts.py in C++: vectors of structs, of arrays, of numbers, and threads.            layouts_cpp TABLE
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <fstream>
