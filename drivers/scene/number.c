@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "plain.h"
+
 /* ---- the grammar: decimal numbers only, whatever strtod knows beyond them ---------------------------------------- */
 
 static const char *skip_blanks(const char *p)
@@ -90,7 +92,7 @@ static int read_rest(const char **p, double a, double *value)
     *p = skip_blanks(*p + 1);
     if (read_second(p, &b) != 0)
         return -1;
-    *value = operation == '/' ? a / b : pow(a, b);
+    *value = operation == '/' ? a / b : plain_power(a, b);
     return isfinite(*value) && (*value != 0.0 || a == 0.0) ? 0 : -1;
 }
 

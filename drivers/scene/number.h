@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Numbers as people write them, in scene files and on the command line alike: 0.01, 1e-3, 1/64, 2^-6. */
+ * Numbers as people write them, in scene files and on the command line alike: 0.01, 1e-3, 1/64, 2^-6. They are the same bits on
+ * every processor. */
 #ifndef VTI_NUMBER_H
 #define VTI_NUMBER_H
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "arrange.h"
 
-#include <math.h>
-
-static const double pi = 3.14159265358979323846;
+#include "plain.h"
 
 /* ---- ring: body k at the angle 2 pi k/n ------------------------------------------------------------------------------ */
 
@@ -11,9 +9,8 @@ static void place_ring(const struct scene_ring *ring, double *x)
 {
     const double radius = 0.5 * ring->diameter;
     for (int64_t k = 0; k < ring->count; ++k) {
-        const double angle = 2.0 * pi * (double)k / (double)ring->count;
-        x[3 * k] = ring->center[0] + radius * cos(angle);
-        x[3 * k + 1] = ring->center[1] + radius * sin(angle);
+        x[3 * k] = ring->center[0] + plain_cos_turn(radius, k, ring->count);
+        x[3 * k + 1] = ring->center[1] + plain_sin_turn(radius, k, ring->count);
         x[3 * k + 2] = ring->center[2];
     }
 }
@@ -78,9 +75,10 @@ void arrange_positions(const struct scene *scene, double *x)
             x[c] = scene->x[c];
 }
 
+/** Of a ring D_t sin(pi/n). */
 double arrange_touching(const struct scene *scene)
 {
-    return scene->arrangement == SCENE_IN_RING      ? scene->ring.diameter * sin(pi / (double)scene->ring.count)
+    return scene->arrangement == SCENE_IN_RING      ? plain_sin_turn(scene->ring.diameter, 1, 2 * scene->ring.count)
            : scene->arrangement == SCENE_IN_CHAIN   ? scene->chain.spacing
            : scene->arrangement == SCENE_IN_LATTICE ? scene->lattice.spacing
                                                     : 0.0;
