@@ -41,7 +41,7 @@ static void symmetric(void **state)
     (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *s = vti_stepper_at(k);
-        double list[2 * STAGES];
+        double list[2 * STAGES] = {0};
         int last = sequence(s, list) - 1, first = 0, same = 1;
         while (list[last] == 0)
             --last;

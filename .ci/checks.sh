@@ -1,0 +1,72 @@
+# shellcheck shell=sh
+# The tests, and what looks at the code besides them. Sourced by ./dev.
+
+# vtk: ParaView's readers for the one test that asks them, by pip into a folder that outlives build/. Where that cannot be had
+# the test says that it is skipped.
+vtk() {
+    [ -f build-vtk/complete ] && return 0
+    echo "dev: fetching VTK into build-vtk (450 MB, once)"
+    {
+        (need_packages python3-venv) && python3 -m venv --clear --system-site-packages build-vtk &&
+            build-vtk/bin/pip install --retries 1 --timeout 20 --disable-pip-version-check vtk==9.5.2 &&
+            touch build-vtk/complete
+    } >build/vtk.log 2>&1 || echo "dev: VTK cannot be had (see build/vtk.log); the test vtk is skipped" >&2
+}
+
+# fuzz SECONDS: libFuzzer, each target for its share of the time and on from what it had found before.
+fuzz() {
+    need study tests more
+    need_clang
+    CC=clang configure build-fuzz -Dfuzz=true -Dfortran=disabled -Dtests=enabled -Dbuildtype=debugoptimized \
+        -Db_sanitize=address,undefined -Db_lundef=false -Dc_args='-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow'
+    for target in scene table set; do
+        seeds=tests/hard/fuzz/corpus/$target
+        [ $target = scene ] && seeds="$seeds scenes"
+        mkdir -p build-fuzz/inputs/$target
+        ninja -C build-fuzz --quiet tests/hard/fuzz/fuzz_$target
+        echo "dev: any bytes as a $target for $(($1 / 3)) s"
+        # shellcheck disable=SC2086
+        UBSAN_OPTIONS=halt_on_error=1 nice build-fuzz/tests/hard/fuzz/fuzz_$target -max_total_time=$(($1 / 3)) -max_len=4096 \
+            -timeout=20 -dict=tests/hard/fuzz/scene.dict -artifact_prefix=build-fuzz/found-$target- -verbosity=0 \
+            -print_final_stats=1 build-fuzz/inputs/$target $seeds
+    done
+}
+
+# configure_core FOLDER [meson options]: by clang, the core and its tests alone.
+configure_core() {
+    CC=clang configure "$@" -Ddrivers=disabled -Dcheck=disabled -Dfortran=disabled -Dtests=enabled
+}
+
+# sanitize_core: the core's tests by clang, with divisions by zero besides (gcc cannot let the one pass that is meant), and as
+# they are under valgrind.
+sanitize_core() {
+    configure_core build-sanitize-clang -Db_sanitize=undefined -Db_lundef=false -Dbuildtype=debugoptimized \
+        -Dc_args="-fsanitize=float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all \
+        -fsanitize-ignorelist=$PWD/tests/hard/divides.txt"
+    run_tests build-sanitize-clang --suite unit --suite property --no-suite slow
+    build
+    meson test -C build --suite unit --suite lists --print-errorlogs --timeout-multiplier 4 \
+        --wrapper "sh $PWD/tests/hard/memcheck.sh"
+}
+
+# coverage [meson test options]: of the core, by clang, which counts branches as they are written and not as they are compiled.
+coverage() {
+    export LLVM_PROFILE_FILE="$PWD/build-cov/raw/%m.profraw" # of what configuring runs as well
+    configure_core build-cov -Dbuildtype=debug -Doptimization=1 \
+        -Dc_args='-fprofile-instr-generate -fcoverage-mapping' -Dc_link_args=-fprofile-instr-generate
+    rm -rf build-cov/raw
+    run_tests build-cov --suite unit --suite property --no-suite slow \
+        --no-suite cost "$@"
+    python3 tests/hard/coverage.py build-cov
+}
+
+# run_tests FOLDER [meson test options]: the runner's own lines, then its counts in one.
+run_tests() {
+    folder=$1
+    shift
+    code=0
+    meson test -C "$folder" --print-errorlogs "$@" || code=$?
+    awk '/^Ok:/ { ok = $2 } /^(Fail|Unexpected Pass|Timeout):/ { bad += $NF } /^Skipped:/ { skipped = $2 }
+         END { printf "%d passed, %d failed, %d skipped\n", ok, bad, skipped }' "$folder/meson-logs/testlog.txt"
+    return "$code"
+}

@@ -1,0 +1,62 @@
+# shellcheck shell=sh
+# The figures of the paper, and what accuracy costs. Sourced by ./dev.
+
+# run FOLDER SCENE [vti-run options]: a run and its pictures; what it says is kept beside them.
+run() {
+    into=$1
+    scene=$2
+    shift 2
+    mkdir -p "$into"
+    echo "dev: $into"
+    code=0
+    build/drivers/vti-run --no-dump "scenes/$scene.yaml" "$@" -o "$into/out.h5" >"$into/run.txt" 2>&1 || code=$?
+    if [ -f "$into/out.h5" ]; then
+        build/drivers/vti-plot "$into/out.h5" >>"$into/run.txt" 2>&1 || code=$?
+    fi
+    [ $code = 0 ] || grep '^vti-' "$into/run.txt" >&2 || tail -n 1 "$into/run.txt" >&2
+    return $code
+}
+
+# study FOLDER SCENE [vti-study options]: the same for a study.
+study() {
+    into=$1
+    scene=$2
+    shift 2
+    mkdir -p "$into"
+    echo "dev: $into"
+    mpirun -n "$(nproc)" build/drivers/vti-study -o "$into" "$@" "scenes/$scene.yaml" >"$into/study.txt" 2>&1 ||
+        { tail -n 1 "$into/study.txt" >&2; return 1; }
+}
+
+# figures FOLDER: the paper's figures, and the page about them.
+figures() {
+    steps=1/2000:1/128000
+    study "$1/pendulum" pendulum
+    run "$1/torus" torus --t-end 35 --frames 100 --record 10
+    run "$1/torus-impact" torus --t-end 3.5 --frames 500 --record 10
+    run "$1/torus-vti1" torus --t-end 25 --record 10 --stepper vti1
+    run "$1/torus-vti2" torus --t-end 25 --record 10 --stepper vti2
+    run "$1/torus-printed" torus-printed --t-end 25 --record 10 --stepper vti2
+    run "$1/torus-long-vti2" torus --t-end 500 --record 50 --frames 5000 --stepper vti2
+    run "$1/torus-long-vti3" torus --t-end 500 --record 50 --frames 5000 --stepper vti3
+    echo "dev: next is h = 1e-2, as printed, which has to fail"
+    run "$1/torus-coarse" torus --t-end 500 --record 1 --frames 1 --h 1e-2 || true
+    study "$1/torus-study" torus --t-end 10 --h $steps
+    study "$1/torus-printed-study-short" torus-printed --t-end 2 --h $steps
+    study "$1/torus-printed-study" torus-printed --t-end 10 --h 1/2000:1/32000
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.figures "$1"
+}
+
+# cost FOLDER [INTO]: what accuracy costs, on scenes that are smooth, on some with contacts, and of five million steps of spin.
+cost() {
+    mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 scenes/chain.yaml@10 \
+        scenes/torus.yaml@2,5 scenes/block.yaml@4 scenes/pile.yaml@1/2
+    python3 tests/cost/instructions.py build/tests/cost/steps "$1/instructions.csv" scenes/pendulum.yaml=0.015625 \
+        scenes/chain.yaml=0.001953125 || true
+    mkdir -p "$1/spin"
+    for stepper in vti1 vti2 exact srkn11; do
+        build/drivers/vti-run --no-dump scenes/spin.yaml --stepper $stepper --h 0.01 --t-end 50000 --record 5000000 \
+            --frames 5000000 -o "$1/spin/$stepper.h5" >"$1/spin/$stepper.txt" 2>&1
+    done
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.accuracy "$1" ${2:+--into "$2"}
+}
