@@ -64,8 +64,10 @@ static int find_solution(struct search *s)
         if (isfinite(last) && apart > 1e-13)
             a->order = order;
         a->known = apart / (exp2(order) - 1.0);
-        if (halvings > 1 && a->known <= known_share * a->target)
+        if (halvings > 1 && a->known <= known_share * a->target) {
+            a->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
             return 0;
+        }
         stalled = apart > 0.5 * last ? stalled + 1 : 0;
         last = apart < 0.3 ? apart : INFINITY; /* angles that large say nothing yet */
         if (stalled == STALLED)

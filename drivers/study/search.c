@@ -17,11 +17,7 @@ int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, stru
 {
     if (s->say != NULL)
         s->say(stepper->name, steps);
-    if (pilot_run(s->scene, stepper, steps, s->advice->t_end, pilot, s->message) != 0)
-        return -1;
-    if (!pilot->failed)
-        s->advice->max_omega = fmax(s->advice->max_omega, pilot->max_omega);
-    return 0;
+    return pilot_run(s->scene, stepper, steps, s->advice->t_end, pilot, s->message);
 }
 
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper)

@@ -126,6 +126,34 @@ def test_pictures(program, folder):
     assert changed[0] != once[0], "the energy error changed and the picture did not"
 
 
+def test_fitted_lines(program, folder):
+    """The lines that are drawn run through the points that they were fitted to: they are read off the axes, and pass no point by
+    more than the noise that was put on it."""
+    path = os.path.join(folder, "study.h5")
+    write_study(path)
+    reading = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from plot import convergence, study_file
+study = study_file.read_study(sys.argv[2])
+figure, _ = convergence.draw(study)
+for axes in figure.axes:
+    for line in axes.get_lines() if axes.get_xlabel() else []:
+        x, y = line.get_xdata(), line.get_ydata()
+        if len(x) == 2 and line.get_marker() == "None" and set(x) <= set(study.runs["h"]):  # the key of slopes is elsewhere
+            print(axes.get_title().split(":")[0], *x, *y, sep="|")
+"""
+    done = plot("-c", reading, os.path.dirname(program), path)
+    assert done.returncode == 0, done.stderr
+    lines = [line.split("|") for line in done.stdout.splitlines()]
+    measures = {"Energy error": 0, "The paper's q-error": 1, "True $H^1$ error": 2}
+    assert len(lines) == len(PAPER) * len(measures), done.stdout
+    for (name, *ends), law in zip(lines, [laws[m] for m in measures.values() for laws in PAPER.values()]):
+        x, y = np.array(ends[:2], float), np.array(ends[2:], float)
+        away = np.log2(y / (law[1] * x**law[0]))
+        assert np.all(np.abs(away) < 0.4), f"{name}: a line of order {law[0]} is off by factors of {2**away}"
+
+
 def test_edges(program, folder):
     study = os.path.join(folder, "study.h5")
     write_study(study, ladder=np.array([0.01]))
@@ -218,4 +246,4 @@ def test_help(program, _folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_help, test_pictures, test_edges, test_refusals)
+    plot_support.main(test_help, test_pictures, test_fitted_lines, test_edges, test_refusals)

@@ -99,6 +99,11 @@ def trajectory(stem, names, bonds, diameters):
     check(same(frames, dump, ["Points", *moving, *fixed]), "the dump holds the same trajectory")
     check(all((frame["box"][:, 0] < frame["box"][:, 1]).all() and (frame["Points"] >= frame["box"][:, 0]).all()
               and (frame["Points"] <= frame["box"][:, 1]).all() for frame in dump), "... inside its box")
+    if diameters:
+        radii = numpy.array([frame["diameter"] for frame in frames])[..., None] / 2
+        points = numpy.array([frame["Points"] for frame in frames])
+        box = numpy.array([(points - radii).min(axis=(0, 1)), (points + radii).max(axis=(0, 1))]).T
+        check(all(numpy.array_equal(frame["box"], box) for frame in dump), "... which just holds the spheres of all frames")
     bodies = xdmf.pop("bodies over time")
     check(same(frames, bodies, ["Points", *data]) and all(
         frame["type"] == "Polyvertex" and frame["cells"].tolist() == [[i] for i in range(n)] for frame in bodies),

@@ -14,7 +14,7 @@ static void reads(void **state)
 {
     static const char *const texts[] = {
         "x,y,z,mass,omega_x,omega_y,omega_z\n1,2,3,4,5,6,7\n-1,1/2,3e0,2^-6,0,0,1\n",
-        "\xef\xbb\xbfx, y ,\tz,mass,omega_x,omega_y,omega_z\r\n 1 ,2,3,4,5,6,7\r\n-1,.5,3.0,0.015625,0,0,1",
+        "\xef\xbb\xbfx, y ,\tz\t,mass, \tomega_x\t ,omega_y,omega_z\t\r\n 1 ,2,3,4,5,6,7\r\n-1,.5,3.0,0.015625,0,0,1",
         "omega_z,mass,x,z,y,omega_y,omega_x\n7,4,1,3,2,6,5\n1,1/64,-1,3,0.5,0,0\n"};
     struct table t;
     struct message message;

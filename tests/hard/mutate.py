@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mutation check: do the tests of the core notice each of the deliberate faults of faults.txt?
+"""The mutation check: do the tests notice each of the deliberate faults of faults.txt?
 
     mutate.py [--list] [NUMBER...]      all faults, or those of the numbers
 
-Copies the tree to a scratch folder, builds the core and its tests there once, and then, for each fault: puts it in, builds,
-runs suite by suite until a test fails, and takes it out. The stored digest, which any change would break, is left out. Says
+Copies the tree to a scratch folder, builds the core and its tests there once (the drivers too where a fault of theirs is
+chosen), and then, for each fault: puts it in, builds, runs suite by suite until a test fails, or the tests that the fault
+names, and takes it out. The stored digest, which any change would break, is left out. Says
 which fault was caught by which test. Exits with 1 if one was not, or if a fault's text does not occur exactly once."""
 import os
 import re
@@ -23,8 +24,8 @@ def read_faults():
     with open(os.path.join(ROOT, "tests/hard/faults.txt"), encoding="utf-8") as file:
         for line in file:
             if line.strip() and not line.startswith("#"):
-                path, old, new = (part.strip().replace("\\|", "|") for part in line.rstrip("\n").split(" | ", 2))
-                faults.append((path, old, new))
+                path, old, new, *tests = (part.strip().replace("\\|", "|") for part in line.rstrip("\n").split(" | ", 3))
+                faults.append((path, old, new, tests[0].split() if tests else None))
     return faults
 
 
@@ -41,22 +42,26 @@ def copy_tree(folder):
             shutil.copy2(source, target)
 
 
-def caught_by(build):
-    """The first test that fails, or what stopped the build, or None."""
+def caught_by(build, tests):
+    """The first test that fails, or what stopped the build, or None. tests: those to run, or None for the core's suites."""
     made = run("ninja", "-C", build)
     if made.returncode != 0:
         return "the compiler"
-    for suite in SUITES:
-        tested = run("meson", "test", "-C", build, "--no-rebuild", "--maxfail", "1", "--no-suite", "slow", "--no-suite", "bits", "--suite",
-                     suite, "--timeout-multiplier", "4")
+    suites = [["--no-suite", "slow", "--no-suite", "bits", "--suite", suite] for suite in SUITES]
+    for chosen in suites if tests is None else [[test] for test in tests]:
+        tested = run("meson", "test", "-C", build, "--no-rebuild", "--maxfail", "1", "--timeout-multiplier", "4", *chosen)
         if tested.returncode != 0:
             found = re.search(r"\d+/\d+ (?:\S+:)?(\S+(?: \S+)*)\s+(?:FAIL|TIMEOUT|ERROR)", tested.stdout)
-            return found[1].strip() if found else suite
+            return found[1].strip() if found else chosen[-1]
     return None
 
 
+def build_for(tests):
+    return "build-mutate" if tests is None else "build-mutate-drivers"
+
+
 def check(folder, number, fault):
-    path, old, new = fault
+    path, old, new, tests = fault
     place = os.path.join(folder, path)
     with open(place, encoding="utf-8") as file:
         sound = file.read()
@@ -65,7 +70,7 @@ def check(folder, number, fault):
         return False
     with open(place, "w", encoding="utf-8") as file:
         file.write(sound.replace(old, new, 1))
-    by = caught_by(os.path.join(folder, "build-mutate"))
+    by = caught_by(os.path.join(folder, build_for(tests)), tests)
     with open(place, "w", encoding="utf-8") as file:
         file.write(sound)
     print(f"{number:3} {'caught ' if by else 'MISSED '} {path}: {old}  ->  {new}" + (f"   by {by}" if by else ""), flush=True)
@@ -81,13 +86,17 @@ def main():
         return 0
     with tempfile.TemporaryDirectory(prefix="mutate-") as folder:
         copy_tree(folder)
-        build = os.path.join(folder, "build-mutate")
-        made = run("meson", "setup", build, folder, "-Ddrivers=disabled", "-Dfortran=disabled", "-Dtests=enabled")
-        if made.returncode != 0:
-            sys.exit(made.stdout + made.stderr)
-        by = caught_by(build)
-        if by is not None:
-            sys.exit(f"without any fault, {by} fails")
+        wanted = [faults[k - 1][3] for k in chosen]
+        for drivers in {tests is not None for tests in wanted}:
+            tests = sorted({test for some in wanted for test in some or []}) if drivers else None
+            build = os.path.join(folder, build_for(tests))
+            made = run("meson", "setup", build, folder, "-Ddrivers=" + ("enabled" if drivers else "disabled"),
+                       "-Dfortran=disabled", "-Dtests=enabled")
+            if made.returncode != 0:
+                sys.exit(made.stdout + made.stderr)
+            by = caught_by(build, tests)
+            if by is not None:
+                sys.exit(f"without any fault, {by} fails")
         good = sum([check(folder, k, faults[k - 1]) for k in chosen])
     print(f"{good} of {len(chosen)} faults caught")
     return 0 if good == len(chosen) else 1
