@@ -11,7 +11,7 @@
 #define CHECK_PI 3.14159265358979323846
 
 /** A state; all in the inertial frame. */
-struct bed {
+struct bodies {
     int64_t n;
     double x[3 * VTI_CHECK_BODIES], v[3 * VTI_CHECK_BODIES], q[4 * VTI_CHECK_BODIES], w[3 * VTI_CHECK_BODIES];
     double mass[VTI_CHECK_BODIES], inertia[VTI_CHECK_BODIES];
@@ -24,14 +24,30 @@ struct field {
     int64_t count;
 };
 
+/** The kick by a load, F/m or M/J, in units of the right one: ratio times 1, own or own/other, where own is what the load is
+ *  to be divided by (m of a force) and other what one might take for it (J). NaN if it is none of these. */
+enum kick_law { KICK_RIGHT, KICK_UNDIVIDED, KICK_BY_OTHER, KICK_LAWS };
+struct kick {
+    int law;
+    double ratio;
+};
+
+/** A host's constants, in units of the right ones. 0 or NaN: it does nothing, or what it does is no constant. */
+struct constants {
+    double flight, turn; /* distance of a free flight, angle of a free spin */
+    struct kick force, moment;
+    int64_t extra_steps; /* that it takes beyond those it is asked for */
+};
+
 /** A callback, and what is seen of it. */
 struct host {
     vti_check_advance *advance;
     void *self;
-    const struct field *field; /* of the run under way */
-    const struct bed *start;   /* of the run under way */
-    int64_t calls;             /* of forces in the run under way */
-    int primed;                /* its first call was at the start */
+    struct constants constants; /* which are corrected for */
+    const struct field *field;  /* of the run under way */
+    const struct bodies *start; /* of the run under way */
+    int64_t calls;              /* of forces in the run under way */
+    int primed;                 /* its first call was at the start */
 };
 
 struct kit {
@@ -39,49 +55,80 @@ struct kit {
     vti_check_report *report;
     int rotates;       /* 0: translation only */
     double order;      /* of convergence, the least of all */
-    int energy_known;  /* a sentence says already what the energy does */
+    int masked;        /* a sentence names what makes kicks meaningless */
     int attitude_lost; /* a sentence says already that attitudes are wrong */
 };
 
-/* ---- bed.c ------------------------------------------------------------------------------------------------------- */
+/* ---- bodies.c ---------------------------------------------------------------------------------------------------- */
 
 /** n bodies at rest at 0, unturned, m = J = 1. */
-struct bed bed_none(int64_t n);
-/** Takes *b further by the host; if it refuses, everything is not a number. */
-void bed_advance(struct host *host, struct bed *b, const struct field *field, double h, int64_t steps);
-/** The same by the library's "srkn11", order 6. */
-void bed_advance_reference(struct bed *b, const struct field *field, double h, int64_t steps);
-int bed_is_finite(const struct bed *b);
+struct bodies bodies_none(int64_t n);
+/** Takes *b further by the library's "srkn11", order 6. */
+void bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps);
+/** Forces and moments of n <= VTI_CHECK_BODIES bodies; NaN where x or q is not finite. */
+void bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
+                   double *moment);
+int bodies_are_finite(const struct bodies *b);
+/** Sets everything to NaN. */
+void bodies_lose(struct bodies *b);
 /** Views on *b, without force and moment. */
-vti_bodies bed_bodies(const struct bed *b);
+vti_bodies bodies_views(const struct bodies *b);
 /** Kinetic and field's energies; NaN if *b is not finite. */
-double bed_energy(const struct bed *b, const struct field *field);
+double bodies_energy(const struct bodies *b, const struct field *field);
 /** alpha of body i. *b is finite. */
-void bed_alpha(const struct bed *b, int64_t i, double alpha[3]);
-void bed_set_alpha(struct bed *b, int64_t i, const double alpha[3]);
+void bodies_alpha(const struct bodies *b, int64_t i, double alpha[3]);
+void bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3]);
 
 /** Largest differences over the bodies of two states; attitudes by the angle. NaN if one is not finite. */
 struct apart {
     double x, v, attitude, w;
 };
-struct apart bed_apart(const struct bed *a, const struct bed *b);
+struct apart bodies_apart(const struct bodies *a, const struct bodies *b);
+
+/* ---- host.c ------------------------------------------------------------------------------------------------------- */
+
+/** Takes *b further by the host, its constants corrected; if it refuses, everything is NaN. */
+void host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps);
+/** The size of a kick in units of the right one. */
+double kick_size(const struct kick *kick, double own, double other);
+
+/* ---- spin.c ------------------------------------------------------------------------------------------------------- */
+
+/** What a free spin of size w about an axis has turned a body by that is turned already. NaN if the host refuses. */
+struct turn {
+    double angle, across; /* about the axis, and beside it */
+    int side;             /* +1: the axis is one of space, -1: of the body */
+    double spin;          /* along the axis, after the turn */
+};
+struct turn free_turn(struct kit *kit, double w, double h, int64_t steps);
+/** The sentence where attitudes do not follow spins. */
+void say_side(struct kit *kit, const struct turn *turn, double should_be);
+
+/* ---- ratios.c ----------------------------------------------------------------------------------------------------- */
+
+/** Whether two ratios are one: to 1e-4. */
+int same_ratio(double a, double b);
+/** Whether a ratio is not 1: to 1e-4. */
+int ratio_is_off(double ratio);
+/** The sentences on constants that are off. */
+void say_ratios(struct kit *kit, const struct constants *c);
 
 /* ---- scenes.c ----------------------------------------------------------------------------------------------------- */
 
 /** The paper's pendulum: m g = J = 1, turned by 3 pi/4, spinning slowly. */
-struct bed scene_pendulum(struct field *field);
+struct bodies scene_pendulum(struct field *field);
 /** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning. */
-struct bed scene_pair(struct field *field);
+struct bodies scene_pair(struct field *field);
 /** The same bond turning steadily like a rigid body, stretched as its centripetal force demands. *r is the distance. */
-struct bed scene_rigid(struct field *field, double *r);
+struct bodies scene_rigid(struct field *field, double *r);
 /** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
-struct bed scene_spring(struct field *field);
+struct bodies scene_spring(struct field *field);
 /** scene_pair, or scene_spring where only translation is looked at. */
-struct bed scene_bonded(const struct kit *kit, struct field *field);
+struct bodies scene_bonded(const struct kit *kit, struct field *field);
 /** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
-struct bed scene_stretch(struct field *field);
+struct bodies scene_stretch(struct field *field);
 /** Two bodies on a torsion spring about z, twisted by 1e-3; oscillates by the frequency 1. */
-struct bed scene_torsion(struct field *field);
+struct bodies scene_torsion(struct field *field);
 
 /* ---- words.c ------------------------------------------------------------------------------------------------------ */
 
@@ -95,9 +142,11 @@ void kit_remark(struct kit *kit, const char *format, ...) __attribute__((format(
 
 /* ---- the checks, in their order ------------------------------------------------------------------------------------ */
 
-void check_spin(struct kit *kit);     /* spin.c: law, side, half turns, norm */
+void check_constants(
+    struct kit *kit); /* constants.c: ratios of distance, turn and kicks, which are corrected from there on */
+void check_spin(struct kit *kit);     /* spin.c: law, half turns, norm */
 void check_response(struct kit *kit); /* response.c: what constant and growing loads do */
-void check_frame(struct kit *kit);    /* spin.c: a moment on a body that is turned */
+void check_frame(struct kit *kit);    /* frame.c: a load on a body that is turned */
 void check_pendulum(struct kit *kit); /* motion.c */
 void check_torsion(struct kit *kit);  /* motion.c; translation only: of a stretched pair */
 void check_rigid(struct kit *kit);    /* motion.c */

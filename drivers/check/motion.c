@@ -11,32 +11,32 @@ void check_pendulum(struct kit *kit)
 {
     enum { STEPS = 640, FINER = 16 };
     struct field field;
-    struct bed b = scene_pendulum(&field), reference = b;
-    bed_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
-    bed_advance_reference(&reference, &field, 1.0 / (64.0 * FINER), (int64_t)STEPS * FINER);
-    kit_line(kit, "pendulum: attitude at t = 10 with h = 1/64, off by", bed_apart(&b, &reference).attitude, -1, 2e-3,
+    struct bodies b = scene_pendulum(&field), reference = b;
+    host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
+    bodies_advance_reference(&reference, &field, 1.0 / (64.0 * FINER), (int64_t)STEPS * FINER);
+    kit_line(kit, "pendulum: attitude at t = 10 with h = 1/64, off by", bodies_apart(&b, &reference).attitude, -1, 2e-3,
              VTI_CHECK_FAIL);
 }
 
 /* ---- torsion pair ---------------------------------------------------------------------------------------------------- */
 
 /** Twist theta and its rate of the pair, in units of the first twist; frequency 1. */
-static void twist_of(const struct bed *b, double *twist, double *rate)
+static void twist_of(const struct bodies *b, double *twist, double *rate)
 {
     const double amplitude = 1e-3;
     double p[3], q[3], r[3];
     *twist = *rate = NAN;
-    if (!bed_is_finite(b))
+    if (!bodies_are_finite(b))
         return;
-    bed_alpha(b, 0, p);
-    bed_alpha(b, 1, q);
+    bodies_alpha(b, 0, p);
+    bodies_alpha(b, 1, q);
     vti_rrv_relative(p, q, r);
     *twist = r[2] / amplitude;
     *rate = (b->w[2] - b->w[5]) / amplitude;
 }
 
 /** The same of the stretched pair. */
-static void stretch_of(const struct bed *b, double *stretch, double *rate)
+static void stretch_of(const struct bodies *b, double *stretch, double *rate)
 {
     const double amplitude = 1e-3;
     const double d[3] = {b->x[3] - b->x[0], b->x[4] - b->x[1], b->x[5] - b->x[2]};
@@ -46,8 +46,8 @@ static void stretch_of(const struct bed *b, double *stretch, double *rate)
 
 /** The oscillator that a host is put to: by its rotation, or by translation only. */
 struct oscillator {
-    struct bed (*scene)(struct field *field);
-    void (*state)(const struct bed *b, double *size, double *rate);
+    struct bodies (*scene)(struct field *field);
+    void (*state)(const struct bodies *b, double *size, double *rate);
     const char *frequency, *amplitude;
 };
 
@@ -67,8 +67,8 @@ static void swing_to(struct kit *kit, double h, int64_t steps, double *size, dou
 {
     struct field field;
     const struct oscillator *o = oscillator_of(kit);
-    struct bed b = o->scene(&field);
-    bed_advance(&kit->host, &b, &field, h, steps);
+    struct bodies b = o->scene(&field);
+    host_advance(&kit->host, &b, &field, h, steps);
     o->state(&b, size, rate);
 }
 
@@ -115,14 +115,14 @@ void check_rigid(struct kit *kit)
     enum { STEPS = 640 };
     struct field field;
     double r, p[3], q[3], worst = NAN;
-    struct bed b = scene_rigid(&field, &r);
-    bed_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
-    if (bed_is_finite(&b)) {
+    struct bodies b = scene_rigid(&field, &r);
+    host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
+    if (bodies_are_finite(&b)) {
         const double d[3] = {b.x[3] - b.x[0], b.x[4] - b.x[1], b.x[5] - b.x[2]};
         double along[3];
         const double unit[3] = {r, 0.0, 0.0};
-        bed_alpha(&b, 0, p);
-        bed_alpha(&b, 1, q);
+        bodies_alpha(&b, 0, p);
+        bodies_alpha(&b, 1, q);
         vti_rrv_rotate(p, unit, along); /* where the body's own arm now points */
         const double aside[3] = {d[0] - along[0], d[1] - along[1], d[2] - along[2]};
         worst = fmax(vti_norm(aside) / r, vti_rrv_distance(p, q));
@@ -164,16 +164,16 @@ void check_order(struct kit *kit)
 {
     enum { FIRST = 32, T = 2, FINER = 4 };
     struct field field;
-    const struct bed start = scene_bonded(kit, &field);
-    struct bed reference = start;
+    const struct bodies start = scene_bonded(kit, &field);
+    struct bodies reference = start;
     double x[LADDER], v[LADDER], attitude[LADDER], w[LADDER];
     const int64_t finest = (int64_t)FIRST << (LADDER - 1);
-    bed_advance_reference(&reference, &field, 1.0 / (double)(FINER * finest), T * FINER * finest);
+    bodies_advance_reference(&reference, &field, 1.0 / (double)(FINER * finest), T * FINER * finest);
     for (int k = 0; k < LADDER; ++k) {
-        struct bed b = start;
+        struct bodies b = start;
         const int64_t per_unit = (int64_t)FIRST << k;
-        bed_advance(&kit->host, &b, &field, 1.0 / (double)per_unit, T * per_unit);
-        const struct apart d = bed_apart(&b, &reference);
+        host_advance(&kit->host, &b, &field, 1.0 / (double)per_unit, T * per_unit);
+        const struct apart d = bodies_apart(&b, &reference);
         x[k] = d.x;
         v[k] = d.v;
         attitude[k] = d.attitude;

@@ -33,6 +33,8 @@ static int check_all(const char *name, vti_check_advance *advance, void *self, i
     kit.host.self = self;
     kit.report = report;
     kit.rotates = rotates;
+    kit.host.constants = (struct constants){1.0, 1.0, {KICK_RIGHT, 1.0}, {KICK_RIGHT, 1.0}, 0};
+    check_constants(&kit);
     if (rotates)
         check_spin(&kit);
     check_response(&kit);

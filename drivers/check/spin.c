@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Free spins, whose turn is known, and a moment on a body that is turned already, which shows in which frame it acts. */
+ * Free spins, whose turn is known: its side, its law, half turns, and the norm of what holds it. */
 #include "check.h"
-
-#include <string.h>
 
 static const double start_turn[3] = {0.6, -0.5, 0.7}, spin_axis[3] = {2.0 / 7.0, 3.0 / 7.0, -6.0 / 7.0};
 
@@ -11,25 +9,25 @@ static const double start_turn[3] = {0.6, -0.5, 0.7}, spin_axis[3] = {2.0 / 7.0,
 static const struct field none;
 
 /** A body turned by the rotation vector, spinning by w about a unit axis. */
-static struct bed spinning(const double turned[3], const double axis[3], double w)
+static struct bodies spinning(const double turned[3], const double axis[3], double w)
 {
-    struct bed b = bed_none(1);
+    struct bodies b = bodies_none(1);
     double alpha[3];
     vti_rrv_from_rotvec(turned, alpha);
-    bed_set_alpha(&b, 0, alpha);
+    bodies_set_alpha(&b, 0, alpha);
     for (int k = 0; k < 3; ++k)
         b.w[k] = w * axis[k];
     return b;
 }
 
-/* ---- the turn of one step ------------------------------------------------------------------------------------------- */
+/* ---- turns ------------------------------------------------------------------------------------------- */
 
 /** theta with exp S(theta) R_0 = R_1 (space), or R_0 exp S(theta) = R_1 (body). */
-static void turn_of(const struct bed *before, const struct bed *after, double space[3], double body[3])
+static void turn_of(const struct bodies *before, const struct bodies *after, double space[3], double body[3])
 {
     double a[3], b[3], r[3];
-    bed_alpha(before, 0, a);
-    bed_alpha(after, 0, b);
+    bodies_alpha(before, 0, a);
+    bodies_alpha(after, 0, b);
     vti_rrv_relative(b, a, r);
     vti_rrv_to_rotvec(r, space);
     vti_rrv_rotate_back(a, space, body); /* R_0^T exp(S(u)) R_0 = exp S(R_0^T u) */
@@ -44,22 +42,18 @@ static double along(const double u[3], const double axis[3], double *across)
     return k;
 }
 
-struct turn {
-    double angle, across; /* about the axis, and beside it */
-    int side;             /* +1 space, -1 body */
-};
-
-static struct turn one_turn(struct kit *kit, double s)
+struct turn free_turn(struct kit *kit, double w, double h, int64_t steps)
 {
-    struct turn t = {NAN, NAN, 1};
-    const struct bed before = spinning(start_turn, spin_axis, s);
-    struct bed after = before;
-    bed_advance(&kit->host, &after, &none, 1.0, 1);
-    if (!bed_is_finite(&after))
+    struct turn t = {NAN, NAN, 1, NAN};
+    const struct bodies before = spinning(start_turn, spin_axis, w);
+    struct bodies after = before;
+    host_advance(&kit->host, &after, &none, h, steps);
+    if (!bodies_are_finite(&after))
         return t;
     double space[3], body[3], across_body;
     turn_of(&before, &after, space, body);
     t.angle = along(space, spin_axis, &t.across);
+    t.spin = vti_dot(after.w, spin_axis);
     const double angle_body = along(body, spin_axis, &across_body);
     if (across_body < t.across) {
         t.angle = angle_body;
@@ -82,7 +76,7 @@ static const char *law_of(double s, double angle, double *off)
     return *off < 1e-4 * s ? names[best] : NULL;
 }
 
-static void say_side(struct kit *kit, const struct turn *t, double s)
+void say_side(struct kit *kit, const struct turn *t, double s)
 {
     if (t->across > 1e-6 * s)
         kit_fault(kit, "a free spin does not turn a body about omega: increments are added up, or a quaternion's order "
@@ -95,8 +89,6 @@ static void say_side(struct kit *kit, const struct turn *t, double s)
     else if (t->side < 0)
         kit_fault(kit, "attitude increments act in the body's frame while spins and moments are spatial: they are "
                        "composed in the wrong order");
-    else if (t->angle < 0.0)
-        kit_fault(kit, "bodies turn against their spin");
     else
         return;
     kit->attitude_lost = 1;
@@ -105,7 +97,7 @@ static void say_side(struct kit *kit, const struct turn *t, double s)
 static void check_law(struct kit *kit)
 {
     const double s = 0.5;
-    const struct turn t = one_turn(kit, s), half = one_turn(kit, 0.5 * s);
+    const struct turn t = free_turn(kit, s, 1.0, 1), half = free_turn(kit, 0.5 * s, 1.0, 1);
     double off;
     const double angle = fabs(t.angle);
     kit_line(kit, "free spin: turn beside omega at h|omega| = 1/2", t.side > 0 ? t.across : NAN, -1, 1e-9,
@@ -118,9 +110,7 @@ static void check_law(struct kit *kit)
         line_say(line, "turns by %s", law);
     else if (isfinite(t.angle))
         line_say(line, "turns by %.6g, half of it by %.6g: a law of its own", t.angle, half.angle);
-    if (isfinite(t.angle))
-        say_side(kit, &t, s);
-    else
+    if (!isfinite(t.angle))
         kit_fault(kit, "a free spin of h|omega| = 1/2 is refused, or not finite");
 }
 
@@ -131,14 +121,14 @@ static double past_half_turn(struct kit *kit)
 {
     enum { STEPS = 25 };
     const double nothing[3] = {0, 0, 0}, s = 0.25;
-    const double step = one_turn(kit, s).angle;
+    const double step = free_turn(kit, s, 1.0, 1).angle;
     double worst = 0.0;
     for (int k = 1; k <= STEPS; ++k) {
-        struct bed b = spinning(nothing, spin_axis, s);
+        struct bodies b = spinning(nothing, spin_axis, s);
         const double turn[3] = {k * step * spin_axis[0], k * step * spin_axis[1], k * step * spin_axis[2]};
-        const struct bed expected = spinning(turn, spin_axis, s);
-        bed_advance(&kit->host, &b, &none, 1.0, k);
-        const double off = bed_apart(&b, &expected).attitude;
+        const struct bodies expected = spinning(turn, spin_axis, s);
+        host_advance(&kit->host, &b, &none, 1.0, k);
+        const double off = bodies_apart(&b, &expected).attitude;
         worst = off <= worst ? worst : off;
     }
     return worst;
@@ -149,23 +139,23 @@ static double at_half_turn(struct kit *kit)
 {
     enum { STEPS = 16 };
     const double turned[3] = {0, 0, 0}, across[3] = {0, 1, 0}, back[3] = {0, -1, 0};
-    struct bed b = spinning(turned, across, 0.25);
+    struct bodies b = spinning(turned, across, 0.25);
     b.q[0] = 1.0;
     b.q[3] = 0.0;
-    const struct bed start = b;
-    bed_advance(&kit->host, &b, &none, 1.0, STEPS);
-    const double away = bed_apart(&b, &start).attitude;
+    const struct bodies start = b;
+    host_advance(&kit->host, &b, &none, 1.0, STEPS);
+    const double away = bodies_apart(&b, &start).attitude;
     for (int k = 0; k < 3; ++k)
         b.w[k] = 0.25 * back[k];
-    bed_advance(&kit->host, &b, &none, 1.0, STEPS);
-    return away > 0.1 ? bed_apart(&b, &start).attitude : NAN;
+    host_advance(&kit->host, &b, &none, 1.0, STEPS);
+    return away > 0.1 ? bodies_apart(&b, &start).attitude : NAN;
 }
 
 static double norm_drift(struct kit *kit)
 {
     enum { STEPS = 1000 };
-    struct bed b = spinning(start_turn, spin_axis, 0.1);
-    bed_advance(&kit->host, &b, &none, 1.0, STEPS);
+    struct bodies b = spinning(start_turn, spin_axis, 0.1);
+    host_advance(&kit->host, &b, &none, 1.0, STEPS);
     return fabs(sqrt(vti_dot(b.q, b.q) + b.q[3] * b.q[3]) - 1.0);
 }
 
@@ -176,57 +166,8 @@ void check_spin(struct kit *kit)
     kit_line(kit, "half turn: attitude of a spin through it", past, -1, 1e-9, VTI_CHECK_FAIL);
     kit_line(kit, "half turn: attitude there and back from it", at, -1, 1e-9, VTI_CHECK_FAIL);
     kit_line(kit, "norm of the quaternion after 1000 steps, off by", drift, -1, 1e-11, VTI_CHECK_FAIL);
-    if (!kit->attitude_lost && (!(past <= 1e-9) || !(at <= 1e-9)))
+    if (!kit->attitude_lost && !kit->masked && (!(past <= 1e-9) || !(at <= 1e-9)))
         kit_fault(kit, "attitudes are lost at half a turn");
     if (isfinite(drift) && drift > 1e-11)
         kit_fault(kit, "quaternion is not renormalised: its norm drifts");
-}
-
-/* ---- the frame of moments -------------------------------------------------------------------------------------------- */
-
-static const double moment[3] = {2e-3, -1e-3, 3e-3};
-
-static void constant(const void *self, const vti_bodies *b)
-{
-    const double *m = self;
-    for (int k = 0; k < 3; ++k)
-        b->moment.c[k][0] += m[k];
-}
-
-static double off(const double a[3], const double b[3])
-{
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vti_norm(d) / vti_norm(b);
-}
-
-/** The direction of the spin that a spatial moment gives to a turned body at rest, whatever its size and sign. */
-void check_frame(struct kit *kit)
-{
-    enum { STEPS = 2 };
-    struct field field;
-    memset(&field, 0, sizeof field);
-    field.effect.apply = constant;
-    field.effect.self = moment;
-    field.count = 1;
-    struct bed b = spinning(start_turn, spin_axis, 0.0);
-    double alpha[3], turned[3], back[3];
-    bed_alpha(&b, 0, alpha);
-    vti_rrv_rotate(alpha, moment, turned);
-    vti_rrv_rotate_back(alpha, moment, back);
-    bed_advance(&kit->host, &b, &field, 0.1, STEPS);
-    const double size = vti_norm(b.w) / vti_norm(moment);
-    const double sign = vti_dot(b.w, moment) < 0.0 && off(b.w, moment) > 1.9 * size ? -1.0 : 1.0;
-    const double w[3] = {sign * b.w[0] / size, sign * b.w[1] / size, sign * b.w[2] / size};
-    const double in_space = bed_is_finite(&b) && size > 0.0 ? off(w, moment) : NAN;
-    kit_line(kit, "moment on a turned body: direction of its kick, off by", in_space, -1, 1e-3, VTI_CHECK_FAIL);
-    if (!(in_space > 1e-3))
-        return;
-    if (off(w, turned) < 1e-3)
-        kit_fault(kit, "attitude increments act in the body's frame while moments are spatial: they kick a spin of the "
-                       "body's frame");
-    else if (off(w, back) < 1e-3)
-        kit_fault(kit, "moments are turned into the body's frame while spins are spatial");
-    else
-        kit_fault(kit, "the kick by a moment has another direction than the moment");
-    kit->attitude_lost = 1;
 }

@@ -10,26 +10,26 @@ static const double e = 1e-5;
 
 /* ---- rotation: a tangent vector at (R, mu), mu = J Omega, is (eta, dmu) with dR = S(eta) R --------------------------- */
 
-static struct bed turned(const struct bed *b, int direction, double by)
+static struct bodies turned(const struct bodies *b, int direction, double by)
 {
-    struct bed m = *b;
+    struct bodies m = *b;
     double a[3], turn[3] = {0, 0, 0};
     if (direction >= 3) {
         m.w[direction - 3] += by;
         return m;
     }
     turn[direction] = 2.0 * tan(0.5 * by);
-    bed_alpha(b, 0, a);
+    bodies_alpha(b, 0, a);
     vti_rrv_compose(a, turn, a);
-    bed_set_alpha(&m, 0, a);
+    bodies_set_alpha(&m, 0, a);
     return m;
 }
 
-static void turn_quotient(const struct bed *plus, const struct bed *minus, double tangent[MOST])
+static void turn_quotient(const struct bodies *plus, const struct bodies *minus, double tangent[MOST])
 {
     double a[3], b[3], r[3], theta[3];
-    bed_alpha(plus, 0, a);
-    bed_alpha(minus, 0, b);
+    bodies_alpha(plus, 0, a);
+    bodies_alpha(minus, 0, b);
     vti_rrv_relative(a, b, r);
     vti_rrv_to_rotvec(r, theta);
     for (int k = 0; k < 3; ++k) {
@@ -39,7 +39,7 @@ static void turn_quotient(const struct bed *plus, const struct bed *minus, doubl
 }
 
 /** d theta(s, t) = dmu_s.eta_t - dmu_t.eta_s + mu.(eta_s x eta_t), J = 1. */
-static double turn_form(const struct bed *at, const double s[MOST], const double t[MOST])
+static double turn_form(const struct bodies *at, const double s[MOST], const double t[MOST])
 {
     double bracket[3];
     vti_cross(s, t, bracket);
@@ -48,14 +48,14 @@ static double turn_form(const struct bed *at, const double s[MOST], const double
 
 /* ---- translation: (dx, dv) of two bodies ------------------------------------------------------------------------------ */
 
-static struct bed shifted(const struct bed *b, int direction, double by)
+static struct bodies shifted(const struct bodies *b, int direction, double by)
 {
-    struct bed m = *b;
+    struct bodies m = *b;
     *(direction < 6 ? &m.x[direction] : &m.v[direction - 6]) += by;
     return m;
 }
 
-static void shift_quotient(const struct bed *plus, const struct bed *minus, double tangent[MOST])
+static void shift_quotient(const struct bodies *plus, const struct bodies *minus, double tangent[MOST])
 {
     for (int k = 0; k < 6; ++k) {
         tangent[k] = (plus->x[k] - minus->x[k]) / (2.0 * e);
@@ -64,7 +64,7 @@ static void shift_quotient(const struct bed *plus, const struct bed *minus, doub
 }
 
 /** sum of m (dv_s.dx_t - dv_t.dx_s) */
-static double shift_form(const struct bed *at, const double s[MOST], const double t[MOST])
+static double shift_form(const struct bodies *at, const double s[MOST], const double t[MOST])
 {
     double sum = 0.0;
     for (int k = 0; k < 6; ++k)
@@ -78,10 +78,10 @@ struct space {
     const char *name;
     int size;
     double h; /* large, so that methods of high order show what they are */
-    struct bed (*scene)(struct field *field);
-    struct bed (*moved)(const struct bed *b, int direction, double by);
-    void (*quotient)(const struct bed *plus, const struct bed *minus, double tangent[MOST]);
-    double (*form)(const struct bed *at, const double s[MOST], const double t[MOST]);
+    struct bodies (*scene)(struct field *field);
+    struct bodies (*moved)(const struct bodies *b, int direction, double by);
+    void (*quotient)(const struct bodies *plus, const struct bodies *minus, double tangent[MOST]);
+    double (*form)(const struct bodies *at, const double s[MOST], const double t[MOST]);
 };
 
 static const struct space rotation = {
@@ -100,16 +100,16 @@ void check_two_form(struct kit *kit)
     enum { STEPS = 2 };
     const struct space *s = kit->rotates ? &rotation : &translation;
     struct field field;
-    const struct bed start = s->scene(&field);
-    struct bed end = start;
+    const struct bodies start = s->scene(&field);
+    struct bodies end = start;
     double image[MOST][MOST], most = 0.0;
-    bed_advance(&kit->host, &end, &field, s->h, STEPS);
-    int finite = bed_is_finite(&end);
+    host_advance(&kit->host, &end, &field, s->h, STEPS);
+    int finite = bodies_are_finite(&end);
     for (int k = 0; k < s->size; ++k) {
-        struct bed plus = s->moved(&start, k, e), minus = s->moved(&start, k, -e);
-        bed_advance(&kit->host, &plus, &field, s->h, STEPS);
-        bed_advance(&kit->host, &minus, &field, s->h, STEPS);
-        finite = finite && bed_is_finite(&plus) && bed_is_finite(&minus);
+        struct bodies plus = s->moved(&start, k, e), minus = s->moved(&start, k, -e);
+        host_advance(&kit->host, &plus, &field, s->h, STEPS);
+        host_advance(&kit->host, &minus, &field, s->h, STEPS);
+        finite = finite && bodies_are_finite(&plus) && bodies_are_finite(&minus);
         if (finite)
             s->quotient(&plus, &minus, image[k]);
     }

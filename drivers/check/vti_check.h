@@ -35,7 +35,7 @@ typedef int vti_check_advance(void *self, double h, int64_t steps, int64_t n, do
                               double *omega, const double *mass, const double *inertia, vti_check_forces *forces,
                               void *kit);
 
-enum { VTI_CHECK_BODIES = 4, VTI_CHECK_LINES = 32, VTI_CHECK_WORDS = 16, VTI_CHECK_TEXT = 160 };
+enum { VTI_CHECK_BODIES = 4, VTI_CHECK_LINES = 48, VTI_CHECK_WORDS = 16, VTI_CHECK_TEXT = 160 };
 
 /** NOTE: a property that good steppers may lack, as reversibility. */
 enum vti_check_verdict { VTI_CHECK_FAIL = -1, VTI_CHECK_NOTE = 0, VTI_CHECK_PASS = 1 };
@@ -43,7 +43,7 @@ enum vti_check_verdict { VTI_CHECK_FAIL = -1, VTI_CHECK_NOTE = 0, VTI_CHECK_PASS
 /** One check: a number, and how large (relation +1: how small) it may be. */
 typedef struct vti_check_line {
     const char *name;
-    double measured, bound; /* measured is not a number where the host refuses or its state is not finite */
+    double measured, bound; /* measured is NaN where the host refuses or its state is not finite */
     int verdict;            /* vti_check_verdict */
     int relation;           /* -1: at most bound, +1: at least bound */
     char said[VTI_CHECK_TEXT];

@@ -13,7 +13,7 @@ vti_check_line *kit_line(struct kit *kit, const char *name, double measured, int
     line->relation = relation;
     line->bound = bound;
     line->said[0] = '\0';
-    const int good = relation < 0 ? measured <= bound : measured >= bound; /* not a number is not good */
+    const int good = relation < 0 ? measured <= bound : measured >= bound; /* NaN is not good */
     line->verdict = good ? VTI_CHECK_PASS : isfinite(measured) ? otherwise : VTI_CHECK_FAIL;
     return line;
 }

@@ -25,15 +25,31 @@ enum fault {
     NO_INERTIA = 1 << 15,      /* the moment is not divided by J */
     MASS_FOR_INERTIA = 1 << 16,
     INVERSE_ATTITUDE = 1 << 17,  /* the quaternion is taken as space to body */
-    DOUBLE_TURN = 1 << 18,       /* dq by h omega for h omega/2 */
-    REFUSES_HALF_TURN = 1 << 19, /* a Rodrigues vector that overflows: not a number at pi */
+    GRAVITY = 1 << 18,           /* of 9.81 along -z on every body */
+    REFUSES_HALF_TURN = 1 << 19, /* a Rodrigues vector that overflows: NaN at pi */
     NO_FORCE = 1 << 20,
-    WEAK_DAMPING = 1 << 21, /* spins lose 1e-4 of themselves at every step: nobody expects it, no sentence knows it */
+    FAST_DRAG = 1 << 21, /* spins lose 1e-4 |omega|^2 of themselves at every step: no sentence knows it */
     PREVIOUS_FORCE = 1 << 22,
-    NO_ROTATION = 1 << 23 /* attitudes and spins stay as they are */
+    NO_ROTATION = 1 << 23,   /* attitudes and spins stay as they are */
+    STALE = 1 << 24,         /* both half kicks are by the loads of the step before */
+    FROZEN = 1 << 25,        /* loads are those of the start for ever */
+    W_FIRST = 1 << 26,       /* quaternions are taken as w, x, y, z */
+    SWAPPED_FORCE = 1 << 27, /* its x and y */
+    BODY_FORCE = 1 << 28,    /* the force is turned into the body's frame */
+    FORCE_BY_MASS = 1 << 29  /* divided by the square of the mass */
 };
 
-/** A vti_check_advance; self points to an int of these bits. */
+/** What a host does. Factors by which it is wrong; 0 stands for 1. */
+struct faulty {
+    int bits;                            /* of enum fault */
+    double force, moment, mass, inertia; /* loads, and what they are divided by */
+    double turn, flight, step;           /* of attitudes, of positions, of everything */
+    double own_step;                     /* for h */
+    double lost_v, lost_w;               /* what velocities and spins lose of themselves in every step */
+    int more_steps;                      /* than are asked for */
+};
+
+/** A vti_check_advance; self points to a struct faulty. */
 int faulty_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
                    const double *mass, const double *inertia, vti_check_forces *forces, void *kit);
 

@@ -7,7 +7,7 @@ vti_check_advance right, old_spin, still, still_and_late;
 int right(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
           const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
-    int fault = 0;
+    struct faulty fault = {.bits = 0};
     (void)self;
     return faulty_advance(&fault, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit);
 }
@@ -15,7 +15,7 @@ int right(void *self, double h, int64_t steps, int64_t n, double *x, double *v, 
 int old_spin(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
              const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
-    int fault = OLD_SPIN;
+    struct faulty fault = {.bits = OLD_SPIN};
     (void)self;
     return faulty_advance(&fault, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit);
 }
@@ -23,7 +23,7 @@ int old_spin(void *self, double h, int64_t steps, int64_t n, double *x, double *
 int still(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
           const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
-    int fault = NO_ROTATION;
+    struct faulty fault = {.bits = NO_ROTATION};
     (void)self;
     return faulty_advance(&fault, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit);
 }
@@ -31,7 +31,7 @@ int still(void *self, double h, int64_t steps, int64_t n, double *x, double *v, 
 int still_and_late(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
                    const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
-    int fault = NO_ROTATION | LATE;
+    struct faulty fault = {.bits = NO_ROTATION | LATE};
     (void)self;
     return faulty_advance(&fault, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit);
 }

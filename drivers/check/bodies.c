@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "check.h"
 
-#include <float.h>
 #include <string.h>
 
-struct bed bed_none(int64_t n)
+struct bodies bodies_none(int64_t n)
 {
-    struct bed b;
+    struct bodies b;
     memset(&b, 0, sizeof b);
     b.n = n;
     for (int i = 0; i < VTI_CHECK_BODIES; ++i)
@@ -22,13 +21,13 @@ static int all_finite(const double *a, int64_t n)
     return 1;
 }
 
-int bed_is_finite(const struct bed *b)
+int bodies_are_finite(const struct bodies *b)
 {
     return all_finite(b->x, 3 * b->n) && all_finite(b->v, 3 * b->n) && all_finite(b->q, 4 * b->n) &&
            all_finite(b->w, 3 * b->n);
 }
 
-static void lose(struct bed *b)
+void bodies_lose(struct bodies *b)
 {
     for (int k = 0; k < 3 * VTI_CHECK_BODIES; ++k)
         b->x[k] = b->v[k] = b->w[k] = NAN;
@@ -52,14 +51,19 @@ static vti_quat_view quats(double *q)
     return view;
 }
 
-static void field_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
-                         double *moment)
+void bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
+                   double *moment)
 {
-    struct bed at = bed_none(n);
+    if (!all_finite(x, 3 * n) || !all_finite(q, 4 * n)) {
+        for (int64_t k = 0; k < 3 * n; ++k)
+            force[k] = moment[k] = NAN;
+        return;
+    }
+    struct bodies at = bodies_none(n);
     memcpy(at.x, x, (size_t)(3 * n) * sizeof *x);
     for (int64_t i = 0; i < n; ++i)
         normalised(q + 4 * i, at.q + 4 * i);
-    vti_bodies b = bed_bodies(&at);
+    vti_bodies b = bodies_views(&at);
     b.force = vti_view_packed(force);
     b.moment = vti_view_packed(moment);
     memset(force, 0, (size_t)(3 * n) * sizeof *force);
@@ -67,55 +71,13 @@ static void field_forces(const struct field *field, int64_t n, const double *x, 
     vti_apply(&field->effect, field->count, &b);
 }
 
-/** Is it where the run began? To a few roundings, for hosts whose attitudes are something else than quaternions. */
-static int is_start(const struct bed *start, const double *x, const double *q)
-{
-    int same = 1;
-    for (int64_t k = 0; k < 3 * start->n; ++k)
-        same = same && fabs(x[k] - start->x[k]) <= 64.0 * DBL_EPSILON;
-    for (int64_t i = 0; i < start->n; ++i) {
-        const double *a = q + 4 * i, *b = start->q + 4 * i; /* q and -q are one attitude */
-        same = same && fabs(fabs(vti_dot(a, b) + a[3] * b[3]) - 1.0) <= 64.0 * DBL_EPSILON;
-    }
-    return same;
-}
-
-static void kit_forces(void *kit, int64_t n, const double *x, const double *q, double *force, double *moment)
-{
-    struct host *host = kit;
-    if (n != host->start->n || !all_finite(x, 3 * n) || !all_finite(q, 4 * n)) {
-        for (int64_t k = 0; k < 3 * n; ++k)
-            force[k] = moment[k] = NAN;
-        return;
-    }
-    if (host->calls++ == 0)
-        host->primed = is_start(host->start, x, q);
-    field_forces(host->field, n, x, q, force, moment);
-}
-
 /* ---- steps -------------------------------------------------------------------------------------------------------- */
 
-void bed_advance(struct host *host, struct bed *b, const struct field *field, double h, int64_t steps)
-{
-    if (!bed_is_finite(b))
-        return;
-    const struct bed start = *b;
-    host->field = field;
-    host->start = &start;
-    host->calls = 0;
-    host->primed = 0;
-    const int status =
-        host->advance(host->self, h, steps, b->n, b->x, b->v, b->q, b->w, b->mass, b->inertia, kit_forces, host);
-    host->start = NULL;
-    if (status != 0 || !bed_is_finite(b))
-        lose(b);
-}
-
-void bed_advance_reference(struct bed *b, const struct field *field, double h, int64_t steps)
+void bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps)
 {
     const vti_stepper *method = vti_stepper_find("srkn11");
     double force[3 * VTI_CHECK_BODIES], moment[3 * VTI_CHECK_BODIES];
-    vti_bodies bodies = bed_bodies(b);
+    vti_bodies bodies = bodies_views(b);
     bodies.force = vti_view_packed(force);
     bodies.moment = vti_view_packed(moment);
     int status = vti_apply(&field->effect, field->count, &bodies);
@@ -129,15 +91,15 @@ void bed_advance_reference(struct bed *b, const struct field *field, double h, i
             status = vti_step_finish(method, h, &bodies);
     }
     if (status != VTI_OK)
-        lose(b);
+        bodies_lose(b);
 }
 
 /* ---- reading ------------------------------------------------------------------------------------------------------ */
 
-vti_bodies bed_bodies(const struct bed *b)
+vti_bodies bodies_views(const struct bodies *b)
 {
-    struct bed *s =
-        (struct bed *)b; /* views are made for bodies that may move; whoever only reads does not move them */
+    struct bodies *s =
+        (struct bodies *)b; /* views are made for bodies that may move; who only reads does not move them */
     vti_bodies bodies = vti_bodies_none(b->n);
     bodies.x = vti_view_packed(s->x);
     bodies.v = vti_view_packed(s->v);
@@ -148,23 +110,23 @@ vti_bodies bed_bodies(const struct bed *b)
     return bodies;
 }
 
-double bed_energy(const struct bed *b, const struct field *field)
+double bodies_energy(const struct bodies *b, const struct field *field)
 {
-    struct bed unit = *b;
-    if (!bed_is_finite(b))
+    struct bodies unit = *b;
+    if (!bodies_are_finite(b))
         return NAN;
     for (int64_t i = 0; i < b->n; ++i)
         normalised(b->q + 4 * i, unit.q + 4 * i);
-    const vti_bodies bodies = bed_bodies(&unit);
+    const vti_bodies bodies = bodies_views(&unit);
     return vti_energy(&field->effect, field->count, &bodies);
 }
 
-void bed_alpha(const struct bed *b, int64_t i, double alpha[3])
+void bodies_alpha(const struct bodies *b, int64_t i, double alpha[3])
 {
     vti_rrv_from_quat_xyzw(b->q + 4 * i, alpha);
 }
 
-void bed_set_alpha(struct bed *b, int64_t i, const double alpha[3])
+void bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3])
 {
     vti_rrv_to_quat_xyzw(alpha, b->q + 4 * i);
 }
@@ -177,10 +139,10 @@ static double most_apart(const double *a, const double *b, int64_t n)
     return most;
 }
 
-struct apart bed_apart(const struct bed *a, const struct bed *b)
+struct apart bodies_apart(const struct bodies *a, const struct bodies *b)
 {
     struct apart d = {NAN, NAN, NAN, NAN};
-    if (!bed_is_finite(a) || !bed_is_finite(b))
+    if (!bodies_are_finite(a) || !bodies_are_finite(b))
         return d;
     d.x = most_apart(a->x, b->x, 3 * a->n);
     d.v = most_apart(a->v, b->v, 3 * a->n);
@@ -188,8 +150,8 @@ struct apart bed_apart(const struct bed *a, const struct bed *b)
     d.attitude = 0.0;
     for (int64_t i = 0; i < a->n; ++i) {
         double p[3], q[3];
-        bed_alpha(a, i, p);
-        bed_alpha(b, i, q);
+        bodies_alpha(a, i, p);
+        bodies_alpha(b, i, q);
         d.attitude = fmax(d.attitude, vti_rrv_distance(p, q));
     }
     return d;
