@@ -11,7 +11,7 @@
 !>    stay where it is while the view is used. A procedure that takes a step and has the array as a dummy argument says
 !>    TARGET there too; without it the compiler may assume that the step leaves the array alone.
 !>  - fault is optional wherever C takes NULL; the number of effects is the size of the array.
-!>  - Steppers are values. Where C answers NULL, stages is 0, and every call with that stepper returns VTI_E_NULL.
+!>  - Steppers are values. Where C answers NULL, stages is 0, and every call with that stepper returns VTI_E_STEPPER.
 !>
 !> use vti brings it all: types (vti_types), views of arrays (vti_views), measures (vti_c, vti_sums), steps (vti_steps),
 !> effects (vti_effects), the packed door (vti_packed), the algebra of rotations (vti_rrv).

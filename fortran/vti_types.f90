@@ -32,22 +32,23 @@ module vti_types
         integer(c_int64_t) :: quantity = VTI_QUANTITY_NONE
     end type
 
-    !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles.
+    !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles, and how
+    !> many there are (0: not known), so that a view of fewer than the bodies is refused.
     type, bind(c) :: vti_view
         type(c_ptr) :: c(3) = c_null_ptr
-        integer(c_int64_t) :: stride = 0
+        integer(c_int64_t) :: stride = 0, count = 0
     end type
 
     !> n quaternions in the caller's arrays, components in the order x, y, z, w.
     type, bind(c) :: vti_quat_view
         type(c_ptr) :: xyzw(4) = c_null_ptr
-        integer(c_int64_t) :: stride = 0
+        integer(c_int64_t) :: stride = 0, count = 0
     end type
 
     !> n positive numbers; stride 0 is one value for all.
     type, bind(c) :: vti_scalars
         type(c_ptr) :: p = c_null_ptr
-        integer(c_int64_t) :: stride = 0
+        integer(c_int64_t) :: stride = 0, count = 0
     end type
 
     !> A slice of the caller's bodies. What is not given is absent, and with it the physics that needs it; the members

@@ -10,7 +10,8 @@
 !> The dummies are pointers so that the compiler refuses what has no address to keep: expressions, arrays without
 !> TARGET. (gfortran lets a vector subscript pass, as a copy: do not use one.) An array of no bodies, or a disassociated
 !> pointer, gives the absent view. An array of the wrong shape gives one that every call refuses with VTI_E_VIEW, so
-!> that constructors need no status.
+!> that constructors need no status. An array has its extent, which the view keeps: one of fewer bodies than are moved is
+!> refused with VTI_E_COUNT. Of members (vti_view_member, vti_scalars_member) no extent is known.
 module vti_views
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int64_t, c_intptr_t, &
         c_loc, c_null_ptr, c_ptr
@@ -64,6 +65,7 @@ contains
         view%c = [address(x), address(y), address(z)]
         view%stride = stride(x)
         if (stride(y) /= stride(x) .or. stride(z) /= stride(x)) view%c(2:) = c_null_ptr ! given in part
+        view%count = min(extent(x), extent(y), extent(z))
     end function
 
     !> A member x(3) of an array of a derived type: c_loc(body(1)%x), and storage_size(body, c_int64_t)/8 bytes from one
@@ -89,6 +91,7 @@ contains
         i = lbound(q, 1)
         view%xyzw(1) = address(q(i, :))
         view%stride = stride(q(i, :))
+        view%count = size(q, 2, c_int64_t)
         if (size(q, 1) == 4) view%xyzw(2:) = [address(q(i + 1, :)), address(q(i + 2, :)), address(q(i + 3, :))]
     end function
 
@@ -102,6 +105,7 @@ contains
         i = lbound(q, 2)
         view%xyzw(1) = address(q(:, i))
         view%stride = stride(q(:, i))
+        view%count = size(q, 1, c_int64_t)
         if (size(q, 2) == 4) view%xyzw(2:) = [address(q(:, i + 1)), address(q(:, i + 2)), address(q(:, i + 3))]
     end function
 
@@ -116,8 +120,8 @@ contains
     function vti_scalars_array(values) result(scalars)
         real(c_double), pointer, intent(in) :: values(:)
         type(vti_scalars) :: scalars
-        scalars = vti_scalars(address(values), stride(values))
-        if (c_associated(scalars%p) .and. scalars%stride /= 1) scalars = vti_scalars(c_loc(refused), 0)
+        scalars = vti_scalars(address(values), stride(values), extent(values))
+        if (c_associated(scalars%p) .and. scalars%stride /= 1) scalars = vti_scalars(p=c_loc(refused))
     end function
 
     !> A member or a section: c_loc(body(1)%mass), and bytes from one body to the next, which must be whole doubles.
@@ -125,7 +129,7 @@ contains
         type(c_ptr), intent(in) :: p
         integer(c_int64_t), intent(in) :: bytes
         type(vti_scalars) :: scalars
-        scalars = vti_scalars(p, doubles(bytes))
+        scalars = vti_scalars(p=p, stride=doubles(bytes))
         if (scalars%stride == 0) scalars%p = c_loc(refused)
     end function
 
@@ -153,6 +157,14 @@ contains
         p = c_null_ptr
         if (.not. associated(x)) return
         if (size(x) > 0) p = c_loc(x(lbound(x, 1)))
+    end function
+
+    !> How many there are.
+    function extent(x) result(n)
+        real(c_double), pointer, intent(in) :: x(:)
+        integer(c_int64_t) :: n
+        n = 0
+        if (associated(x)) n = size(x, kind=c_int64_t)
     end function
 
     !> Distance of x(2) from x(1) in doubles.

@@ -26,21 +26,21 @@ extern "C" {
 
 /** What calls return; vti_status_text says what to do about it. */
 enum vti_status {
-    VTI_OK = 0,             /**< done */
-    VTI_E_NULL = -1,        /**< an argument that is needed is NULL */
-    VTI_E_ABI = -2,         /**< header and library are of different versions */
-    VTI_E_COUNT = -3,       /**< a number of things is negative, or neither 1 nor n */
-    VTI_E_VIEW = -4,        /**< a view is given in part, or the attitude twice */
-    VTI_E_STRIDE = -5,      /**< a view of more than one body has stride 0 */
-    VTI_E_ALIAS = -6,       /**< two quantities begin at the same memory */
-    VTI_E_TIME = -7,        /**< a time step is not finite, or not positive where it must be */
-    VTI_E_MASS = -8,        /**< mass is missing, not finite or not positive */
-    VTI_E_INERTIA = -9,     /**< inertia is missing, not finite or not positive */
-    VTI_E_TOO_LARGE = -10,  /**< a body turns too far for the closed form */
-    VTI_E_STAGE = -11,      /**< the stepper has no such stage */
-    VTI_E_STEPPER = -12,    /**< there is no such stepper or law */
-    VTI_E_FRAME = -13,      /**< there is no such frame */
-    VTI_E_BOND = -14,       /**< a bond is not between two bodies that exist apart, or is of no stiffness */
+    VTI_OK = 0,            /**< done */
+    VTI_E_NULL = -1,       /**< an argument that is needed is NULL; for a stepper it is VTI_E_STEPPER */
+    VTI_E_ABI = -2,        /**< header and library are of different versions */
+    VTI_E_COUNT = -3,      /**< a number of things is negative, or neither 1 nor n, or more than a view shows */
+    VTI_E_VIEW = -4,       /**< a view is given in part, or the attitude twice */
+    VTI_E_STRIDE = -5,     /**< a view of more than one body has stride 0, or one by which its components meet */
+    VTI_E_ALIAS = -6,      /**< two quantities, or two components of one, share memory */
+    VTI_E_TIME = -7,       /**< a time step is not finite, or not positive where it must be */
+    VTI_E_MASS = -8,       /**< mass is missing, not finite or not positive */
+    VTI_E_INERTIA = -9,    /**< inertia is missing, not finite or not positive */
+    VTI_E_TOO_LARGE = -10, /**< a body turns too far for the closed form */
+    VTI_E_STAGE = -11,     /**< the stepper has no such stage */
+    VTI_E_STEPPER = -12, /**< there is no such stepper or law: NULL, as vti_stepper_find gives, or without its lists */
+    VTI_E_FRAME = -13,   /**< there is no such frame */
+    VTI_E_BOND = -14,    /**< a bond is not between two bodies that exist apart, or is of no stiffness or form */
     VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates */
     VTI_E_CONTACT = -16,    /**< a contact is not between two bodies that exist, or its size or stiffness is none */
     VTI_E_STATE = -17       /**< a position, velocity, attitude or spin is not finite, or a quaternion is zero */
@@ -74,8 +74,9 @@ VTI_API const char *vti_quantity_text(int64_t quantity);
 /** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If no body is to blame,
  *  body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA, else 0.
  *  quantity is what VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE and VTI_E_STATE are
- *  about, the first that was found; of two views that begin at one memory, or that cannot go together, the one that
- *  vti_quantity has later. For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
+ *  about, the first that was found; of two views that share memory, or that cannot go together, the one that
+ *  vti_quantity has later. For VTI_E_COUNT it is the view that is too short, and value how many that shows, if one is.
+ *  For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
 typedef struct vti_fault {
     int64_t body;     /**< index of the body, from 0; -1 if none is to blame */
     double value;     /**< what is wrong about it */
@@ -89,18 +90,21 @@ typedef struct vti_fault {
 typedef struct vti_view {
     double *c[3];   /**< the components of vector 0 */
     int64_t stride; /**< from one vector to the next, in doubles; negative is backwards */
+    int64_t count;  /**< how many vectors there are, so that more bodies are refused; 0 if that is not known */
 } vti_view;
 
 /** n quaternions; component k (x, y, z, w) of quaternion i is xyzw[k][i*stride]. */
 typedef struct vti_quat_view {
     double *xyzw[4]; /**< the components of quaternion 0; w is the real part */
     int64_t stride;  /**< from one quaternion to the next, in doubles */
+    int64_t count;   /**< how many there are; 0 if that is not known */
 } vti_quat_view;
 
 /** n positive numbers p[i*stride]; stride 0 is one value for all. */
 typedef struct vti_scalars {
     const double *p; /**< number 0; NULL is absent */
     int64_t stride;  /**< from one number to the next, in doubles */
+    int64_t count;   /**< how many there are; 0 if that is not known, or one for all */
 } vti_scalars;
 
 /** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
@@ -133,21 +137,21 @@ typedef struct vti_bodies {
 /** No view: what it would show is absent. */
 static inline vti_view vti_view_none(void)
 {
-    vti_view view = {{0, 0, 0}, 0};
+    vti_view view = {{0, 0, 0}, 0, 0};
     return view;
 }
 
 /** x[n][3] in C, x(3,n) in Fortran. */
 static inline vti_view vti_view_packed(double *p)
 {
-    vti_view view = {{p, p + 1, p + 2}, 3};
+    vti_view view = {{p, p + 1, p + 2}, 3, 0};
     return view;
 }
 
 /** Three arrays of n; x(n,3) in Fortran is {x, x + n, x + 2n}. */
 static inline vti_view vti_view_separate(double *x, double *y, double *z)
 {
-    vti_view view = {{x, y, z}, 1};
+    vti_view view = {{x, y, z}, 1, 0};
     return view;
 }
 
@@ -156,21 +160,21 @@ static inline vti_view vti_view_separate(double *x, double *y, double *z)
 static inline vti_view vti_view_member(double *p, int64_t bytes)
 {
     const int64_t size = (int64_t)sizeof(double);
-    vti_view view = {{p, p + 1, p + 2}, bytes % size == 0 ? bytes / size : 0};
+    vti_view view = {{p, p + 1, p + 2}, bytes % size == 0 ? bytes / size : 0, 0};
     return view;
 }
 
 /** One value for all. */
 static inline vti_scalars vti_scalars_one(const double *value)
 {
-    vti_scalars s = {value, 0};
+    vti_scalars s = {value, 0, 0};
     return s;
 }
 
 /** One value for each body. */
 static inline vti_scalars vti_scalars_array(const double *values)
 {
-    vti_scalars s = {values, 1};
+    vti_scalars s = {values, 1, 0};
     return s;
 }
 
@@ -179,16 +183,16 @@ static inline vti_scalars vti_scalars_array(const double *values)
 static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 {
     const int64_t size = (int64_t)sizeof(double);
-    vti_scalars s = {bytes % size == 0 && bytes != 0 ? p : 0, bytes / size};
+    vti_scalars s = {bytes % size == 0 && bytes != 0 ? p : 0, bytes / size, 0};
     return s;
 }
 
 /** n bodies of which nothing is known yet. */
 static inline vti_bodies vti_bodies_none(int64_t n)
 {
-    const vti_view none = {{0, 0, 0}, 0};
-    const vti_quat_view no_quat = {{0, 0, 0, 0}, 0};
-    const vti_scalars no_scalars = {0, 0};
+    const vti_view none = {{0, 0, 0}, 0, 0};
+    const vti_quat_view no_quat = {{0, 0, 0, 0}, 0, 0};
+    const vti_scalars no_scalars = {0, 0, 0};
     const vti_bodies b = {VTI_ABI, 0,    0,          n,          none, none, none, none, no_quat,
                           none,    none, no_scalars, no_scalars, none, none, none, none};
     return b;
@@ -202,9 +206,12 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
     return b;
 }
 
-/** What can be seen without looking at a body: ABI, counts, half-given views, zero strides, two views that begin at one
- *  memory, mass or inertia missing or, where there is one for all, not finite or not positive. Every call that moves bodies
- *  checks this first. */
+/** What can be seen without looking at a body: ABI, counts, views that are half given or too short, strides of 0 or by which
+ *  components meet, views that share memory, mass or inertia missing or, where there is one for all, not finite or not
+ *  positive. Every call that moves bodies checks this first.
+ *  Views share memory if one number of the slice belongs to both: members of structs lie between each other and do not.
+ *  That is decided exactly from addresses, strides and count, in a time that does not depend on count; but for views of
+ *  different strides of which one is 2^31 doubles or more, which pass. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
 /** vti_bodies_check once and for all: if it passes, the bodies are marked, and later calls with them, or with slices of

@@ -57,7 +57,8 @@ typedef struct vti_stepper {
 /** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body" (VTI-1 in
  *  the body's frame). On the exact drift: "exact" (Verlet), "suzuki4", "kl6", "kl8" (compositions of it), "srkn6" (order 4),
  *  "srkn11", "srkn14" (order 6; Runge-Kutta-Nystroem splittings), "chin4" (order 4, no coefficient negative). NULL if there
- *  is none of that name. The objects are constants of the library. */
+ *  is none of that name, which every call with a stepper refuses with VTI_E_STEPPER. The objects are constants of the
+ *  library. */
 VTI_API const vti_stepper *vti_stepper_find(const char *name);
 /** How many there are. */
 VTI_API int64_t vti_stepper_count(void);

@@ -8,6 +8,12 @@ VTI_APART int blame_all(int status, int64_t quantity, vti_fault *fault)
     return vti_blame(status, -1, 0.0, quantity, fault);
 }
 
+/** A view of which the end is known shows all bodies. */
+VTI_INLINE int count_check(int64_t count, int64_t end, int64_t quantity, vti_fault *fault)
+{
+    return count != 0 && end > count ? vti_blame(VTI_E_COUNT, -1, (double)count, quantity, fault) : VTI_OK;
+}
+
 /** One view: all components or none, on different memory, and a stride if there is more than one body. */
 VTI_INLINE int view_check(const vti_view *view, int64_t end, int64_t quantity, vti_fault *fault)
 {
@@ -18,7 +24,9 @@ VTI_INLINE int view_check(const vti_view *view, int64_t end, int64_t quantity, v
         return blame_all(VTI_E_VIEW, quantity, fault);
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
         return blame_all(VTI_E_ALIAS, quantity, fault);
-    return view->stride == 0 && end > 1 ? blame_all(VTI_E_STRIDE, quantity, fault) : VTI_OK;
+    if (view->stride == 0 && end > 1)
+        return blame_all(VTI_E_STRIDE, quantity, fault);
+    return count_check(view->count, end, quantity, fault);
 }
 
 static int quat_check(const vti_bodies *b, int64_t end, vti_fault *fault)
@@ -37,24 +45,9 @@ static int quat_check(const vti_bodies *b, int64_t end, vti_fault *fault)
         for (int j = 0; j < k; ++j)
             if (c[k] == c[j])
                 return blame_all(VTI_E_ALIAS, VTI_QUANTITY_QUAT, fault);
-    return b->quat.stride == 0 && end > 1 ? blame_all(VTI_E_STRIDE, VTI_QUANTITY_QUAT, fault) : VTI_OK;
-}
-
-/** No two views begin at one memory. */
-static int alias_check(const vti_bodies *b, vti_fault *fault)
-{
-    static const int64_t quantity[] = {VTI_QUANTITY_X,         VTI_QUANTITY_V,        VTI_QUANTITY_FORCE,
-                                       VTI_QUANTITY_ALPHA,     VTI_QUANTITY_QUAT,     VTI_QUANTITY_OMEGA,
-                                       VTI_QUANTITY_MOMENT,    VTI_QUANTITY_X_LOW,    VTI_QUANTITY_V_LOW,
-                                       VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW};
-    const double *const start[] = {b->x.c[0],       b->v.c[0],         b->force.c[0],    b->alpha.c[0],
-                                   b->quat.xyzw[0], b->omega.c[0],     b->moment.c[0],   b->x_low.c[0],
-                                   b->v_low.c[0],   b->alpha_low.c[0], b->omega_low.c[0]};
-    for (size_t i = 0; i < sizeof start / sizeof start[0]; ++i)
-        for (size_t j = 0; j < i && start[i] != NULL; ++j)
-            if (start[i] == start[j])
-                return blame_all(VTI_E_ALIAS, quantity[i], fault);
-    return VTI_OK;
+    if (b->quat.stride == 0 && end > 1)
+        return blame_all(VTI_E_STRIDE, VTI_QUANTITY_QUAT, fault);
+    return count_check(b->quat.count, end, VTI_QUANTITY_QUAT, fault);
 }
 
 static int is_positive(double value)
@@ -63,11 +56,13 @@ static int is_positive(double value)
 }
 
 /** A kick needs what it divides by; one value for all is looked at here, arrays in vti_bodies_check_values. */
-static int scalars_check(const vti_scalars *s, int needed, int error, int64_t quantity, vti_fault *fault)
+static int scalars_check(const vti_scalars *s, int64_t end, int needed, int error, int64_t quantity, vti_fault *fault)
 {
     if (s->p == NULL)
         return needed ? vti_blame(error, -1, 0.0, quantity, fault) : VTI_OK;
-    return s->stride == 0 && !is_positive(*s->p) ? vti_blame(error, -1, *s->p, quantity, fault) : VTI_OK;
+    if (s->stride == 0 && !is_positive(*s->p))
+        return vti_blame(error, -1, *s->p, quantity, fault);
+    return count_check(s->count, end, quantity, fault);
 }
 
 int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
@@ -93,11 +88,12 @@ int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
     status = status != VTI_OK ? status : view_check(&b->alpha_low, end, VTI_QUANTITY_ALPHA_LOW, fault);
     status = status != VTI_OK ? status : view_check(&b->omega_low, end, VTI_QUANTITY_OMEGA_LOW, fault);
     status = status != VTI_OK ? status : quat_check(b, end, fault);
-    status = status != VTI_OK ? status : alias_check(b, fault);
+    status = status != VTI_OK ? status : vti_alias_check(b, fault);
     if (status == VTI_OK)
-        status = scalars_check(&b->mass, vti_has(&b->v) && vti_has(&b->force), VTI_E_MASS, VTI_QUANTITY_MASS, fault);
+        status =
+            scalars_check(&b->mass, end, vti_has(&b->v) && vti_has(&b->force), VTI_E_MASS, VTI_QUANTITY_MASS, fault);
     if (status == VTI_OK)
-        status = scalars_check(&b->inertia, vti_has(&b->omega) && vti_has(&b->moment), VTI_E_INERTIA,
+        status = scalars_check(&b->inertia, end, vti_has(&b->omega) && vti_has(&b->moment), VTI_E_INERTIA,
                                VTI_QUANTITY_INERTIA, fault);
     return status;
 }

@@ -19,6 +19,11 @@ static int has_list(const vti_bonds *bonds)
     return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
 }
 
+static int form_is_known(const vti_bonds *bonds)
+{
+    return bonds->shear_form >= VTI_SHEAR_OBJECTIVE && bonds->shear_form <= VTI_SHEAR_PRINTED;
+}
+
 /** What the terms read, and the list, if it is another one than when the effect was made. */
 static int check(const void *self, const vti_bodies *b)
 {
@@ -27,7 +32,9 @@ static int check(const void *self, const vti_bodies *b)
     if (p->count <= 0)
         return VTI_OK;
     const int lacks = !has_list(p) || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
-    return lacks ? VTI_E_NULL : VTI_OK;
+    if (lacks)
+        return VTI_E_NULL;
+    return p->shear.p != NULL && !form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
@@ -39,8 +46,8 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                                 {shear}, {moment, shear}, {axial, shear}, {moment, axial, shear}};
     const int has_moment = bonds->moment.p != NULL, has_axial = bonds->axial.p != NULL,
               has_shear = bonds->shear.p != NULL;
-    const int known = bonds->shear_form >= VTI_SHEAR_OBJECTIVE && bonds->shear_form <= VTI_SHEAR_PRINTED;
-    const int form = has_shear ? (known ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE) : 0;
+    /* any kernel will do for a form that is none: check refuses it */
+    const int form = has_shear ? (form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE) : 0;
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
     const int64_t breaks = form == VTI_SHEAR_PRINTED ? 0x038 : form != 0 ? 0x1c0 : 0;
     const struct bond_kernel kernel = kernels()[form][has_moment + 2 * has_axial];
@@ -118,6 +125,8 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
         return VTI_E_NULL;
     if (bonds->count < 0 || n < 0)
         return VTI_E_COUNT;
+    if (bonds->count > 0 && bonds->shear.p != NULL && !form_is_known(bonds))
+        return vti_blame(VTI_E_BOND, -1, (double)bonds->shear_form, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
         const double *rest = bonds->rest + 4 * k;

@@ -60,7 +60,9 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 
 int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
 {
-    if (method == NULL || method->kick == NULL || method->drift == NULL || (effects == NULL && n > 0))
+    if (method == NULL || method->kick == NULL || method->drift == NULL)
+        return VTI_E_STEPPER;
+    if (effects == NULL && n > 0)
         return VTI_E_NULL;
     if (n < 0)
         return VTI_E_COUNT;

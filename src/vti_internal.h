@@ -85,6 +85,9 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
 /** vti_bodies_check that says in fault, where there is one, which quantity is wrong; where none is, fault stays as it was. */
 int vti_bodies_fault(const vti_bodies *b, vti_fault *fault);
 
+/** VTI_E_STRIDE if components of one view meet, VTI_E_ALIAS if two views share memory. Each view is whole or absent. */
+int vti_alias_check(const vti_bodies *b, vti_fault *fault);
+
 /** vti_bodies_fault, unless the bodies are sealed. */
 static inline int vti_bodies_ready_or(const vti_bodies *b, vti_fault *fault)
 {

@@ -1,19 +1,27 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Texts of statuses and quantities, and the version. */
 #include "vti.h"
+#include "vti_steppers.h"
+
+/** All names of the table of steppers, as one text. */
+#define NAME(name, ...) name ", "
+#define NAMES VTI_STEPPERS(NAME)
 
 static const struct {
     int status;
     const char *text;
 } texts[] = {
     {VTI_OK, "no error"},
-    {VTI_E_NULL, "a required argument is NULL; pass bodies, stepper and effects that exist"},
+    {VTI_E_NULL, "a required argument is NULL; pass bodies, lists and effects that exist"},
     {VTI_E_ABI, "the bodies were made with another version of vti.h than this library; recompile against its header"},
-    {VTI_E_COUNT, "a number of bodies, effects or values is negative, or neither 1 nor n; correct it"},
+    {VTI_E_COUNT,
+     "a number of bodies, effects or values is negative, neither 1 nor n, or more than a view shows; correct it"},
     {VTI_E_VIEW,
      "a view is given in part, or the attitude both as alpha and as a quaternion; give all components or none"},
-    {VTI_E_STRIDE, "a view of more than one body has stride 0; give the distance of consecutive bodies in doubles"},
-    {VTI_E_ALIAS, "two views, or two components of one, begin at the same memory; give each quantity its own"},
+    {VTI_E_STRIDE,
+     "a view of more than one body has stride 0, or one by which its components meet; give the distance of "
+     "consecutive bodies in doubles"},
+    {VTI_E_ALIAS, "two views, or two components of one, share memory; give each quantity its own"},
     {VTI_E_TIME, "the time step is not finite, or not positive where it must be; pass a finite h > 0"},
     {VTI_E_MASS, "mass is missing, not finite or not positive; give one value or one for each body, > 0"},
     {VTI_E_INERTIA, "inertia is missing, not finite or not positive; give one value or one for each body, > 0"},
@@ -21,11 +29,11 @@ static const struct {
      "a body turns too far for the closed form: h|Omega| < 1 is needed; reduce h, or use vti2, which has no limit"},
     {VTI_E_STAGE, "the stepper has no such stage; use 0 <= k < stages"},
     {VTI_E_STEPPER,
-     "there is no such stepper or drift law, or it has more stages than the packed door can play; vti_stepper_at lists "
-     "the steppers"},
+     "there is no such stepper or drift law, or it has more stages than the packed calls can play; known steppers "
+     "are " NAMES "as vti_stepper_at lists them"},
     {VTI_E_FRAME, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY"},
     {VTI_E_BOND, "a bond is not between two different bodies that exist at different places, or a stiffness of it is "
-                 "negative or not finite; mend that bond"},
+                 "negative or not finite, or there is no such form of shear; mend that bond"},
     {VTI_E_DISSIPATES, "the stepper steps back in time, which turns dissipation into gain; use one without negative "
                        "coefficients: vti2, exact or chin4"},
     {VTI_E_CONTACT,

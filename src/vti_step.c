@@ -12,38 +12,13 @@
 
 #include "vti_coefficients.h"
 #include "vti_internal.h"
+#include "vti_steppers.h"
 
-#define SPACE VTI_FRAME_SPACE
 static const vti_stepper steppers[] = {
-    /* name, law, frame, order, reversible, symplectic, stages, evals, lag, reach, kick, drift, probe, about */
-    {"vti1", VTI_LAW_CLOSED, SPACE, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,
-     "VTI-1: variational, closed form, h|Omega| < 1"},
-    {"vti2", VTI_LAW_CAYLEY, SPACE, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,
-     "VTI-2: variational, a la velocity Verlet"},
-    {"vti3", VTI_LAW_CAYLEY, SPACE, 1, 0, 1, 1, 1, 0.0, 2.0, one_none, one_none, NULL,
-     "VTI-3: variational, a la symplectic Euler"},
-    {"vti3-leapfrog", VTI_LAW_CAYLEY, SPACE, 2, 1, 1, 1, 1, 0.5, 2.0, one_none, one_none, NULL,
-     "VTI-3 started and read with half kicks: VTI-2 in leapfrog form"},
-    {"vti1-body", VTI_LAW_CLOSED, VTI_FRAME_BODY, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,
-     "VTI-1 with omega = R^T Omega and M in the body's frame (E16: no factor R_{k+1}^T R_k)"},
-    {"exact", VTI_LAW_EXACT, SPACE, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,
-     "velocity Verlet with the exact drift"},
-    {"suzuki4", VTI_LAW_EXACT, SPACE, 4, 1, 1, 5, 5, 0.0, 2.72097, suzuki4_kick, suzuki4_drift, NULL,
-     "composition of five steps of exact (Suzuki 1990)"},
-    {"kl6", VTI_LAW_EXACT, SPACE, 6, 1, 1, 9, 9, 0.0, 2.53262, kl6_kick, kl6_drift, NULL,
-     "composition of nine steps of exact (Kahan and Li 1997)"},
-    {"kl8", VTI_LAW_EXACT9, SPACE, 8, 1, 1, 17, 17, 0.0, 3.09643, kl8_kick, kl8_drift, NULL,
-     "composition of seventeen steps of exact (Kahan and Li 1997)"},
-    {"srkn6", VTI_LAW_EXACT, SPACE, 4, 1, 1, 6, 6, 0.0, 3.16346, srkn6_kick, srkn6_drift, NULL,
-     "Runge-Kutta-Nystroem splitting, six stages (Blanes and Moan 2002)"},
-    {"srkn11", VTI_LAW_EXACT, SPACE, 6, 1, 1, 11, 11, 0.0, 3.14143, srkn11_kick, srkn11_drift, NULL,
-     "Runge-Kutta-Nystroem splitting, eleven stages (Blanes and Moan 2002)"},
-    {"srkn14", VTI_LAW_EXACT, SPACE, 6, 1, 1, 14, 14, 0.0, 3.14092, srkn14_kick, srkn14_drift, NULL,
-     "Runge-Kutta-Nystroem splitting, fourteen stages, begins with a drift (Blanes and Moan 2002)"},
-    {"chin4", VTI_LAW_EXACT, SPACE, 4, 1, 0, 2, 3, 0.0, 3.46410, chin4_kick, chin4_drift, chin4_probe,
-     "positive coefficients and a force gradient, by one more evaluation (Chin 1997)"},
+#define ROW(...) {__VA_ARGS__},
+    VTI_STEPPERS(ROW)
+#undef ROW
 };
-#undef SPACE
 
 enum { STEPPERS = sizeof steppers / sizeof steppers[0] };
 
@@ -71,7 +46,7 @@ enum { BLOCK = 256 };
 static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
     if (method == NULL || method->kick == NULL || method->drift == NULL)
-        return VTI_E_NULL;
+        return VTI_E_STEPPER;
     if (method->stages < 1)
         return VTI_E_STAGE;
     const int status = vti_bodies_ready_or(b, fault);
@@ -112,10 +87,15 @@ int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti
     return vti_step_stage(method, 0, h, b, fault);
 }
 
-/** kick(share h); a share of 0 touches nothing. */
+/** kick(share h) of bodies that have been checked; a share of 0 touches nothing. */
 static int kick_share(double share, double h, const vti_bodies *b)
 {
-    return share != 0.0 ? vti_kick(share * h, b) : VTI_OK;
+    const double t = share * h;
+    if (!isfinite(t))
+        return VTI_E_TIME;
+    vti_kick_v(t, b, b->first, b->first + b->count);
+    vti_kick_omega(t, b, b->first, b->first + b->count);
+    return VTI_OK;
 }
 
 int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)

@@ -11,7 +11,7 @@
 /** q[n][4], w last. */
 static inline vti_quat_view quats_packed(double *q)
 {
-    const vti_quat_view view = {{q, q + 1, q + 2, q + 3}, 4};
+    const vti_quat_view view = {{q, q + 1, q + 2, q + 3}, 4, 0};
     return view;
 }
 

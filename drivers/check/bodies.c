@@ -47,7 +47,7 @@ static void normalised(const double *q, double *unit)
 
 static vti_quat_view quats(double *q)
 {
-    const vti_quat_view view = {{q, q + 1, q + 2, q + 3}, 4};
+    const vti_quat_view view = {{q, q + 1, q + 2, q + 3}, 4, 0};
     return view;
 }
 

@@ -27,7 +27,7 @@ const struct rival *rival_at(int64_t i)
 /** 1/m of one value or of n into *next, which moves on. */
 static vti_scalars inverse(const vti_scalars *of, int64_t n, double **next)
 {
-    const vti_scalars none = {NULL, 0}, result = {*next, of->stride == 0 ? 0 : 1};
+    const vti_scalars none = {NULL, 0, 0}, result = {*next, of->stride == 0 ? 0 : 1, 0};
     if (of->p == NULL)
         return none;
     const int64_t count = of->stride == 0 ? 1 : n;

@@ -95,7 +95,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
 /** Column k of the table, or the value for all if it is not 0; else nothing. */
 static vti_scalars property(double **block, int64_t n, const struct table *bodies, int k, const double *value)
 {
-    const vti_scalars none = {NULL, 0};
+    const vti_scalars none = {NULL, 0, 0};
     if (!table_has(bodies, k))
         return *value != 0.0 ? vti_scalars_one(value) : none;
     double *p = take(block, n);

@@ -75,7 +75,7 @@ static int read_pairs(const struct model *model, const struct table *t, int64_t 
 /** One stiffness for all from the scene, or one for each from the table, copied behind *next; or none. */
 static vti_scalars stiffness(const double *value, const struct table *t, int k, double **next)
 {
-    const vti_scalars none = {NULL, 0};
+    const vti_scalars none = {NULL, 0, 0};
     if (!table_has(t, k))
         return *value != 0.0 ? vti_scalars_one(value) : none;
     double *p = *next;

@@ -19,7 +19,7 @@ int64_t equations_width(const struct model *model)
 
 static vti_view vector_at(double *p, int64_t stride)
 {
-    const vti_view view = {{p, p + 1, p + 2}, stride};
+    const vti_view view = {{p, p + 1, p + 2}, stride, 0};
     return view;
 }
 
@@ -36,7 +36,7 @@ vti_bodies equations_bodies(const struct model *model, double *state)
         p += 6;
     }
     if (model->turns) {
-        const vti_quat_view quat = {{p, p + 1, p + 2, p + 3}, stride};
+        const vti_quat_view quat = {{p, p + 1, p + 2, p + 3}, stride, 0};
         b.quat = quat;
         b.omega = vector_at(p + 4, stride);
     }

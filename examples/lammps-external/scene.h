@@ -22,7 +22,7 @@ double scene_apply(int64_t bonds, const int64_t *pair, const double *rest, const
 
 static inline vti_quat_view quat_view(double *xyzw)
 {
-    vti_quat_view view = {{xyzw, xyzw + 1, xyzw + 2, xyzw + 3}, 4};
+    vti_quat_view view = {{xyzw, xyzw + 1, xyzw + 2, xyzw + 3}, 4, 0};
     return view;
 }
 

@@ -69,7 +69,7 @@ vti_bodies FixNVEVTI::views() const
     bodies.x = vti_view_packed(atom->x[0]);
     bodies.v = vti_view_packed(atom->v[0]);
     bodies.force = vti_view_packed(atom->f[0]);
-    bodies.quat = {{q + 1, q + 2, q + 3, q}, 4};
+    bodies.quat = {{q + 1, q + 2, q + 3, q}, 4, 0};
     bodies.omega = vti_view_packed(atom->omega[0]);
     bodies.moment = vti_view_packed(atom->torque[0]);
     bodies.mass = vti_scalars_array(atom->rmass);

@@ -19,12 +19,15 @@ static const int64_t layout[] = {
     SIZE(vti_view),
     AT(vti_view, c),
     AT(vti_view, stride),
+    AT(vti_view, count),
     SIZE(vti_quat_view),
     AT(vti_quat_view, xyzw),
     AT(vti_quat_view, stride),
+    AT(vti_quat_view, count),
     SIZE(vti_scalars),
     AT(vti_scalars, p),
     AT(vti_scalars, stride),
+    AT(vti_scalars, count),
     SIZE(vti_bodies),
     AT(vti_bodies, abi),
     AT(vti_bodies, sealed),
@@ -219,7 +222,7 @@ int shim_run(int64_t stepper, double h, int64_t steps, int64_t n, double *x, dou
     if (alpha != NULL) {
         b.alpha = vti_view_packed(alpha);
     } else {
-        const vti_quat_view view = {{quat, quat + 1, quat + 2, quat + 3}, 4};
+        const vti_quat_view view = {{quat, quat + 1, quat + 2, quat + 3}, 4, 0};
         b.quat = view;
     }
 

@@ -61,11 +61,12 @@ contains
         call expect(unknown%stages == 0, 'the steppers end')
         unknown = vti_stepper_at(0_c_int64_t)
         call expect(unknown%stages == 0, 'the steppers count from 1')
-        call expect_status(vti_step_begin(unknown, h, good, fault), VTI_E_NULL, 'begin with no stepper')
+        call expect_status(vti_step_begin(unknown, h, good, fault), VTI_E_STEPPER, 'begin with no stepper')
         call expect(fault%body == 0, 'no body is to blame for the stepper')
-        call expect_status(vti_step_finish(unknown, h, good), VTI_E_NULL, 'finish with no stepper')
-        call expect_status(vti_step_start(unknown, h, good), VTI_E_NULL, 'start with no stepper')
-        call expect_status(vti_step_sync(unknown, h, good), VTI_E_NULL, 'sync with no stepper')
+        call expect(index(vti_status_text(VTI_E_STEPPER), ' vti3-leapfrog, ') > 0, 'the text names the steppers')
+        call expect_status(vti_step_finish(unknown, h, good), VTI_E_STEPPER, 'finish with no stepper')
+        call expect_status(vti_step_start(unknown, h, good), VTI_E_STEPPER, 'start with no stepper')
+        call expect_status(vti_step_sync(unknown, h, good), VTI_E_STEPPER, 'sync with no stepper')
         call expect_status(vti_step_stage(vti1, 1_c_int64_t, h, good), VTI_E_STAGE, 'a stage too many')
     end subroutine
 
@@ -104,6 +105,17 @@ contains
         b%x = vti_view_member(c_loc(s%x), 20_c_int64_t)
         call refused(VTI_E_STRIDE, 'a member at no whole distance')
         b = good
+        b%x = vti_view_member(c_loc(s%x), 16_c_int64_t)
+        call refused(VTI_E_STRIDE, 'a member of three doubles in two')
+        b = good
+        b%v = vti_view_columns(s%v(:, 2:))
+        b%mass = vti_scalars_one(s%mass(1))
+        b%count = n - 1
+        call expect_status(vti_bodies_check(b), VTI_OK, 'fewer bodies, of which the others are not moved')
+        b%x = vti_view_columns(s%v(:, :n - 1))
+        call refused(VTI_E_ALIAS, 'positions and velocities shifted over each other by one body')
+        call short_views()
+        b = good
         b%mass = vti_scalars_member(c_loc(s%mass), 4_c_int64_t)
         call refused(VTI_E_MASS, 'a mass at no whole distance')
         b = good
@@ -118,6 +130,50 @@ contains
         call expect(.not. (c_associated(b%x%c(1)) .or. c_associated(b%v%c(1)) .or. c_associated(b%alpha%c(1)) .or. &
             c_associated(b%omega%c(1))), 'views of no bodies are absent')
         call expect_status(vti_step_begin(vti1, h, b), VTI_OK, 'no bodies')
+    end subroutine
+
+    !> Arrays of fewer bodies than there are, by every constructor that knows how many.
+    subroutine short_views()
+        real(c_double), target :: rows(n - 1, 3), quats(4, n - 1), quat_rows(n - 1, 4)
+        rows = 0
+        quats = 1
+        quat_rows = 1
+        b = good
+        b%x = vti_view_columns(s%x(:, :n - 1))
+        call short(VTI_QUANTITY_X, 'columns')
+        b%v = vti_view_columns(s%v(:, 2:))
+        call short(VTI_QUANTITY_X, 'columns, of which the first is named')
+        b = good
+        b%moment = vti_view_rows(rows)
+        call short(VTI_QUANTITY_MOMENT, 'rows')
+        b = good
+        b%omega = vti_view_separate(s%omega(1, :), s%omega(2, :n - 1), s%omega(3, :))
+        call short(VTI_QUANTITY_OMEGA, 'one of three components')
+        b = good
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_columns(quats)
+        call short(VTI_QUANTITY_QUAT, 'quaternions in columns')
+        b%quat = vti_quat_view_rows(quat_rows)
+        call short(VTI_QUANTITY_QUAT, 'quaternions in rows')
+        b = good
+        b%mass = vti_scalars_array(s%mass(:n - 1))
+        call short(VTI_QUANTITY_MASS, 'masses')
+        b = good
+        b%inertia = vti_scalars_array(s%inertia(n:))
+        call short(VTI_QUANTITY_INERTIA, 'an array of one inertia')
+    end subroutine
+
+    !> All of b are refused, but not those that every view shows.
+    subroutine short(quantity, what)
+        integer(c_int64_t), intent(in) :: quantity
+        character(len=*), intent(in) :: what
+        type(vti_bodies) :: part
+        call refused(VTI_E_COUNT, 'a view that is too short, '//what)
+        status = vti_bodies_check_values(b, fault)
+        call expect(fault%quantity == quantity .and. fault%body == 0 .and. fault%value < n .and. fault%value > 0, &
+            'it is named, '//what)
+        part = vti_bodies_slice(b, 1_c_int64_t, nint(fault%value, c_int64_t))
+        call expect_status(vti_bodies_check(part), VTI_OK, 'as many as it shows, '//what)
     end subroutine
 
     subroutine arguments()

@@ -84,17 +84,17 @@ contains
 
     subroutine view()
         type(vti_view), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%c), c_loc(t%stride)])])
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%c), c_loc(t%stride), c_loc(t%count)])])
     end subroutine
 
     subroutine quat_view()
         type(vti_quat_view), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%xyzw), c_loc(t%stride)])])
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%xyzw), c_loc(t%stride), c_loc(t%count)])])
     end subroutine
 
     subroutine scalars()
         type(vti_scalars), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%p), c_loc(t%stride)])])
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%p), c_loc(t%stride), c_loc(t%count)])])
     end subroutine
 
     subroutine bodies()

@@ -166,7 +166,7 @@ contains
         effect%dissipates = 1
         call expect_status(vti_step_check(vti_stepper_find('srkn14'), [effect]), VTI_E_DISSIPATES, 'srkn14 with friction')
         call expect_status(vti_step_check(vti_stepper_find('vti2'), [effect]), VTI_OK, 'vti2 with friction')
-        call expect_status(vti_step_check(vti_stepper_find('no such'), [effect]), VTI_E_NULL, 'no stepper')
+        call expect_status(vti_step_check(vti_stepper_find('no such'), [effect]), VTI_E_STEPPER, 'no stepper')
     end subroutine
 
     !> Bodies that another version of the module has made.
@@ -218,7 +218,7 @@ contains
         call expect(all(abs(x - c%x - factor(k)*h**2*force/spread(c%mass, 1, 3)) <= 4*epsilon(h)*abs(x) + epsilon(h)), &
             'probe, positions') ! two sums and three products, each good to eps/2
         call expect(maxval(abs(x - c%x)) > 1e-6_c_double, 'probe, bodies are displaced')
-        call expect_status(vti_step_probe(vti_stepper_find('no such'), 0_c_int64_t, h, b, probed), VTI_E_NULL, &
+        call expect_status(vti_step_probe(vti_stepper_find('no such'), 0_c_int64_t, h, b, probed), VTI_E_STEPPER, &
             'probe of no stepper')
     end subroutine
 

@@ -3,7 +3,8 @@
  * A scene made of the effects that its argument names, stepped so many times: what callgrind counts instructions of.
  *     cost CONFIG STEPS [WEIGHT]
  *                           CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact,
- *                           w wall, g gravity, p pendulum; h the pendulum by hand, without the library's steps and effects */
+ *                           w wall, g gravity, p pendulum; h the pendulum by hand, without the library's steps and effects;
+ *                           1 one body, u not sealed */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +65,7 @@ int main(int argc, char **argv)
 {
     const char *config = argc >= 3 ? argv[1] : "";
     const long steps = argc >= 3 ? atol(argv[2]) : 0;
-    vti_bodies b = vti_bodies_none(N);
+    vti_bodies b = vti_bodies_none(strchr(config, '1') != NULL ? 1 : N);
     vti_effect effects[5];
     int64_t n = 0;
     place();
@@ -83,7 +84,7 @@ int main(int argc, char **argv)
     if (strchr(config, 'l') != NULL && strchr(config, 'r') != NULL)
         b.moment = vti_view_packed(moment[0]);
 
-    const vti_scalars none = {NULL, 0}, k = vti_scalars_one(&stiffness), d = vti_scalars_one(&diameter);
+    const vti_scalars none = {NULL, 0, 0}, k = vti_scalars_one(&stiffness), d = vti_scalars_one(&diameter);
     const int terms = strpbrk(config, "mas") != NULL;
     const vti_bonds bonds = {N - 1,
                              pair[0],
@@ -112,7 +113,7 @@ int main(int argc, char **argv)
     if (argc > 3)
         pendulum.weight = one = atof(argv[3]);
     const vti_stepper *method = vti_stepper_find("vti2");
-    int status = vti_bodies_seal(&b);
+    int status = strchr(config, 'u') == NULL ? vti_bodies_seal(&b) : VTI_OK;
     if (strchr(config, 'h') != NULL)
         by_hand(steps);
     else

@@ -15,20 +15,23 @@ BODIES, STEPS = 512, 40
 
 
 def callgrind(config, steps):
-    """Instructions of the whole program and the names of all functions that ran."""
+    """Instructions of the whole program, the names of all functions that ran, and how often bodies were looked at."""
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
         result = subprocess.run([VALGRIND, "--tool=callgrind", f"--callgrind-out-file={out}", COST, config, str(steps)],
                                 capture_output=True, text=True, check=True)
         with open(out) as file:
-            names = set(re.findall(r"^c?fn=\(\d+\) (\S+)", file.read(), re.MULTILINE))
-    return int(re.search(r"Collected : (\d+)", result.stderr)[1]), names
+            text = file.read()
+    names = dict(re.findall(r"^c?fn=\((\d+)\) (\S+)", text, re.MULTILINE))
+    calls = re.findall(r"^cfn=\((\d+)\).*\ncalls=(\d+)", text, re.MULTILINE)
+    checks = sum(int(times) for number, times in calls if names[number] == "vti_bodies_fault")
+    return int(re.search(r"Collected : (\d+)", result.stderr)[1]), set(names.values()), checks
 
 
 def per_body(config):
     """Instructions per body and step, start-up taken off, and the functions."""
-    start, _ = callgrind(config, 0)
-    total, names = callgrind(config, STEPS)
+    start, _, _ = callgrind(config, 0)
+    total, names, _ = callgrind(config, STEPS)
     return (total - start) / (STEPS * BODIES), names
 
 
@@ -47,6 +50,13 @@ print("\n| what | instructions per body (bond, pair) and step |\n|---|---|")
 for name, value in cost.items():
     print(f"| {name} | {value:.0f} |")
 print(f"| pendulum, whole step | {pendulum:.0f} |\n| the same by hand in one loop | {hand:.0f} |\n")
+
+# One body: a step is three calls, each of which looks at the bodies unless they are sealed.
+(sealed_start, _, _), (sealed, _, sealed_checks) = callgrind("rlp1", 0), callgrind("rlp1", STEPS)
+(open_start, _, _), (open_, _, open_checks) = callgrind("rlp1u", 0), callgrind("rlp1u", STEPS)
+print(f"one pendulum, whole step: {(sealed - sealed_start) / STEPS:.0f} instructions sealed, {(open_ - open_start) / STEPS:.0f} not sealed\n")
+check(sealed_checks == 1, f"sealed bodies are looked at once, by the seal: {sealed_checks} times in {STEPS} steps")
+check(open_checks == 3 * STEPS, f"... and others in each call: {open_checks} times")
 
 whole, names_whole = per_body("trlmascwg")
 parts = base + sum(cost[k] for k in ("binder: moment, axial, shear", "contact (touching pair)", "wall (touching)", "gravity"))

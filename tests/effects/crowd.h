@@ -157,7 +157,7 @@ static inline void web_base(web *w, int64_t base)
 static inline int64_t web_grow(web *w, rng *g, const crowd *c, int extra, double low, double high)
 {
     int64_t count = 0;
-    const vti_view x = {{(double *)c->x[0], (double *)c->x[0] + 1, (double *)c->x[0] + 2}, 3};
+    const vti_view x = {{(double *)c->x[0], (double *)c->x[0] + 1, (double *)c->x[0] + 2}, 3, 0};
     for (int k = 1; k < c->n + extra; ++k, ++count) {
         const int i = k < c->n ? k : rng_below(g, c->n);
         int j = rng_below(g, k < c->n ? k : c->n);

@@ -92,7 +92,7 @@ static void no_walls(void **state)
 {
     (void)state;
     const double diameter = 3;
-    const vti_walls none = {0, NULL, {NULL, 0}, 5}, nowhere = {1, NULL, vti_scalars_one(&diameter), 5};
+    const vti_walls none = {0, NULL, {NULL, 0, 0}, 5}, nowhere = {1, NULL, vti_scalars_one(&diameter), 5};
     const vti_effect effect = vti_walls_effect(&none);
     crowd_clear(&c, 3, CROWD_ALPHA);
     assert_true(act(&effect, 0, VTI_OK) == 0 && c.force[0][0] == 0);

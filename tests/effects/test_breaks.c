@@ -126,7 +126,7 @@ static void walls(void **state)
         assert_int_equal(effect.breaks, expected);
         run(&effect);
     }
-    const vti_walls none = {0, NULL, {NULL, 0}, 1};
+    const vti_walls none = {0, NULL, {NULL, 0, 0}, 1};
     assert_int_equal(vti_walls_effect(&none).breaks, 0);
 }
 

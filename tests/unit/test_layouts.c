@@ -17,9 +17,9 @@ static vti_view view_in(int layout, double *p)
 {
     const vti_view views[LAYOUTS] = {vti_view_packed(p),
                                      vti_view_separate(p, p + N, p + 2 * N),
-                                     {{p + 1, p + 4, p}, 5},
-                                     {{p, p + 3 * N, p + 2}, 3}, /* stride 3, and yet not x[n][3] */
-                                     {{p, p + 1, p + 3 * N + 1}, 3}};
+                                     {{p + 1, p + 4, p}, 5, 0},
+                                     {{p, p + 3 * N, p + 2}, 3, 0}, /* stride 3, and yet not x[n][3] */
+                                     {{p, p + 1, p + 3 * N + 1}, 3, 0}};
     return views[layout];
 }
 

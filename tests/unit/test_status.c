@@ -140,19 +140,37 @@ static void null(void **state)
     assert_int_equal(vti_bodies_check_values(NULL, NULL), VTI_E_NULL);
     assert_int_equal(vti_kick(1, NULL), VTI_E_NULL);
     assert_int_equal(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, 1, NULL, &fault), VTI_E_NULL);
-    assert_int_equal(vti_step_begin(NULL, 1, &b, &fault), VTI_E_NULL);
     assert_int_equal(vti_step_begin(vti1, 1, NULL, &fault), VTI_E_NULL);
-    assert_int_equal(vti_step_stage(NULL, 0, 1, &b, NULL), VTI_E_NULL);
-    assert_int_equal(vti_step_finish(NULL, 1, &b), VTI_E_NULL);
-    assert_int_equal(vti_step_start(NULL, 1, &b), VTI_E_NULL);
-    assert_int_equal(vti_step_sync(NULL, 1, &b), VTI_E_NULL);
-    assert_int_equal(vti_step_probe(NULL, 0, 1, &b, &b), VTI_E_NULL);
     assert_int_equal(vti_step_probe(vti1, 0, 1, NULL, &b), VTI_E_NULL);
     assert_int_equal(vti_step_probe(vti1, 0, 1, &b, NULL), VTI_E_NULL);
-    assert_int_equal(vti_step_check(NULL, NULL, 0), VTI_E_NULL);
     assert_int_equal(vti_step_check(vti1, NULL, 1), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, 1, &b), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, 0, NULL), VTI_E_NULL);
+}
+
+/** What vti_stepper_find gives for a name that is none is no stepper to any call, and the text says which there are. */
+static void no_stepper(void **state)
+{
+    (void)state;
+    const vti_stepper *none = vti_stepper_find("vti22");
+    const vti_fault stale = {7, 7, 7};
+    vti_fault fault = stale;
+    assert_null(none);
+    assert_int_equal(vti_step_begin(none, 1, &b, &fault), VTI_E_STEPPER);
+    at_fault(&fault, VTI_E_STEPPER, -1, VTI_QUANTITY_NONE);
+    assert_int_equal(vti_step_stage(none, 0, 1, &b, NULL), VTI_E_STEPPER);
+    assert_int_equal(vti_step_finish(none, 1, &b), VTI_E_STEPPER);
+    assert_int_equal(vti_step_start(none, 1, &b), VTI_E_STEPPER);
+    assert_int_equal(vti_step_sync(none, 1, &b), VTI_E_STEPPER);
+    assert_int_equal(vti_step_probe(none, 0, 1, &b, &b), VTI_E_STEPPER);
+    assert_int_equal(vti_step_check(none, NULL, 0), VTI_E_STEPPER);
+    const char *text = vti_status_text(VTI_E_STEPPER);
+    for (int64_t i = 0; i < vti_stepper_count(); ++i) {
+        char entry[40];
+        snprintf(entry, sizeof entry, " %s,", vti_stepper_at(i)->name);
+        if (strstr(text, entry) == NULL)
+            fail_msg("\"%s\" does not name %s", text, vti_stepper_at(i)->name);
+    }
 }
 
 static void abi_and_count(void **state)
@@ -417,6 +435,7 @@ int main(void)
         cmocka_unit_test(quantities),
         cmocka_unit_test_setup(sound_bodies_pass, sound),
         cmocka_unit_test_setup(null, sound),
+        cmocka_unit_test_setup(no_stepper, sound),
         cmocka_unit_test_setup(abi_and_count, sound),
         cmocka_unit_test_setup(views, sound),
         cmocka_unit_test_setup(quaternion_views, sound),

@@ -21,7 +21,7 @@ static store one_store, other_store;
 
 static vti_view view_in(enum layout layout, int q, double *p)
 {
-    const vti_view gaps = {{p + 4, p + 2, p}, 7};
+    const vti_view gaps = {{p + 4, p + 2, p}, 7, 0};
     switch (layout == MIXED ? (q * 5 + q / 3) % 4 : (int)layout) {
     case PACKED:
         return vti_view_packed(p);

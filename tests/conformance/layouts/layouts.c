@@ -63,8 +63,8 @@ static void read_table(const char *path)
 static vti_view view(enum layout layout, int q)
 {
     double *p = memory[q];
-    const vti_view backwards = {{p + 3 * n - 3, p + 3 * n - 2, p + 3 * n - 1}, -3};
-    const vti_view spread = {{p + 5, p, p + 2}, 8};
+    const vti_view backwards = {{p + 3 * n - 3, p + 3 * n - 2, p + 3 * n - 1}, -3, 0};
+    const vti_view spread = {{p + 5, p, p + 2}, 8, 0};
     switch (layout) {
     case PACKED:
         return vti_view_packed(p);
