@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * vti-run: one scene over time. Arguments in, files out; the work is in sim/ and io/. */
 #define _POSIX_C_SOURCE 200809L
-#include <errno.h>
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -63,19 +63,21 @@ static int add_set(struct arguments *a, const char *option, const char *key, con
 
 static int read_every(const char *option, const char *text, int64_t *every, struct message *message)
 {
-    char *end;
-    errno = 0;
-    const long long value = strtoll(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < 1)
-        return message_set(message, "%s: '%.100s' is not a whole number of steps above 0", option, text);
-    *every = value;
+    double value;
+    if (number_read(text, &value) != 0 || value != floor(value) || !(value >= 1.0))
+        return message_set(message, "%s: '%.100s' is not a whole number of steps above 0; write 50 or 1e3", option,
+                           text);
+    if (value > 0x1p53)
+        return message_set(message, "%s: '%.100s' is too large; give at most 2^53", option, text);
+    *every = (int64_t)value;
     return 0;
 }
 
 static int read_seconds(const char *text, double *seconds, struct message *message)
 {
     if (number_read(text, seconds) != 0 || !(*seconds > 0.0))
-        return message_set(message, "--checkpoint: '%.100s' is not a positive number of seconds", text);
+        return message_set(message, "--checkpoint: '%.100s' is not a positive number of seconds; write 60 or 1e3",
+                           text);
     return 0;
 }
 

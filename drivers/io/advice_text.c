@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "number.h"
+
 /** Largest step at which a stepper is stable, if the bound is h for steppers of one force evaluation. */
 static double stable_for(const struct advice *a, const vti_stepper *stepper)
 {
@@ -74,7 +76,7 @@ void advice_warn(const struct scene *scene, const struct advice *a, FILE *file)
 static void json_number(const char *key, double value, FILE *file)
 {
     if (isfinite(value))
-        fprintf(file, "\"%s\": %.17g", key, value);
+        fprintf(file, "\"%s\": %s", key, NUMBER(value));
     else
         fprintf(file, "\"%s\": null", key);
 }

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "number.h"
+
 static void write_runs(const struct cost *cost, int with_times, FILE *file)
 {
     const struct cost_plan *plan = cost->plan;
@@ -14,12 +16,12 @@ static void write_runs(const struct cost *cost, int with_times, FILE *file)
         const struct method *method = plan->methods[k % plan->methods_count];
         for (int64_t r = 0; r < ladder->count; ++r) {
             const struct race_result *run = &ladder->runs[r];
-            fprintf(file, "%s,%s,%s,%.17g,%lld,%lld,", plan->cases[k / plan->methods_count].name, method->name,
-                    method->kind, ladder->h[r], (long long)run->steps, (long long)run->force_evals);
+            fprintf(file, "%s,%s,%s,%s,%lld,%lld,", plan->cases[k / plan->methods_count].name, method->name,
+                    method->kind, NUMBER(ladder->h[r]), (long long)run->steps, (long long)run->force_evals);
             if (with_times)
-                fprintf(file, "%.17g,%.17g,", run->seconds, run->seconds_spread);
-            fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", run->attitude_error, run->velocity_error, run->energy_error,
-                    run->momentum_error);
+                fprintf(file, "%s,%s,", NUMBER(run->seconds), NUMBER(run->seconds_spread));
+            fprintf(file, "%s,%s,%s,%s\n", NUMBER(run->attitude_error), NUMBER(run->velocity_error),
+                    NUMBER(run->energy_error), NUMBER(run->momentum_error));
         }
     }
 }
@@ -47,6 +49,6 @@ void prices_csv_write(const struct cost *cost, FILE *file)
             if (isnan(price->force_evals))
                 fputs(",\n", file);
             else
-                fprintf(file, "%.17g,%.17g\n", price->force_evals, price->seconds);
+                fprintf(file, "%s,%s\n", NUMBER(price->force_evals), NUMBER(price->seconds));
         }
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "run_text.h"
 
+#include "number.h"
+
 struct writer {
     FILE *file;
     int columns;
@@ -11,7 +13,7 @@ static int take_rows(void *self, int64_t first, int64_t count, const double *row
     const struct writer *w = self;
     (void)first;
     for (int64_t k = 0; k < count * w->columns; ++k)
-        fprintf(w->file, "%.17g%c", rows[k], (k + 1) % w->columns == 0 ? '\n' : ',');
+        fprintf(w->file, "%s%c", NUMBER(rows[k]), (k + 1) % w->columns == 0 ? '\n' : ',');
     return 0;
 }
 

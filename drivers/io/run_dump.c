@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "number.h"
 #include "shape.h"
 
 struct writer {
@@ -39,17 +40,17 @@ static void open_box(struct writer *w)
 static void write_numbers(FILE *file, const double *p, int n)
 {
     for (int k = 0; k < n; ++k)
-        fprintf(file, " %.17g", p[k]);
+        fprintf(file, " %s", NUMBER(p[k]));
 }
 
 static void write_head(const struct writer *w, const double *frame)
 {
     const struct frame_layout *layout = &w->record->frames;
-    fprintf(w->file, "ITEM: TIME\n%.17g\nITEM: TIMESTEP\n%.0f\nITEM: NUMBER OF ATOMS\n%lld\n", frame[1], frame[0],
+    fprintf(w->file, "ITEM: TIME\n%s\nITEM: TIMESTEP\n%.0f\nITEM: NUMBER OF ATOMS\n%lld\n", NUMBER(frame[1]), frame[0],
             (long long)layout->n);
     fputs("ITEM: BOX BOUNDS ff ff ff\n", w->file);
     for (int c = 0; c < 3; ++c)
-        fprintf(w->file, "%.17g %.17g\n", w->low[c], w->high[c]);
+        fprintf(w->file, "%s %s\n", NUMBER(w->low[c]), NUMBER(w->high[c]));
     fprintf(w->file, "ITEM: ATOMS id type x y z%s%s%s\n", layout->translates ? " vx vy vz" : "",
             layout->turns ? " omegax omegay omegaz quati quatj quatk quatw" : "",
             shape_has_diameters(w->record->model) ? " radius" : "");

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "loop.h"
+#include "number.h"
 #include "run_signals.h"
 #include "state.h"
 
@@ -38,8 +39,8 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
         message_set(&what, "all bodies are finite, but the energy '%s' is %g", columns->name[c],
                     row != NULL ? row[c] : 0.0);
     }
-    message_set(run->message, "%s at h = %.10g: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
-                run->scene.h, (long long)step, t, what.text);
+    message_set(run->message, "%s at h = %s: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
+                NUMBER(run->scene.h), (long long)step, t, what.text);
     return stop(run, RUN_BROKEN);
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "shape.h"
 
 /* ---- before ------------------------------------------------------------------------------------------------------ */
@@ -46,7 +47,7 @@ static void say_step(const struct run *run, FILE *file)
     struct message ignored = {""};
     if (model_stable_step(&run->model, overlap, &stable, &ignored) != 0)
         stable = NAN;
-    fprintf(file, "%s, h = %.10g: %lld steps to t = %.10g; ", run->scene.stepper->name, h, (long long)run->steps,
+    fprintf(file, "%s, h = %s: %lld steps to t = %.10g; ", run->scene.stepper->name, NUMBER(h), (long long)run->steps,
             (double)run->steps * h);
     if (isinf(stable))
         fputs("nothing oscillates", file);
@@ -61,7 +62,7 @@ static void say_step(const struct run *run, FILE *file)
                 (double)run->from * h);
     fputc('\n', file);
     if (h > stable)
-        fprintf(file, "warning: h = %.10g is above the stable step %.4g: the run may blow up\n", h, stable);
+        fprintf(file, "warning: h = %s is above the stable step %.4g: the run may blow up\n", NUMBER(h), stable);
 }
 
 void run_say_start(const struct run *run, FILE *file)
@@ -71,7 +72,7 @@ void run_say_start(const struct run *run, FILE *file)
     say_effects(run, file);
     say_step(run, file);
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
-        fprintf(file, "note: t_end = %.10g is not a multiple of h: the run ends at t = %.10g\n", wanted,
+        fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
     fprintf(file, "a row every %lld and a frame every %lld steps\n", (long long)run->checkpoint.record_every,
             (long long)run->checkpoint.frames_every);

@@ -4,6 +4,7 @@
  * rows of one frame in a dataset of /VTKHDF. */
 #include "run_text.h"
 
+#include "number.h"
 #include "shape.h"
 
 struct writer {
@@ -92,8 +93,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
 {
     const struct writer *w = self;
     const struct frame_layout *layout = &w->record->frames;
-    fprintf(w->file, "<Grid Name=\"%s\" GridType=\"Uniform\">\n<Time Value=\"%.17g\"/>\n",
-            w->bonds ? "bonds" : "bodies", frame[1]);
+    fprintf(w->file, "<Grid Name=\"%s\" GridType=\"Uniform\">\n<Time Value=\"%s\"/>\n", w->bonds ? "bonds" : "bodies",
+            NUMBER(frame[1]));
     topology(w);
     fputs("<Geometry GeometryType=\"XYZ\">\n", w->file);
     slab(w, "Points", k, 3);

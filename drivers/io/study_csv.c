@@ -3,15 +3,18 @@
 
 #include <math.h>
 
+#include "number.h"
+
 void study_csv_write(const struct study *study, FILE *file)
 {
     fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error\n", file);
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct trial *trial = &study->trials[r];
         const struct outcome *o = &study->outcomes[r];
-        fprintf(file, "%s,%s,%.17g,%.17g,%lld,%lld,%.17g,%.17g,%.17g,%.17g,%.17g\n", study->plan->scene->name,
-                trial->stepper->name, trial->h, trial->t_end, (long long)o->steps, (long long)o->force_evals,
-                o->e_error, o->q_error, o->h1_error, o->attitude_error, o->momentum_error);
+        fprintf(file, "%s,%s,%s,%s,%lld,%lld,%s,%s,%s,%s,%s\n", study->plan->scene->name, trial->stepper->name,
+                NUMBER(trial->h), NUMBER(trial->t_end), (long long)o->steps, (long long)o->force_evals,
+                NUMBER(o->e_error), NUMBER(o->q_error), NUMBER(o->h1_error), NUMBER(o->attitude_error),
+                NUMBER(o->momentum_error));
     }
 }
 
@@ -21,8 +24,8 @@ void timing_csv_write(const struct study *study, FILE *file)
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct trial *trial = &study->trials[r];
         const double seconds = study->outcomes[r].seconds;
-        fprintf(file, "%s,%s,%.17g,%.9g,%.6g,%d\n", study->plan->scene->name, trial->stepper->name, trial->h, seconds,
-                1e9 * seconds / (double)trial->steps, study->ranks[r]);
+        fprintf(file, "%s,%s,%s,%.9g,%.6g,%d\n", study->plan->scene->name, trial->stepper->name, NUMBER(trial->h),
+                seconds, 1e9 * seconds / (double)trial->steps, study->ranks[r]);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "cost_files.h"
 #include "cost_table.h"
+#include "number.h"
 #include "progress.h"
 #include "study_csv.h"
 #include "study_files.h"
@@ -72,9 +73,8 @@ static void say_study(const struct study *study, const char *folder)
     const struct plan *plan = study->plan;
     for (int64_t k = 0; k < plan->h_count; ++k)
         if (study->trials[k].t_end != plan->t_end)
-            printf(
-                "note: t_end = %.10g is not a multiple of h = %.10g: those runs take %lld steps and end at t = %.10g\n",
-                plan->t_end, plan->h[k], (long long)study->trials[k].steps, study->trials[k].t_end);
+            printf("note: t_end = %s is not a multiple of h = %s: those runs take %lld steps and end at t = %.10g\n",
+                   NUMBER(plan->t_end), NUMBER(plan->h[k]), (long long)study->trials[k].steps, study->trials[k].t_end);
     study_table_write(study, stdout);
     printf("\nreference: rk8pd, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
            study->reference_energy_error, study->reference_uncertainty, study->norm_squared);

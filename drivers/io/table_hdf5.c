@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number.h"
 #include "quote.h"
 #include "table_csv.h"
 
@@ -50,7 +51,7 @@ static int check_values(const struct table *table, int k, struct message *messag
         const double value = table->column[k][r];
         const char *refusal = table_refusal(table->kind, k, value);
         if (refusal != NULL)
-            return table_fail(table, r, message, "%s: '%.17g' %s", table_column(table->kind, k), value, refusal);
+            return table_fail(table, r, message, "%s: '%s' %s", table_column(table->kind, k), NUMBER(value), refusal);
     }
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "number.h"
 #include "rivals.h"
 
 static const struct rival *const rivals[] = {
@@ -112,13 +113,13 @@ static int start(struct course *c)
 static int refused(const struct course *c, int status, struct message *message)
 {
     if (status == VTI_E_TOO_LARGE)
-        return message_set(message, "%s at h = %.17g: t = %.6g: body %lld has h|Omega| = %.6g; %s", c->rival->name,
-                           c->h, (double)c->steps * c->h, (long long)c->fault.body, c->fault.value,
+        return message_set(message, "%s at h = %s: t = %.6g: body %lld has h|Omega| = %.6g; %s", c->rival->name,
+                           NUMBER(c->h), (double)c->steps * c->h, (long long)c->fault.body, c->fault.value,
                            vti_status_text(status));
     if (status == RIVAL_E_DIVERGES)
-        return message_set(message, "%s at h = %.17g: t = %.6g: its iteration does not converge; take a smaller h",
-                           c->rival->name, c->h, (double)c->steps * c->h);
-    return message_set(message, "%s at h = %.17g: t = %.6g: %s", c->rival->name, c->h, (double)c->steps * c->h,
+        return message_set(message, "%s at h = %s: t = %.6g: its iteration does not converge; take a smaller h",
+                           c->rival->name, NUMBER(c->h), (double)c->steps * c->h);
+    return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->name, NUMBER(c->h), (double)c->steps * c->h,
                        model_text(c->model, status));
 }
 

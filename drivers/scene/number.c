@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "number.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "plain.h"
@@ -109,4 +111,16 @@ int number_read(const char *text, double *value)
         return -1;
     *value = sign * x;
     return 0;
+}
+
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
+
+const char *number_text(double value, char text[NUMBER_TEXT])
+{
+    /* every decimal of up to DBL_DIG digits is what its double prints with that many; only subnormal ones hold fewer */
+    int digits = fabs(value) < DBL_MIN ? 1 : DBL_DIG;
+    do
+        snprintf(text, NUMBER_TEXT, "%.*g", digits, value);
+    while (digits++ < 17 && isfinite(value) && strtod(text, NULL) != value);
+    return text;
 }

@@ -10,4 +10,12 @@
  *  numbers, infinities and NaN. Returns 0, or -1 and leaves *value alone. Does not depend on the locale. */
 int number_read(const char *text, double *value);
 
+enum { NUMBER_TEXT = 32 };
+
+/** Writes the shortest decimal number that reads back as the same double, 0.1 and not 0.10000000000000001, and returns text. */
+const char *number_text(double value, char text[NUMBER_TEXT]);
+
+/** The same within one expression: printf("%s", NUMBER(h)). */
+#define NUMBER(value) number_text((value), (char[NUMBER_TEXT]){0})
+
 #endif

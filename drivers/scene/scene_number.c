@@ -65,9 +65,12 @@ int scene_number_count(const struct scene_reader *reader, const struct scene_fie
 {
     char shown[QUOTE_SIZE];
     double number;
-    if (number_read(text, &number) != 0 || number != floor(number) || fabs(number) > 0x1p53)
+    if (number_read(text, &number) != 0 || number != floor(number))
         return scene_reader_fail(reader, path, "'%s' is not a whole number; %s", quote(shown, sizeof shown, text),
                                  SCENE_WORDS_COUNT);
+    if (fabs(number) > 0x1p53)
+        return scene_reader_fail(reader, path, "'%s' is too large; give a whole number up to 2^53",
+                                 quote(shown, sizeof shown, text));
     *count = (int64_t)number;
     return check_range(reader, field, path, text, number);
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "number.h"
+
 int64_t loop_steps(double t_end, double h)
 {
     const double ratio = t_end / h;
@@ -143,14 +145,17 @@ static int show(struct run *run, int64_t step)
 }
 
 static int refused(const struct model *model, int status, const vti_fault *fault, const vti_stepper *stepper, double h,
-                   int64_t step, struct message *message)
+                   int64_t from, int64_t step, struct message *message)
 {
+    char place[64];
+    if (step > from)
+        snprintf(place, sizeof place, "step %lld (t = %.10g)", (long long)step, (double)(step - 1) * h);
+    else
+        snprintf(place, sizeof place, "the start (t = %.10g)", (double)from * h);
     if (status == VTI_E_TOO_LARGE)
-        return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): body %lld has h|Omega| = %.6g; %s",
-                           stepper->name, h, (long long)step, (double)(step - 1) * h, (long long)fault->body,
-                           fault->value, vti_status_text(status));
-    return message_set(message, "%s at h = %.17g: step %lld (t = %.6g): %s", stepper->name, h, (long long)step,
-                       (double)(step - 1) * h, model_text(model, status));
+        return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", stepper->name, NUMBER(h),
+                           place, (long long)fault->body, fault->value, vti_status_text(status));
+    return message_set(message, "%s at h = %s: %s: %s", stepper->name, NUMBER(h), place, model_text(model, status));
 }
 
 /** Forces at the bodies' positions; at t = 0 velocities also move to where the method keeps them. */
@@ -183,5 +188,5 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
     }
     free(run.reader.memory);
     free(run.probe.memory);
-    return status != VTI_OK ? refused(model, status, &fault, stepper, h, step, message) : stopped;
+    return status != VTI_OK ? refused(model, status, &fault, stepper, h, from, step, message) : stopped;
 }

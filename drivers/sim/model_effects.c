@@ -4,6 +4,7 @@
 
 #include "arrange.h"
 #include "model_parts.h"
+#include "number.h"
 
 static int out_of_memory(const struct model *model, struct message *message)
 {
@@ -55,8 +56,8 @@ static int read_pairs(const struct model *model, const struct table *t, int64_t 
         for (int c = 0; c < 2; ++c) {
             const double body = t->column[BOND_I + c][k];
             if (body >= (double)model->bodies.count)
-                return table_fail(t, k, message, "%s: '%.17g' is not a body; there are %lld, counted from 0",
-                                  table_column(TABLE_BONDS, BOND_I + c), body, (long long)model->bodies.count);
+                return table_fail(t, k, message, "%s: '%s' is not a body; there are %lld, counted from 0",
+                                  table_column(TABLE_BONDS, BOND_I + c), NUMBER(body), (long long)model->bodies.count);
             pair[2 * k + c] = (int64_t)body;
         }
         if (pair[2 * k] == pair[2 * k + 1])

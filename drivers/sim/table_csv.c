@@ -127,7 +127,9 @@ static int read_row(struct csv *csv)
     if (csv->line[strspn(csv->line, " \t")] == '\0')
         return fail(csv, NULL, "an empty line; remove it");
     if (count_fields(csv->line) != csv->width) {
-        snprintf(text, sizeof text, "%d values in a row of %d columns", count_fields(csv->line), csv->width);
+        const int n = count_fields(csv->line);
+        snprintf(text, sizeof text, "%d value%s in a row of %d column%s; give one for each name in line 1", n,
+                 n == 1 ? "" : "s", csv->width, csv->width == 1 ? "" : "s");
         return fail(csv, NULL, text);
     }
     if (csv->table->rows == SCENE_BODIES_MAX || table_reserve(csv->table, csv->table->rows + 1) != 0)

@@ -31,7 +31,8 @@ static int read_whole(const char *option, const char *text, double most, int64_t
     double number = (double)otherwise;
     if (text != NULL &&
         (number_read(text, &number) != 0 || !(number >= 1.0 && number <= most) || rint(number) != number))
-        return message_set(message, "%s: '%s' is not a whole number from 1 to %.10g", option, text, most);
+        return message_set(message, "%s: '%s' is not a whole number from 1 to %.10g; write 50 or 1e3", option, text,
+                           most);
     *value = (int64_t)number;
     return 0;
 }
@@ -129,8 +130,8 @@ int cost_plan_steps(struct cost_plan *plan, const char *list, struct message *me
         for (int64_t c = 0; c < plan->cases_count; ++c) {
             const double steps = plan->cases[c].t_end / plan->h[k];
             if (rint(steps) < 1.0 || fabs(steps - rint(steps)) > 1e-9 * steps)
-                return message_set(message, "--h: %.10g does not divide the end t = %.10g of %s; use a whole fraction",
-                                   plan->h[k], plan->cases[c].t_end, plan->cases[c].name);
+                return message_set(message, "--h: %s does not divide the end t = %s of %s; use a whole fraction",
+                                   NUMBER(plan->h[k]), NUMBER(plan->cases[c].t_end), plan->cases[c].name);
         }
     return plan->h_count > 0 ? 0 : -1;
 }

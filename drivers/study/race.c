@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "number.h"
+
 int64_t race_steps(double t_end, double h)
 {
     const int64_t steps = llrint(t_end / h);
@@ -72,8 +74,8 @@ static double velocity_error(const vti_bodies *b, const vti_bodies *exact)
 
 static int not_finite(const struct travel *travel, double h, struct message *message)
 {
-    return message_set(message, "%s at h = %.17g: at t = %.6g the state is no longer finite; use a smaller step",
-                       travel->method->name, h, (double)travel->steps * h);
+    return message_set(message, "%s at h = %s: at t = %.6g the state is no longer finite; use a smaller step",
+                       travel->method->name, NUMBER(h), (double)travel->steps * h);
 }
 
 /** All steps, and energy and momenta at as many times. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "queue.h"
 
 const char *const study_measures[STUDY_MEASURES] = {"e_error", "q_error", "h1_error", "attitude_error"};
@@ -77,11 +78,10 @@ static int choose_interval(struct study *study, struct message *message)
     for (int64_t k = 0; k < plan->h_count; ++k) {
         const double ratio = study->interval / plan->h[k];
         if (fabs(ratio - rint(ratio)) > 1e-9 * ratio)
-            return message_set(
-                message,
-                "--h: %.10g does not divide the longest step %.10g, and runs of scenes with contacts, walls "
-                "or many bodies are compared at common times; use a ladder such as 1/1000:1/8000",
-                plan->h[k], study->interval);
+            return message_set(message,
+                               "--h: %s does not divide the longest step %s, and runs of scenes with contacts, walls "
+                               "or many bodies are compared at common times; use a ladder such as 1/1000:1/8000",
+                               NUMBER(plan->h[k]), NUMBER(study->interval));
     }
     while (plan->t_end / study->interval * width > most_bytes)
         study->interval *= 2.0;
@@ -100,11 +100,11 @@ static int make_trials(struct study *study, struct message *message)
         trial->t_end = (double)trial->steps * trial->h;
         trial->compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
         if (trial->steps < 1)
-            return message_set(message, "--h: %.17g is longer than t_end = %.17g; use a smaller step", trial->h,
-                               plan->t_end);
+            return message_set(message, "--h: %s is longer than t_end = %s; use a smaller step", NUMBER(trial->h),
+                               NUMBER(plan->t_end));
         if (trial->steps > (int64_t)1 << 40)
-            return message_set(message, "--h: %.17g makes %lld steps to t_end = %.17g; use a larger step", trial->h,
-                               (long long)trial->steps, plan->t_end);
+            return message_set(message, "--h: %s makes %lld steps to t_end = %s; use a larger step", NUMBER(trial->h),
+                               (long long)trial->steps, NUMBER(plan->t_end));
     }
     return 0;
 }

@@ -155,12 +155,51 @@ static void reads_long_texts(void **state)
     free(text);
 }
 
+/** No shorter decimal reads back: an independent search over all counts of digits. */
+static void writes_the_shortest(void **state)
+{
+    static const struct {
+        double value;
+        const char *text;
+    } known[] = {{0.1, "0.1"},
+                 {-0.2, "-0.2"},
+                 {0.3, "0.3"},
+                 {0.1 + 0.2, "0.30000000000000004"},
+                 {1.0 / 3.0, "0.3333333333333333"},
+                 {1e23, "1e+23"},
+                 {0.015625, "0.015625"},
+                 {0x1p-1074, "5e-324"},
+                 {DBL_MIN, "2.2250738585072014e-308"},
+                 {DBL_MAX, "1.7976931348623157e+308"},
+                 {0.0, "0"},
+                 {-0.0, "-0"},
+                 {2251799813685249.5, "2251799813685249.5"},
+                 {9007199254740993.0, "9007199254740992"},
+                 {INFINITY, "inf"}};
+    rng g = rng_seed(2);
+    (void)state;
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
+        assert_string_equal(NUMBER(known[k].value), known[k].text);
+    for (int k = 0; k < 20000; ++k) {
+        const double x = k % 2 == 0 ? random_finite(&g) : (double)(rng_bits(&g) >> 40) / 1000.0;
+        double value;
+        char text[NUMBER_TEXT], shorter[40];
+        int digits = 1;
+        while (snprintf(shorter, sizeof shorter, "%.*g", digits, x), strtod(shorter, NULL) != x)
+            ++digits;
+        assert_string_equal(number_text(x, text), shorter);
+        assert_int_equal(number_read(text, &value), 0);
+        assert_same_bits(&value, &x, 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reads_to_the_bit),
         cmocka_unit_test(refuses_and_leaves_the_value),
         cmocka_unit_test(reads_back_what_printf_writes),
+        cmocka_unit_test(writes_the_shortest),
         cmocka_unit_test(reads_long_texts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
