@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "hdf5_sink.h"
+#include "interval.h"
 #include "loop.h"
 #include "run_identity.h"
 #include "run_signals.h"
@@ -67,11 +68,11 @@ static int open_checkpoint(struct run *run, struct message *message)
     if (run->steps < run->from)
         return message_set(message, "--t-end: %.10g lies before the checkpoint at t = %.10g; give that or more",
                            run->scene.t_end, (double)run->from * run->scene.h);
-    if (choose_every("--record", run->request->record_every, c->record_every, run->steps / 1000 + 1, &c->record_every,
-                     message) != 0)
+    if (choose_every("--record", run->request->record_every, c->record_every,
+                     interval_choose(run->scene.h, run->steps, 1000), &c->record_every, message) != 0)
         return -1;
-    return choose_every("--frames", run->request->frames_every, c->frames_every, run->steps / 100 + 1, &c->frames_every,
-                        message);
+    return choose_every("--frames", run->request->frames_every, c->frames_every,
+                        interval_choose(run->scene.h, run->steps, 100), &c->frames_every, message);
 }
 
 int run_open(const struct run_request *request, struct run *run, struct message *message)

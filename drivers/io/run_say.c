@@ -74,8 +74,9 @@ void run_say_start(const struct run *run, FILE *file)
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
-    fprintf(file, "a row every %lld and a frame every %lld steps\n", (long long)run->checkpoint.record_every,
-            (long long)run->checkpoint.frames_every);
+    fprintf(file, "a row every %lld steps (%.6g of time) and a frame every %lld (%.6g)\n",
+            (long long)run->checkpoint.record_every, (double)run->checkpoint.record_every * h,
+            (long long)run->checkpoint.frames_every, (double)run->checkpoint.frames_every * h);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
     else if (run->request->resume)

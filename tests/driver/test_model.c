@@ -163,6 +163,8 @@ static void a_body_that_is_nowhere(void **state)
     assert_non_null(strstr(message.text, "step 1"));
     assert_non_null(strstr(message.text, "body 2"));
     model.bodies.x.c[0][6] = NAN;
+    assert_int_equal(loop_run(&model, scene.stepper, 0.1, 0, 3, NULL, 0, &message), -1);
+    assert_non_null(strstr(message.text, "vti2 at h = 0.1: the start (t = 0): contacts: body 2"));
     assert_int_equal(model_forces(&model, &model.bodies), MODEL_E_PAIRS);
     assert_string_equal(model_text(&model, MODEL_E_PAIRS), model.trouble.text);
     assert_true(isnan(model_energy(&model, &model.bodies)));

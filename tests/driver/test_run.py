@@ -147,6 +147,18 @@ def says(base):
     check(not os.path.exists(f"{base}/said.dump") and os.path.exists(f"{base}/said.xdmf"), "--no-dump writes no dump")
 
 
+def even_times(base):
+    """Frames and rows of their own accord at times with few digits, evenly to the end, 5000 steps for one."""
+    result = run(RUN, f"{SCENES}/pendulum.yaml", "--h", "1e-3", "--t-end", "5", "-o", f"{base}/even.h5")
+    check("a row every 5 steps (0.005 of time) and a frame every 50 (0.05)" in result.stdout, "it says how often it records")
+    frames, rows = read_vtkhdf(f"{base}/even.h5"), read_csv(f"{base}/even.csv")[1]
+    check([frame["t"] for frame in frames] == [50 * k * 1e-3 for k in range(101)] and
+          rows[:, 0].tolist() == [5 * k * 1e-3 for k in range(1001)], "every 0.05 and 0.005 to t = 5")
+    with open(f"{base}/even.csv", encoding="ascii") as file:
+        check([line.split(",")[0] for line in file.read().split("\n")[1:4]] == ["0", "0.005", "0.01"],
+              "numbers are written as the shortest decimal")
+
+
 def contact_flag(base):
     """Whether bonded bodies touch stands in the file, if the scene has contact at all."""
     def flag(scene, *options):
@@ -164,5 +176,6 @@ with tempfile.TemporaryDirectory() as root:
     for case in CASES:
         one_case(root, *case)
     says(root)
+    even_times(root)
     contact_flag(root)
 conclude()

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * How often a run is recorded: at times that people like, evenly to the end, about as often as wanted. */
+#include "support.h"
+
+#include "interval.h"
+#include "loop.h"
+
+/** The time between records in print: few digits. */
+static int digits_of(double time)
+{
+    char text[40];
+    int digits = 0, zeros = 0;
+    snprintf(text, sizeof text, "%.12e", time);
+    for (const char *p = text; *p != 'e'; ++p)
+        if (*p >= '0' && *p <= '9') {
+            zeros = *p == '0' ? zeros + 1 : 0;
+            ++digits;
+        }
+    return digits - zeros;
+}
+
+/** By hand: a run to t_end by steps of h, wanted records, and the time between them. */
+static void known_ones(void **state)
+{
+    static const struct {
+        double h, t_end, time;
+        int64_t about;
+    } known[] = {
+        {1e-3, 35.0, 0.25, 100},                                /* the torus: 140 */
+        {1e-3, 5.0, 0.05, 100},                                 /* 5000 steps, where it was every 51st */
+        {1e-3, 5.0, 0.005, 1000},                               /* and its rows */
+        {1e-3, 10.0, 0.1, 100},       {1e-2, 10.0, 0.01, 1000}, /* every step */
+        {0.1, 10.0, 0.1, 100},        {1e-3, 0.05, 1e-3, 100},  /* fewer steps than that */
+        {1e-6, 1.0, 0.01, 100},       {2.5e-4, 20.0, 0.2, 100},
+        {1.0 / 64, 10.0, 0.125, 100}, /* 640 steps: 8 of them, 80 records; 0.25 would be 40 */
+        {1.0 / 3000, 1.0, 0.01, 100}, /* 30 steps, though h is no decimal number */
+        {1e-3, 9.973, 0.1, 100},      /* a prime number of steps: not all is even, the time is */
+    };
+    (void)state;
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k) {
+        const double h = known[k].h;
+        const int64_t every = interval_choose(h, loop_steps(known[k].t_end, h), known[k].about);
+        if (every != llrint(known[k].time / h))
+            fail_msg("h = %g to %g, %d records: every %g", h, known[k].t_end, (int)known[k].about, (double)every * h);
+    }
+}
+
+/** For any run: from half to twice the records; where steps allow it they end with the run or have round times. */
+static void any_run(void **state)
+{
+    rng g = rng_seed(3);
+    (void)state;
+    for (int k = 0; k < 20000; ++k) {
+        const int64_t about = k % 2 == 0 ? 100 : 1000;
+        const int64_t steps = 1 + (int64_t)(rng_bits(&g) >> (24 + rng_bits(&g) % 40));
+        const double h = k % 3 == 0 ? (double)(1 + rng_bits(&g) % 9) * pow(10.0, -(double)(rng_bits(&g) % 6))
+                                    : 1.0 / (double)(1 + rng_bits(&g) % 5000);
+        const int64_t every = interval_choose(h, steps, about), records = steps / every;
+        if (steps <= about) {
+            assert_int_equal(every, 1);
+            continue;
+        }
+        if (records < about / 2 || records > 2 * about)
+            fail_msg("%lld steps, about %lld records: every %lld", (long long)steps, (long long)about,
+                     (long long)every);
+        if (steps % every != 0 && digits_of((double)every * h) > 2)
+            assert_true(every == 1 || digits_of((double)every) <= 2);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(known_ones), cmocka_unit_test(any_run)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
