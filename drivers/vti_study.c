@@ -31,6 +31,7 @@ static const char usage[] =
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  -o FOLDER         output folder (default study-SCENE)\n"
     "  --resume          go on with a study that was interrupted, if there is one in the folder, else start\n"
+    "  --force           replace files that are no results of vti too; what the scene is read from is never replaced\n"
     "  --no-plot         no pictures\n"
     "  -h, --help        this text\n"
     "\n"
@@ -48,16 +49,22 @@ static const char usage[] =
 
 enum { SETS = 64 };
 
+/** What the program reads. */
+struct study_inputs {
+    struct input input[3 * COST_CASES];
+    int count;
+};
+
 struct arguments {
     const char *scene, *steppers, *h, *t_end, *folder, *evals, *repeats;
     const char *const *scenes;
     const char *sets[SETS];
-    int sets_count, scenes_count, plot, help, cost, resume;
+    int sets_count, scenes_count, plot, help, cost, resume, force;
 };
 
 static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
 {
-    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS, RESUME };
+    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS, RESUME, FORCE };
     static const struct option options[] = {{"steppers", required_argument, NULL, STEPPERS},
                                             {"h", required_argument, NULL, H},
                                             {"t-end", required_argument, NULL, T_END},
@@ -67,6 +74,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"evals", required_argument, NULL, EVALS},
                                             {"repeats", required_argument, NULL, REPEATS},
                                             {"resume", no_argument, NULL, RESUME},
+                                            {"force", no_argument, NULL, FORCE},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
     const struct arguments defaults = {.plot = 1};
@@ -85,6 +93,8 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
             a->cost = 1;
         else if (c == RESUME)
             a->resume = 1;
+        else if (c == FORCE)
+            a->force = 1;
         else if (c == EVALS)
             a->evals = optarg;
         else if (c == REPEATS)
@@ -121,6 +131,16 @@ static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
     for (int64_t k = 0; k < n; ++k)
         h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));
     return n;
+}
+
+/** The file of a scene and its tables. */
+static void add_inputs(const char *path, const struct scene *scene, struct study_inputs *inputs)
+{
+    const struct input three[] = {{path, "the scene"},
+                                  {scene->table, "the scene's table of bodies"},
+                                  {scene->binder.table, "the scene's table of bonds"}};
+    for (int k = 0; k < 3; ++k)
+        inputs->input[inputs->count++] = three[k];
 }
 
 static int make_plan(const struct arguments *a, struct scene *scene, struct tables *tables, struct plan *plan,
@@ -165,9 +185,13 @@ static int run_cost(const struct arguments *arguments, int rank)
 {
     static struct cost_scenes scenes;
     static struct cost_plan plan;
+    static struct study_inputs inputs;
     struct message message = {""};
-    const struct study_place place = {arguments->folder != NULL ? arguments->folder : "cost", arguments->resume};
     int failed = study_agree(make_cost_plan(arguments, &scenes, &plan, &message), rank, &message);
+    for (int k = 0; k < scenes.count; ++k)
+        add_inputs(scenes.paths[k], &scenes.scenes[k], &inputs);
+    const struct study_place place = {arguments->folder != NULL ? arguments->folder : "cost", arguments->resume,
+                                      arguments->force, inputs.input, inputs.count};
     if (failed == 0)
         failed = cost_go(&plan, &place, rank);
     cost_scenes_destroy(&scenes);
@@ -179,6 +203,7 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
     static struct scene scene;
     static struct tables tables;
     static struct plan plan;
+    static struct study_inputs inputs;
     struct arguments arguments;
     struct message message = {""};
     int failed = read_arguments(argc, argv, &arguments, &message);
@@ -197,7 +222,8 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
             snprintf(folder, FOLDER_PATH, "%s", arguments.folder);
         else
             snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
-        const struct study_place place = {folder, arguments.resume};
+        add_inputs(arguments.scene != NULL ? arguments.scene : "", &scene, &inputs);
+        const struct study_place place = {folder, arguments.resume, arguments.force, inputs.input, inputs.count};
         failed = study_go(&plan, &place, rank);
         *wants_plot = rank == 0 && arguments.plot;
     }

@@ -31,7 +31,7 @@ static int fail(const char *path, struct message *message)
 
 static int write_all(const char *path, const void *bytes, size_t size)
 {
-    FILE *file = fopen(path, "wb");
+    FILE *file = folder_new(path);
     if (file == NULL)
         return -1;
     const int failed = fwrite(bytes, 1, size, file) != size || sync_file(file) != 0;

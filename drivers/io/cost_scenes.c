@@ -11,17 +11,17 @@
 static int read_one(const char *name, const char *const *sets, int sets_count, const char *t_end,
                     struct cost_scenes *scenes, struct cost_plan *plan, struct message *message)
 {
-    char path[SCENE_PATH_SIZE];
     /* a file may have an @ in its own name */
     const char *at = access(name, R_OK) != 0 ? strrchr(name, '@') : NULL;
     const size_t length = at != NULL ? (size_t)(at - name) : strlen(name);
-    if (length >= sizeof path)
+    if (length >= SCENE_PATH_SIZE)
         return message_set(message, "%.64s...: is longer than %d characters; use a shorter path", name,
                            SCENE_PATH_SIZE - 1);
+    if (scenes->count == COST_CASES)
+        return message_set(message, "%s: more than %d scenes; use fewer at a time", name, COST_CASES);
+    char *path = scenes->paths[scenes->count];
     memcpy(path, name, length);
     path[length] = '\0';
-    if (scenes->count == COST_CASES)
-        return message_set(message, "%s: more than %d scenes; use fewer at a time", path, COST_CASES);
     struct scene *scene = &scenes->scenes[scenes->count];
     struct tables *tables = &scenes->tables[scenes->count];
     if (scene_read(path, sets, sets_count, scene, message) != 0)

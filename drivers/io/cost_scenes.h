@@ -9,6 +9,7 @@
 /** Scenes and what their tables hold. Must not be moved while a plan looks at it. */
 struct cost_scenes {
     int count;
+    char paths[COST_CASES][SCENE_PATH_SIZE]; /* of the scenes' files */
     struct scene scenes[COST_CASES];
     struct tables tables[COST_CASES];
 };

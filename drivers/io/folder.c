@@ -3,6 +3,7 @@
 #include "folder.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,6 +16,40 @@ int folder_path(const char *folder, const char *name, int part, char path[FOLDER
     const int length = snprintf(path, FOLDER_PATH, "%s/%s%s", folder, name, part ? ".part" : "");
     if (length < 0 || length >= FOLDER_PATH)
         return message_set(message, "%.200s...: the path is too long; use a shorter one with -o", folder);
+    return 0;
+}
+
+/** Takes one link at path: 1 if there is none, else 0 and path is where it leads; -1 with errno. */
+static int follow(char path[FOLDER_PATH])
+{
+    char to[FOLDER_PATH];
+    const ssize_t length = readlink(path, to, sizeof to - 1);
+    if (length < 0)
+        return 1;
+    to[length] = '\0';
+    const size_t before = to[0] == '/' ? 0 : (size_t)(strrchr(path, '/') + 1 - path);
+    if (before + (size_t)length >= FOLDER_PATH) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    memcpy(path + before, to, (size_t)length + 1);
+    return 0;
+}
+
+int folder_output(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
+{
+    enum { LINKS = 40 };
+    static const char ending[] = ".part";
+    int end = 0;
+    if (folder_path(folder, name, 0, path, message) != 0)
+        return -1;
+    for (int links = 0; end == 0 && links < LINKS; ++links)
+        end = follow(path);
+    if (end <= 0 || strlen(path) + sizeof ending > FOLDER_PATH)
+        return message_set(message, "%.300s/%s: leads through too many or too long links; remove that link", folder,
+                           name);
+    if (part)
+        memcpy(path + strlen(path), ending, sizeof ending);
     return 0;
 }
 
@@ -40,19 +75,12 @@ static int make(const char *folder)
 
 int folder_create(const char *folder, struct message *message)
 {
-    static const char probe[] = "writable";
-    char path[FOLDER_PATH];
     if (make(folder) != 0)
         return message_set(message, "%s: the folder cannot be made: %s; choose another with -o", folder,
                            strerror(errno));
-    if (folder_path(folder, probe, 1, path, message) != 0)
-        return -1;
-    FILE *file = fopen(path, "wb");
-    if (file == NULL)
+    if (faccessat(AT_FDCWD, folder, W_OK | X_OK, AT_EACCESS) != 0)
         return message_set(message, "%s: the folder cannot be written to: %s; choose another with -o", folder,
                            strerror(errno));
-    fclose(file);
-    unlink(path);
     return 0;
 }
 
@@ -63,12 +91,24 @@ static int fail(const char *path, struct message *message)
     return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
 }
 
+FILE *folder_new(const char *path)
+{
+    const int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
+    int fd = open(path, flags, 0666);
+    if (fd < 0 && errno == EEXIST && unlink(path) == 0)
+        fd = open(path, flags, 0666);
+    FILE *file = fd >= 0 ? fdopen(fd, "wb") : NULL;
+    if (fd >= 0 && file == NULL)
+        close(fd);
+    return file;
+}
+
 FILE *folder_open(const char *folder, const char *name, struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_path(folder, name, 1, path, message) != 0)
+    if (folder_output(folder, name, 1, path, message) != 0)
         return NULL;
-    FILE *file = fopen(path, "wb");
+    FILE *file = folder_new(path);
     if (file == NULL)
         fail(path, message);
     return file;
@@ -77,7 +117,7 @@ FILE *folder_open(const char *folder, const char *name, struct message *message)
 int folder_close(FILE *file, const char *folder, const char *name, struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_path(folder, name, 1, path, message) != 0)
+    if (folder_output(folder, name, 1, path, message) != 0)
         return -1; /* it has been opened under this name */
     return sync_end(file, fclose) != 0 ? fail(path, message) : 0;
 }
@@ -87,7 +127,7 @@ int folder_close(FILE *file, const char *folder, const char *name, struct messag
 static int sync_part(const char *folder, const char *name, struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_path(folder, name, 1, path, message) != 0)
+    if (folder_output(folder, name, 1, path, message) != 0)
         return -1;
     return sync_path(path) != 0 ? fail(path, message) : 0;
 }
@@ -96,16 +136,20 @@ static int sync_part(const char *folder, const char *name, struct message *messa
 static int keep(const char *folder, const char *name, struct message *message)
 {
     char from[FOLDER_PATH], to[FOLDER_PATH];
-    if (folder_path(folder, name, 1, from, message) != 0 || folder_path(folder, name, 0, to, message) != 0)
+    if (folder_output(folder, name, 1, from, message) != 0 || folder_output(folder, name, 0, to, message) != 0)
         return -1;
-    return rename(from, to) != 0 ? fail(to, message) : 0;
+    if (rename(from, to) != 0)
+        return fail(to, message);
+    char *slash = strrchr(to, '/');
+    slash[slash == to] = '\0';
+    return strcmp(to, folder) != 0 && sync_path(to) != 0 ? fail(to, message) : 0; /* that of a link */
 }
 
 static void drop(const char *folder, const char *name)
 {
     char path[FOLDER_PATH];
     struct message ignored = {""};
-    if (folder_path(folder, name, 1, path, &ignored) == 0)
+    if (folder_output(folder, name, 1, path, &ignored) == 0)
         unlink(path);
 }
 

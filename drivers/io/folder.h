@@ -16,6 +16,12 @@ int folder_create(const char *folder, struct message *message);
 /** path = folder/name, or folder/name.part for the file while it is written. Returns 0, or -1 with *message if too long. */
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
 
+/** The same for a file that is put out: links are followed, so that a link stays and what it leads to is written. */
+int folder_output(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
+
+/** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with errno. */
+FILE *folder_new(const char *path);
+
 /** Opens folder/name.part for writing; NULL with *message if that cannot be. */
 FILE *folder_open(const char *folder, const char *name, struct message *message);
 /** Closes it. Returns 0, or -1 with *message if not all that was written to it has got there. */

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
 #include "hdf5_sink.h"
 
 #include <string.h>
+#include <unistd.h>
 
 static void check(struct hdf5_sink *s, herr_t status)
 {
@@ -20,7 +22,8 @@ struct hdf5_sink hdf5_file(const char *path)
 {
     const hid_t properties = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_obj_track_times(properties, 0);
-    struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_TRUNC, properties, H5P_DEFAULT), 0};
+    unlink(path);
+    struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_EXCL, properties, H5P_DEFAULT), 0}; /* O_EXCL */
     H5Pclose(properties);
     s.failed = s.place < 0;
     return s;

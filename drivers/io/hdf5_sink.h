@@ -15,6 +15,7 @@ struct hdf5_sink {
 /** Before anything else is done with HDF5. */
 void hdf5_start(void);
 
+/** Makes a new file, in the place of one that a killed program has left; never through a link. */
 struct hdf5_sink hdf5_file(const char *path);
 struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name);
 /** Closes a group and hands its failure on. */

@@ -116,7 +116,7 @@ static int open_file(struct journal *journal, struct journal_file *file, struct 
     char path[FOLDER_PATH];
     if (folder_path(journal->folder, file->name, 0, path, message) != 0)
         return -1;
-    const int fd = open(path, O_RDWR | O_CREAT, 0666);
+    const int fd = open(path, O_RDWR | O_CREAT | O_NOFOLLOW, 0666);
     if (fd < 0)
         return fail(journal, file->name, message);
     file->stream = fdopen(fd, "r+b");

@@ -20,6 +20,7 @@ struct run_request {
     double checkpoint_seconds;
     int resume; /* go on from the checkpoint, if there is one */
     int dump;   /* write the LAMMPS dump */
+    int force;  /* replace files that are not ours */
 };
 
 /** How a run has ended. */
@@ -35,6 +36,7 @@ struct run {
     struct scene scene;
     struct tables tables;
     struct model model;
+    struct input inputs[3]; /* the scene and its tables */
     struct run_files files;
     char output[FOLDER_PATH]; /* path of the HDF5 file */
     struct journal journal;

@@ -44,12 +44,39 @@ static void name_of(const struct run_files *files, int kind, char name[264])
         snprintf(name, 264, "%s%s", files->stem, endings[kind]);
 }
 
+/* ---- what is there ------------------------------------------------------------------------------------------------ */
+
+/* LAMMPS, whose dumps may begin as ours, writes the numbers of its box with exponents that %g has not. */
+static const char *const of_lammps[] = {"e+0", "e-01", "e-02", "e-03", "e-04", NULL};
+
+/* As the files begin since the first version. */
+static const struct mark marks[KINDS] = {
+    {NULL, NULL, NULL},
+    {"t,", ",angular_x,angular_y,angular_z", NULL},
+    {"<?xml version=\"1.0\"?>\n<Xdmf ", "bodies over time", NULL},
+    {"ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n", "\nITEM: ATOMS id type x y z", of_lammps},
+};
+
+int run_files_check(const struct run_files *files, struct message *message)
+{
+    const int kinds = files->dump ? KINDS : DUMP;
+    char name[KINDS][264];
+    struct output outputs[KINDS];
+    for (int kind = 0; kind < kinds; ++kind) {
+        name_of(files, kind, name[kind]);
+        outputs[kind].folder = files->folder;
+        outputs[kind].name = name[kind];
+        outputs[kind].mark = &marks[kind];
+    }
+    return overwrite_check(outputs, kinds, files->inputs, files->inputs_count, files->force, message);
+}
+
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
 static int write_hdf5(const struct run_files *files, const struct record *record, struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_path(files->folder, files->hdf5, 1, path, message) != 0)
+    if (folder_output(files->folder, files->hdf5, 1, path, message) != 0)
         return -1;
     return run_hdf5_write(record, path, message);
 }
@@ -68,13 +95,13 @@ static int write_text(const struct run_files *files, const struct record *record
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
-/** A dump of an earlier run beside the files of this one would only mislead. */
+/** A dump of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our business. */
 static void remove_dump(const struct run_files *files)
 {
     char name[264], path[FOLDER_PATH];
     struct message ignored = {""};
     name_of(files, DUMP, name);
-    if (folder_path(files->folder, name, 0, path, &ignored) == 0)
+    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[DUMP]))
         unlink(path);
 }
 
@@ -84,6 +111,8 @@ int run_files_write(const struct run_files *files, const struct record *record, 
     char name[KINDS][264];
     const char *names[KINDS];
     int failed = 0;
+    if (run_files_check(files, message) != 0)
+        return -1;
     for (int kind = 0; kind < kinds; ++kind) {
         name_of(files, kind, name[kind]);
         names[kind] = name[kind];

@@ -3,6 +3,7 @@
 #ifndef VTI_RUN_FILES_H
 #define VTI_RUN_FILES_H
 
+#include "overwrite.h"
 #include "record.h"
 
 /** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump. */
@@ -11,12 +12,18 @@ struct run_files {
     char stem[256]; /* OUT */
     char hdf5[264]; /* OUT.h5, or with the other ending that was asked for */
     int dump;       /* whether OUT.dump is wanted */
+    int force;      /* replace files that are not ours */
+    const struct input *inputs;
+    int inputs_count;
 };
 
 /** Takes the name of the HDF5 file apart. Returns 0, or -1 with one line in *message. */
 int run_files_name(struct run_files *files, const char *output, int dump, struct message *message);
 
-/** Writes the files: all under temporary names, to the disk, then all under their real ones, so that a failure
+/** Whether they may be written (overwrite.h). Returns 0, or -1 with one line in *message. */
+int run_files_check(const struct run_files *files, struct message *message);
+
+/** Checks again and writes the files: all under temporary names, to the disk, then all under their real ones, so that a failure
  *  leaves what was there before. Returns 0, or -1 with one line in *message. */
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message);
 

@@ -8,7 +8,7 @@
 static int write_hdf5(const struct study *study, const char *folder, const char *name, struct message *message)
 {
     char path[FOLDER_PATH];
-    return folder_path(folder, name, 1, path, message) != 0 ? -1 : study_hdf5_write(study, path, message);
+    return folder_output(folder, name, 1, path, message) != 0 ? -1 : study_hdf5_write(study, path, message);
 }
 
 static int write_csv(const struct study *study, const char *folder, const char *name,
@@ -21,13 +21,24 @@ static int write_csv(const struct study *study, const char *folder, const char *
     return folder_close(file, folder, name, message);
 }
 
+static const char *const names[STUDY_FILES] = {"study.h5", "study.csv", "timing.csv"};
+
+void study_files_list(const char *folder, struct output files[STUDY_FILES])
+{
+    static const struct mark marks[STUDY_FILES] = {
+        {NULL, NULL, NULL}, {"scene,stepper,h,t_end,", NULL, NULL}, {"scene,stepper,h,seconds,", NULL, NULL}};
+    for (int k = 0; k < STUDY_FILES; ++k) {
+        const struct output file = {folder, names[k], &marks[k]};
+        files[k] = file;
+    }
+}
+
 int study_files_write(const struct study *study, const char *folder, struct message *message)
 {
-    static const char *const names[] = {"study.h5", "study.csv", "timing.csv"};
     int failed = write_hdf5(study, folder, names[0], message);
     if (failed == 0)
         failed = write_csv(study, folder, names[1], study_csv_write, message);
     if (failed == 0)
         failed = write_csv(study, folder, names[2], timing_csv_write, message);
-    return folder_finish(folder, names, sizeof names / sizeof names[0], failed, message);
+    return folder_finish(folder, names, STUDY_FILES, failed, message);
 }

@@ -6,6 +6,7 @@
 
 #include "cost_files.h"
 #include "cost_table.h"
+#include "hdf5_sink.h"
 #include "number.h"
 #include "progress.h"
 #include "study_csv.h"
@@ -32,13 +33,21 @@ int study_agree(int failed, int rank, const struct message *message)
 
 /* ---- the journal, which rank 0 has -------------------------------------------------------------------------------- */
 
+static int check_files(const struct study_place *place, const struct output *files, int count, struct message *message)
+{
+    return overwrite_check(files, count, place->inputs, place->inputs_count, place->force, message);
+}
+
 /** Collective. */
 static int open_journal(struct task_journal *journal, const struct study_place *place, const char *name,
-                        const struct task_identity *identity, int rank)
+                        const struct output *files, int count, const struct task_identity *identity, int rank)
 {
     struct message message = {""};
     memset(journal, 0, sizeof *journal);
-    int failed = rank == 0 ? folder_create(place->folder, &message) : 0;
+    hdf5_start();
+    int failed = rank == 0 ? check_files(place, files, count, &message) : 0;
+    if (failed == 0 && rank == 0)
+        failed = folder_create(place->folder, &message);
     if (failed == 0 && rank == 0)
         failed = task_journal_open(journal, place->folder, name, place->resume, identity, &message);
     if (study_agree(failed, rank, &message) != 0)
@@ -91,12 +100,16 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     struct task_journal journal;
     struct message message = {""}, problem = {""};
     const struct task_identity identity = study_identity(plan);
-    if (open_journal(&journal, place, "study.journal", &identity, rank) != 0)
+    struct output files[STUDY_FILES];
+    study_files_list(place->folder, files);
+    if (open_journal(&journal, place, "study.journal", files, STUDY_FILES, &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
     int failed = study_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
-    if (failed == 0 && rank == 0 && study_files_write(&study, place->folder, &problem) != 0)
+    if (failed == 0 && rank == 0 &&
+        (check_files(place, files, STUDY_FILES, &problem) != 0 ||
+         study_files_write(&study, place->folder, &problem) != 0))
         failed = not_written(&journal, &problem, &message);
     /* a run that is refused would be refused again */
     close_journal(&journal, failed == 0 || study.refused, rank);
@@ -121,12 +134,15 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     struct task_journal journal;
     struct message message = {""}, problem = {""};
     const struct task_identity identity = cost_identity(plan);
-    if (open_journal(&journal, place, "cost.journal", &identity, rank) != 0)
+    struct output files[COST_FILES];
+    cost_files_list(place->folder, files);
+    if (open_journal(&journal, place, "cost.journal", files, COST_FILES, &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
     int failed = cost_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
-    if (failed == 0 && rank == 0 && cost_files_write(&cost, place->folder, &problem) != 0)
+    if (failed == 0 && rank == 0 &&
+        (check_files(place, files, COST_FILES, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
         failed = not_written(&journal, &problem, &message);
     close_journal(&journal, failed == 0, rank);
     if (failed == 0 && rank == 0)

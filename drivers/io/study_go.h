@@ -4,12 +4,16 @@
 #define VTI_STUDY_GO_H
 
 #include "cost.h"
+#include "overwrite.h"
 #include "study.h"
 
 /** Where it goes and whether one that was interrupted there goes on. */
 struct study_place {
     const char *folder;
     int resume;
+    int force; /* replace files that are not ours */
+    const struct input *inputs;
+    int inputs_count;
 };
 
 /** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */

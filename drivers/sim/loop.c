@@ -2,6 +2,7 @@
 #include "loop.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "number.h"

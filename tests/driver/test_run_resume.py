@@ -255,9 +255,9 @@ def tables(base):
                 file[f"bodies/{name}"] = numpy.arange(float(n))
             file["bodies/mass"] = numpy.full(n, mass)
 
-    arguments = [f"{base}/table.yaml", "-o", f"{base}/out/out.h5"]
+    arguments = [f"{base}/table.yaml", "--frames", "16", "-o", f"{base}/out/out.h5"]
     bodies(100, 1.0)
-    result = run(RUN, *arguments, preexec_fn=with_limit(450))
+    result = run(RUN, *arguments, preexec_fn=with_limit(320))
     check(result.returncode == 1 and one_line(result, "out.h5.run"), f"table, disk full: {result.stderr.strip()}")
     bodies(100, 2.0)
     result = run(RUN, *arguments, "--resume")

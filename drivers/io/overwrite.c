@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "overwrite.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <hdf5.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "folder.h"
+
+/* ---- marks ------------------------------------------------------------------------------------------------------- */
+
+const struct mark mark_hdf5 = {NULL, NULL, NULL};
+
+static int is_hdf5(const char *path)
+{
+    htri_t found = 0;
+    H5E_BEGIN_TRY
+    {
+        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        if (file >= 0) {
+            found = H5Aexists(file, "vti_version");
+            H5Fclose(file);
+        }
+    }
+    H5E_END_TRY;
+    return found > 0;
+}
+
+static int is_text(const char *path, const struct mark *mark)
+{
+    char start[4096];
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return 0;
+    const size_t size = fread(start, 1, sizeof start - 1, file);
+    fclose(file);
+    start[size] = '\0';
+    for (const char *const *lack = mark->lacks; lack != NULL && *lack != NULL; ++lack)
+        if (strstr(start, *lack) != NULL)
+            return 0;
+    return strncmp(start, mark->begins, strlen(mark->begins)) == 0 &&
+           (mark->holds == NULL || strstr(start, mark->holds) != NULL);
+}
+
+int mark_is_ours(const char *path, const struct mark *mark)
+{
+    struct stat info;
+    if (stat(path, &info) != 0 || !S_ISREG(info.st_mode))
+        return 0;
+    return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path) : is_text(path, mark));
+}
+
+/* ---- which file is which ------------------------------------------------------------------------------------------ */
+
+static int is_same(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    if (strcmp(a, b) == 0)
+        return 1;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
+/** The file itself, and the one beside it that it is written as. */
+static int check_inputs(const struct output *o, const struct input *inputs, int count, struct message *message)
+{
+    char path[FOLDER_PATH];
+    for (int part = 0; part < 2; ++part) {
+        if (folder_output(o->folder, o->name, part, path, message) != 0)
+            return -1;
+        for (int k = 0; k < count; ++k)
+            if (inputs[k].path[0] != '\0' && is_same(path, inputs[k].path))
+                return message_set(message,
+                                   "%.300s/%s: would replace %.300s, which is %s; choose another place with -o",
+                                   o->folder, o->name, inputs[k].path, inputs[k].what);
+    }
+    return 0;
+}
+
+static int check_others(const struct output *outputs, int k, struct message *message)
+{
+    char mine[FOLDER_PATH], other[FOLDER_PATH];
+    if (folder_output(outputs[k].folder, outputs[k].name, 0, mine, message) != 0)
+        return -1;
+    for (int j = 0; j < k; ++j) {
+        if (folder_output(outputs[j].folder, outputs[j].name, 0, other, message) != 0)
+            return -1;
+        if (is_same(mine, other))
+            return message_set(message, "%.300s/%s: is the same file as %s; remove that link", outputs[k].folder,
+                               outputs[k].name, outputs[j].name);
+    }
+    return 0;
+}
+
+/** A link that leads to no file yet: whether one can be made there. */
+static int check_link(const struct output *o, char *target, struct message *message)
+{
+    char own[FOLDER_PATH];
+    struct stat info;
+    if (folder_path(o->folder, o->name, 0, own, message) != 0)
+        return -1;
+    if (lstat(own, &info) != 0)
+        return 0;
+    char *slash = strrchr(target, '/');
+    slash[slash == target] = '\0';
+    return faccessat(AT_FDCWD, target, W_OK | X_OK, AT_EACCESS) == 0
+               ? 0
+               : message_set(message, "%.300s: leads to %.600s, which cannot be written to: %s; remove that link", own,
+                             target, strerror(errno));
+}
+
+static int check_there(const struct output *o, int force, struct message *message)
+{
+    char path[FOLDER_PATH];
+    struct stat info;
+    if (folder_output(o->folder, o->name, 0, path, message) != 0)
+        return -1;
+    if (stat(path, &info) != 0)
+        return errno == ENOENT ? check_link(o, path, message)
+                               : message_set(message, "%.600s: cannot be looked at: %s; choose another place with -o",
+                                             path, strerror(errno));
+    if (!S_ISREG(info.st_mode))
+        return message_set(message, "%.600s: is there already and is no file; choose another place with -o", path);
+    if (force || mark_is_ours(path, o->mark))
+        return 0;
+    return message_set(message,
+                       "%.600s: is there already and is no result of vti; choose another place with -o, or replace it "
+                       "with --force",
+                       path);
+}
+
+int overwrite_check(const struct output *outputs, int outputs_count, const struct input *inputs, int inputs_count,
+                    int force, struct message *message)
+{
+    for (int k = 0; k < outputs_count; ++k)
+        if (check_inputs(&outputs[k], inputs, inputs_count, message) != 0 || check_others(outputs, k, message) != 0 ||
+            check_there(&outputs[k], force, message) != 0)
+            return -1;
+    return 0;
+}

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What vti-run and vti-study replace: results of theirs, and nothing else of anybody's; links are followed, names that a program
+writes under in the meantime are not.      test_overwrite.py VTI_RUN VTI_STUDY SCENES"""
+import os
+import sys
+import tempfile
+
+import h5py
+
+from programs import contents, one_line, run
+from tally import check, conclude
+
+RUN, STUDY, SCENES = map(os.path.abspath, sys.argv[1:4])
+BODIES = "x,y,z,vx,vy,vz\n0,0,0,1,0,0\n2,0,0,0,0,0\n"
+BONDS = "i,j\n0,1\n"
+TABLE = "bodies: {table: %s, mass: 1}\nh: 1/64\nt_end: 1\n"
+SPIN = [f"{SCENES}/spin.yaml", "--t-end", "1"]
+# as LAMMPS writes it with "dump_modify time yes"
+LAMMPS = ("ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n"
+          + 3 * "-5.0000000000000000e-01 5.0000000000000000e-01\n" + "ITEM: ATOMS id type x y z \n1 1 0 0 0 \n")
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(text)
+
+
+def refused(what, folder, words, *command):
+    """In one line, and nothing in the folder has changed."""
+    before = contents(folder)
+    result = run(*command, cwd=folder)
+    check(one_line(result, *words), f"{what}: {result.stderr.strip()}")
+    check(contents(folder) == before, "... and all that was there is as it was")
+
+
+def own_inputs(base):
+    """The table that a run reads, under the names of its outputs, by links and hard links too; --force is no help."""
+    write(f"{base}/chain.csv", BODIES)
+    write(f"{base}/chain.yaml", "name: chain\n" + TABLE % "chain.csv")
+    for force in ([], ["--force"]):
+        refused(f"name: chain, table: chain.csv {force}", base, ["chain.csv", "table of bodies", "-o"], RUN, "chain.yaml", *force)
+    write(f"{base}/tw.csv", BODIES)
+    write(f"{base}/tw.yaml", TABLE % "tw.csv")
+    refused("-o tw.h5 beside tw.csv", base, ["tw.csv", "table of bodies"], RUN, "tw.yaml", "-o", "tw.h5")
+    os.symlink("tw.csv", f"{base}/soft.csv")
+    os.link(f"{base}/tw.csv", f"{base}/hard.csv")
+    for name in ("soft", "hard"):
+        refused(f"a {name} link to it", base, ["tw.csv", "table of bodies"], RUN, "tw.yaml", "-o", f"{name}.h5")
+    write(f"{base}/b.dump", BONDS)
+    write(f"{base}/b.yaml", "binder: {axial: 1, table: b.dump}\n" + TABLE % "tw.csv")
+    refused("bonds", base, ["b.dump", "table of bonds"], RUN, "b.yaml", "-o", "b.h5")
+    write(f"{base}/s.xdmf", TABLE % "tw.csv")
+    refused("the scene itself", base, ["s.xdmf", "the scene"], RUN, "s.xdmf", "-o", "s.h5")
+    write(f"{base}/p.csv.part", BODIES)
+    write(f"{base}/p.yaml", TABLE % "p.csv.part")
+    refused("under the name that is written meanwhile", base, ["table of bodies"], RUN, "p.yaml", "-o", "p.h5")
+    write(f"{base}/study/study.csv", BODIES)
+    write(f"{base}/st.yaml", TABLE % "study/study.csv")
+    refused("vti-study", f"{base}/study", ["study.csv", "table of bodies"], STUDY, "../st.yaml", "-o", ".", "--h", "1/64", "--force")
+    write(f"{base}/cost/errors.csv", BODIES)
+    write(f"{base}/co.yaml", TABLE % "cost/errors.csv")
+    refused("vti-study --cost", f"{base}/cost", ["errors.csv", "table of bodies"], STUDY, "--cost", "../co.yaml@1", "-o", ".")
+
+
+def foreign(base):
+    """Files that are no results of vti are replaced with --force only; results are replaced, those of vti-study too."""
+    for name, text in (("o.h5", "text"), ("o.csv", BODIES), ("o.xdmf", "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n"),
+                       ("o.dump", LAMMPS)):
+        folder = f"{base}/{name}"
+        write(f"{folder}/{name}", text)
+        refused(f"somebody's {name}", folder, [name, "--force"], RUN, *SPIN, "-o", "o.h5")
+        if name == "o.dump":
+            result = run(RUN, *SPIN, "-o", f"{folder}/o.h5", "--no-dump")
+            check(result.returncode == 0 and contents(folder)["o.dump"] == LAMMPS.encode(), "--no-dump lets it be")
+        result = run(RUN, *SPIN, "-o", f"{folder}/o.h5", "--force")
+        whole = contents(folder)
+        check(result.returncode == 0 and len(whole) == 4 and whole[name] != text.encode(), "... --force replaces it")
+        result = run(RUN, *SPIN, "-o", f"{folder}/o.h5", "--t-end", "2")
+        check(result.returncode == 0 and contents(folder).keys() == whole.keys() and contents(folder)[name] != whole[name],
+              "... and what is ours is replaced by the next run")
+        result = run(RUN, *SPIN, "-o", f"{folder}/o.h5", "--no-dump")
+        check(result.returncode == 0 and "o.dump" not in contents(folder), "... whose --no-dump takes our dump away")
+    os.mkdir(f"{base}/hdf5")
+    with h5py.File(f"{base}/hdf5/o.h5", "w") as file:
+        file["bodies/x"] = [1.0]
+    refused("somebody's HDF5 file", f"{base}/hdf5", ["o.h5", "--force"], RUN, *SPIN, "-o", "o.h5")
+    os.makedirs(f"{base}/folder/o.csv")
+    refused("a folder", f"{base}/folder", ["o.csv", "is no file"], RUN, *SPIN, "-o", "o.h5", "--force")
+    os.mkdir(f"{base}/empty")
+    open(f"{base}/empty/o.h5", "w", encoding="ascii").close()
+    check(run(RUN, *SPIN, "-o", f"{base}/empty/o.h5").returncode == 0, "in an empty file nothing is lost")
+    studies = [([], ("study.h5", "study.csv", "timing.csv")),
+               (["--cost", "--evals", "64", "--repeats", "1", "--t-end", "1"], ("cost.csv", "errors.csv", "prices.csv", "machine.txt"))]
+    for options, names in studies:
+        folder = f"{base}/study{len(options)}"
+        arguments = [STUDY, "--no-plot"] * (not options) + [STUDY, *options] * bool(options)
+        arguments += ["--h", "1/64", "--steppers", "vti2", "-o", folder, f"{SCENES}/pendulum.yaml"]
+        for name in names:
+            os.makedirs(folder, exist_ok=True)
+            before = contents(folder)
+            write(f"{folder}/{name}", "mine\n")
+            result = run(*arguments)
+            check(one_line(result, name, "--force") and contents(folder) == {**before, name: b"mine\n"},
+                  f"somebody's {name}: {result.stderr.strip()}")
+            check(run(*arguments, "--force").returncode == 0 and set(contents(folder)) == set(names), "... --force replaces it")
+            check(run(*arguments).returncode == 0, "... and what is ours is replaced")
+
+
+def links(base):
+    """An output that is a link stays one, and the file that it leads to is written; not so the name that is written meanwhile."""
+    os.makedirs(f"{base}/far")
+    for ending in ("h5", "csv", "xdmf", "dump"):
+        os.symlink(f"far/real.{ending}", f"{base}/out.{ending}")
+        write(f"{base}/victim.{ending}", "mine\n")
+        os.symlink(f"victim.{ending}", f"{base}/far/real.{ending}.part")
+    for inertia in (1, 2):
+        result = run(RUN, *SPIN, "--set", f"bodies.inertia={inertia}", "-o", f"{base}/out.h5")
+        run(RUN, *SPIN, "--set", f"bodies.inertia={inertia}", "-o", f"{base}/plain/out.h5")
+        far, plain = contents(f"{base}/far"), contents(f"{base}/plain")
+        check(result.returncode == 0 and all(os.path.islink(f"{base}/{name}") for name in plain) and
+              {name.replace("real", "out"): data for name, data in far.items()} == plain, "four links are followed, and stay")
+    check(all(contents(base)[f"victim.{ending}"] == b"mine\n" for ending in ("h5", "csv", "xdmf", "dump")),
+          "planted links are not written through")
+    for ending in ("csv", "xdmf"):
+        os.symlink("victim.h5", f"{base}/two.{ending}")
+    refused("two outputs that are one file", base, ["two.xdmf", "same file", "two.csv"], RUN, *SPIN, "-o", "two.h5", "--force")
+    os.mkdir(f"{base}/more")
+    os.symlink("nowhere/out.h5", f"{base}/more/lost.h5")
+    refused("a link to a folder that is not there", base, ["lost.h5", "nowhere", "remove that link"], RUN, *SPIN, "-o", "more/lost.h5")
+    os.symlink("round.h5", f"{base}/more/round.h5")
+    refused("a link to itself", base, ["round.h5", "links"], RUN, *SPIN, "-o", "more/round.h5")
+
+
+def planted(base):
+    """Both outputs as links to one file, under the names that are written meanwhile."""
+    write(f"{base}/one", "mine\n")
+    for ending in ("h5", "csv"):
+        os.symlink("one", f"{base}/out.{ending}.part")
+    result = run(RUN, *SPIN, "-o", f"{base}/out.h5")
+    run(RUN, *SPIN, "-o", f"{base}/plain/out.h5")
+    there = contents(base)
+    check(result.returncode == 0 and there.pop("one") == b"mine\n" and there.pop("plain") is None and
+          there == contents(f"{base}/plain"), "two planted links: each output is a file of its own, and the links' is untouched")
+
+
+for topic in (own_inputs, foreign, links, planted):
+    with tempfile.TemporaryDirectory() as root:
+        topic(root)
+conclude()
