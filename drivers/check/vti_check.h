@@ -42,24 +42,28 @@ enum vti_check_verdict { VTI_CHECK_FAIL = -1, VTI_CHECK_NOTE = 0, VTI_CHECK_PASS
 
 /** One check: a number, and how large (relation +1: how small) it may be. */
 typedef struct vti_check_line {
-    const char *name;
-    double measured, bound; /* measured is NaN where the host refuses or its state is not finite */
-    int verdict;            /* vti_check_verdict */
-    int relation;           /* -1: at most bound, +1: at least bound */
-    char said[VTI_CHECK_TEXT];
+    const char *name;          /**< what is checked */
+    double measured;           /**< NaN where the host refuses or its state is not finite */
+    double bound;              /**< how large or how small it may be */
+    int verdict;               /**< vti_check_verdict */
+    int relation;              /**< -1: at most bound, +1: at least bound */
+    char said[VTI_CHECK_TEXT]; /**< what it means; empty if there is nothing to say */
 } vti_check_line;
 
 /** One sentence about the host. */
 typedef struct vti_check_word {
-    int is_fault; /* 0: a remark */
-    char text[VTI_CHECK_TEXT];
+    int is_fault;              /**< 0: a remark */
+    char text[VTI_CHECK_TEXT]; /**< the sentence */
 } vti_check_word;
 
+/** What all checks found. */
 typedef struct vti_check_report {
-    char name[VTI_CHECK_TEXT];
-    int lines, words, faults; /* faults: words that are faults */
-    vti_check_line line[VTI_CHECK_LINES];
-    vti_check_word word[VTI_CHECK_WORDS];
+    char name[VTI_CHECK_TEXT];            /**< the host's, as it was given */
+    int lines;                            /**< how many of line are used */
+    int words;                            /**< how many of word are used */
+    int faults;                           /**< how many of them are faults */
+    vti_check_line line[VTI_CHECK_LINES]; /**< the checks, in the order in which they were made */
+    vti_check_word word[VTI_CHECK_WORDS]; /**< the sentences, faults and remarks */
 } vti_check_report;
 
 /** Runs all checks; some 120000 steps of up to four bodies. Returns the number of faults. */

@@ -40,6 +40,9 @@ def expected():
     files += ["lib/cmake/vti/vti-config.cmake", "lib/cmake/vti/vti-config-version.cmake"]
     files += ["share/vti/" + str(path.relative_to(project)) for path in (project / "examples").rglob("*")
               if path.is_file() and path.name != "meson.build" and "lammps" not in str(path.relative_to(project))]
+    files += ["share/doc/vti/" + name for name in ("LICENSE", "README.md", "CHANGELOG.md")]
+    files += ["share/doc/vti/" + str(path.relative_to(project)) for path in (project / "docs").rglob("*")
+              if path.is_file() and path.name != "Doxyfile"]
     if package.fortran:
         sources = [path.name for path in (project / "fortran").glob("*.f90")]
         gfortran = "gfortran-" + run("gfortran", "-dumpversion").strip().split(".", maxsplit=1)[0]
