@@ -36,9 +36,13 @@ static const char usage[] =
     "and\n"
     "ends with code 75; the same command with --resume goes on, after any other end too, and gives the same bytes as "
     "if\n"
-    "nothing had happened. A run that is resumed may be given a later --t-end; all else must be as it was.\n";
+    "nothing had happened. A run that is resumed may be given a later --t-end; all else must be as it was.\n"
+    "\n"
+    "The last line is the verdict: good, doubtful or bad, and why. Where it is bad (the energy grew by more than a "
+    "quarter of\n"
+    "its scale, or bodies move by more than a diameter per step) all files are written and the code is 3.\n";
 
-enum { SETS = 64, OVERRIDE = 256, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
+enum { SETS = 64, OVERRIDE = 256, EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
 
 struct arguments {
     const char *sets[SETS];
@@ -153,8 +157,10 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
     return 0;
 }
 
-static int exit_code(enum run_end end)
+static int exit_code(enum run_end end, int64_t verdict)
 {
+    if (end == RUN_COMPLETE && verdict == VERDICT_BAD)
+        return EXIT_BAD;
     return end == RUN_COMPLETE ? EXIT_SUCCESS : end == RUN_STOPPED ? EXIT_RESUME : EXIT_FAILURE;
 }
 
@@ -184,5 +190,5 @@ int main(int argc, char **argv)
     run_close(&run);
     if (end != RUN_COMPLETE)
         fprintf(stderr, "vti-run: %s\n", message.text);
-    return exit_code(end);
+    return exit_code(end, run.record.judgement.verdict);
 }

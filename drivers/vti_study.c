@@ -45,9 +45,12 @@ static const char usage[] =
     "\n"
     "Every run is kept in the folder as soon as it is done. After any end before the last file is written the same "
     "command\n"
-    "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted.\n";
+    "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted.\n"
+    "\n"
+    "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where one is bad, all files\n"
+    "are written and the code is 3.\n";
 
-enum { SETS = 64 };
+enum { SETS = 64, EXIT_BAD = 3 };
 
 /** What the program reads. */
 struct study_inputs {
@@ -239,13 +242,13 @@ int main(int argc, char **argv)
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     int failed = run(argc, argv, rank, folder, &wants_plot);
-    if (failed == 0)
-        failed = study_agree(output_end(&message), rank, &message);
+    if (failed >= 0 && study_agree(output_end(&message), rank, &message) != 0)
+        failed = -1;
     MPI_Finalize();
     /* forking is not safe on every transport while MPI is up, so pictures come last */
-    if (failed == 0 && wants_plot && pictures_draw(folder, "study.h5", &message) != 0) {
+    if (failed >= 0 && wants_plot && pictures_draw(folder, "study.h5", &message) != 0) {
         fprintf(stderr, "vti-study: %s\n", message.text);
         failed = -1;
     }
-    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return failed < 0 ? EXIT_FAILURE : failed > 0 ? EXIT_BAD : EXIT_SUCCESS;
 }

@@ -19,7 +19,7 @@ struct head {
     struct checkpoint checkpoint;
 };
 
-static const char magic[16] = "vti checkpoint3";
+static const char magic[16] = "vti checkpoint4";
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
@@ -39,7 +39,8 @@ static int write_all(const char *path, const void *bytes, size_t size)
 }
 
 /** The file as it will be, in memory from malloc; NULL if there is none. */
-static unsigned char *pack(const struct checkpoint *checkpoint, const vti_bodies *bodies, size_t *size)
+static unsigned char *pack(const struct checkpoint *checkpoint, const vti_bodies *bodies, const struct verdict *verdict,
+                           size_t *size)
 {
     struct head head;
     const size_t state = sizeof(double) * (size_t)checkpoint->state_doubles;
@@ -50,7 +51,9 @@ static unsigned char *pack(const struct checkpoint *checkpoint, const vti_bodies
     memcpy(head.magic, magic, sizeof magic);
     head.checkpoint = *checkpoint;
     memcpy(bytes, &head, sizeof head);
-    state_get(bodies, (double *)(void *)(bytes + sizeof head));
+    double *doubles = (double *)(void *)(bytes + sizeof head);
+    state_get(bodies, doubles);
+    verdict_get(verdict, doubles + state_size(bodies));
     const uint64_t digest = digest_add(DIGEST_START, bytes, sizeof head + state);
     memcpy(bytes + sizeof head + state, &digest, sizeof digest);
     *size = sizeof head + state + sizeof digest;
@@ -58,7 +61,7 @@ static unsigned char *pack(const struct checkpoint *checkpoint, const vti_bodies
 }
 
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                     struct message *message)
+                     const struct verdict *verdict, struct message *message)
 {
     char part[FOLDER_PATH], path[FOLDER_PATH];
     size_t size = 0;
@@ -67,8 +70,8 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
         return -1;
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
-    checkpoint->state_doubles = state_size(bodies);
-    unsigned char *bytes = pack(checkpoint, bodies, &size);
+    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict);
+    unsigned char *bytes = pack(checkpoint, bodies, verdict, &size);
     if (bytes == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", path);
     int failed = write_all(part, bytes, size) != 0 ? fail(part, message) : 0;
@@ -155,12 +158,14 @@ static int unpack(const unsigned char *bytes, size_t size, struct head *head)
 }
 
 int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
-                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct message *message)
+                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct verdict *verdict,
+                    struct message *message)
 {
     struct head head;
     char path[FOLDER_PATH];
     unsigned char *bytes;
     size_t size = 0;
+    const int64_t doubles = state_size(bodies) + verdict_size(verdict);
     memset(&head, 0, sizeof head);
     if (folder_path(journal->folder, "checkpoint", 0, path, message) != 0)
         return -1;
@@ -171,14 +176,17 @@ int checkpoint_read(const struct journal *journal, const struct identity *identi
         result = damaged(journal, path, "is no checkpoint of vti-run, or is damaged", message);
     else if (result > 0 && check_identity(&head.checkpoint.identity, identity, scene, path, message) != 0)
         result = -1;
-    else if (result > 0 && (head.checkpoint.state_doubles != state_size(bodies) ||
-                            size != sizeof head + 8 * (size_t)state_size(bodies) + sizeof(uint64_t)))
+    else if (result > 0 &&
+             (head.checkpoint.state_doubles != doubles || size != sizeof head + 8 * (size_t)doubles + sizeof(uint64_t)))
         result = damaged(journal, path, "holds other quantities than this program does", message);
     if (result > 0)
         *checkpoint = head.checkpoint;
     /* who starts anew from step 0 moves the velocities of a lagging method anew */
-    if (result > 0 && checkpoint->step > 0)
-        state_put((const double *)(const void *)(bytes + sizeof head), bodies);
+    if (result > 0 && checkpoint->step > 0) {
+        const double *state = (const double *)(const void *)(bytes + sizeof head);
+        state_put(state, bodies);
+        verdict_put(verdict, state + state_size(bodies));
+    }
     free(bytes);
     return result;
 }

@@ -7,6 +7,7 @@
 
 #include "journal.h"
 #include "scene.h"
+#include "verdict.h"
 
 /** What a run is; a checkpoint goes on only as the same run. The end time is no part of it: a run may be prolonged. */
 struct identity {
@@ -22,18 +23,19 @@ struct checkpoint {
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */
     struct journal_mark rows, frames;   /* of the journal */
-    int64_t state_doubles;              /* of the bodies */
+    int64_t state_doubles;              /* of the bodies and of the verdict so far */
 };
 
-/** Brings the journal and then a checkpoint of the bodies to the disk; lengths and sizes in *checkpoint are set from
- *  them. Returns 0, or -1 with one line in *message and the checkpoint before it as it was. */
+/** Brings the journal and then a checkpoint of the bodies and of the verdict so far to the disk; lengths and sizes in
+ *  *checkpoint are set from them. Returns 0, or -1 with one line in *message and the checkpoint before it as it was. */
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                     struct message *message);
+                     const struct verdict *verdict, struct message *message);
 
-/** Reads the checkpoint in the journal's folder for these bodies, which get its state, or stay as they are if that is of
+/** Reads the checkpoint in the journal's folder for these bodies and their verdict, which get its state, or stay as they are if that is of
  *  step 0: they are at t = 0 already. Returns 1, 0 if there is none, or -1 with one line in *message: it is damaged, or of
  *  another run than *identity, that of *scene. */
 int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
-                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct message *message);
+                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct verdict *verdict,
+                    struct message *message);
 
 #endif

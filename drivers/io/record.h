@@ -6,6 +6,7 @@
 #include "columns.h"
 #include "frame.h"
 #include "journal.h"
+#include "verdict.h"
 
 struct record {
     const struct model *model;
@@ -15,6 +16,7 @@ struct record {
     struct columns columns;
     struct frame_layout frames;
     struct journal *journal;
+    struct judgement judgement; /* once it has ended */
 };
 
 /** Calls take for all rows, in blocks of count >= 1 rows from row first, row by row of doubles. It returns 0 to go

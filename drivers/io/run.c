@@ -61,9 +61,9 @@ static int open_checkpoint(struct run *run, struct message *message)
 {
     const struct identity identity = run->checkpoint.identity;
     struct checkpoint *c = &run->checkpoint;
-    const int found = run->request->resume
-                          ? checkpoint_read(&run->journal, &identity, &run->scene, c, &run->model.bodies, message)
-                          : 0;
+    const int found = run->request->resume ? checkpoint_read(&run->journal, &identity, &run->scene, c,
+                                                             &run->model.bodies, &run->verdict, message)
+                                           : 0;
     if (found < 0)
         return -1;
     run->from = c->step;
@@ -92,9 +92,14 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     hdf5_start();
     if (open_scene(run, message) != 0)
         return -1;
-    const struct record record = {&run->model, run->scene.stepper, run->scene.h, 0, {0}, {0}, &run->journal};
-    run->record = record;
-    columns_of(&run->model, &run->record.columns);
+    run->record.model = &run->model;
+    run->record.stepper = run->scene.stepper;
+    run->record.h = run->scene.h;
+    run->record.journal = &run->journal;
+    columns_of(&run->model, run->scene.stepper, &run->record.columns);
+    if (verdict_create(&run->verdict, &run->model, run->scene.stepper, run->scene.h, &run->record.columns, message) !=
+        0)
+        return -1;
     frame_layout_of(&run->model, &run->record.frames);
     run->frame = malloc(sizeof *run->frame * (size_t)run->record.frames.doubles);
     if (run->frame == NULL)
@@ -109,6 +114,7 @@ void run_close(struct run *run)
     journal_close(&run->journal);
     free(run->frame);
     run->frame = NULL;
+    verdict_destroy(&run->verdict);
     model_destroy(&run->model);
     tables_destroy(&run->tables);
 }

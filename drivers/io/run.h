@@ -42,6 +42,7 @@ struct run {
     struct journal journal;
     struct checkpoint checkpoint;
     struct record record;
+    struct verdict verdict;
     int64_t from, steps;
     double *frame; /* one */
 
@@ -54,6 +55,7 @@ struct run {
     /* after it */
     double seconds, energy0, energy1, drift; /* drift: the largest |E - E_0| recorded */
     double t;                                /* of the last row */
+    struct message judgement;                /* the line of the verdict, record.judgement */
 };
 
 /** Reads the scene, makes the model and opens the journal; with request->resume from where it was. request must

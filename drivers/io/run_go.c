@@ -53,7 +53,9 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     run->checkpoint.step = step;
     run->saved = now();
-    return checkpoint_write(&run->journal, &run->checkpoint, bodies, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+    return checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, run->message) != 0
+               ? stop(run, RUN_FAILED)
+               : 0;
 }
 
 struct poll {
@@ -87,7 +89,7 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
     double row[COLUMNS];
-    columns_values(&run->record.columns, t, bodies, row);
+    verdict_row(&run->verdict, t, bodies, row);
     if (!isfinite(row[run->record.columns.total]))
         return broken(run, step, t, bodies, row);
     return journal_add(&run->journal, &run->journal.rows, row, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
@@ -101,6 +103,15 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     frame_take(&run->record.frames, step, t, bodies, run->frame);
     return journal_add(&run->journal, &run->journal.frames, run->frame, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+}
+
+static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = self;
+    (void)step;
+    (void)t;
+    verdict_step(&run->verdict, bodies);
+    return 0;
 }
 
 /* ---- the end ----------------------------------------------------------------------------------------------------- */
@@ -124,6 +135,7 @@ static enum run_end write_files(struct run *run)
 {
     struct message problem;
     run->record.complete = run->end == RUN_COMPLETE;
+    run->record.judgement = verdict_judge(&run->verdict, run->end == RUN_BROKEN, &run->judgement);
     if (journal_sync(&run->journal, run->message) != 0)
         return RUN_FAILED;
     if (record_rows(&run->record, measure_drift, run, &problem) == 0 &&
@@ -142,13 +154,14 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
     enum { POLL_BODIES = 8192 };
     struct poll poller = {run, progress};
     const struct observer observers[] = {{poll, &poller, 1, 1},
+                                         {see_step, run, 1, 1},
                                          {see_row, run, run->checkpoint.record_every, 0},
                                          {see_frame, run, run->checkpoint.frames_every, 0}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = now();
     run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
-    if (loop_run(&run->model, run->scene.stepper, run->scene.h, run->from, run->steps, observers, 3, message) < 0)
+    if (loop_run(&run->model, run->scene.stepper, run->scene.h, run->from, run->steps, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
         run->end = write_files(run);

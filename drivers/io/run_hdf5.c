@@ -70,6 +70,16 @@ static void contact_write(const struct scene *scene, struct hdf5_sink *file)
         hdf5_attribute(file, "contact.bonded", H5T_NATIVE_INT64, 1, &scene->contact.bonded);
 }
 
+/** What the verdict is, and the numbers behind it. */
+static void verdict_write(const struct judgement *judgement, struct hdf5_sink *file)
+{
+    hdf5_text(file, "verdict", verdict_word(judgement->verdict));
+    for (int k = 1; k < VERDICT_NUMBERS; ++k)
+        hdf5_attribute(file, verdict_numbers[k].name,
+                       verdict_numbers[k].is_integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE, 1,
+                       (const char *)judgement + verdict_numbers[k].offset);
+}
+
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);
@@ -80,6 +90,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_text(&file, "vti_version", vti_version());
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
+        verdict_write(&record->judgement, &file);
         walls_write(&record->model->walls, &file);
         contact_write(record->model->scene, &file);
     }

@@ -65,12 +65,21 @@ static void say_step(const struct run *run, FILE *file)
         fprintf(file, "warning: h = %s is above the stable step %.4g: the run may blow up\n", NUMBER(h), stable);
 }
 
+static void say_warnings(const struct run *run, FILE *file)
+{
+    struct message lines[2];
+    const int n = run->from == 0 ? verdict_warnings(&run->verdict, &run->model.bodies, lines) : 0;
+    for (int k = 0; k < n; ++k)
+        fprintf(file, "warning: %s\n", lines[k].text);
+}
+
 void run_say_start(const struct run *run, FILE *file)
 {
     const double wanted = run->scene.t_end, h = run->scene.h;
     say_bodies(run, file);
     say_effects(run, file);
     say_step(run, file);
+    say_warnings(run, file);
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
@@ -96,4 +105,5 @@ void run_say_end(const struct run *run, FILE *file)
             (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
             run->output, run->files.dump ? ", .dump" : "",
             run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+    fprintf(file, "%s\n", run->judgement.text);
 }

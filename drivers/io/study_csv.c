@@ -2,19 +2,42 @@
 #include "study_csv.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "number.h"
 
+/** ",good,0.001,...\n" */
+static void write_judgement(const struct judgement *judgement, FILE *file)
+{
+    fprintf(file, ",%s", verdict_word(judgement->verdict));
+    for (int k = 1; k < VERDICT_NUMBERS; ++k) {
+        const char *at = (const char *)judgement + verdict_numbers[k].offset;
+        int64_t whole;
+        double number;
+        memcpy(&whole, at, sizeof whole);
+        memcpy(&number, at, sizeof number);
+        if (verdict_numbers[k].is_integer)
+            fprintf(file, ",%lld", (long long)whole);
+        else
+            fprintf(file, ",%s", NUMBER(number));
+    }
+    fputc('\n', file);
+}
+
 void study_csv_write(const struct study *study, FILE *file)
 {
-    fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error\n", file);
+    fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error", file);
+    for (int k = 0; k < VERDICT_NUMBERS; ++k)
+        fprintf(file, ",%s", verdict_numbers[k].name);
+    fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct trial *trial = &study->trials[r];
         const struct outcome *o = &study->outcomes[r];
-        fprintf(file, "%s,%s,%s,%s,%lld,%lld,%s,%s,%s,%s,%s\n", study->plan->scene->name, trial->stepper->name,
+        fprintf(file, "%s,%s,%s,%s,%lld,%lld,%s,%s,%s,%s,%s", study->plan->scene->name, trial->stepper->name,
                 NUMBER(trial->h), NUMBER(trial->t_end), (long long)o->steps, (long long)o->force_evals,
                 NUMBER(o->e_error), NUMBER(o->q_error), NUMBER(o->h1_error), NUMBER(o->attitude_error),
                 NUMBER(o->momentum_error));
+        write_judgement(&o->judgement, file);
     }
 }
 
@@ -49,6 +72,23 @@ static void print_order(const struct order *order, FILE *file)
         fprintf(file, "  %8.5f +- %.0e", order->order, order->interval);
 }
 
+/** How many runs can be believed, and what is said against each of the others. */
+static void write_verdicts(const struct study *study, FILE *file)
+{
+    int64_t count[VERDICT_BAD + 1] = {0};
+    for (int64_t r = 0; r < study->runs; ++r)
+        ++count[study->outcomes[r].judgement.verdict];
+    fputc('\n', file);
+    for (int64_t r = 0; r < study->runs; ++r)
+        if (study->outcomes[r].judgement.verdict != VERDICT_GOOD) {
+            fprintf(file, "%s at h =", study->trials[r].stepper->name);
+            print_h(study->trials[r].h, file);
+            fprintf(file, ": %s\n", study->outcomes[r].verdict.text);
+        }
+    fprintf(file, "verdict: of %lld runs %lld are good, %lld doubtful, %lld bad\n", (long long)study->runs,
+            (long long)count[VERDICT_GOOD], (long long)count[VERDICT_DOUBTFUL], (long long)count[VERDICT_BAD]);
+}
+
 void study_table_write(const struct study *study, FILE *file)
 {
     const struct plan *plan = study->plan;
@@ -61,6 +101,7 @@ void study_table_write(const struct study *study, FILE *file)
         fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps, o->e_error, o->q_error,
                 o->h1_error, o->attitude_error, o->momentum_error);
     }
+    write_verdicts(study, file);
     fprintf(file, "\n%-14s  %18s  %18s  %18s  %18s\n", "fitted order", "E-error", "q-error", "H1-error", "attitude");
     for (int64_t s = 0; s < plan->steppers_count; ++s) {
         fprintf(file, "%-14s", plan->steppers[s]->name);

@@ -94,6 +94,16 @@ static void say_study(const struct study *study, const char *folder)
            study->seconds, folder);
 }
 
+/** Whether the verdict on some run is bad, on all ranks. Collective. */
+static int some_bad(const struct study *study, int rank)
+{
+    int bad = 0;
+    for (int64_t r = 0; rank == 0 && r < study->runs; ++r)
+        bad |= study->outcomes[r].judgement.verdict == VERDICT_BAD;
+    MPI_Bcast(&bad, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return bad;
+}
+
 int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
     struct study study;
@@ -115,8 +125,11 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     close_journal(&journal, failed == 0 || study.refused, rank);
     if (failed == 0 && rank == 0)
         say_study(&study, place->folder);
+    failed = study_agree(failed, rank, &message);
+    if (failed == 0)
+        failed = some_bad(&study, rank);
     study_destroy(&study);
-    return study_agree(failed, rank, &message);
+    return failed;
 }
 
 /* ---- cost --------------------------------------------------------------------------------------------------------- */

@@ -62,6 +62,17 @@ static void write_texts(struct hdf5_sink *s, const char *name, const char *const
 
 #define COUNT(ARRAY) (sizeof(ARRAY) / sizeof(ARRAY)[0])
 
+/** The judgement of each run, verdict as 0, 1, 2 for good, doubtful, bad. */
+static void write_verdicts(struct hdf5_sink *s, const struct study *study)
+{
+    for (int k = 0; k < VERDICT_NUMBERS; ++k) {
+        const struct column column = {verdict_numbers[k].name,
+                                      offsetof(struct outcome, judgement) + verdict_numbers[k].offset,
+                                      verdict_numbers[k].is_integer};
+        write_column(s, &column, study->outcomes, sizeof *study->outcomes, study->runs);
+    }
+}
+
 static void write_runs(struct hdf5_sink *file, const struct study *study)
 {
     static const struct column of_trial[] = {{"h", offsetof(struct trial, h), 0},
@@ -88,6 +99,7 @@ static void write_runs(struct hdf5_sink *file, const struct study *study)
         write_column(&s, &of_trial[k], study->trials, sizeof *study->trials, study->runs);
     for (size_t k = 0; k < COUNT(of_outcome); ++k)
         write_column(&s, &of_outcome[k], study->outcomes, sizeof *study->outcomes, study->runs);
+    write_verdicts(&s, study);
     free(texts);
     hdf5_close(file, &s);
 }

@@ -12,7 +12,7 @@ import numpy as np
 
 from .hdf5_file import RUN, Reader, opened, text
 
-NOT_ENERGIES = ("t", "total")
+NOT_ENERGIES = ("t", "total", "energy_modified")
 VECTORS = ("momentum", "spin", "angular")
 BLOWN = 10      # times all energies at t = 0: an error of this size is no error any more
 
@@ -131,7 +131,7 @@ def _column_names(reader):
     """In the order of out.csv where the file knows it: HDF5 itself lists by name."""
     found = list(reader.group("/energies"))
     order = text(reader.file["energies"].attrs.get("columns", ",".join(PAPER_ORDER))).split(",")
-    for name in NOT_ENERGIES:
+    for name in ("t", "total"):
         if name not in found:
             raise reader.trouble(f"lacks dataset /energies/{name}")
     return [name for name in order if name in found] + [name for name in found if name not in order]

@@ -3,15 +3,28 @@
 
 #include <string.h>
 
+#include "modified.h"
+
 /* Everything there is to record, in one array: these, then the terms of all effects in the model's order. */
-enum { T, TRANSLATION, ROTATION, TOTAL, MOMENTUM, SPIN = MOMENTUM + 3, ANGULAR = SPIN + 3, TERMS = ANGULAR + 3 };
+enum {
+    T,
+    TRANSLATION,
+    ROTATION,
+    TOTAL,
+    MODIFIED,
+    MOMENTUM,
+    SPIN = MOMENTUM + 3,
+    ANGULAR = SPIN + 3,
+    TERMS = ANGULAR + 3
+};
 enum { SOURCES = TERMS + COLUMNS };
 
-static void add(struct columns *c, const char *name, int source)
+static void add(struct columns *c, const char *name, int source, int effect)
 {
     if (c->count == COLUMNS || source >= SOURCES)
         return;
     c->name[c->count] = name;
+    c->effect[c->count] = effect;
     c->source[c->count++] = source;
 }
 
@@ -26,11 +39,11 @@ static void add_terms(struct columns *c, const char *const *order, size_t orders
             for (size_t k = 0; k < orders; ++k)
                 known |= strcmp(term, order[k]) == 0;
             if (name != NULL ? strcmp(term, name) == 0 : !known)
-                add(c, term, source);
+                add(c, term, source, (int)e);
         }
 }
 
-void columns_of(const struct model *model, struct columns *c)
+void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *c)
 {
     static const char *const order[] = {"binder_moment", "binder_axial", "binder_shear", "contact",
                                         "wall",          "gravity",      "pendulum"};
@@ -41,22 +54,25 @@ void columns_of(const struct model *model, struct columns *c)
     const int translates = model->bodies.v.c[0] != NULL, turns = model->bodies.omega.c[0] != NULL;
     memset(c, 0, sizeof *c);
     c->model = model;
-    add(c, "t", T);
+    add(c, "t", T, -1);
     if (translates)
-        add(c, "kinetic_translation", TRANSLATION);
+        add(c, "kinetic_translation", TRANSLATION, -1);
     if (turns)
-        add(c, "kinetic_rotation", ROTATION);
+        add(c, "kinetic_rotation", ROTATION, -1);
     for (size_t k = 0; k < orders; ++k)
         add_terms(c, order, orders, order[k]);
     add_terms(c, order, orders, NULL);
     c->total = c->count;
-    add(c, "total", TOTAL);
+    add(c, "total", TOTAL, -1);
+    c->modified = modified_exists(stepper) ? c->count : -1;
+    if (c->modified >= 0)
+        add(c, "energy_modified", MODIFIED, -1);
     for (int k = 0; translates && k < 3; ++k)
-        add(c, momentum[k], MOMENTUM + k);
+        add(c, momentum[k], MOMENTUM + k, -1);
     for (int k = 0; turns && k < 3; ++k)
-        add(c, spin[k], SPIN + k);
+        add(c, spin[k], SPIN + k, -1);
     for (int k = 0; k < 3; ++k)
-        add(c, angular[k], ANGULAR + k);
+        add(c, angular[k], ANGULAR + k, -1);
 }
 
 void columns_values(const struct columns *c, double t, const vti_bodies *b, double row[COLUMNS])

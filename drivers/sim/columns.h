@@ -12,15 +12,17 @@ struct columns {
     int count;
     const char *name[COLUMNS];
     int source[COLUMNS]; /* where columns_values finds it */
+    int effect[COLUMNS]; /* whose energy it is; -1 for none */
     int total;           /* the column "total" */
+    int modified;        /* the column "energy_modified"; -1 if there is none */
 };
 
 /** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, total,
- *  and momentum_, spin_ and angular_ x, y, z. Without translation there is no kinetic_translation and no momentum,
- *  without rotation no kinetic_rotation and no spin. */
-void columns_of(const struct model *model, struct columns *columns);
+ *  energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_ x, y, z. Without translation there
+ *  is no kinetic_translation and no momentum, without rotation no kinetic_rotation and no spin. */
+void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *columns);
 
-/** Their values for the bodies at time t. */
+/** Their values for the bodies at time t, but for energy_modified, which verdict_row puts in its place. */
 void columns_values(const struct columns *columns, double t, const vti_bodies *bodies, double row[COLUMNS]);
 
 #endif

@@ -11,6 +11,8 @@ struct measures {
     struct model *model;
     struct reference *reference;
     struct outcome *outcome;
+    struct columns columns;
+    struct verdict verdict;
     double h, t_end;
     double energy0, invariants0[MODEL_INVARIANTS];
     struct invariant invariant[MODEL_INVARIANTS];
@@ -20,8 +22,8 @@ struct measures {
     vti_integral error_squared;  /* the same of q_h - q */
 };
 
-static void measures_begin(struct measures *m, struct model *model, struct reference *reference,
-                           const struct trial *trial, struct outcome *outcome)
+static int measures_begin(struct measures *m, struct model *model, struct reference *reference,
+                          const struct trial *trial, struct outcome *outcome)
 {
     memset(m, 0, sizeof *m);
     m->model = model;
@@ -35,6 +37,8 @@ static void measures_begin(struct measures *m, struct model *model, struct refer
     model_invariant_values(model, &model->bodies, m->invariants0);
     m->sample_every = (trial->steps + TRIAL_SAMPLES - 2) / (TRIAL_SAMPLES - 1);
     m->sample_every = m->sample_every > 0 ? m->sample_every : 1;
+    columns_of(model, trial->stepper, &m->columns);
+    return verdict_create(&m->verdict, model, trial->stepper, trial->h, &m->columns, &outcome->message);
 }
 
 static void sample(struct measures *m, double t, double energy_error, const double *deviations)
@@ -73,6 +77,11 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     }
     if (step % m->sample_every == 0)
         sample(m, t, energy_error, deviation);
+    if (step % m->sample_every == 0 || step == m->outcome->steps) {
+        double row[COLUMNS];
+        verdict_row(&m->verdict, t, bodies, row);
+    }
+    verdict_step(&m->verdict, bodies);
     return 0;
 }
 
@@ -84,6 +93,7 @@ static void measures_end(struct measures *m)
     o->e_error = sqrt(vti_integral_value(&m->energy_squared)) / energy_norm;
     o->q_error = sqrt(fabs(vti_integral_value(&m->norm_squared) - norm_squared) / norm_squared);
     o->h1_error = sqrt(vti_integral_value(&m->error_squared) / norm_squared);
+    o->judgement = verdict_judge(&m->verdict, 0, &o->verdict);
 }
 
 /* ---- running ------------------------------------------------------------------------------------------------------- */
@@ -117,11 +127,14 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
         outcome->failed = 1;
         return;
     }
-    measures_begin(&measures, &model, reference, trial, outcome);
-    const double start = MPI_Wtime();
-    outcome->failed = loop_run(&model, trial->stepper, trial->h, 0, trial->steps, observers, poll != NULL ? 2 : 1,
-                               &outcome->message) != 0;
-    outcome->seconds = MPI_Wtime() - start;
-    measures_end(&measures);
+    outcome->failed = measures_begin(&measures, &model, reference, trial, outcome) != 0;
+    if (!outcome->failed) {
+        const double start = MPI_Wtime();
+        outcome->failed = loop_run(&model, trial->stepper, trial->h, 0, trial->steps, observers, poll != NULL ? 2 : 1,
+                                   &outcome->message) != 0;
+        outcome->seconds = MPI_Wtime() - start;
+        measures_end(&measures);
+    }
+    verdict_destroy(&measures.verdict);
     model_destroy(&model);
 }

@@ -5,6 +5,7 @@
 
 #include "loop.h"
 #include "reference.h"
+#include "verdict.h"
 
 enum { TRIAL_SAMPLES = 513, TRIAL_COLUMNS = 2 + MODEL_INVARIANTS };
 
@@ -20,13 +21,15 @@ struct trial {
 struct outcome {
     int64_t failed; /* 0, or 1 and the reason in message */
     int64_t steps, force_evals;
-    double e_error;                              /* ||E_h - E_0||_{H0}/||E_0||_{H0} (absolute if E_0 = 0) */
-    double q_error;                              /* the paper's | ||q_h||^2 - ||q||^2 |^(1/2)/||q|| */
-    double h1_error;                             /* ||q_h - q||_{H1}/||q||_{H1} */
-    double attitude_error;                       /* largest |log(R_h R^T)| at the end, radians */
-    double momentum_error;                       /* largest deviation of a conserved momentum from its initial value */
-    double seconds;                              /* of the run with its measurements: not a result */
-    int64_t samples;                             /* rows of series */
+    double e_error;             /* ||E_h - E_0||_{H0}/||E_0||_{H0} (absolute if E_0 = 0) */
+    double q_error;             /* the paper's | ||q_h||^2 - ||q||^2 |^(1/2)/||q|| */
+    double h1_error;            /* ||q_h - q||_{H1}/||q||_{H1} */
+    double attitude_error;      /* largest |log(R_h R^T)| at the end, radians */
+    double momentum_error;      /* largest deviation of a conserved momentum from its initial value */
+    double seconds;             /* of the run with its measurements: not a result */
+    struct judgement judgement; /* on the rows of series; at every step would cost as much as the run */
+    struct message verdict;     /* its line */
+    int64_t samples;            /* rows of series */
     double series[TRIAL_SAMPLES][TRIAL_COLUMNS]; /* t, E_h - E_0, invariants less their initial values */
     struct message message;
 };

@@ -28,7 +28,7 @@ t_end: 1
 
 
 def columns(translates, turns, *terms):
-    return ["t", *["kinetic_translation"] * translates, *["kinetic_rotation"] * turns, *terms, "total",
+    return ["t", *["kinetic_translation"] * translates, *["kinetic_rotation"] * turns, *terms, "total", "energy_modified",
             *[f"momentum_{k}" for k in XYZ if translates], *[f"spin_{k}" for k in XYZ if turns],
             *[f"angular_{k}" for k in XYZ]]
 

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "bond_turns.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static double stiffness(const struct model *model, int64_t k)
+{
+    const vti_scalars *moment = &model->bonds.moment;
+    return moment->p != NULL ? moment->p[k * moment->stride] : 0.0;
+}
+
+int bond_turns_create(struct bond_turns *b, const struct model *model)
+{
+    const double half_pi_squared = 4.9348022005446793;
+    const struct bond_turns made = {model, INFINITY, 0.0, 0.0, NULL};
+    *b = made;
+    for (int64_t k = 0; k < model->bonds.count; ++k)
+        if (stiffness(model, k) > 0.0)
+            b->least = fmin(b->least, half_pi_squared * stiffness(model, k));
+    if (!isfinite(b->least))
+        return 0;
+    b->pair = calloc((size_t)(4 * model->bonds.count), sizeof *b->pair);
+    return b->pair != NULL ? 0 : -1;
+}
+
+void bond_turns_destroy(struct bond_turns *b)
+{
+    free(b->pair);
+    b->pair = NULL;
+}
+
+/** (v, w) of q_i q_j^-1; its sign means nothing. */
+static void relative(const struct bond_turns *b, const vti_bodies *bodies, int64_t k, double r[4])
+{
+    double q[2][4], cross[3];
+    for (int c = 0; c < 2; ++c) {
+        const vti_view *a = &bodies->alpha;
+        const int64_t at = (b->model->bonds.pair[2 * k + c] - b->model->bonds.base) * a->stride;
+        const double alpha[3] = {a->c[0][at], a->c[1][at], a->c[2][at]};
+        vti_rrv_to_pair(alpha, q[c]);
+    }
+    vti_cross(q[0], q[1], cross);
+    for (int c = 0; c < 3; ++c)
+        r[c] = q[0][c] * q[1][3] - q[0][3] * q[1][c] - cross[c];
+    r[3] = vti_dot(q[0], q[1]) + q[0][3] * q[1][3];
+}
+
+static int is_marked(const double *pair)
+{
+    return pair[0] == 0.0 && pair[1] == 0.0 && pair[2] == 0.0 && pair[3] == 0.0;
+}
+
+void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double energy)
+{
+    const int was = b->watching != 0.0, fresh = b->turned == 0.0;
+    b->watching = b->pair != NULL && !(2.0 * energy < b->least);
+    for (int64_t k = 0; b->watching != 0.0 && !was && k < b->model->bonds.count; ++k) {
+        double *pair = b->pair + 4 * k;
+        if (stiffness(b->model, k) == 0.0 || (!fresh && is_marked(pair)))
+            continue;
+        relative(b, bodies, k, pair);
+        for (int c = 0; c < 4 && pair[3] < 0.0; ++c)
+            pair[c] = c < 3 ? -pair[c] : pair[c];
+        pair[3] = fabs(pair[3]);
+    }
+}
+
+void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
+{
+    for (int64_t k = 0; b->watching != 0.0 && k < b->model->bonds.count; ++k) {
+        double now[4], *pair = b->pair + 4 * k;
+        if (is_marked(pair))
+            continue;
+        relative(b, bodies, k, now);
+        const double side = vti_dot(now, pair) + now[3] * pair[3] < 0.0 ? -1.0 : 1.0;
+        for (int c = 0; c < 4; ++c)
+            pair[c] = side * now[c];
+        if (pair[3] < 0.0) {
+            memset(pair, 0, 4 * sizeof *pair);
+            ++b->turned;
+        }
+    }
+}
+
+int64_t bond_turns_size(const struct bond_turns *b)
+{
+    return b->pair != NULL ? 2 + 4 * b->model->bonds.count : 0;
+}
+
+void bond_turns_get(const struct bond_turns *b, double *state)
+{
+    if (b->pair == NULL)
+        return;
+    state[0] = b->watching;
+    state[1] = b->turned;
+    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->model->bonds.count));
+}
+
+void bond_turns_put(struct bond_turns *b, const double *state)
+{
+    if (b->pair == NULL)
+        return;
+    b->watching = state[0];
+    b->turned = state[1];
+    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->model->bonds.count));
+}

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "modified.h"
+
+#include <stdlib.h>
+
+int modified_exists(const vti_stepper *s)
+{
+    return s->stages == 1 && s->probe == NULL && s->drift[0] == 1.0 && s->drift[1] == 0.0 &&
+           s->kick[0] + s->kick[1] == 1.0;
+}
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+enum { VIEWS = 6 };
+
+/** The views of all that moves, and of what moves it. */
+static void views(vti_bodies *b, vti_view *list[VIEWS])
+{
+    vti_view *const all[VIEWS] = {&b->x, &b->v, &b->alpha, &b->omega, &b->force, &b->moment};
+    for (int k = 0; k < VIEWS; ++k)
+        list[k] = all[k];
+}
+
+int modified_create(struct modified *m, struct model *model, const vti_stepper *stepper, double h)
+{
+    const struct modified made = {model, stepper, h, model->bodies, NULL};
+    const int64_t n = model->bodies.count;
+    vti_view *list[VIEWS];
+    *m = made;
+    if (!modified_exists(stepper))
+        return 0;
+    m->memory = calloc((size_t)(3 * VIEWS * n), sizeof *m->memory);
+    if (m->memory == NULL)
+        return -1;
+    views(&m->probe, list);
+    for (int k = 0; k < VIEWS; ++k)
+        if (list[k]->c[0] != NULL)
+            *list[k] = vti_view_packed(m->memory + 3 * n * k);
+    m->probe.x_low = m->probe.v_low = m->probe.alpha_low = m->probe.omega_low = vti_view_none();
+    m->probe.sealed = 0;
+    return vti_bodies_seal(&m->probe) == VTI_OK ? 0 : -1;
+}
+
+void modified_destroy(struct modified *m)
+{
+    free(m->memory);
+    m->memory = NULL;
+}
+
+static void copy(vti_bodies from, vti_bodies *to)
+{
+    vti_view *source[VIEWS], *target[VIEWS];
+    views(&from, source);
+    views(to, target);
+    for (int v = 0; v < VIEWS; ++v)
+        for (int64_t i = 0; target[v]->c[0] != NULL && i < to->count; ++i)
+            for (int k = 0; k < 3; ++k)
+                target[v]->c[k][i * target[v]->stride] = source[v]->c[k][i * source[v]->stride];
+}
+
+/* ---- sums over bodies -------------------------------------------------------------------------------------------- */
+
+/** Sum of the products of two views, with 1/weight where there is one; 0 if one is absent. */
+static double sum_of_products(const vti_bodies *b, const vti_view *p, const vti_view *q, const vti_scalars *weight)
+{
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t i = 0; p->c[0] != NULL && q->c[0] != NULL && i < b->count; ++i) {
+        const double per = weight != NULL ? 1.0 / weight->p[i * weight->stride] : 1.0;
+        for (int k = 0; k < 3; ++k)
+            vti_sum_add(&sum, per * p->c[k][i * p->stride] * q->c[k][i * q->stride]);
+    }
+    return vti_sum_value(&sum);
+}
+
+/** F.v + RM.Omega */
+static double power(const vti_bodies *b)
+{
+    return sum_of_products(b, &b->force, &b->v, NULL) + sum_of_products(b, &b->moment, &b->omega, NULL);
+}
+
+/** F^2/m + RM^2/J */
+static double squares(const vti_bodies *b)
+{
+    return sum_of_products(b, &b->force, &b->force, &b->mass) + sum_of_products(b, &b->moment, &b->moment, &b->inertia);
+}
+
+/** J Omega^4 */
+static double fourths(const vti_bodies *b)
+{
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t i = 0; b->omega.c[0] != NULL && i < b->count; ++i) {
+        const int64_t at = i * b->omega.stride;
+        const double w[3] = {b->omega.c[0][at], b->omega.c[1][at], b->omega.c[2][at]}, w2 = vti_dot(w, w);
+        vti_sum_add(&sum, b->inertia.p[i * b->inertia.stride] * w2 * w2);
+    }
+    return vti_sum_value(&sum);
+}
+
+/* ---- the energies ------------------------------------------------------------------------------------------------- */
+
+/** kick(h/2) drift(h) kick(h/2) conserves H + h^2 (v V'' v/12 - (F^2/m + RM^2/J)/24 + c J Omega^4) + O(h^4), the
+ *  Baker-Campbell-Hausdorff series of its parts. v V'' v = -d(F.v + RM.Omega)/dt along a free drift. A drift that turns by
+ *  asin(h Omega), 2 atan(h Omega/2) or h Omega is that of a kinetic energy with c = 1/24, -1/48 or 0. */
+static double turn_part(int64_t law)
+{
+    return law == VTI_LAW_CLOSED ? 1.0 / 24.0 : law == VTI_LAW_CAYLEY ? -1.0 / 48.0 : 0.0;
+}
+
+struct energies modified_energies(struct modified *m, const vti_bodies *bodies, double total)
+{
+    struct energies e = {NAN, NAN};
+    /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves out
+     * is large */
+    const vti_stepper *s = m->stepper;
+    const double h2 = m->h * m->h, t = m->h / 1024.0, late = 0.5 - s->kick[1] - s->lag;
+    vti_bodies *p = &m->probe;
+    if (m->memory == NULL)
+        return e;
+    copy(*bodies, p);
+    /* velocities to the middle of the step's two kicks, where VTI-3 is VTI-2 */
+    if (late != 0.0)
+        vti_kick(late * m->h, p);
+    const double centred = total + (vti_kinetic_translation(p) - vti_kinetic_translation(bodies)) +
+                           (vti_kinetic_rotation(p) - vti_kinetic_rotation(bodies));
+    const double before = power(p), loads = squares(p), turns = turn_part(s->law) * fourths(p);
+    e.kicked = centred - h2 / 8.0 * loads;
+    if (vti_drift(VTI_LAW_EXACT, (int)s->frame, t, p, NULL) != VTI_OK || model_forces(m->model, p) != VTI_OK)
+        return e;
+    e.modified = centred + h2 * ((before - power(p)) / t / 12.0 - loads / 24.0 + turns);
+    return e;
+}

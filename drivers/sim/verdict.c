@@ -1,0 +1,361 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "verdict.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "turning.h"
+
+#define NUMBER(NAME, IS_INTEGER)                                                                                       \
+    {                                                                                                                  \
+#NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \
+    }
+const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
+    NUMBER(verdict, 1),      NUMBER(energy_gain, 0),        NUMBER(energy_swing, 0),
+    NUMBER(energy_slope, 0), NUMBER(energy_slope_error, 0), NUMBER(energy_scale, 0),
+    NUMBER(travel, 0),       NUMBER(rotation, 0),           NUMBER(angle_error, 0),
+    NUMBER(stable_step, 0),  NUMBER(bonds_turned, 1)};
+
+static const double most_gain = 0.25;  /* of S */
+static const double most_swing = 0.95; /* of S, by H alone */
+static const double rounding = 1e-12;  /* of all energies: sqrt(1e7) steps of eps, and more */
+static const double some_travel = 0.1; /* diameters per step: contacts are met that deep */
+static const double most_travel = 1.0; /* two bodies may pass through each other unseen */
+
+const char *verdict_word(int64_t grade)
+{
+    return grade == VERDICT_GOOD ? "good" : grade == VERDICT_DOUBTFUL ? "doubtful" : "bad";
+}
+
+/* ---- what the scene is -------------------------------------------------------------------------------------------- */
+
+/** Somebody outside the scene takes up momentum. */
+static int is_outer(const vti_effect *effect)
+{
+    return (effect->breaks & 7) != 0;
+}
+
+static double smallest_diameter(const struct model *model)
+{
+    double least = INFINITY;
+    const vti_scalars *d = &model->diameter;
+    if (d->p == NULL || !model->translates || !(model->scene->has_contact || model->scene->has_wall))
+        return 0.0;
+    for (int64_t i = 0; i < model->bodies.count; ++i)
+        least = fmin(least, d->p[i * d->stride]);
+    return least;
+}
+
+int verdict_create(struct verdict *v, struct model *model, const vti_stepper *stepper, double h,
+                   const struct columns *columns, struct message *message)
+{
+    memset(v, 0, sizeof *v);
+    v->model = model;
+    v->stepper = stepper;
+    v->columns = columns;
+    v->h = h;
+    v->diameter = smallest_diameter(model);
+    v->found.stable = INFINITY;
+    for (int64_t e = 0; e < model->effects_count; ++e)
+        for (int k = 0; k < 3; ++k)
+            v->open[k] |= (int)(model->effects[e].breaks >> k & 1);
+    vti_sum mass = {0.0, 0.0};
+    for (int64_t i = 0; model->translates && i < model->bodies.count; ++i)
+        vti_sum_add(&mass, model->bodies.mass.p[i * model->bodies.mass.stride]);
+    v->mass = vti_sum_value(&mass);
+    if (modified_create(&v->modified, model, stepper, h) != 0 || bond_turns_create(&v->bonds, model) != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    return 0;
+}
+
+void verdict_destroy(struct verdict *v)
+{
+    modified_destroy(&v->modified);
+    bond_turns_destroy(&v->bonds);
+    free(v->touching);
+    v->touching = NULL;
+}
+
+/* ---- rows ---------------------------------------------------------------------------------------------------------- */
+
+/** The larger; a NaN wins and stays. */
+static double larger(double most, double x)
+{
+    return isnan(most) || x <= most ? most : x;
+}
+
+/** The velocity of the centre of mass along the axes that nothing from outside acts along; 0 along the others. */
+static void common_velocity(const struct verdict *v, const vti_bodies *bodies, double u[3])
+{
+    vti_momentum(bodies, u);
+    for (int k = 0; k < 3; ++k)
+        u[k] = v->open[k] || v->mass == 0.0 ? 0.0 : u[k] / v->mass;
+}
+
+/** T + U of what is within the scene, without the common motion; in *size the sum of all |terms|. */
+static double inner_energy(const struct verdict *v, const vti_bodies *bodies, const double *row, double *size)
+{
+    const struct model *model = v->model;
+    double u[3];
+    common_velocity(v, bodies, u);
+    double kinetic = 0.0, elastic = 0.0;
+    *size = 0.0;
+    for (int c = 1; c < v->columns->total; ++c) {
+        const int effect = v->columns->effect[c];
+        *size += fabs(row[c]);
+        kinetic += effect < 0 ? row[c] : 0.0;
+        elastic += effect >= 0 && !is_outer(&model->effects[effect]) ? row[c] : 0.0;
+    }
+    return fmax(kinetic - 0.5 * v->mass * vti_dot(u, u), 0.0) + elastic;
+}
+
+/** Largest h|v|, less the common velocity, in diameters of the smallest body. */
+static double travel(const struct verdict *v, const vti_bodies *bodies)
+{
+    double u[3], most = 0.0;
+    common_velocity(v, bodies, u);
+    for (int64_t i = 0; i < bodies->count; ++i) {
+        double w[3];
+        for (int k = 0; k < 3; ++k)
+            w[k] = bodies->v.c[k][i * bodies->v.stride] - u[k];
+        most = larger(most, vti_norm(w));
+    }
+    return most * v->h / v->diameter;
+}
+
+/** Rows 0 to 63, every second of the next 64, every fourth of the next 128, ... */
+static int is_looked_at(double row)
+{
+    double every = 1.0;
+    for (double end = 64.0; row >= end; end *= 2.0)
+        every *= 2.0;
+    return every * floor(row / every) == row;
+}
+
+/** Of the list of contacts the pairs that touch: which others are in it depends on when it was built, and a run that is resumed
+ *  builds it at other times. Returns how many, or -1 without memory. */
+static int64_t touching(struct verdict *v, const vti_bodies *bodies)
+{
+    const vti_contacts *list = &v->model->contacts;
+    const vti_view *x = &bodies->x;
+    int64_t count = 0;
+    if (list->count > v->touching_room) {
+        int64_t *room = realloc(v->touching, sizeof *room * (size_t)(4 * list->count));
+        if (room == NULL)
+            return -1;
+        v->touching = room;
+        v->touching_room = 2 * list->count;
+    }
+    for (int64_t k = 0; k < list->count; ++k) {
+        const int64_t i = list->pair[2 * k] - list->base, j = list->pair[2 * k + 1] - list->base;
+        const double reach =
+            0.5 * (list->diameter.p[i * list->diameter.stride] + list->diameter.p[j * list->diameter.stride]);
+        double d[3];
+        for (int c = 0; c < 3; ++c)
+            d[c] = x->c[c][i * x->stride] - x->c[c][j * x->stride];
+        if (!(vti_dot(d, d) < reach * reach))
+            continue;
+        v->touching[2 * count] = list->pair[2 * k];
+        v->touching[2 * count++ + 1] = list->pair[2 * k + 1];
+    }
+    return count;
+}
+
+/** The model's, of the contacts that touch. */
+static int stable_step(struct verdict *v, const vti_bodies *bodies, double *h)
+{
+    struct message ignored;
+    const vti_contacts all = v->model->contacts;
+    const int64_t count = v->model->scene->has_contact ? touching(v, bodies) : 0;
+    if (count < 0)
+        return -1;
+    v->model->contacts.count = count;
+    v->model->contacts.pair = v->touching;
+    const int result = model_stable_step(v->model, model_overlap(v->model), h, &ignored);
+    v->model->contacts = all;
+    return result;
+}
+
+static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
+{
+    struct findings *f = &v->found;
+    double h = NAN;
+    if (!is_looked_at(f->rows) || stable_step(v, bodies, &h) != 0)
+        return;
+    h *= 0.5 * v->stepper->reach; /* what the stepper itself stands, where vti_stable_step is 2/omega */
+    if (h < f->stable) {
+        f->stable = h;
+        f->stable_t = t;
+    }
+}
+
+/** Of the energies of a row, kicked being H~ or NaN. */
+static void look_at_energies(struct verdict *v, double t, double total, double kicked, double modified)
+{
+    struct findings *f = &v->found;
+    if (f->rows == 0.0) {
+        f->first = f->highest = f->lowest = total;
+        f->first_kicked = kicked;
+    }
+    f->highest = fmax(f->highest, total);
+    f->lowest = fmin(f->lowest, total);
+    const double noise = rounding * f->size, change = total - f->first;
+    const double other = isnan(kicked) ? change : kicked - f->first_kicked;
+    const double grown = change > most_swing * f->scale ? change : fmin(change, other);
+    const double gain = grown - noise, loss = fmin(-change, -other) - noise, last = f->gain;
+    if (gain > 0.0)
+        f->gain = fmax(f->gain, gain / f->scale);
+    if (loss > 0.0)
+        f->loss = fmax(f->loss, loss / f->scale);
+    if (f->gain > most_gain && !(last > most_gain))
+        f->gain_t = t;
+    trend_add(&f->trend, t, isnan(modified) ? change : modified - f->first);
+}
+
+void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS])
+{
+    struct findings *f = &v->found;
+    double size;
+    columns_values(v->columns, t, bodies, row);
+    const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size);
+    look_at_stable_step(v, t, bodies);
+    const struct energies e = modified_energies(&v->modified, bodies, total);
+    if (v->columns->modified >= 0)
+        row[v->columns->modified] = e.modified;
+    if (!isfinite(total)) {
+        f->broken = 1.0;
+        return;
+    }
+    f->scale = fmax(f->scale, inner);
+    f->size = fmax(f->size, size);
+    look_at_energies(v, t, total, e.kicked, e.modified);
+    if (v->diameter > 0.0)
+        f->travel = larger(f->travel, travel(v, bodies));
+    f->rotation = larger(f->rotation, vti_max_turn(v->h, bodies));
+    bond_turns_gate(&v->bonds, bodies, inner);
+    f->rows += 1.0;
+}
+
+void verdict_step(struct verdict *v, const vti_bodies *bodies)
+{
+    bond_turns_follow(&v->bonds, bodies);
+}
+
+/* ---- the judgement -------------------------------------------------------------------------------------------------- */
+
+/** A pair may be through within a step, and a wall be met at any depth. */
+static int passes(const struct verdict *v)
+{
+    return v->found.travel > most_travel;
+}
+
+static int64_t grade(const struct verdict *v, const struct judgement *j, int broken)
+{
+    const struct findings *f = &v->found;
+    if (broken || f->broken != 0.0 || !(f->gain <= most_gain) || passes(v))
+        return VERDICT_BAD;
+    const int doubtful = f->loss > most_gain || f->travel > some_travel ||
+                         j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step || j->bonds_turned > 0;
+    return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
+}
+
+/** Appends to the line. */
+#define SAY(...) snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text), __VA_ARGS__)
+
+static void say_energy(const struct verdict *v, const struct judgement *j, int broken, struct message *line)
+{
+    const struct findings *f = &v->found;
+    if (broken || f->broken != 0.0)
+        SAY("broke off; ");
+    if (f->gain > most_gain) {
+        SAY("the energy grew from %.6g to %.6g, too much from t = %.6g on: reduce h", f->first, f->highest, f->gain_t);
+        return;
+    }
+    if (f->loss > most_gain)
+        SAY("%.3g of the energy's scale was lost; ", f->loss);
+    else
+        SAY("energy kept, gains %.2g of its scale (bad above %.2g); ", j->energy_gain, most_gain);
+    SAY("swing %.2g, ", j->energy_swing);
+    if (isnan(j->energy_slope))
+        SAY("too few rows for a drift");
+    else
+        SAY("drift %.2g +- %.1g per unit of time", j->energy_slope / f->scale, j->energy_slope_error / f->scale);
+    SAY(" (scale %.4g)", f->scale);
+}
+
+static void say_steps(const struct verdict *v, const struct judgement *j, struct message *line)
+{
+    const double degrees = 57.295779513082320877;
+    if (v->diameter > 0.0)
+        SAY("; %.2g diameters a step%s", j->travel,
+            passes(v)                 ? ": what bodies meet they may pass through"
+            : j->travel > some_travel ? ": contacts are met late"
+                                      : "");
+    if (v->model->turns)
+        SAY("; %.3g degrees a step", degrees * j->rotation);
+    if (j->angle_error > turning_tolerance(v->stepper))
+        SAY(", by %s off by %.2g of it", v->stepper->name, j->angle_error);
+    if (isfinite(j->stable_step))
+        SAY("; h is %.3g of the least stable step %.4g (t = %.6g)", v->h / j->stable_step, j->stable_step,
+            v->found.stable_t);
+    if (j->bonds_turned > 0)
+        SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
+}
+
+struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line)
+{
+    const struct findings *f = &v->found;
+    struct judgement j = {0};
+    j.energy_gain = f->gain;
+    j.energy_scale = f->scale;
+    j.energy_swing = f->scale > 0.0 ? (f->highest - f->lowest) / f->scale : 0.0;
+    trend_slope(&f->trend, &j.energy_slope, &j.energy_slope_error);
+    j.travel = v->diameter > 0.0 ? f->travel : NAN;
+    j.rotation = f->rotation;
+    j.angle_error = turning_error(v->stepper, f->rotation);
+    j.stable_step = f->stable;
+    j.bonds_turned = (int64_t)v->bonds.turned;
+    j.verdict = grade(v, &j, broken);
+    message_set(line, "verdict: %s: ", verdict_word(j.verdict));
+    say_energy(v, &j, broken, line);
+    say_steps(v, &j, line);
+    return j;
+}
+
+int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2])
+{
+    int n = 0;
+    const double far = v->diameter > 0.0 ? travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
+    if (far > some_travel)
+        message_set(
+            &lines[n++],
+            "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; reduce h to %.3g", far,
+            far > most_travel ? " or not at all" : "", v->h * some_travel / far);
+    if (turning_error(v->stepper, turn) > turning_tolerance(v->stepper))
+        message_set(&lines[n++],
+                    "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; reduce h", turn,
+                    v->stepper->name, turning_error(v->stepper, turn));
+    return n;
+}
+
+/* ---- keeping it ------------------------------------------------------------------------------------------------------ */
+
+enum { FINDINGS = sizeof(struct findings) / sizeof(double) };
+
+int64_t verdict_size(const struct verdict *v)
+{
+    return FINDINGS + bond_turns_size(&v->bonds);
+}
+
+void verdict_get(const struct verdict *v, double *state)
+{
+    memcpy(state, &v->found, sizeof v->found);
+    bond_turns_get(&v->bonds, state + FINDINGS);
+}
+
+void verdict_put(struct verdict *v, const double *state)
+{
+    memcpy(&v->found, state, sizeof v->found);
+    bond_turns_put(&v->bonds, state + FINDINGS);
+}

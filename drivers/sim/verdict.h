@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, for bonds, at every step.
+ *
+ * Energy (EQUATIONS 6.9). H is the column total, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S is the
+ * largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
+ * (vti_effect.breaks), the energy is left out, and T is taken without that of the centre of mass in those directions in
+ * which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4 at a row, or not finite. Both, since H alone swings
+ * by up to (h omega)^2/4 of S in the best of runs, and H~ is exact for linear forces only; so exact that it stays when a linear
+ * oscillator blows up. Therefore H - H(0) > 0.95 S is bad by itself: (h omega)^2/4 is that at 0.97 of the stable step. */
+#ifndef VTI_VERDICT_H
+#define VTI_VERDICT_H
+
+#include <stddef.h>
+
+#include "bond_turns.h"
+#include "columns.h"
+#include "modified.h"
+#include "trend.h"
+
+enum verdict_grade { VERDICT_GOOD, VERDICT_DOUBTFUL, VERDICT_BAD };
+
+/** What was found. Members of eight bytes each, as verdict_numbers lists them. */
+struct judgement {
+    int64_t verdict;           /* verdict_grade */
+    double energy_gain;        /* as a share of S, the largest of the smaller of both gains; bad above 1/4 */
+    double energy_swing;       /* (largest - smallest H)/S */
+    double energy_slope;       /* of the modified energy, of H where there is none, over time (trend_slope) */
+    double energy_slope_error; /* its standard error */
+    double energy_scale;       /* S */
+    double travel;             /* largest h|v| of a body in diameters of the smallest; NaN where bodies do not meet */
+    double rotation;           /* largest h|Omega|, radians */
+    double angle_error;        /* turning_error of that */
+    double stable_step;        /* the stepper's least, as contacts came; infinite if nothing oscillates */
+    int64_t bonds_turned;      /* past half a turn */
+};
+
+/** A member of struct judgement: its name in files, and where it is. */
+struct verdict_number {
+    const char *name;
+    size_t offset;
+    int is_integer;
+};
+enum { VERDICT_NUMBERS = 11 };
+extern const struct verdict_number verdict_numbers[VERDICT_NUMBERS];
+
+/** "good", "doubtful", "bad" */
+const char *verdict_word(int64_t grade);
+
+/** What is gathered along the way; all doubles, as they are kept in a checkpoint. What dissipates or works (EQUATIONS 6.1) will
+ *  join where energies are taken, in verdict_row. */
+struct findings {
+    double rows, broken;
+    double first, first_kicked; /* H(0), H~(0) */
+    double scale, size;         /* S; the largest sum of |terms|, whose rounding is no gain */
+    double gain, gain_t, loss;  /* of S; gain_t is when it was first bad */
+    double highest, lowest;     /* H */
+    double travel, rotation, stable, stable_t;
+    struct trend trend;
+};
+
+struct verdict {
+    struct model *model;
+    const vti_stepper *stepper;
+    const struct columns *columns;
+    double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
+    int open[3];              /* 1: something from outside acts along this axis */
+    struct modified modified;
+    struct bond_turns bonds;
+    int64_t *touching; /* pairs, for the stable step */
+    int64_t touching_room;
+    struct findings found;
+};
+
+/** All must outlive it; columns are those of the model and the stepper. Returns 0, or -1 with one line in *message. */
+int verdict_create(struct verdict *v, struct model *model, const vti_stepper *stepper, double h,
+                   const struct columns *columns, struct message *message);
+void verdict_destroy(struct verdict *v);
+
+/** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift, nearly),
+ *  and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row 128, at every
+ *  fourth up to 256, and so on: it costs about as much as a step. */
+void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
+/** At every step. */
+void verdict_step(struct verdict *v, const vti_bodies *bodies);
+
+/** What is found so far; broken: 1 if the run ended on its way. In *line one line of it. */
+struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line);
+
+/** At t = 0, before any step: what of travel and rotation per step calls for a word. Returns how many lines there are. */
+int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2]);
+
+/** What a run must keep to end with the same verdict after it was interrupted. */
+int64_t verdict_size(const struct verdict *v);
+void verdict_get(const struct verdict *v, double *state);
+void verdict_put(struct verdict *v, const double *state);
+
+#endif
