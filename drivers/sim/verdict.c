@@ -7,15 +7,15 @@
 
 #include "turning.h"
 
-#define NUMBER(NAME, IS_INTEGER)                                                                                       \
+#define MEMBER(NAME, IS_INTEGER)                                                                                       \
     {                                                                                                                  \
 #NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \
     }
 const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
-    NUMBER(verdict, 1),      NUMBER(energy_gain, 0),        NUMBER(energy_swing, 0),
-    NUMBER(energy_slope, 0), NUMBER(energy_slope_error, 0), NUMBER(energy_scale, 0),
-    NUMBER(travel, 0),       NUMBER(rotation, 0),           NUMBER(angle_error, 0),
-    NUMBER(stable_step, 0),  NUMBER(bonds_turned, 1)};
+    MEMBER(verdict, 1),      MEMBER(energy_gain, 0),        MEMBER(energy_swing, 0),
+    MEMBER(energy_slope, 0), MEMBER(energy_slope_error, 0), MEMBER(energy_scale, 0),
+    MEMBER(travel, 0),       MEMBER(rotation, 0),           MEMBER(angle_error, 0),
+    MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
 
 static const double most_gain = 0.25;  /* of S */
 static const double most_swing = 0.95; /* of S, by H alone */
