@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Campello's implicit map, as the paper prints it, with phi = 1/2:
+ * Campello's implicit map, as the paper prints it, with phi = 1/2, and by other names with 0 and 1:
  *
  *     v+ = v + h/m [phi F + (1 - phi) F+]             x+ = x + h v+
  *     Omega+ = Omega + h/J [phi RM + (1 - phi) RM+]    alpha+ = alpha (+) h Omega+
  *
  * E. M. B. Campello, A description of rotations for DEM models of particle systems, Comput. Part. Mech. 2, 109 (2015). It is of
- * first order for every phi and dissipates for phi < 1 (E17). F+ and RM+ are found by fixed-point iteration from F and RM, which
+ * first order for every phi and dissipates for phi < 1: it shrinks phase volumes by 1 + (1 - phi)(h omega)^2 per step (E17); with
+ * phi = 1 it is VTI-3. F+ and RM+ are found by fixed-point iteration from F and RM, which
  * contracts by (1 - phi)(h omega)^2 and ends when the loads of all bodies together change by less than a share TOLERANCE of
  * themselves; that is far below the error of the method itself. (+) h Omega+ is done on quaternions. */
 #include "quaternion.h"
@@ -14,7 +15,7 @@
 
 #include <string.h>
 
-static const double phi = 0.5, tolerance = 1e-10;
+static const double tolerance = 1e-10;
 
 enum { ITERATIONS = 100 };
 
@@ -50,7 +51,7 @@ static void remember(const struct course *c, const struct before *b)
 }
 
 /** v+ = v + h/m [phi F + (1 - phi) F+] */
-static void kick(double h, double *restrict after, const double *restrict before, const double *restrict f,
+static void kick(double h, double phi, double *restrict after, const double *restrict before, const double *restrict f,
                  const double *restrict f_after, const vti_scalars *per, int64_t n)
 {
     for (int64_t i = 0; i < n; ++i) {
@@ -72,11 +73,11 @@ static void translate(double h, double *restrict after, const double *restrict b
 static void move(const struct course *c, const struct before *b)
 {
     if (c->f != NULL)
-        kick(c->h, c->v, b->v, b->f, c->f, &c->per_mass, c->n);
+        kick(c->h, c->rival->phi, c->v, b->v, b->f, c->f, &c->per_mass, c->n);
     if (c->x != NULL)
         translate(c->h, c->x, b->x, c->v, c->n);
     if (c->m != NULL)
-        kick(c->h, c->w, b->w, b->m, c->m, &c->per_inertia, c->n);
+        kick(c->h, c->rival->phi, c->w, b->w, b->m, c->m, &c->per_inertia, c->n);
     copy(c->q, c->q != NULL ? b->q : NULL, 4 * c->n);
     rival_turn(c->h, c->q, c->w, quat_turn_normalised, 0, c->n);
 }
@@ -120,11 +121,15 @@ static int go(struct course *c, int64_t steps)
     return status;
 }
 
-const struct rival rival_campello = {
-    .name = "campello",
-    .about = "implicit map with phi = 1/2 by fixed-point iteration: first order, dissipates (Campello 2015; E17)",
-    .order = 1,
-    .own_width = OWN,
-    .go = go,
-    .takes_forces = 1,
-};
+#define CAMPELLO(called, share, says)                                                                                  \
+    {                                                                                                                  \
+        .name = called, .about = says, .order = 1, .own_width = OWN, .go = go, .takes_forces = 1, .phi = share         \
+    }
+
+const struct rival rival_campello =
+    CAMPELLO("campello", 0.5,
+             "implicit map with phi = 1/2 by fixed-point iteration: first order, dissipates (Campello 2015; E17)");
+const struct rival rival_campello_0 =
+    CAMPELLO("campello-0", 0.0, "Campello's map with phi = 0: kicks by the forces at the end of the step (E17)");
+const struct rival rival_campello_1 =
+    CAMPELLO("campello-1", 1.0, "Campello's map with phi = 1: explicit, the map of vti3 (E17)");

@@ -13,6 +13,10 @@ static const struct rival *const rivals[] = {
 
 enum { RIVALS = sizeof rivals / sizeof rivals[0] };
 
+static const struct rival *const unlisted[] = {&rival_campello_0, &rival_campello_1};
+
+enum { UNLISTED = sizeof unlisted / sizeof unlisted[0] };
+
 int64_t rival_count(void)
 {
     return RIVALS;
@@ -21,6 +25,11 @@ int64_t rival_count(void)
 const struct rival *rival_at(int64_t i)
 {
     return i >= 0 && i < RIVALS ? rivals[i] : NULL;
+}
+
+const struct rival *rival_unlisted(int64_t i)
+{
+    return i >= 0 && i < UNLISTED ? unlisted[i] : NULL;
 }
 
 /* ---- a course -------------------------------------------------------------------------------------------------------- */

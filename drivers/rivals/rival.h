@@ -15,6 +15,7 @@ struct rival {
     const char *name, *about;
     int64_t order;
     double lag;        /* velocities live at t - lag h between steps */
+    double phi;        /* Campello's: the share of a kick that is by the forces at the step's start */
     int64_t own_width; /* doubles per body of its own, besides the quaternion */
     /** What it needs before the first step, forces excepted; NULL if nothing. Returns 0, or -1 if there is no memory or, with
      *  a line in *message, for another reason. */
@@ -30,6 +31,8 @@ struct rival {
 int64_t rival_count(void);
 /** NULL outside 0 <= i < rival_count(). */
 const struct rival *rival_at(int64_t i);
+/** Members of a family that are found by name and not listed; NULL after the last. */
+const struct rival *rival_unlisted(int64_t i);
 
 /** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what the model
  *  does not have are NULL. x, v, w, f and m are the model's own memory. */

@@ -12,7 +12,7 @@ extern const struct rival rival_quat_euler, rival_mercury;                      
 extern const struct rival rival_lammps;                                             /* richardson.c */
 extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral; /* exponential.c */
 extern const struct rival rival_omelyan;                                            /* omelyan.c */
-extern const struct rival rival_campello;                                           /* campello.c */
+extern const struct rival rival_campello, rival_campello_0, rival_campello_1;       /* campello.c */
 extern const struct rival rival_lgvi;                                               /* lgvi.c */
 extern const struct rival rival_rk4;                                                /* rk4.c */
 extern const struct rival rival_rk8pd, rival_rk8pd_adaptive;                        /* rk8pd.c */

@@ -13,7 +13,7 @@
 enum { METHODS_MAX = 64 };
 
 static struct method methods[METHODS_MAX];
-static int64_t methods_count;
+static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
 
 static struct method of_stepper(const vti_stepper *s)
 {
@@ -35,6 +35,9 @@ static void collect(void)
             methods[methods_count++] = of_stepper(vti_stepper_at(i));
     for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
         methods[methods_count++] = of_rival(rival_at(i));
+    methods_all = methods_count;
+    for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = of_rival(rival_unlisted(i));
 }
 
 int64_t method_count(void)
@@ -51,7 +54,9 @@ const struct method *method_at(int64_t i)
 
 const struct method *method_find(const char *name)
 {
-    for (int64_t i = 0; name != NULL && i < method_count(); ++i)
+    if (methods_count == 0)
+        collect();
+    for (int64_t i = 0; name != NULL && i < methods_all; ++i)
         if (strcmp(name, methods[i].name) == 0)
             return &methods[i];
     return NULL;

@@ -5,6 +5,7 @@
 
 #include "support.h"
 
+#include "equations.h"
 #include "method.h"
 #include "rival.h"
 
@@ -66,6 +67,26 @@ static inline void end(struct journey *j)
 {
     travel_destroy(&j->travel);
     model_destroy(&j->model);
+}
+
+/** The study's reference at t_end, as views on *state, which is to be freed. */
+static inline vti_bodies reference_of(const struct scene *scene, double t_end, double **state)
+{
+    struct model model;
+    struct equations equations;
+    struct message message;
+    double t = 0.0;
+    make_model(scene, &model);
+    *state = calloc((size_t)equations_width(&model), sizeof **state);
+    assert_non_null(*state);
+    equations_start(&model, *state);
+    assert_int_equal(equations_create(&equations, &model, 1e-14), 0);
+    if (equations_advance(&equations, &t, t_end, *state, &message) != 0)
+        fail_msg("%s", message.text);
+    const vti_bodies bodies = equations_bodies(&model, *state);
+    equations_destroy(&equations);
+    model_destroy(&model);
+    return bodies;
 }
 
 /** The attitude of body i, whichever way it is held; not normalised. */

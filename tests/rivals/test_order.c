@@ -4,29 +4,9 @@
  * chain at t = 1; what it converges to is the study's reference, which shares the forces with the rivals and nothing else. */
 #include "journey.h"
 
-#include "equations.h"
 #include "fit.h"
 
 enum { RUNGS = 7 };
-
-static vti_bodies reference_of(const struct scene *scene, double t_end, double **state)
-{
-    struct model model;
-    struct equations equations;
-    struct message message;
-    double t = 0.0;
-    make_model(scene, &model);
-    *state = calloc((size_t)equations_width(&model), sizeof **state);
-    assert_non_null(*state);
-    equations_start(&model, *state);
-    assert_int_equal(equations_create(&equations, &model, 1e-14), 0);
-    if (equations_advance(&equations, &t, t_end, *state, &message) != 0)
-        fail_msg("%s", message.text);
-    const vti_bodies bodies = equations_bodies(&model, *state);
-    equations_destroy(&equations);
-    model_destroy(&model);
-    return bodies;
-}
 
 /** t_end/h of the coarsest rung for methods of order 1, 2, 4 and 8. Rungs are a factor of sqrt 2 apart. */
 struct ladder {
