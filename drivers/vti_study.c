@@ -47,7 +47,8 @@ static const char usage[] =
     "command\n"
     "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted.\n"
     "\n"
-    "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where one is bad, all files\n"
+    "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where one is bad, all "
+    "files\n"
     "are written and the code is 3.\n";
 
 enum { SETS = 64, EXIT_BAD = 3 };

@@ -2,11 +2,11 @@
 !
 !> vti_c_effects -- the functions of vti_effect.h as C has them, and the energy; called by module vti_effects only.
 module vti_c_effects
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_int64_t, c_ptr
     use vti_types
     implicit none
     public
-    private :: c_double, c_int, c_int64_t, c_ptr
+    private :: c_double, c_funptr, c_int, c_int64_t, c_ptr
 
     interface
         function c_apply(effects, n, bodies) result(status) bind(c, name='vti_apply')
@@ -97,12 +97,22 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
-        function c_stable_step(springs, bodies, scratch, h) result(status) bind(c, name='vti_stable_step')
-            import :: c_double, c_int, vti_bodies, vti_springs
-            type(vti_springs), intent(in) :: springs
+        function vti_springs_none(self, bodies, at, visit, context) result(status) bind(c, name='vti_springs_none')
+            import :: c_funptr, c_int, c_ptr, vti_bodies
+            type(c_ptr), value :: self, at, context
             type(vti_bodies), intent(in) :: bodies
+            type(c_funptr), value :: visit
+            integer(c_int) :: status
+        end function
+
+        function c_stable_step(effects, n, bodies, at, scratch, stable) result(status) bind(c, name='vti_stable_step')
+            import :: c_double, c_int, c_int64_t, c_ptr, vti_bodies, vti_effect, vti_stable
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            type(c_ptr), value :: at
             real(c_double), intent(inout) :: scratch(*)
-            real(c_double), intent(inout) :: h
+            type(vti_stable), intent(inout) :: stable
             integer(c_int) :: status
         end function
     end interface

@@ -9,17 +9,26 @@
 !> nothing, is refused by vti_apply and vti_step_check (VTI_E_NULL) and has energy NaN.
 module vti_effects
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_procpointer, c_funptr, c_int, c_int64_t, c_loc, &
+        c_null_ptr, c_ptr
     use vti_c, only: vti_bodies_check
     use vti_c_effects
     use vti_steps, only: blame, handle
     use vti_types
     implicit none
     private
-    public :: vti_apply, vti_energy, vti_step_check, vti_stable_step
+    public :: vti_apply, vti_energy, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
+
+    abstract interface
+        subroutine c_visit(context, spring) bind(c)
+            import :: c_ptr, vti_spring
+            type(c_ptr), value :: context
+            type(vti_spring), intent(in) :: spring
+        end subroutine
+    end interface
 
 contains
 
@@ -62,17 +71,45 @@ contains
         end do
     end function
 
-    !> A step that is stable for every stepper whose limit is h < 2/omega_max; infinite if nothing oscillates. scratch
-    !> has room for the bodies of the slice, which are all that the springs name.
-    function vti_stable_step(springs, bodies, scratch, h) result(status)
-        type(vti_springs), intent(in) :: springs
+    !> A step that is stable for every stepper whose limit is h < 2/omega_max, while nothing is deformed by more than `at`, or
+    !> where the bodies are. scratch has room for the bodies of the slice, which are all that the springs name. VTI_E_SPRINGS if an
+    !> effect does not report its springs: stable%effect is its number.
+    function vti_stable_step(effects, bodies, scratch, stable, at) result(status)
+        type(vti_effect), intent(in) :: effects(:)
         type(vti_bodies), intent(in) :: bodies
         real(c_double), intent(inout), contiguous :: scratch(:)
-        real(c_double), intent(inout) :: h
+        type(vti_stable), intent(inout) :: stable
+        type(vti_deformation), intent(in), target, optional :: at
         integer(c_int) :: status
+        type(c_ptr) :: place
+        place = c_null_ptr
+        if (present(at)) place = c_loc(at)
         status = VTI_E_COUNT
-        if (size(scratch, kind=c_int64_t) >= bodies%count) status = c_stable_step(springs, bodies, scratch, h)
+        if (size(scratch, kind=c_int64_t) < bodies%count) return
+        status = VTI_E_NULL
+        if (.not. exist(effects)) return
+        status = c_stable_step(effects, size(effects, kind=c_int64_t), bodies, place, scratch, stable)
+        if (status /= VTI_OK .and. status /= VTI_E_SPRINGS) return
+        stable%effect = stable%effect + 1
+        stable%element = stable%element + 1
+        stable%i = stable%i + 1
+        stable%j = stable%j + 1
     end function
+
+    !> What the springs of a host's own effect call for each of them, with the visit and context that they were given.
+    subroutine vti_show_spring(visit, context, spring)
+        type(c_funptr), intent(in) :: visit
+        type(c_ptr), intent(in) :: context
+        type(vti_spring), intent(in) :: spring
+        type(vti_spring) :: from_zero
+        procedure(c_visit), pointer :: show
+        from_zero = spring
+        from_zero%element = spring%element - 1
+        from_zero%i = spring%i - 1
+        from_zero%j = spring%j - 1
+        call c_f_procpointer(visit, show)
+        call show(context, from_zero)
+    end subroutine
 
     ! ---- pendulum and gravity ---------------------------------------------------------------------------------------
 

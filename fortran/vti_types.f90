@@ -12,7 +12,8 @@ module vti_types
     integer(c_int), parameter :: VTI_OK = 0, VTI_E_NULL = -1, VTI_E_ABI = -2, VTI_E_COUNT = -3, VTI_E_VIEW = -4, &
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
-        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17
+        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, &
+        VTI_E_SPRINGS = -18
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -73,9 +74,14 @@ module vti_types
 
     !> One line of physics. apply(self, bodies) and energy(self, bodies, energies) are bind(c) subroutines with
     !> type(c_ptr), value :: self; type(vti_bodies), intent(in) :: bodies; real(c_double), intent(inout) :: energies(*).
+    !> springs(self, bodies, at, visit, context) is a bind(c) function of an integer(c_int), VTI_OK if all is well, that calls
+    !> vti_show_spring(visit, context, spring) for each of its springs; type(c_ptr), value :: at, context (at is null or the
+    !> address of a vti_deformation); type(c_funptr), value :: visit. Without springs an effect has no bound on the step;
+    !> c_funloc(vti_springs_none) says that its force does not change with position.
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
-        type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr
+        type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr, &
+            springs = c_null_funptr
         type(c_ptr) :: self = c_null_ptr
         integer(c_int64_t) :: terms = 0
         type(c_ptr) :: term = c_null_ptr
@@ -119,10 +125,26 @@ module vti_types
         real(c_double) :: stiffness = 0
     end type
 
-    !> What can make bodies oscillate, for vti_stable_step: c_loc of each, null is absent.
-    type, bind(c) :: vti_springs
-        type(c_ptr) :: bonds = c_null_ptr, contacts = c_null_ptr, walls = c_null_ptr, pendulum = c_null_ptr
-        real(c_double) :: overlap = 0
+    !> A spring for vti_show_spring, between the bodies i and j or, for j = 0, between i and what does not move; element is
+    !> its number in the effect. All count from 1. The members are explained in vti.h: stiffnesses are energies.
+    type, bind(c) :: vti_spring
+        integer(c_int64_t) :: element = 0, i = 0, j = 0
+        real(c_double) :: length = 1, axial = 0, across = 0, shear = 0, arm_i = 0.5_c_double, arm_j = 0.5_c_double, &
+            bend = 0, twist = 0
+    end type
+
+    !> How far bodies may get from rest: overlap of contacts as a share of D, strain of bonds as one of L0; meet = 1 if any two
+    !> bodies may touch, 0 if those of the lists may.
+    type, bind(c) :: vti_deformation
+        real(c_double) :: overlap = 0, strain = 0
+        integer(c_int64_t) :: meet = 0
+    end type
+
+    !> A bound on the step and what sets it: numbers of the effect in the array, of its spring and of the bodies of that, from 1;
+    !> 0 is none.
+    type, bind(c) :: vti_stable
+        real(c_double) :: h = 0
+        integer(c_int64_t) :: effect = 0, element = 0, i = 0, j = 0
     end type
 
     !> Sum with its rounding error carried along.

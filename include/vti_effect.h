@@ -16,17 +16,54 @@ extern "C" {
 /** An effect has at most so many terms. */
 #define VTI_TERMS 8
 
+/** A spring between two bodies, or between one and a place that does not move, as it is for small motions: displaced by u and
+ *  turned by theta, with n from j to i, u = u_i - u_j and P u = u - (n.u) n, it holds
+ *      axial/2 (n.u/length)^2 + across/2 |P u/length|^2 + shear/2 |P u/length - (arm_i theta_i + arm_j theta_j) x n|^2
+ *      + bend/2 |P (theta_i - theta_j)|^2 + twist/2 [n.(theta_i - theta_j)]^2.
+ *  All stiffnesses are energies >= 0, so that a spring constant k is k length^2. The direction of n is nothing to the bound, nor
+ *  is a stiffness that is too large; one that is too small makes it false. */
+typedef struct vti_spring {
+    int64_t element; /**< which of the effect's: the number of the bond, pair, plane or arm, from 0 */
+    int64_t i;       /**< body, an index into the views, from 0 */
+    int64_t j;       /**< the other one; -1: what does not move, and u_j = theta_j = 0 */
+    double length;   /**< of the spring, > 0 */
+    double axial;    /**< along n */
+    double across;   /**< across n, however the bodies turn: what a pull along n does */
+    double shear;    /**< across n, if the bodies do not turn with it */
+    double arm_i;    /**< share of the length from i to where shear acts; with arm_j it sums to 1 in what conserves */
+    double arm_j;    /**< and from j */
+    double bend;     /**< against turning apart, about what is across n */
+    double twist;    /**< and about n */
+} vti_spring;
+
+/** Takes one spring; context is what came with it. */
+typedef void vti_spring_visit(void *context, const vti_spring *spring);
+
+/** How far bodies may get from rest, for a bound that holds until they get there. */
+typedef struct vti_deformation {
+    double overlap; /**< of contacts and walls, a share of D: Hertz stiffens as its square root */
+    double strain;  /**< of bonds, a share of L0 below 1, shortened or stretched: shear is stiffer in a shorter bond */
+    int64_t
+        meet; /**< 0: pairs in the lists of contacts may touch, and no others; 1: any two of the bodies may, and element is the body */
+} vti_deformation;
+
 /** One line of physics. A scene holds an array of those that it calls for; what is not in the array does not exist. The
- *  object behind self stays the caller's. */
+ *  object behind self stays the caller's. Members are named in initialisers, and what is not named is absent:
+ *  {.name = "magnet", .apply = pull, .self = &magnet}. */
 typedef struct vti_effect {
     const char *name; /**< what it is called */
     /** Adds this effect's force and moment to the bodies' (a force or moment that is absent is left out). */
     void (*apply)(const void *self, const vti_bodies *bodies);
     /** Writes the effect's energies, one per term. */
     void (*energy)(const void *self, const vti_bodies *bodies, double *energies);
-    /** VTI_OK if all that these two read is there, of self and of the bodies; may be NULL. Asked before each of them. */
+    /** VTI_OK if all that the others read is there, of self and of the bodies; may be NULL. Asked before each of them. */
     int (*check)(const void *self, const vti_bodies *bodies);
-    const void *self;        /**< first argument of the three */
+    /** Shows visit every spring of the effect, always in the same order: each as stiff as it can be while nothing is deformed
+     *  by more than *at says, or, if at is NULL, as it is where the bodies are. Returns VTI_OK, or why it cannot. NULL: it
+     *  does not say, and there is no bound (VTI_E_SPRINGS); a force that does not change with position has vti_springs_none. */
+    int (*springs)(const void *self, const vti_bodies *bodies, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context);
+    const void *self;        /**< first argument of the four */
     int64_t terms;           /**< at most VTI_TERMS */
     const char *const *term; /**< names of the terms, one each */
     int64_t breaks; /**< momenta that it does not conserve, bits: 0-2 linear, 3-5 angular about 0, 6-8 sum of J Omega */
@@ -134,21 +171,31 @@ VTI_API vti_effect vti_walls_effect(const vti_walls *walls);
 
 /* ---- stability -------------------------------------------------------------------------------------------------------- */
 
-/** What can make bodies oscillate; NULL is absent. */
-typedef struct vti_springs {
-    const vti_bonds *bonds;       /**< all of them, whatever the slice */
-    const vti_contacts *contacts; /**< every pair of the list counts as touching */
-    const vti_walls *walls;       /**< every body counts as touching each of them */
-    const vti_pendulum *pendulum; /**< every body hangs in it */
-    double
-        overlap; /**< largest overlap to reckon with in contacts, as a share of D: Hertz stiffens as its square root */
-} vti_springs;
+/** The springs of an effect that has none: it calls visit for nothing. */
+VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_deformation *at,
+                             vti_spring_visit *visit, void *context);
 
-/** A step h that is stable for every stepper whose limit is h < 2/omega_max: *h = 2/omega with omega >= omega_max of the
- *  linearised motion, bounded bond by bond (EQUATIONS 5) with equal shares of a body for all that pulls at it. Exact
- *  eigenvalues lie below, never above; on the torus by 0.2 %. scratch is [count] doubles for the bodies of the slice, which must
- *  be all that the springs name. *h is infinite if nothing oscillates. VTI_E_BOND if a pair names a body that is not in the slice. */
-VTI_API int vti_stable_step(const vti_springs *springs, const vti_bodies *bodies, double *scratch, double *h);
+/** A bound on the step, and what sets it. */
+typedef struct vti_stable {
+    double h;        /**< 2/omega; infinite if nothing oscillates */
+    int64_t effect;  /**< number of the effect in the array, from 0; -1 if nothing oscillates */
+    int64_t element; /**< the number of its spring, as in vti_spring; -1 if nothing oscillates */
+    int64_t i;       /**< its bodies, as in vti_spring; -1 if nothing oscillates */
+    int64_t j;
+} vti_stable;
+
+/** A step that is stable for every stepper whose limit is h < 2/omega_max: stable->h = 2/omega with omega >= omega_max of the
+ *  motion linearised where nothing is deformed by more than *at (all zeros: at rest), or where the bodies are (at = NULL), with
+ *  bonds that are not bent. It is bounded spring by spring (EQUATIONS 5, 6.10) and never above the exact eigenvalues' limit; on the
+ *  torus at rest by 0.2 % below it. Where at is given, pairs in contact are those of the list, all touching, or, if at->meet,
+ *  any (each body is then taken to have as many neighbours as there is room for, or bodies), and every body touches every wall.
+ *
+ *  All effects of the scene, a host's own among them, stand in the array. scratch is [count] doubles for the bodies of the slice,
+ *  which must be all that the springs name. VTI_E_BOND if a spring names a body that is not in the slice, VTI_E_SPRINGS if an effect
+ *  does not report its springs: for that there is no bound; the number of the effect is then in stable->effect, and h is NaN.
+ *  h is 0 if a number that is read is NaN, in *at also if it is negative, and if strain is 1 or more and shear is there. */
+VTI_API int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *bodies, const vti_deformation *at,
+                            double *scratch, vti_stable *stable);
 
 #ifdef __cplusplus
 }

@@ -37,6 +37,67 @@ static int check(const void *self, const vti_bodies *b)
     return p->shear.p != NULL && !form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
+/** r of bond k over L0 where the bodies are; 1 if it does not matter. */
+static double ratio_now(const vti_bonds *p, int64_t k, const vti_bodies *b)
+{
+    double d[3], xj[3];
+    if (p->axial.p == NULL && p->shear.p == NULL)
+        return 1.0;
+    vti_load(&b->x, p->pair[2 * k] - p->base, d);
+    vti_load(&b->x, p->pair[2 * k + 1] - p->base, xj);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= xj[c];
+    return vti_norm(d) / p->rest[4 * k + 3];
+}
+
+static double stiffness_or_none(const vti_scalars *s, int64_t k)
+{
+    return s->p != NULL ? stiffness(s, k) : 0.0;
+}
+
+/** Bond k where it is shorter than L0 by the ratio, under a pull of K^a/L0 pull/(1 - pull). Not bent, it has K^a/L0^2 along n at any
+ *  r; across it K^s/r^2, of which |n - mh| turns with the bodies, and U'(r)/r = K^a/L0^2 pull; K^m against turning apart. A
+ *  push would take off across, and is left out.
+ *
+ *  Shear with an exponent of 4 has no stiffness at rest. Bent by 60 degrees it has K^s, at most it has 9/8 K^s: it counts as K^s.
+ *  As printed it is n against R_j^T R_i n0 that bends, with arms of 1 and -1. */
+static vti_spring spring(const vti_bonds *p, int64_t k, double ratio, double pull)
+{
+    const double axial = stiffness_or_none(&p->axial, k), shear = stiffness_or_none(&p->shear, k);
+    const double moment = stiffness_or_none(&p->moment, k);
+    const double q = shear != 0.0 ? ratio : 1.0; /* of lengths only shear depends */
+    const int printed = p->shear_form == VTI_SHEAR_PRINTED;
+    const vti_spring s = {.element = k,
+                          .i = p->pair[2 * k] - p->base,
+                          .j = p->pair[2 * k + 1] - p->base,
+                          .length = q * p->rest[4 * k + 3],
+                          .axial = axial * q * q,
+                          .across = axial * pull * q * q,
+                          .shear = shear,
+                          .arm_i = printed ? 1.0 : 0.5,
+                          .arm_j = printed ? -1.0 : 0.5,
+                          .bend = moment,
+                          .twist = moment};
+    return s;
+}
+
+/** While strained by up to e, a bond is as stiff as at (1 - e) L0, and as pulled as at (1 + e) L0. */
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
+{
+    const vti_bonds *p = self;
+    const double e = at == NULL ? 0.0 : at->strain >= 0.0 ? at->strain : NAN;
+    for (int64_t k = 0; k < p->count; ++k) {
+        if (vti_pair_check(b, p->pair[2 * k] - p->base, p->pair[2 * k + 1] - p->base) != VTI_OK)
+            return VTI_E_BOND;
+        const double now = at == NULL ? ratio_now(p, k, b) : 1.0;
+        const vti_spring s = at == NULL ? spring(p, k, now, now > 1.0 ? 1.0 - 1.0 / now : 0.0)
+                                        : spring(p, k, e >= 1.0 ? 0.0 : 1.0 - e, e / (1.0 + e));
+        visit(context, &s);
+    }
+    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
+}
+
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
 {
     if (bonds == NULL || !has_list(bonds))
@@ -51,15 +112,15 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
     const int64_t breaks = form == VTI_SHEAR_PRINTED ? 0x038 : form != 0 ? 0x1c0 : 0;
     const struct bond_kernel kernel = kernels()[form][has_moment + 2 * has_axial];
-    const vti_effect effect = {"binder",
-                               kernel.apply,
-                               kernel.energy,
-                               check,
-                               bonds,
-                               has_moment + has_axial + has_shear,
-                               names[has_moment + 2 * has_axial + 4 * has_shear],
-                               breaks,
-                               0};
+    const vti_effect effect = {.name = "binder",
+                               .apply = kernel.apply,
+                               .energy = kernel.energy,
+                               .check = check,
+                               .springs = springs,
+                               .self = bonds,
+                               .terms = has_moment + has_axial + has_shear,
+                               .term = names[has_moment + 2 * has_axial + 4 * has_shear],
+                               .breaks = breaks};
     return effect;
 }
 

@@ -76,6 +76,65 @@ static void contacts_energy(const void *self, const vti_bodies *b, double *energ
     energies[0] = vti_sum_value(&sum);
 }
 
+/* ---- springs of pairs ----------------------------------------------------------------------------------------------- */
+
+/** Hertz: d^2U/do^2 = (3/2) K o^{1/2} */
+static double hertz_stiffness(double stiffness, double o)
+{
+    return 1.5 * stiffness * sqrt(o >= 0.0 ? o : NAN);
+}
+
+/** What may come (EQUATIONS 6.10): each body i in a cage of as many neighbours as have room around it, or as there are
+ *  bodies, none smaller than the smallest. As |u_i - u_j|^2 <= 2 |u_i|^2 + 2 |u_j|^2, contacts are no stiffer than one spring of
+ *  2 z_i k_i that holds every body to its place. Those that touch with an overlap of up to o are 2 psi apart and more, seen from i,
+ *  sin psi = (1 - o) D_min/(D_i + D_min), and z_i caps of that angle cover a sphere at most: z_i (1 - cos psi) <= 2. */
+static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spring_visit *visit, void *context)
+{
+    double least = INFINITY;
+    for (int64_t i = b->first; i < b->first + b->count; ++i)
+        least = fmin(least, vti_scalar(&p->diameter, i));
+    for (int64_t i = b->first; b->count > 1 && i < b->first + b->count; ++i) {
+        const double length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * least;
+        const double sine = o < 1.0 ? (1.0 - o) * (0.5 * least / length) : 0.0, s2 = sine * sine;
+        const double z = fmin((double)(b->count - 1), 2.0 * (1.0 + sqrt(1.0 - s2)) / s2);
+        const double stiffness = 2.0 * z * hertz_stiffness(p->stiffness, o);
+        const vti_spring s = {.element = i, .i = i, .j = -1, .length = length, .axial = stiffness, .across = stiffness};
+        visit(context, &s);
+    }
+}
+
+/** Pairs of the list, all of them at the overlap of *at, or those that touch as they do. What pushes takes off across. */
+static int contacts_in_list(const vti_contacts *p, const vti_bodies *b, const vti_deformation *at,
+                            vti_spring_visit *visit, void *context)
+{
+    for (int64_t k = 0; k < p->count; ++k) {
+        double d[3], length, r2;
+        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+        if (vti_pair_check(b, i, j) != VTI_OK)
+            return VTI_E_BOND;
+        const int touches = at != NULL || touch(p, b, k, d, &length, &r2);
+        if (at != NULL)
+            length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
+        const double o = at != NULL ? at->overlap : touches ? 1.0 - sqrt(r2) / length : 0.0;
+        const vti_spring s = {
+            .element = k, .i = i, .j = j, .length = length, .axial = hertz_stiffness(p->stiffness, o)};
+        if (touches)
+            visit(context, &s);
+    }
+    return VTI_OK;
+}
+
+static int contacts_springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                            void *context)
+{
+    if (at == NULL || !at->meet)
+        return contacts_in_list(self, b, at, visit, context);
+    cages(self, b, at->overlap, visit, context);
+    return VTI_OK;
+}
+
+/* ---- the effect of pairs -------------------------------------------------------------------------------------------- */
+
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
     vti_blame_none(VTI_OK, fault);
@@ -103,7 +162,14 @@ vti_effect vti_contacts_effect(const vti_contacts *contacts)
     static const char *const term[] = {"contact"};
     if (contacts == NULL || list_check(contacts) != VTI_OK)
         return vti_effect_none();
-    const vti_effect effect = {"contact", contacts_apply, contacts_energy, contacts_check, contacts, 1, term, 0, 0};
+    const vti_effect effect = {.name = "contact",
+                               .apply = contacts_apply,
+                               .energy = contacts_energy,
+                               .check = contacts_check,
+                               .springs = contacts_springs,
+                               .self = contacts,
+                               .terms = 1,
+                               .term = term};
     return effect;
 }
 
@@ -157,6 +223,23 @@ static void walls_energy(const void *self, const vti_bodies *b, double *energies
     energies[0] = vti_sum_value(&sum);
 }
 
+/** Every body at every plane, or those that touch one, as they do. */
+static int walls_springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                         void *context)
+{
+    const vti_walls *p = self;
+    for (int64_t w = 0; w < p->count; ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            double radius = 0.5 * vti_scalar(&p->diameter, i);
+            const double o = at != NULL ? at->overlap : wall_overlap(p, b, p->plane + 4 * w, i, &radius);
+            const vti_spring s = {
+                .element = w, .i = i, .j = -1, .length = radius, .axial = hertz_stiffness(p->stiffness, o)};
+            if (at != NULL || !(o <= 0.0))
+                visit(context, &s);
+        }
+    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
+}
+
 vti_effect vti_walls_effect(const vti_walls *walls)
 {
     static const char *const term[] = {"wall"};
@@ -167,6 +250,14 @@ vti_effect vti_walls_effect(const vti_walls *walls)
         for (int k = 0; k < 3; ++k)
             if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
                 breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"wall", walls_apply, walls_energy, walls_check, walls, 1, term, breaks, 0};
+    const vti_effect effect = {.name = "wall",
+                               .apply = walls_apply,
+                               .energy = walls_energy,
+                               .check = walls_check,
+                               .springs = walls_springs,
+                               .self = walls,
+                               .terms = 1,
+                               .term = term,
+                               .breaks = breaks};
     return effect;
 }

@@ -40,6 +40,14 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
     for (int k = 0; k < 3; ++k)
         if (gravity->g[k] != 0.0) /* momentum along g, and angular momentum across it */
             breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {"gravity", apply, energy, check, gravity, 1, term, breaks, 0};
+    const vti_effect effect = {.name = "gravity",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .self = gravity,
+                               .terms = 1,
+                               .term = term,
+                               .breaks = breaks};
     return effect;
 }

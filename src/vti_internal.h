@@ -79,6 +79,13 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** VTI_OK if both bodies of a pair are in the slice. */
+static inline int vti_pair_check(const vti_bodies *b, int64_t i, int64_t j)
+{
+    const int64_t first = b->first, end = first + b->count;
+    return i >= first && i < end && j >= first && j < end ? VTI_OK : VTI_E_BOND;
+}
+
 /** Marks sealed bodies: a number that memory does not hold by chance. */
 #define VTI_SEAL INT64_C(0x7674692d7365616c)
 
@@ -104,7 +111,7 @@ static inline int vti_bodies_ready(const vti_bodies *b)
 /** What an effect of nothing is: vti_apply refuses it. */
 static inline vti_effect vti_effect_none(void)
 {
-    const vti_effect none = {NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, 0};
+    const vti_effect none = {.name = NULL};
     return none;
 }
 

@@ -76,12 +76,34 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     energies[0] = vti_sum_value(&sum);
 }
 
+/** An arm in the field has the stiffness m g |rho0| against turning, at most. */
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
+{
+    const vti_pendulum *p = self;
+    const double stiffness = fabs(p->weight) * vti_norm(p->rho0);
+    (void)at;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        const vti_spring s = {.element = i, .i = i, .j = -1, .length = 1.0, .bend = stiffness, .twist = stiffness};
+        visit(context, &s);
+    }
+    return VTI_OK;
+}
+
 vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
 {
     static const char *const term[] = {"pendulum"};
     if (pendulum == NULL)
         return vti_effect_none();
     /* the pivot takes up any linear momentum; of the angular one, all spin, gravity leaves the component along e3 */
-    const vti_effect effect = {"pendulum", apply, energy, check, pendulum, 1, term, 0xdf, 0};
+    const vti_effect effect = {.name = "pendulum",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = springs,
+                               .self = pendulum,
+                               .terms = 1,
+                               .term = term,
+                               .breaks = 0xdf};
     return effect;
 }

@@ -1,50 +1,114 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A rigorous bound of the stable step (EQUATIONS 5, with a tighter element and better shares). The system is split into
- * elements, one for each thing that pulls, and every body into shares for the elements at it: K = sum K_e, M = sum M_e.
- * If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx, nor is the whole. */
+ * A rigorous bound of the stable step (EQUATIONS 5 and 6.10, with a tighter element and better shares). The system is split
+ * into elements, one for each spring that an effect reports, and every body into shares for the elements at it: K = sum K_e,
+ * M = sum M_e. If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx, nor is the whole. */
+#include <limits.h>
+
 #include "vti_internal.h"
 
-/** An element: a bond at rest, or what has the stiffness of one. Without j (-1) the other end does not move. */
-struct spring {
-    int64_t i, j;
-    double length, axial, moment, shear;
-    int64_t shear_form;
+/* ---- numbers of any size ------------------------------------------------------------------------------------------ */
+
+/** x 2^(256 e) >= 0 with x in [2^-128, 2^128), or x = 0, infinite or NaN and e = 0: squares and products of what a double
+ *  holds, m = 1e-300 and L0 = 1e-100 among them. Where e is 0 all along, the bits are those of doubles. */
+struct wide {
+    double x;
+    int e;
 };
+
+static const double up = 0x1p256, down = 0x1p-256, most = 0x1p128, least = 0x1p-128;
+
+static struct wide wide(double x, int e)
+{
+    for (; x >= most && isfinite(x); ++e)
+        x *= down;
+    for (; x < least && x > 0.0; --e)
+        x *= up;
+    const struct wide w = {x, x > 0.0 && isfinite(x) ? e : 0};
+    return w;
+}
+
+static struct wide times(struct wide a, struct wide b)
+{
+    return wide(a.x * b.x, a.e + b.e);
+}
+
+static struct wide over(struct wide a, struct wide b)
+{
+    return wide(a.x / b.x, a.e - b.e);
+}
+
+/** x of a at another e, near its own or larger; what vanishes there is less than rounding. */
+static double at_exponent(struct wide a, int e)
+{
+    return a.e == e ? a.x : a.e > e ? a.x * up : a.e + 1 == e ? a.x * down : 0.0 * a.x;
+}
+
+/** The larger e of the two that are not 0. */
+static int exponent(struct wide a, struct wide b)
+{
+    return a.x == 0.0 || (b.x != 0.0 && b.e > a.e) ? b.e : a.e;
+}
+
+static struct wide plus(struct wide a, struct wide b)
+{
+    if (!isfinite(a.x) || !isfinite(b.x))
+        return wide(a.x + b.x, 0);
+    const int e = exponent(a, b);
+    return wide(at_exponent(a, e) + at_exponent(b, e), e);
+}
+
+/** NaN wins, then what is infinite. */
+static int is_larger(struct wide a, struct wide b)
+{
+    if (!isfinite(a.x) || !isfinite(b.x))
+        return !isnan(b.x) && (isnan(a.x) || a.x > b.x);
+    const int e = exponent(a, b);
+    return at_exponent(a, e) > at_exponent(b, e);
+}
+
+static struct wide larger(struct wide a, struct wide b)
+{
+    return is_larger(a, b) ? a : b;
+}
 
 /* ---- one element ------------------------------------------------------------------------------------------------- */
 
-static inline double share_over(const vti_scalars *s, double z, int64_t i)
+static struct wide share_over(const vti_scalars *s, double z, int64_t i)
 {
-    return s->p != NULL && i >= 0 ? z / vti_scalar(s, i) : 0.0;
+    return s->p != NULL && i >= 0 ? over(wide(z, 0), wide(vti_scalar(s, i), 0)) : wide(0.0, 0);
 }
 
-/** What is no number wins. */
-static inline double larger(double x, double y)
+/** The larger eigenvalue of [[p, g], [g, q]], g^2 = r/4. */
+static struct wide eigenvalue(struct wide p, struct wide q, struct wide r)
 {
-    return x > y || isnan(x) ? x : y;
+    const int e = exponent(p, q);
+    const double x = at_exponent(p, e), y = at_exponent(q, e);
+    return wide(0.5 * (x + y + sqrt((x - y) * (x - y) + at_exponent(r, 2 * e))), e);
 }
 
-/** omega_max^2 of a spring with 1/zi and 1/zj of its bodies; a = (zi/m_i + zj/m_j)/L0^2, b = z/J.
+/** omega_max^2 of a spring with 1/zi and 1/zj of its bodies; a = (zi/m_i + zj/m_j)/L^2, b = z/J.
  *
- *  Displace a bond at rest by u and turn it by theta: to first order, across n (P), n moves by P(u_i - u_j)/L0 and mh
- *  by (theta_i + theta_j)/2 x n. The energies are K^s/2 |n - mh|^2, K^m/2 |theta_i - theta_j|^2 and, with the part of
- *  (u_i - u_j)/L0 along n, K^a/2 of its square. Along n that is K^a a and K^m (b_i + b_j). In each of two planes
- *  through n it is K^s/2 (g.q)^2 + K^m/2 (d.q)^2 with q = (u_i, u_j, theta_i, theta_j), g = (1/L0, -1/L0, -1/2, -1/2)
- *  and d = (0, 0, 1, -1), of which omega^2 are the eigenvalues of
- *      [ K^s gg              (K^s K^m)^{1/2} gd ]    gg = g.M^-1 g = a + (b_i + b_j)/4,
- *      [ (K^s K^m)^{1/2} gd  K^m dd             ]    gd = g.M^-1 d = (b_j - b_i)/2,  dd = d.M^-1 d = b_i + b_j.
- *
- *  Shear with an exponent of 4 has no stiffness at rest. Bent by 60 degrees it has K^s, at most it has 9/8 K^s: it
- *  counts as K^s. As printed it is n against R_j^T R_i n0 that bends, and g = (1/L0, -1/L0, -1, 1). */
-static double omega2(const struct spring *s, const vti_bodies *b, double zi, double zj)
+ *  Along n it is K^axial a and K^twist (b_i + b_j). In each of two planes through n the energy is, with
+ *  q = (u_i, u_j, theta_i, theta_j), K^shear/2 (g.q)^2 + K^bend/2 (d.q)^2 + K^across/2 [(u_i - u_j)/L]^2,
+ *  g = (1/L, -1/L, -s_i, -s_j), s the arms, and d = (0, 0, 1, -1). The omega^2 of the first two terms are the eigenvalues of
+ *      [ K^shear gg                    (K^shear K^bend)^{1/2} gd ]    gg = g.M^-1 g = a + s_i^2 b_i + s_j^2 b_j,
+ *      [ (K^shear K^bend)^{1/2} gd     K^bend dd                 ]    gd = s_j b_j - s_i b_i,  dd = b_i + b_j,
+ *  and the third adds at most K^across a. */
+static struct wide omega2(const vti_spring *s, const vti_bodies *b, double zi, double zj)
 {
-    const double a = (share_over(&b->mass, zi, s->i) + share_over(&b->mass, zj, s->j)) / (s->length * s->length);
-    const double bi = share_over(&b->inertia, zi, s->i), bj = share_over(&b->inertia, zj, s->j), dd = bi + bj;
-    const int printed = s->shear_form == VTI_SHEAR_PRINTED;
-    const double gg = a + (printed ? dd : 0.25 * dd), gd = printed ? dd : 0.5 * (bj - bi);
-    const double p = s->shear * gg, q = s->moment * dd, r = 4.0 * s->shear * s->moment * gd * gd;
-    return larger(s->axial * a, 0.5 * (p + q + sqrt((p - q) * (p - q) + r)));
+    const struct wide length = wide(s->length, 0), axial = wide(s->axial, 0), across = wide(s->across, 0);
+    const struct wide shear = wide(s->shear, 0), bend = wide(s->bend, 0), twist = wide(s->twist, 0);
+    const struct wide ai = wide(s->arm_i * s->arm_i, 0), aj = wide(s->arm_j * s->arm_j, 0);
+    const struct wide a =
+        over(plus(share_over(&b->mass, zi, s->i), share_over(&b->mass, zj, s->j)), times(length, length));
+    const struct wide bi = share_over(&b->inertia, zi, s->i), bj = share_over(&b->inertia, zj, s->j), dd = plus(bi, bj);
+    const int e = exponent(bi, bj);
+    const struct wide gd = wide(fabs(s->arm_j * at_exponent(bj, e) - s->arm_i * at_exponent(bi, e)), e);
+    const struct wide p = times(shear, plus(a, plus(times(ai, bi), times(aj, bj)))), q = times(bend, dd);
+    const struct wide r = times(times(times(times(wide(4.0, 0), shear), bend), gd), gd);
+    const struct wide bent = eigenvalue(p, q, r);
+    return larger(larger(times(axial, a), times(twist, dd)), across.x == 0.0 ? bent : plus(bent, times(across, a)));
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
@@ -52,133 +116,141 @@ static double omega2(const struct spring *s, const vti_bodies *b, double zi, dou
 struct tally {
     const vti_bodies *b;
     double *shares; /* per body, the sum of its elements' weights */
-    double most;
+    int scale;      /* weights are in units of 2^(256 scale) */
+    int largest;    /* the scale that the largest weight has */
+    int status;
+    int64_t effect;
+    struct wide most;
+    vti_stable found;
 };
 
-typedef void visit(const struct spring *s, struct tally *t);
-
-static double stiffness_of(const vti_scalars *s, int64_t k)
+/** Whether the bodies of a spring are there; once one is not, nothing is looked at any more. */
+static int exists(const vti_spring *s, struct tally *t)
 {
-    return s->p != NULL ? vti_scalar(s, k) : 0.0;
+    const int64_t first = t->b->first, end = first + t->b->count;
+    if (s->i < first || s->i >= end || s->j < -1 || s->j >= end || (s->j >= 0 && s->j < first))
+        t->status = VTI_E_BOND;
+    return t->status == VTI_OK;
 }
 
-static void each_bond(const vti_bonds *p, struct tally *t, visit *see)
+/** An element weighs as much as it is fast with its bodies whole: slow ones need little of a body. Any weights will do for a
+ *  bound, so that of elements which are slower by 2^256 and more it is enough to say that they are there. */
+static double weight(const vti_spring *s, const struct tally *t, struct wide *whole)
 {
-    for (int64_t k = 0; p != NULL && k < p->count; ++k) {
-        const struct spring s = {
-            p->pair[2 * k] - p->base,    p->pair[2 * k + 1] - p->base, p->rest[4 * k + 3], stiffness_of(&p->axial, k),
-            stiffness_of(&p->moment, k), stiffness_of(&p->shear, k),   p->shear_form};
-        see(&s, t);
-    }
+    *whole = omega2(s, t->b, 1.0, 1.0);
+    if (whole->x == 0.0)
+        return 0.0;
+    return whole->e >= t->scale - 1 ? at_exponent(*whole, t->scale) : least * down;
 }
 
-/** Hertz: d^2U/do^2 = (3/2) K sqrt(o) */
-static void each_contact(const vti_contacts *p, double overlap, struct tally *t, visit *see)
+static void add_weight(void *context, const vti_spring *s)
 {
-    for (int64_t k = 0; p != NULL && k < p->count; ++k) {
-        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
-        const double length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
-        const struct spring s = {i, j, length, 1.5 * p->stiffness * sqrt(overlap), 0.0, 0.0, 0};
-        see(&s, t);
-    }
-}
-
-/** The walls at a body are one element, as stiff as all of them. */
-static void each_at_walls(const vti_walls *p, double overlap, struct tally *t, visit *see)
-{
-    for (int64_t i = t->b->first; p != NULL && p->count > 0 && i < t->b->first + t->b->count; ++i) {
-        const double stiffness = (double)p->count * 1.5 * p->stiffness * sqrt(overlap);
-        const struct spring s = {i, -1, 0.5 * vti_scalar(&p->diameter, i), stiffness, 0.0, 0.0, 0};
-        see(&s, t);
-    }
-}
-
-/** An arm in the field has the stiffness m g |rho0| against turning, at most. */
-static void each_arm(const vti_pendulum *p, struct tally *t, visit *see)
-{
-    for (int64_t i = t->b->first; p != NULL && i < t->b->first + t->b->count; ++i) {
-        const struct spring s = {i, -1, 1.0, 0.0, fabs(p->weight) * vti_norm(p->rho0), 0.0, 0};
-        see(&s, t);
-    }
-}
-
-static void each_spring(const vti_springs *s, struct tally *t, visit *see)
-{
-    each_bond(s->bonds, t, see);
-    each_contact(s->contacts, s->overlap, t, see);
-    each_at_walls(s->walls, s->overlap, t, see);
-    each_arm(s->pendulum, t, see);
-}
-
-/* ---- shares ------------------------------------------------------------------------------------------------------ */
-
-/** An element weighs as much as it is fast with its bodies whole: slow ones need little of a body. */
-static void add_weight(const struct spring *s, struct tally *t)
-{
-    const double weight = omega2(s, t->b, 1.0, 1.0);
-    t->shares[s->i - t->b->first] += weight;
-    if (s->j >= 0)
-        t->shares[s->j - t->b->first] += weight;
-}
-
-static void find_most(const struct spring *s, struct tally *t)
-{
-    const double weight = omega2(s, t->b, 1.0, 1.0);
-    if (weight == 0.0)
+    struct tally *t = context;
+    struct wide whole;
+    if (!exists(s, t))
         return;
-    const double zi = t->shares[s->i - t->b->first] / weight;
-    const double zj = s->j >= 0 ? t->shares[s->j - t->b->first] / weight : 0.0;
-    const double found = omega2(s, t->b, zi, zj);
-    t->most = isnan(found) ? INFINITY : fmax(t->most, found); /* what overflows is infinitely fast */
+    const double w = weight(s, t, &whole);
+    if (w == 0.0)
+        return;
+    t->largest = whole.e > t->largest ? whole.e : t->largest;
+    t->shares[s->i - t->b->first] += w;
+    if (s->j >= 0)
+        t->shares[s->j - t->b->first] += w;
+}
+
+static void find_most(void *context, const vti_spring *s)
+{
+    struct tally *t = context;
+    struct wide whole;
+    if (!exists(s, t))
+        return;
+    const double w = weight(s, t, &whole);
+    if (w == 0.0)
+        return;
+    const double zi = t->shares[s->i - t->b->first] / w, zj = s->j >= 0 ? t->shares[s->j - t->b->first] / w : 0.0;
+    const struct wide found = omega2(s, t->b, zi, zj);
+    if (!is_larger(found, t->most))
+        return;
+    const vti_stable stable = {NAN, t->effect, s->element, s->i, s->j};
+    t->most = found;
+    t->found = stable;
+}
+
+static int each_spring(const vti_effect *effects, int64_t n, const vti_deformation *at, vti_spring_visit *visit,
+                       struct tally *t)
+{
+    for (t->effect = 0; t->effect < n && t->status == VTI_OK; ++t->effect) {
+        const vti_effect *e = effects + t->effect;
+        const int status = e->springs(e->self, t->b, at, visit, t);
+        if (t->status == VTI_OK)
+            t->status = status;
+    }
+    return t->status;
+}
+
+/** Shares of the bodies, in units in which the largest weight is a double. */
+static int share_out(const vti_effect *effects, int64_t n, const vti_deformation *at, struct tally *t)
+{
+    do {
+        t->scale = t->largest;
+        t->largest = INT_MIN;
+        for (int64_t i = 0; i < t->b->count; ++i)
+            t->shares[i] = 0.0;
+        if (each_spring(effects, n, at, add_weight, t) != VTI_OK)
+            return t->status;
+    } while (t->largest != INT_MIN && t->largest != t->scale);
+    return VTI_OK;
 }
 
 /* ---- what is given ----------------------------------------------------------------------------------------------- */
 
-static int pairs_check(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b)
+int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_deformation *at, vti_spring_visit *visit,
+                     void *context)
 {
-    if (count < 0)
-        return VTI_E_COUNT;
-    if (count > 0 && pair == NULL)
-        return VTI_E_NULL;
-    for (int64_t k = 0; k < 2 * count; ++k)
-        if (pair[k] - base < b->first || pair[k] - base >= b->first + b->count)
-            return VTI_E_BOND;
+    (void)self, (void)bodies, (void)at, (void)visit, (void)context;
     return VTI_OK;
 }
 
-static int springs_check(const vti_springs *s, const vti_bodies *b)
+static int effects_check(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_stable *stable)
 {
-    int status = VTI_OK;
-    if (s->bonds != NULL) {
-        status = pairs_check(s->bonds->count, s->bonds->pair, s->bonds->base, b);
-        if (status == VTI_OK && s->bonds->count > 0 && s->bonds->rest == NULL)
-            status = VTI_E_NULL;
+    if (n < 0)
+        return VTI_E_COUNT;
+    if (n > 0 && effects == NULL)
+        return VTI_E_NULL;
+    for (int64_t k = 0; k < n; ++k) {
+        const int refused = effects[k].apply == NULL ? VTI_E_NULL : vti_effect_check(&effects[k], b);
+        if (refused != VTI_OK)
+            return refused;
+        if (effects[k].springs == NULL) {
+            const vti_stable unknown = {NAN, k, -1, -1, -1};
+            *stable = unknown;
+            return VTI_E_SPRINGS;
+        }
     }
-    if (status == VTI_OK && s->contacts != NULL) {
-        status = pairs_check(s->contacts->count, s->contacts->pair, s->contacts->base, b);
-        if (status == VTI_OK && s->contacts->count > 0 && s->contacts->diameter.p == NULL)
-            status = VTI_E_NULL;
-    }
-    if (status == VTI_OK && s->walls != NULL && s->walls->count > 0 && s->walls->diameter.p == NULL)
-        status = VTI_E_NULL;
-    return status;
+    return VTI_OK;
 }
 
-int vti_stable_step(const vti_springs *springs, const vti_bodies *b, double *scratch, double *h)
+int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, const vti_deformation *at,
+                    double *scratch, vti_stable *stable)
 {
     int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
-    if (springs == NULL || scratch == NULL || h == NULL)
+    if (scratch == NULL || stable == NULL)
         return VTI_E_NULL;
-    status = springs_check(springs, b);
+    status = effects_check(effects, n, b, stable);
     if (status != VTI_OK)
         return status;
-    struct tally tally = {b, scratch, 0.0};
-    for (int64_t i = 0; i < b->count; ++i)
-        scratch[i] = 0.0;
-    each_spring(springs, &tally, add_weight);
-    each_spring(springs, &tally, find_most);
-    *h = tally.most > 0.0 ? 2.0 / sqrt(tally.most) : INFINITY;
+    struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {INFINITY, -1, -1, -1, -1}};
+    status = share_out(effects, n, at, &t);
+    if (status == VTI_OK)
+        status = each_spring(effects, n, at, find_most, &t);
+    if (status != VTI_OK)
+        return status;
+    *stable = t.found;
+    if (isfinite(t.most.x))
+        stable->h = t.most.x > 0.0 ? ldexp(2.0 / sqrt(t.most.x), -128 * t.most.e) : INFINITY;
+    else
+        stable->h = 0.0; /* what is infinite, or no number, is infinitely fast */
     return VTI_OK;
 }

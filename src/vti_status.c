@@ -42,6 +42,8 @@ static const struct {
     {VTI_E_STATE,
      "a position, velocity, attitude or spin is not finite, or a quaternion is zero; set all of them before "
      "the first step, an unturned quaternion to real part 1"},
+    {VTI_E_SPRINGS, "an effect does not report its springs, so that the stable step has no bound; give it springs, "
+                    "vti_springs_none if its force does not change with position, or leave it out to bound the others"},
 };
 
 const char *vti_status_text(int status)

@@ -4,12 +4,7 @@
 #include <math.h>
 
 #include "number.h"
-
-/** Largest step at which a stepper is stable, if the bound is h for steppers of one force evaluation. */
-static double stable_for(const struct advice *a, const vti_stepper *stepper)
-{
-    return a->stable_h * 0.5 * stepper->reach;
-}
+#include "stable_text.h"
 
 /** "3.4 s", "12 ms" */
 static void say_seconds(double seconds, FILE *file)
@@ -43,11 +38,8 @@ void advice_say(const struct scene *scene, const struct advice *a, FILE *file)
     fprintf(file, "\n\n  %-14s %10s %10s %12s %10s %9s\n", "stepper", "h", "steps", "force evals", "time  ", "error");
     for (int64_t k = 0; k < a->count; ++k)
         say_offer(&a->offers[k], file);
-    if (isfinite(a->stable_h))
-        fprintf(file, "\nrigorously stable: h < %.4g for steppers of one force evaluation, h < %.4g for %s\n",
-                a->stable_h, stable_for(a, best->stepper), best->stepper->name);
-    else
-        fprintf(file, "\nnothing oscillates: every step is stable\n");
+    fputc('\n', file);
+    stable_say(&a->limits, best->stepper, best->h, file);
     fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
     fprintf(file, "times are of the steps alone, without output; the solution is known to %.0e\n", a->known);
 }
@@ -62,10 +54,10 @@ void advice_warn(const struct scene *scene, const struct advice *a, FILE *file)
             "warning: the forces of this scene are not smooth enough for high order: %s, of order %.0f, shows order "
             "%.1f; the stiffness of a contact sets in with a kink\n",
             a->checked->name, nominal, a->order);
-    if (best->h > 0.95 * stable_for(a, best->stepper))
+    if (best->h > 0.95 * stable_least(&a->limits, best->stepper))
         fprintf(file,
                 "warning: h = %.4g is near the stable step %.4g: what is off by less than the error may still grow\n",
-                best->h, stable_for(a, best->stepper));
+                best->h, stable_least(&a->limits, best->stepper));
     if (best->h * a->max_omega > 1.0)
         fprintf(file, "warning: bodies turn by up to %.2g radians per step\n", best->h * a->max_omega);
     if (best->error < 0.33 * a->target)
@@ -96,7 +88,7 @@ void advice_json(const struct advice *a, FILE *file)
     fputs("{", file);
     json_offer(&a->offers[0], file);
     fputs(", ", file);
-    json_number("stable_h", a->stable_h, file);
+    json_number("stable_h", fmin(a->limits.rest.h, a->limits.within.h), file);
     fputs(", ", file);
     json_number("h_max_omega", a->offers[0].h * a->max_omega, file);
     fputs(", \"alternatives\": [", file);

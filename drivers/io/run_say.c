@@ -7,6 +7,7 @@
 
 #include "number.h"
 #include "shape.h"
+#include "stable_text.h"
 
 /* ---- before ------------------------------------------------------------------------------------------------------ */
 
@@ -42,27 +43,24 @@ static void say_effects(const struct run *run, FILE *file)
 
 static void say_step(const struct run *run, FILE *file)
 {
-    const double h = run->scene.h, degrees = 180.0 / acos(-1.0), overlap = model_overlap(&run->model);
-    double stable = NAN;
-    struct message ignored = {""};
-    if (model_stable_step(&run->model, overlap, &stable, &ignored) != 0)
-        stable = NAN;
-    fprintf(file, "%s, h = %s: %lld steps to t = %.10g; ", run->scene.stepper->name, NUMBER(h), (long long)run->steps,
+    const double h = run->scene.h, degrees = 180.0 / acos(-1.0);
+    const vti_stepper *stepper = run->scene.stepper;
+    struct model_limits limits;
+    struct message trouble = {""};
+    fprintf(file, "%s, h = %s: %lld steps to t = %.10g", stepper->name, NUMBER(h), (long long)run->steps,
             (double)run->steps * h);
-    if (isinf(stable))
-        fputs("nothing oscillates", file);
-    else if (isnan(stable))
-        fputs("the stable step is not known", file);
-    else
-        fprintf(file, "h is %.3g of the stable %.4g", h / stable, stable);
-    if (overlap > 0.0)
-        fprintf(file, " (contacts with an overlap of %.2g)", overlap);
     if (run->record.frames.turns)
         fprintf(file, "; at most %.3g degrees per step at t = %.10g", degrees * vti_max_turn(h, &run->model.bodies),
                 (double)run->from * h);
     fputc('\n', file);
-    if (h > stable)
-        fprintf(file, "warning: h = %s is above the stable step %.4g: the run may blow up\n", NUMBER(h), stable);
+    if (model_find_limits(&run->model, &limits, &trouble) != 0) {
+        fprintf(file, "warning: the stable step is not known: %s\n", trouble.text);
+        return;
+    }
+    stable_say(&limits, stepper, h, file);
+    if (h > stable_least(&limits, stepper))
+        fprintf(file, "warning: h = %s is above the stable step %.4g: the run may blow up\n", NUMBER(h),
+                stable_least(&limits, stepper));
 }
 
 static void say_warnings(const struct run *run, FILE *file)

@@ -80,10 +80,13 @@ static int prepare(struct course *c, struct message *message)
 /** The tolerance that h stands for. */
 static int tolerance_of(const struct course *c, double *epsilon, struct message *message)
 {
-    double stable;
-    if (model_stable_step(c->model, model_overlap(c->model), &stable, message) != 0)
+    vti_stable stable;
+    vti_deformation at = model_deformation(c->model, &c->model->bodies);
+    at.strain = 0.0;
+    at.meet = 0; /* what is fast here, not what may become so */
+    if (model_stable_step(c->model, &c->model->bodies, &at, &stable, message) != 0)
         return -1;
-    const double most = fmax(2.0 * c->h / stable, vti_max_turn(c->h, &c->bodies));
+    const double most = fmax(2.0 * c->h / stable.h, vti_max_turn(c->h, &c->bodies));
     *epsilon = fmax(share * pow(most > 0.0 ? most : 1.0, ORDER), least);
     return 0;
 }

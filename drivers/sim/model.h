@@ -5,6 +5,8 @@
 #ifndef VTI_MODEL_H
 #define VTI_MODEL_H
 
+#include <stddef.h>
+
 #include "neighbours.h"
 #include "scene.h"
 
@@ -51,15 +53,30 @@ double model_energy(struct model *model, const vti_bodies *bodies);
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 
-/** The largest overlap to reckon with, as a share of D: that at which a contact has taken up the energy that bodies bring
- *  into it, 2/5 K o^{5/2} = e. e is twice the largest kinetic energy of a body (two of them may meet) and the work of
- *  gravity on a body's way to the first plane below it, for the body of which the sum is largest. It is an estimate: what
- *  pushes from behind, as in a pile, is not in it. 0 without contact and wall, at most 1. */
-double model_overlap(const struct model *model);
-/** The rigorous stable step of the model as it stands (vti_stable_step), with contacts at *overlap: every pair of the list
- *  of contacts and every body at every plane counts as touching. Infinite if nothing oscillates. Returns 0, or -1 with one
- *  line in *message. */
-int model_stable_step(const struct model *model, double overlap, double *h, struct message *message);
+/** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a pile, is
+ *  not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the motion of the whole
+ *  if there is no wall, and the work of gravity on a body's way to the first plane below it, for the body of which the sum is
+ *  largest. overlap: that at which a contact has taken up e, 2/5 K o^{5/2} = e; 0 without contact and wall, at most 1. strain:
+ *  that at which a bond has taken up e and what is in it now, K/2 s^2, at most 1; 0 without bonds along which there is a stiffness.
+ *  meet: whether the scene has contact, so that any two of its bodies may meet. */
+vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
+/** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they have, of the
+ *  last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in model_find_pairs. Costs about
+ *  as much as a step. Returns 0, or -1 with one line in *message. */
+int model_stable_step(const struct model *model, const vti_bodies *bodies, const vti_deformation *at,
+                      vti_stable *stable, struct message *message);
+/** What limits the step, "bond 12 of bodies 12 and 13"; "nothing oscillates" if nothing does. */
+void model_limit_text(const struct model *model, const vti_deformation *at, const vti_stable *stable, char *text,
+                      size_t size);
+
+/** Both bounds of bodies as they are at the start of a run, and what sets them. */
+struct model_limits {
+    vti_deformation at; /* what their energies allow, model_deformation */
+    vti_stable rest;    /* the bound at rest */
+    vti_stable within;  /* while nothing is deformed by more than *at */
+    char rest_by[96], within_by[96];
+};
+int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
 
 /* ---- what the continuous motion conserves besides the energy --------------------------------------------------------- */
 

@@ -73,8 +73,6 @@ void verdict_destroy(struct verdict *v)
 {
     modified_destroy(&v->modified);
     bond_turns_destroy(&v->bonds);
-    free(v->touching);
-    v->touching = NULL;
 }
 
 /* ---- rows ---------------------------------------------------------------------------------------------------------- */
@@ -133,57 +131,14 @@ static int is_looked_at(double row)
     return every * floor(row / every) == row;
 }
 
-/** Of the list of contacts the pairs that touch: which others are in it depends on when it was built, and a run that is resumed
- *  builds it at other times. Returns how many, or -1 without memory. */
-static int64_t touching(struct verdict *v, const vti_bodies *bodies)
-{
-    const vti_contacts *list = &v->model->contacts;
-    const vti_view *x = &bodies->x;
-    int64_t count = 0;
-    if (list->count > v->touching_room) {
-        int64_t *room = realloc(v->touching, sizeof *room * (size_t)(4 * list->count));
-        if (room == NULL)
-            return -1;
-        v->touching = room;
-        v->touching_room = 2 * list->count;
-    }
-    for (int64_t k = 0; k < list->count; ++k) {
-        const int64_t i = list->pair[2 * k] - list->base, j = list->pair[2 * k + 1] - list->base;
-        const double reach =
-            0.5 * (list->diameter.p[i * list->diameter.stride] + list->diameter.p[j * list->diameter.stride]);
-        double d[3];
-        for (int c = 0; c < 3; ++c)
-            d[c] = x->c[c][i * x->stride] - x->c[c][j * x->stride];
-        if (!(vti_dot(d, d) < reach * reach))
-            continue;
-        v->touching[2 * count] = list->pair[2 * k];
-        v->touching[2 * count++ + 1] = list->pair[2 * k + 1];
-    }
-    return count;
-}
-
-/** The model's, of the contacts that touch. */
-static int stable_step(struct verdict *v, const vti_bodies *bodies, double *h)
-{
-    struct message ignored;
-    const vti_contacts all = v->model->contacts;
-    const int64_t count = v->model->scene->has_contact ? touching(v, bodies) : 0;
-    if (count < 0)
-        return -1;
-    v->model->contacts.count = count;
-    v->model->contacts.pair = v->touching;
-    const int result = model_stable_step(v->model, model_overlap(v->model), h, &ignored);
-    v->model->contacts = all;
-    return result;
-}
-
 static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
 {
     struct findings *f = &v->found;
-    double h = NAN;
-    if (!is_looked_at(f->rows) || stable_step(v, bodies, &h) != 0)
+    struct message ignored;
+    vti_stable stable;
+    if (!is_looked_at(f->rows) || model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
         return;
-    h *= 0.5 * v->stepper->reach; /* what the stepper itself stands, where vti_stable_step is 2/omega */
+    const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
     if (h < f->stable) {
         f->stable = h;
         f->stable_t = t;

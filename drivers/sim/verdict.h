@@ -67,8 +67,6 @@ struct verdict {
     int open[3];              /* 1: something from outside acts along this axis */
     struct modified modified;
     struct bond_turns bonds;
-    int64_t *touching; /* pairs, for the stable step */
-    int64_t touching_room;
     struct findings found;
 };
 

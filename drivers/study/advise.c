@@ -136,7 +136,12 @@ static int look_at(struct search *s)
     struct model model;
     if (model_create(s->scene, &model, s->message) != 0)
         return -1;
-    int failed = model_stable_step(&model, model_overlap(&model), &s->advice->stable_h, s->message);
+    vti_stable begin;
+    int failed = model_find_limits(&model, &s->advice->limits, s->message);
+    const vti_deformation at = {s->advice->limits.at.overlap, 0.0, 0};
+    if (failed == 0)
+        failed = model_stable_step(&model, &model.bodies, &at, &begin, s->message);
+    s->stable_h = failed == 0 ? begin.h : NAN;
     if (failed == 0 && !model.turns && !model.translates)
         failed =
             message_set(s->message, "%s: nothing moves in this scene; there is no error to advise on", s->scene->name);

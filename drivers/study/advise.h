@@ -17,9 +17,9 @@ struct offer {
 
 struct advice {
     double target, t_end;
-    double stable_h;  /* the rigorous bound for steppers of one force evaluation; infinite if nothing oscillates */
-    double max_omega; /* of the solution */
-    double order;     /* that the most accurate runs showed; NaN if they needed no refining */
+    struct model_limits limits; /* of the step, at the start */
+    double max_omega;           /* of the solution */
+    double order;               /* that the most accurate runs showed; NaN if they needed no refining */
     const vti_stepper *checked; /* whose runs these were */
     double known;               /* error of the solution that all others are compared with */
     int64_t count;

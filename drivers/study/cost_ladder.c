@@ -57,11 +57,14 @@ static int is_finished(const struct cost_ladder *ladder, int turns)
 static double first_steps(const struct cost_case *c, const struct model *model)
 {
     static const double fewest = 2.0, coarser = 4.0;
-    double stable = INFINITY;
+    vti_stable stable;
     struct message message;
-    if (model_stable_step(model, model_overlap(model), &stable, &message) != 0)
-        stable = c->scene->h;
-    return fmax(fewest, ceil(c->t_end / (coarser * stable)));
+    vti_deformation at = model_deformation(model, &model->bodies);
+    at.strain = 0.0;
+    at.meet = 0; /* a ladder begins above what is stable */
+    if (model_stable_step(model, &model->bodies, &at, &stable, &message) != 0)
+        stable.h = c->scene->h;
+    return fmax(fewest, ceil(c->t_end / (coarser * stable.h)));
 }
 
 void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const struct method *method,

@@ -20,7 +20,7 @@ struct cost_ladder {
 /** The error that a run is priced by: of the attitudes, or of the velocities where nothing turns. */
 double cost_error(const struct race_result *run, int turns);
 
-/** Goes down the plan's steps. Without any: the first step is four times the rigorous stable step (half of t_end at most),
+/** Goes down the plan's steps. Without any: the first step is four times the stable step (half of t_end at most),
  *  each next one has sqrt(2) times as many. It ends when
  *   - the error is below 3e-11,
  *   - the next run would take more force evaluations than allowed,

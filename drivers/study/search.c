@@ -22,7 +22,7 @@ int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, stru
 
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
 {
-    double h = 0.9 * 0.5 * stepper->reach * s->advice->stable_h;
+    double h = 0.9 * 0.5 * stepper->reach * s->stable_h;
     if (stepper->law == VTI_LAW_CLOSED && s->omega0 > 0.0)
         h = fmin(h, 0.9 / s->omega0);
     return (int64_t)fmax(4.0, ceil(fmin(s->advice->t_end / h, 1e15)));

@@ -10,8 +10,9 @@ struct search {
     struct advice *advice;
     struct pilot solution;
     double omega0;
-    double limit;  /* force evaluations beyond which runs are too dear */
-    double budget; /* seconds to spend on the solution */
+    double stable_h; /* of contacts as they are listed and bonds at rest: searches begin there */
+    double limit;    /* force evaluations beyond which runs are too dear */
+    double budget;   /* seconds to spend on the solution */
     void (*say)(const char *stepper, int64_t steps);
     struct message *message;
 };

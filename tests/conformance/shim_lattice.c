@@ -47,10 +47,12 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
     const vti_walls walls = {2, planes[0], vti_scalars_array(diameter), 90.0};
     const vti_effect all[EFFECTS] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                      vti_gravity_effect(&gravity), vti_pendulum_effect(&pendulum)};
-    const vti_springs springs = {&bonds, &contacts, &walls, &pendulum, 0.25};
+    const vti_deformation at = {0.25, 0.125, 1};
+    vti_stable stable = {0.0, 0, 0, 0, 0};
 
     int status = vti_bonds_rest(count, pair, 1, &b.x, rest, NULL);
-    status = status != VTI_OK ? status : vti_stable_step(&springs, &b, scratch, &results[0]);
+    status = status != VTI_OK ? status : vti_stable_step(all, EFFECTS, &b, &at, scratch, &stable);
+    results[0] = stable.h;
     status = status != VTI_OK ? status : vti_apply(all, effects, &b);
     for (int64_t i = 0; status == VTI_OK && i < steps; ++i) {
         for (int64_t k = 0; status == VTI_OK && k < method->stages; ++k) {

@@ -61,6 +61,7 @@ contains
         integer :: i
         integer(c_int64_t) :: stage
         integer(c_int) :: status
+        type(vti_stable) :: stable
 
         stiffness = bond_energy
         plane = planes
@@ -77,8 +78,9 @@ contains
         effects = [vti_bonds_effect(bonds), vti_contacts_effect(contacts), vti_walls_effect(walls), &
             vti_gravity_effect(gravity), vti_pendulum_effect(pendulum)]
         allocate (scratch(bodies%count))
-        call expect_status(vti_stable_step(vti_springs(c_loc(bonds), c_loc(contacts), c_loc(walls), c_loc(pendulum), &
-            0.25_c_double), bodies, scratch, results(1)), VTI_OK, title//', stable step')
+        call expect_status(vti_stable_step(effects, bodies, scratch, stable, vti_deformation(0.25_c_double, 0.125_c_double, 1)), &
+            VTI_OK, title//', stable step')
+        results(1) = stable%h
 
         method = vti_stepper_find(name)
         call expect_status(vti_step_check(method, effects), VTI_OK, title//', step check')

@@ -26,7 +26,9 @@ program test_fortran_layout
     call bonds()
     call contacts()
     call walls()
-    call springs()
+    call spring()
+    call deformation()
+    call stable()
     call sum()
     call integral()
     count = shim_layout(200_c_int64_t, theirs)
@@ -36,7 +38,7 @@ program test_fortran_layout
     call add([VTI_ABI, VTI_TERMS, VTI_SHEAR_OBJECTIVE, VTI_SHEAR_QUARTIC, VTI_SHEAR_PRINTED, int([VTI_OK, &
         VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT, VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_TIME, VTI_E_MASS, &
         VTI_E_INERTIA, VTI_E_TOO_LARGE, VTI_E_STAGE, VTI_E_STEPPER, VTI_E_FRAME, VTI_E_BOND, VTI_E_DISSIPATES, &
-        VTI_E_CONTACT, VTI_E_STATE, &
+        VTI_E_CONTACT, VTI_E_STATE, VTI_E_SPRINGS, &
         VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_LAW_EXACT, VTI_LAW_EXACT9, VTI_FRAME_SPACE, &
         VTI_FRAME_BODY], c_int64_t), VTI_QUANTITY_NONE, quantity])
     count = shim_constants(200_c_int64_t, theirs)
@@ -115,7 +117,7 @@ contains
     subroutine effect()
         type(vti_effect), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%apply), c_loc(t%energy), &
-            c_loc(t%self), c_loc(t%terms), c_loc(t%term), c_loc(t%breaks), c_loc(t%dissipates)])])
+            c_loc(t%check), c_loc(t%springs), c_loc(t%self), c_loc(t%terms), c_loc(t%term), c_loc(t%breaks), c_loc(t%dissipates)])])
     end subroutine
 
     subroutine pendulum()
@@ -146,10 +148,22 @@ contains
             c_loc(t%stiffness)])])
     end subroutine
 
-    subroutine springs()
-        type(vti_springs), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%bonds), c_loc(t%contacts), c_loc(t%walls), &
-            c_loc(t%pendulum), c_loc(t%overlap)])])
+    subroutine spring()
+        type(vti_spring), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%element), c_loc(t%i), c_loc(t%j), &
+            c_loc(t%length), c_loc(t%axial), c_loc(t%across), c_loc(t%shear), c_loc(t%arm_i), c_loc(t%arm_j), &
+            c_loc(t%bend), c_loc(t%twist)])])
+    end subroutine
+
+    subroutine deformation()
+        type(vti_deformation), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%overlap), c_loc(t%strain), c_loc(t%meet)])])
+    end subroutine
+
+    subroutine stable()
+        type(vti_stable), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%h), c_loc(t%effect), c_loc(t%element), &
+            c_loc(t%i), c_loc(t%j)])])
     end subroutine
 
     subroutine sum()

@@ -173,27 +173,35 @@ contains
     subroutine stale()
         type(vti_bodies) :: old
         type(vti_gravity), target :: gravity
-        real(c_double) :: scratch(n), h
+        real(c_double) :: scratch(n)
+        type(vti_stable) :: stable
         old = b
         old%abi = VTI_ABI + 1
         force = 5
         call expect_status(vti_apply([vti_gravity_effect(gravity)], old), VTI_E_ABI, 'apply, another ABI')
-        call expect_status(vti_stable_step(vti_springs(), old, scratch, h), VTI_E_ABI, 'stable step, another ABI')
+        call expect_status(vti_stable_step([vti_gravity_effect(gravity)], old, scratch, stable), VTI_E_ABI, &
+            'stable step, another ABI')
         call expect(all(abs(force - 5) <= 0), 'another ABI, nothing has changed')
     end subroutine
 
     subroutine stable_step()
-        real(c_double) :: scratch(n), h
-        h = -3
+        real(c_double) :: scratch(n)
+        type(vti_stable) :: stable
+        type(vti_bonds), pointer :: no_bonds
+        type(vti_effect) :: none, binder
+        stable%h = -3
+        nullify (no_bonds)
+        none = vti_bonds_effect(no_bonds)
         bonds = vti_bonds_between(pair, c%rest)
         bonds%axial = vti_scalars_one(stiffness)
-        call expect_status(vti_stable_step(vti_springs(bonds=c_loc(bonds)), b, scratch(:9), h), VTI_E_COUNT, &
-            'stable step with too little room')
-        call expect(abs(h + 3) <= 0, 'stable step that is refused')
-        call expect_status(vti_stable_step(vti_springs(), b, scratch, h), VTI_OK, 'stable step of nothing')
-        call expect(.not. ieee_is_finite(h), 'nothing oscillates')
-        call expect_status(vti_stable_step(vti_springs(bonds=c_loc(bonds)), b, scratch, h), VTI_OK, 'stable step')
-        call expect(h > 0 .and. h < 2, 'bonds oscillate')
+        binder = vti_bonds_effect(bonds)
+        call expect_status(vti_stable_step([binder], b, scratch(:9), stable), VTI_E_COUNT, 'stable step with too little room')
+        call expect_status(vti_stable_step([binder, none], b, scratch, stable), VTI_E_NULL, 'stable step of no effect')
+        call expect(abs(stable%h + 3) <= 0, 'stable step that is refused')
+        call expect_status(vti_stable_step([vti_effect ::], b, scratch, stable), VTI_OK, 'stable step of nothing')
+        call expect(.not. ieee_is_finite(stable%h) .and. stable%effect == 0 .and. stable%i == 0, 'nothing oscillates')
+        call expect_status(vti_stable_step([binder], b, scratch, stable), VTI_OK, 'stable step')
+        call expect(stable%h > 0 .and. stable%h < 2, 'bonds oscillate')
     end subroutine
 
     !> chin4 takes the forces of a kick at x + probe h^2 F/m.

@@ -77,11 +77,14 @@ static void half_of_the_stable_step(void **state)
         struct scene scene;
         struct model model;
         struct message message;
-        double h;
+        struct model_limits limits;
         open_scene(scenes[k].name, &scene, &model);
-        assert_int_equal(model_stable_step(&model, model_overlap(&model), &h, &message), 0);
-        if (!(scene.h <= 0.5 * h))
-            fail_msg("%s: h = %g, stable step %g", scene.name, scene.h, h);
+        assert_int_equal(model_find_limits(&model, &limits, &message), 0);
+        print_message("%s: h = %g; at rest %g, %s; within %g, %s\n", scene.name, scene.h, limits.rest.h, limits.rest_by,
+                      limits.within.h, limits.within_by);
+        if (!(scene.h <= 0.5 * limits.rest.h && scene.h <= limits.within.h))
+            fail_msg("%s: h = %g, stable step %g at rest, %g within", scene.name, scene.h, limits.rest.h,
+                     limits.within.h);
         model_destroy(&model);
     }
 }

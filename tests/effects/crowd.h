@@ -116,13 +116,15 @@ static inline void crowd_momenta(crowd *c, double momenta[9])
     vti_spin(&b, momenta + 6);
 }
 
-/** vti_stable_step, and no complaint. */
-static inline double crowd_stable(crowd *c, const vti_springs *springs)
+/** vti_stable_step of bonds at rest and contacts as deep as overlap, and no complaint. */
+static inline double crowd_stable(crowd *c, const vti_effect *effects, int64_t n, double overlap)
 {
-    double h = NAN, scratch[CROWD_MAX];
+    double scratch[CROWD_MAX];
     const vti_bodies b = crowd_bodies(c);
-    assert_int_equal(vti_stable_step(springs, &b, scratch, &h), VTI_OK);
-    return h;
+    const vti_deformation at = {overlap, 0, 0};
+    vti_stable stable = {NAN, 0, 0, 0, 0};
+    assert_int_equal(vti_stable_step(effects, n, &b, &at, scratch, &stable), VTI_OK);
+    return stable.h;
 }
 
 /* ---- webs -------------------------------------------------------------------------------------------------------- */

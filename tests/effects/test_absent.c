@@ -159,8 +159,8 @@ static void others_may_refuse(void **state)
     (void)state;
     const double field = 1;
     const vti_bodies none = vti_bodies_none(1);
-    vti_effect own[2] = {{"magnet", count_calls, NULL, NULL, &field, 0, NULL, 0, 0},
-                         {"magnet", count_calls, NULL, no_field, &field, 0, NULL, 0, 0}};
+    vti_effect own[2] = {{.name = "magnet", .apply = count_calls, .self = &field},
+                         {.name = "magnet", .apply = count_calls, .check = no_field, .self = &field}};
     applied = 0;
     assert_int_equal(vti_apply(own, 2, &none), VTI_OK);
     assert_int_equal(applied, 2);

@@ -21,10 +21,9 @@ static double growth(int bodies, uint64_t seed, double share_of_bound, double sh
     }
     web_terms(&w, web_grow(&w, &g, &c, bodies > 2 ? bodies : 0, 1, 20), MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
     const vti_effect effect = vti_bonds_effect(&w.bonds);
-    const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
     const vti_bodies b = crowd_bodies(&c);
     const double limit = hessian_limit(&b, &effect, 1);
-    const double h = share_of_bound > 0 ? share_of_bound * crowd_stable(&c, &springs) : share_of_limit * limit;
+    const double h = share_of_bound > 0 ? share_of_bound * crowd_stable(&c, &effect, 1, 0) : share_of_limit * limit;
     for (int i = 0; i < c.n; ++i) {
         double axis[3], move[3];
         random_unit(&g, 3, axis);

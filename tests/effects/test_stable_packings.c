@@ -54,8 +54,7 @@ static void bonded_packings(void **state)
         bond(&g, rng_below(&g, 2 * n), 1 + trial % 7);
         web_base(&w, trial / 2 % 2);
         const vti_effect effect = vti_bonds_effect(&w.bonds);
-        const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-        ratio[trial] = crowd_stable(&c, &springs) / crowd_limit(&c, &effect, 1);
+        ratio[trial] = crowd_stable(&c, &effect, 1, 0) / crowd_limit(&c, &effect, 1);
         assert_below(ratio[trial], 1 + HESSIAN_ERROR);
     }
     qsort(ratio, PACKINGS, sizeof ratio[0], by_size);
@@ -101,8 +100,7 @@ static void packings_in_contact(void **state)
         const vti_walls walls = {1 + trial % 2, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 100)};
         const vti_effect all[4] = {vti_bonds_effect(&w.bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_pendulum_effect(&pendulum)};
-        const vti_springs springs = {&w.bonds, &contacts, &walls, &pendulum, overlap};
-        const double ratio = crowd_stable(&c, &springs) / crowd_limit(&c, all, 4);
+        const double ratio = crowd_stable(&c, all, 4, overlap) / crowd_limit(&c, all, 4);
         assert_below(ratio, 1 + HESSIAN_ERROR);
         low = fmin(low, ratio);
         high = fmax(high, ratio);

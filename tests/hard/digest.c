@@ -186,7 +186,8 @@ static void measures(void)
     scene_effects(&s, effects);
     for (int state = 0; state < STATES; ++state) {
         const vti_bodies b = scene_bodies(&s, state % 2 ? BY_QUATERNION : BY_ALPHA), r = scene_bodies(&other, BY_ALPHA);
-        const vti_springs springs = {&s.bonds, &s.contacts, &s.walls, &s.pendulum, 0.1};
+        const vti_deformation at = {0.1, 0.0, 0};
+        vti_stable stable;
         double about[3], found[14] = {0.0}, scratch[BODIES], angles[3];
         other = s;
         shake(&s, &seed);
@@ -198,7 +199,8 @@ static void measures(void)
         vti_spin(&b, found + 6);
         vti_angular_momentum(&b, about, found + 9);
         found[12] = vti_max_turn(H, &b);
-        must(vti_stable_step(&springs, &b, scratch, found + 13), "vti_stable_step");
+        must(vti_stable_step(effects, EFFECTS, &b, &at, scratch, &stable), "vti_stable_step");
+        found[13] = stable.h;
         angles[0] = vti_h1_density(&b);
         angles[1] = vti_h1_distance(&b, &r);
         angles[2] = vti_attitude_distance(&b, &r);

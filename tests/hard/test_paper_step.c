@@ -7,10 +7,10 @@
 
 static const double h = 1e-2;
 
-static double stable_step(torus *t, const vti_contacts *contacts, const vti_walls *walls, double overlap)
+static double stable_step(torus *t, const vti_walls *walls, double overlap)
 {
-    const vti_springs springs = {&t->w.bonds, contacts, walls, NULL, overlap};
-    return crowd_stable(&t->c, &springs);
+    const vti_effect effects[2] = {vti_bonds_effect(&t->w.bonds), vti_walls_effect(walls)};
+    return crowd_stable(&t->c, effects, walls != NULL ? 2 : 1, overlap);
 }
 
 /** Returns when it is over: refused, not finite or with ten times the energy; t = 500 if it lasts. */
@@ -39,7 +39,7 @@ static void printed_step(void **state)
     static torus s;
     for (int form = VTI_SHEAR_OBJECTIVE; form <= VTI_SHEAR_PRINTED; form += 2) {
         torus_start(&s, form);
-        assert_true(stable_step(&s, NULL, NULL, 0) < h);
+        assert_true(stable_step(&s, NULL, 0) < h);
         for (int64_t k = 0; k < vti_stepper_count(); ++k) {
             const vti_stepper *method = vti_stepper_at(k);
             int status;
@@ -69,14 +69,14 @@ static void reason(void **state)
     (void)state;
     static torus s;
     torus_start(&s, VTI_SHEAR_OBJECTIVE);
-    const double at_rest = stable_step(&s, NULL, NULL, 0), radius = 0.5 * s.diameter;
+    const double at_rest = stable_step(&s, NULL, 0), radius = 0.5 * s.diameter;
     double deepest = 0;
     for (int i = 0; i < 2000; ++i) {
         crowd_steps(&s.c, vti_stepper_find("vti2"), 5e-4, 1, s.effects, 3);
         for (int k = 0; k < RING; ++k)
             deepest = fmax(deepest, 1 - s.c.x[k][0] / radius);
     }
-    const double in_impact = stable_step(&s, NULL, &s.walls, deepest);
+    const double in_impact = stable_step(&s, &s.walls, deepest);
     print_message("stable below %.3e at rest, %.3e at an overlap of %.2f\n", at_rest, in_impact, deepest);
     assert_close(at_rest, 8.328e-3, 0.002 * 8.328e-3); /* the bound is 0.998 of the true limit */
     assert_below(in_impact, 4e-3);

@@ -35,9 +35,7 @@ static void pose(const vti_stepper *method, double amplitude)
 
 static double stable_step(void)
 {
-    double scratch[2], h;
-    const vti_springs springs = {&w.bonds, NULL, NULL, NULL, 0};
-    assert_int_equal(vti_stable_step(&springs, &t.b, scratch, &h), VTI_OK);
+    const double h = crowd_stable(&t.c, &effect, 1, 0);
     assert_close(h, 2 / sqrt(3 * (1 / 0.5 + 1 / 2.0)), 4 * EPS);
     return h;
 }

@@ -237,7 +237,7 @@ static void many_energies(const void *self, const vti_bodies *b, double *energie
 static void effects_of_many_terms(void **state)
 {
     (void)state;
-    vti_effect effect = {"many", NULL, many_energies, NULL, NULL, TERMS, NULL, 0, 0};
+    vti_effect effect = {.name = "many", .energy = many_energies, .terms = TERMS};
     const vti_bodies b = bodies();
     assert_close(vti_energy(&effect, 1, &b), 37.25 + TERMS * (TERMS - 1) / 2, 0);
     effect.terms = TERMS + 1;

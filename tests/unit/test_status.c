@@ -4,7 +4,7 @@
 #include "bodies.h"
 #include "support.h"
 
-enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_STATE };
+enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_SPRINGS };
 
 static const vti_stepper *vti1, *vti2;
 static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];

@@ -244,39 +244,53 @@ static void measures(void **state)
 static void stable(void **state)
 {
     (void)state;
-    const int64_t far[2] = {0, 2};
-    double scratch[2], h;
-    vti_bonds some = {.count = 1};
-    vti_contacts touching = {.count = 1, .pair = far};
-    vti_walls walls = {.count = 1};
-    vti_springs springs = {.bonds = &some};
-    assert_int_equal(vti_stable_step(NULL, &b, scratch, &h), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&springs, &b, NULL, &h), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, NULL), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_NULL);
-    some.pair = far;
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_BOND);
-    some.count = -1;
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_COUNT);
-    springs.bonds = NULL;
-    springs.contacts = &touching;
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_BOND);
-    springs.contacts = NULL;
-    springs.walls = &walls;
-    assert_int_equal(vti_stable_step(&springs, &b, scratch, &h), VTI_E_NULL);
-    /* the rest is right, and still something is missing; nothing is written */
-    const int64_t good[2] = {0, 1}, below[2] = {0, -1};
-    const vti_bonds restless = {.count = 1, .pair = good};
-    const vti_contacts sizeless = {.count = 1, .pair = good}, under = {.count = 1, .pair = below};
-    const vti_springs wrong[] = {{.bonds = &restless}, {.contacts = &sizeless}, {.contacts = &under}};
-    const int status[] = {VTI_E_NULL, VTI_E_NULL, VTI_E_BOND};
-    vti_bodies stale = b;
+    const int64_t far[2] = {0, 2}, below[2] = {0, -1}, good[2] = {0, 1};
+    const double rest[4] = {1, 0, 0, 1}, one = 1;
+    double scratch[2];
+    vti_stable found = {7, 7, 7, 7, 7};
+    /* what the effects are of is spoilt behind their backs */
+    vti_bonds bonds = {.count = 1, .pair = far, .rest = rest, .axial = vti_scalars_one(&one)};
+    vti_contacts contacts = {.count = 1, .pair = far, .diameter = vti_scalars_one(&one), .stiffness = 1};
+    const vti_effect binder = vti_bonds_effect(&bonds), contact = vti_contacts_effect(&contacts);
+    const vti_effect gravity = {.name = "own", .apply = binder.apply};
+    const vti_deformation at = {0.1, 0.1, 0}, *const where[] = {NULL, &at};
+    vti_bodies stale = b, all = b;
+    double centre[6] = {0, 0, 0, 1, 0, 0};
     stale.abi = VTI_ABI + 1;
-    h = scratch[0] = 7;
-    for (int k = 0; k < 3; ++k)
-        assert_int_equal(vti_stable_step(&wrong[k], &b, scratch, &h), status[k]);
-    assert_int_equal(vti_stable_step(&springs, &stale, scratch, &h), VTI_E_ABI);
-    assert_true(h == 7 && scratch[0] == 7);
+    all.x = vti_view_packed(centre);
+    for (int k = 0; k < 2; ++k) {
+        bonds.count = contacts.count = 1;
+        bonds.pair = contacts.pair = far;
+        bonds.rest = rest;
+        assert_int_equal(vti_stable_step(NULL, 1, &all, where[k], scratch, &found), VTI_E_NULL);
+        assert_int_equal(vti_stable_step(NULL, -1, &all, where[k], scratch, &found), VTI_E_COUNT);
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], NULL, &found), VTI_E_NULL);
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, NULL), VTI_E_NULL);
+        assert_int_equal(vti_stable_step(&binder, 1, &stale, where[k], scratch, &found), VTI_E_ABI);
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_BOND);
+        assert_int_equal(vti_stable_step(&contact, 1, &all, where[k], scratch, &found), VTI_E_BOND);
+        bonds.pair = contacts.pair = below;
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_BOND);
+        assert_int_equal(vti_stable_step(&contact, 1, &all, where[k], scratch, &found), VTI_E_BOND);
+        bonds.pair = contacts.pair = good;
+        bonds.rest = NULL;
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_NULL);
+        contacts.diameter.p = NULL;
+        assert_int_equal(vti_stable_step(&contact, 1, &all, where[k], scratch, &found), VTI_E_NULL);
+        contacts.diameter.p = &one;
+        bonds.count = contacts.count = -1;
+        assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_COUNT);
+        assert_int_equal(vti_stable_step(&contact, 1, &all, where[k], scratch, &found), VTI_E_COUNT);
+        assert_true(found.h == 7 && found.effect == 7 && found.i == 7); /* nothing is written */
+    }
+    bonds.count = 1;
+    bonds.rest = rest;
+    /* an effect that says nothing of its springs leaves no bound, and is named */
+    const vti_effect both[] = {binder, gravity};
+    assert_int_equal(vti_stable_step(both, 2, &all, &at, scratch, &found), VTI_E_SPRINGS);
+    assert_true(isnan(found.h));
+    assert_int_equal(found.effect, 1);
+    assert_int_equal(found.i, -1);
 }
 
 /** Lists of nothing, springs of no stiffness, and springs at bodies without mass: nothing oscillates. */
@@ -284,24 +298,40 @@ static void nothing_oscillates(void **state)
 {
     (void)state;
     const int64_t pair[2] = {0, 1};
-    const double rest[4] = {1, 0, 0, 1}, zero = 0, one = 1;
+    const double rest[4] = {1, 0, 0, 1}, zero = 0, one = 1, plane[4] = {0, 0, 1, 0};
     const vti_bonds no_bonds = {0}, slack = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&zero)};
-    const vti_contacts no_contacts = {0}, touching = {1, pair, 0, vti_scalars_one(&one), 3};
-    const vti_walls no_walls = {0};
-    const vti_springs still[] = {{.bonds = &no_bonds, .contacts = &no_contacts, .walls = &no_walls},
-                                 {.bonds = &slack},
-                                 {.contacts = &touching, .overlap = 0.1}};
-    double scratch[2], h;
-    for (int k = 0; k < 3; ++k) {
-        vti_bodies some = b;
-        if (k == 2) {
-            assert_int_equal(vti_stable_step(&still[k], &some, scratch, &h), VTI_OK);
-            assert_true(isfinite(h));
+    const vti_contacts no_contacts = {.diameter = vti_scalars_one(&one)},
+                       touching = {1, pair, 0, vti_scalars_one(&one), 3};
+    const vti_walls no_walls = {0}, under = {1, plane, vti_scalars_one(&one), 3};
+    const vti_gravity weight = {{0, 0, -1}};
+    const vti_effect lists[] = {vti_bonds_effect(&no_bonds), vti_contacts_effect(&no_contacts),
+                                vti_walls_effect(&no_walls), vti_gravity_effect(&weight)};
+    const vti_effect slack_bond = vti_bonds_effect(&slack);
+    const vti_effect contact[] = {vti_contacts_effect(&touching), vti_walls_effect(&under)};
+    const vti_deformation at = {0.1, 0, 0}, rigid = {0, 0, 1};
+    double scratch[2], centre[6] = {0, 0, 0.1, 0.9, 0, 0.1};
+    vti_stable found = {7, 7, 7, 7, 7};
+    vti_bodies all = b;
+    all.x = vti_view_packed(centre);
+    const struct {
+        const vti_effect *effects;
+        int64_t n;
+        const vti_deformation *at;
+        int with_mass;
+    } still[] = {{lists, 4, &at, 1}, {lists, 4, NULL, 1},  {&slack_bond, 1, &at, 1}, {&slack_bond, 1, NULL, 1},
+                 {NULL, 0, &at, 1},  {contact, 2, &at, 0}, {contact, 2, NULL, 0},    {contact, 2, &rigid, 1}};
+    for (size_t k = 0; k < sizeof still / sizeof still[0]; ++k) {
+        vti_bodies some = all;
+        if (!still[k].with_mass) {
+            assert_int_equal(vti_stable_step(still[k].effects, still[k].n, &some, still[k].at, scratch, &found),
+                             VTI_OK);
+            assert_true(isfinite(found.h) && found.h > 0);
             some.mass.p = NULL;
         }
-        h = 7;
-        assert_int_equal(vti_stable_step(&still[k], &some, scratch, &h), VTI_OK);
-        assert_true(isinf(h) && h > 0);
+        found.h = 7;
+        assert_int_equal(vti_stable_step(still[k].effects, still[k].n, &some, still[k].at, scratch, &found), VTI_OK);
+        assert_true(isinf(found.h) && found.h > 0);
+        assert_true(found.effect == -1 && found.element == -1 && found.i == -1 && found.j == -1);
     }
 }
 

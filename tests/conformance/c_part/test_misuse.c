@@ -92,10 +92,13 @@ static int apply(const vti_bodies *b)
 
 static int stable(const vti_bodies *b)
 {
-    const vti_springs springs = {&bonds, &contacts, &walls, &pendulum, 0.1};
-    double h = 7;
-    const int status = vti_stable_step(&springs, b, scratch, &h);
-    return h == 7 ? status : VTI_OK;
+    const vti_effect effects[] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
+                                  vti_gravity_effect(&gravity), vti_pendulum_effect(&pendulum)};
+    const vti_deformation at = {0.1, 0.1, 1};
+    vti_stable found = {7, 7, 7, 7, 7};
+    const int status = vti_stable_step(effects, 5, b, &at, scratch, &found);
+    const int there = vti_stable_step(effects, 5, b, NULL, scratch, &found);
+    return found.h == 7 && found.i == 7 && there == status ? status : VTI_OK;
 }
 
 static int measures(const vti_bodies *b)

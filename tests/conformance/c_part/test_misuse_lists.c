@@ -145,12 +145,12 @@ static void bonds_of_what_is_not_there(void **state)
 static void null_arguments(void **state)
 {
     (void)state;
-    double r[4], h;
+    double r[4];
+    vti_stable h;
     vti_fault fault;
     vti_bonds half = bonds;
-    const vti_springs springs = {&bonds, NULL, NULL, NULL, 0};
     vti_contacts pairless = contacts;
-    const vti_springs without = {NULL, &pairless, NULL, NULL, 0.1};
+    const vti_effect effects[] = {vti_bonds_effect(&bonds), vti_contacts_effect(&pairless)};
     pairless.pair = NULL;
     half.pair = NULL;
     assert_int_equal(vti_bonds_check(NULL, N, &fault), VTI_E_NULL);
@@ -166,10 +166,11 @@ static void null_arguments(void **state)
     assert_int_equal(vti_bonds_rest(1, pair, 0, NULL, r, &fault), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(1, pair, 0, &good.x, NULL, &fault), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest(-1, pair, 0, &good.x, r, NULL), VTI_E_COUNT);
-    assert_int_equal(vti_stable_step(NULL, &good, scratch, &h), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&springs, &good, NULL, &h), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&springs, &good, scratch, NULL), VTI_E_NULL);
-    assert_int_equal(vti_stable_step(&without, &good, scratch, &h), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(NULL, 1, &good, NULL, scratch, &h), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(NULL, -1, &good, NULL, scratch, &h), VTI_E_COUNT);
+    assert_int_equal(vti_stable_step(effects, 1, &good, NULL, NULL, &h), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(effects, 1, &good, NULL, scratch, NULL), VTI_E_NULL);
+    assert_int_equal(vti_stable_step(effects, 2, &good, NULL, scratch, &h), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, 1, &good), VTI_E_NULL);
     assert_int_equal(vti_apply(NULL, -1, &good), VTI_E_COUNT);
     assert_true(isnan(vti_energy(NULL, 1, &good)) && isnan(vti_energy(NULL, -1, &good)));
