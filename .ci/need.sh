@@ -11,7 +11,7 @@ study | pkg-config:gsl                    | libgsl-dev                 | gsl-dev
 study | pkg-config:ompi-c command:mpicc   | libopenmpi-dev             | openmpi-devel      | open-mpi          | openmpi-mpicc
 study | command:mpirun                    | openmpi-bin                | openmpi            | open-mpi          | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
-study | pkg-config:libcyaml               | libcyaml-dev libyaml-dev   | libcyaml-devel     | libcyaml          | -
+study | pkg-config:libcyaml               | libcyaml-dev libyaml-dev   | libcyaml-devel     | libcyaml          | yaml
 study | python3:h5py                      | python3-h5py               | python3-h5py       | -                 | h5py
 study | python3:matplotlib                | python3-matplotlib         | python3-matplotlib | python-matplotlib | matplotlib
 tests | command:c++                       | g++                        | gcc-c++            | gcc               | cxx-compiler

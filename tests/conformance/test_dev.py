@@ -97,6 +97,15 @@ def needs():
             check(all(name in said for name in names), f"without apt: {' '.join(said)}")
 
 
+def conda():
+    """The environment for conda is the table's column."""
+    wanted = shell('for group in study tests more; do echo "$needs" | grep "^$group " | cut -d"|" -f6; done').stdout.split()
+    text = (project / ".ci" / "environment.yml").read_text(encoding="utf-8")
+    listed = [line.split()[1] for line in text.splitlines() if line.startswith("  - ")]
+    check(listed == wanted, f"environment.yml names what .ci/need.sh names: {sorted(set(listed) ^ set(wanted)) or listed}")
+
+
 paths()
 needs()
+conda()
 conclude()
