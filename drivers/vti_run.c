@@ -11,6 +11,7 @@
 #include "progress.h"
 #include "run.h"
 #include "run_say.h"
+#include "run_signals.h"
 
 static const char usage[] =
     "Usage: vti-run [options] SCENE.yaml [-o OUT.h5]\n"
@@ -32,7 +33,8 @@ static const char usage[] =
     "  --resume              go on from the last checkpoint, if there is one, else start\n"
     "  -h, --help            this text\n"
     "\n"
-    "While it runs everything is kept in the folder OUT.h5.run. After SIGTERM, SIGUSR1 or Ctrl-C it saves a checkpoint "
+    "While it runs everything is kept in the folder OUT.run. After SIGTERM, SIGUSR1, SIGHUP, SIGXCPU or Ctrl-C it "
+    "saves a checkpoint "
     "and\n"
     "ends with code 75; the same command with --resume goes on, after any other end too, and gives the same bytes as "
     "if\n"
@@ -188,6 +190,8 @@ int main(int argc, char **argv)
             end = RUN_FAILED;
     }
     run_close(&run);
+    if (end == RUN_ENDED)
+        run_signals_obey();
     if (end != RUN_COMPLETE)
         fprintf(stderr, "vti-run: %s\n", message.text);
     return exit_code(end, run.record.judgement.verdict);

@@ -25,8 +25,7 @@ static const char magic[16] = "vti checkpoint4";
 
 static int fail(const char *path, struct message *message)
 {
-    return message_set(message, "%s: cannot be written: %s; make space there and go on with --resume", path,
-                       strerror(errno));
+    return message_set(message, "%s: cannot be written: %s; %s", path, strerror(errno), folder_remedy(errno));
 }
 
 static int write_all(const char *path, const void *bytes, size_t size)

@@ -20,7 +20,8 @@ static struct flock whole(void)
 int file_lock(int fd)
 {
     struct flock lock = whole();
-    if (fcntl(fd, F_SETLK, &lock) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS)
+    if (fcntl(fd, F_SETLK, &lock) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS ||
+        errno == EOPNOTSUPP || errno == ENOTSUP)
         return 0;
     return errno == EACCES || errno == EAGAIN ? FILE_LOCK_TAKEN : -1;
 }

@@ -86,6 +86,17 @@ int folder_create(const char *folder, struct message *message)
 
 /* ---- one file ---------------------------------------------------------------------------------------------------- */
 
+const char *folder_remedy(int error)
+{
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+        return "make space there and go on with --resume, or choose another place with -o";
+    if (error == ENOENT || error == ENOTDIR || error == ESTALE)
+        return "its folder has vanished; start anew, or elsewhere with -o";
+    if (error == EACCES || error == EPERM || error == EROFS)
+        return "allow writing there and go on with --resume, or choose another place with -o";
+    return "go on with --resume when that is mended, or choose another place with -o";
+}
+
 static int fail(const char *path, struct message *message)
 {
     return message_set(message, "%s: cannot be written: %s", path, strerror(errno));

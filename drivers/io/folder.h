@@ -19,6 +19,9 @@ int folder_path(const char *folder, const char *name, int part, char path[FOLDER
 /** The same for a file that is put out: links are followed, so that a link stays and what it leads to is written. */
 int folder_output(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
 
+/** What to do about an error with a file that is written while a run or a study goes. */
+const char *folder_remedy(int error);
+
 /** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with errno. */
 FILE *folder_new(const char *path);
 

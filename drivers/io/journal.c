@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "journal.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -14,45 +15,68 @@
 
 #define TAKEN "%s: another vti-run is writing there; wait for it or choose another place with -o"
 
+static const char *const names[] = {"checkpoint", "checkpoint.part", "rows", "frames"};
+
 static int fail(const struct journal *journal, const char *name, struct message *message)
 {
-    return message_set(message, "%s/%s: %s; make space there and go on with --resume, or choose another place with -o",
-                       journal->folder, name, strerror(errno));
+    return message_set(message, "%s/%s: %s; %s", journal->folder, name, strerror(errno), folder_remedy(errno));
 }
 
-int journal_name(struct journal *journal, const char *output, struct message *message)
+int journal_name(struct journal *journal, const char *stem, struct message *message)
 {
     memset(journal, 0, sizeof *journal);
-    const int length = snprintf(journal->folder, sizeof journal->folder, "%s.run", output);
+    const int length = snprintf(journal->folder, sizeof journal->folder, "%s.run", stem);
     if (length < 0 || length >= (int)sizeof journal->folder - 32) /* room for the names in it */
         return message_set(message, "-o: the path is longer than %d bytes; use a shorter one", FOLDER_PATH - 32);
     return 0;
 }
 
-int journal_refuse(const struct journal *journal, struct message *message)
+/** Whether there is a file of another name than those of a journal; -1 with errno. */
+static int holds_others(const char *folder)
+{
+    DIR *list = opendir(folder);
+    int others = 0;
+    if (list == NULL)
+        return -1;
+    for (const struct dirent *entry; others == 0 && (entry = readdir(list)) != NULL;) {
+        others = strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+        for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
+            others = others && strcmp(entry->d_name, names[k]) != 0;
+    }
+    closedir(list);
+    return others;
+}
+
+int journal_look(const struct journal *journal, struct message *message)
 {
     struct stat info;
-    char path[FOLDER_PATH];
+    char rows[FOLDER_PATH], checkpoint[FOLDER_PATH];
     if (lstat(journal->folder, &info) != 0)
         return 0;
-    if (folder_path(journal->folder, "rows", 0, path, message) != 0)
+    if (folder_path(journal->folder, "rows", 0, rows, message) != 0 ||
+        folder_path(journal->folder, "checkpoint", 0, checkpoint, message) != 0)
         return -1;
-    if (file_lock_taken(path))
+    if (holds_others(journal->folder) != 0)
+        return message_set(message, "%s: is there already and is none of vti-run's; choose another place with -o",
+                           journal->folder);
+    if (file_lock_taken(rows))
         return message_set(message, TAKEN, journal->folder);
-    return message_set(message,
-                       "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
-                       journal->folder);
+    return lstat(checkpoint, &info) == 0;
 }
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
 /** Locked until it is closed or the program ends, however it ends. */
-static int lock(const struct journal *journal, int fd, const char *name, struct message *message)
+static int lock(struct journal *journal, int fd, const char *name, struct message *message)
 {
     const int locked = file_lock(fd);
     if (locked == FILE_LOCK_TAKEN)
         return message_set(message, TAKEN, journal->folder);
-    return locked != 0 ? fail(journal, name, message) : 0;
+    if (locked != 0)
+        return message_set(message, "%s/%s: cannot be locked: %s; choose another place with -o", journal->folder, name,
+                           strerror(errno));
+    journal->locked = 1;
+    return 0;
 }
 
 struct journal_mark journal_mark_start(int64_t doubles)
@@ -188,11 +212,10 @@ void journal_close(struct journal *journal)
 
 void journal_remove(struct journal *journal)
 {
-    static const char *const names[] = {"checkpoint", "checkpoint.part", "rows", "frames"};
     char path[FOLDER_PATH];
     struct message ignored = {""};
     journal_close(journal);
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k)
+    for (size_t k = 0; journal->locked && k < sizeof names / sizeof names[0]; ++k)
         if (folder_path(journal->folder, names[k], 0, path, &ignored) == 0)
             unlink(path);
     rmdir(journal->folder);

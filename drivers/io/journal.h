@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The journal of a run: a folder beside its output, OUT.h5.run, with the files "rows" and "frames", which only grow,
+ * The journal of a run: a folder beside its output, OUT.run, with the files "rows" and "frames", which only grow,
  * and "checkpoint" (checkpoint.h). The output is made from it when the run ends, so that a run that dies leaves all
  * that it has recorded, and the output of an earlier run is not touched before there is a new one. */
 #ifndef VTI_JOURNAL_H
@@ -26,17 +26,19 @@ struct journal_file {
 
 struct journal {
     char folder[FOLDER_PATH];
+    int locked; /* by this program */
     struct journal_file rows, frames;
 };
 
 /** Of a file without records. */
 struct journal_mark journal_mark_start(int64_t doubles);
 
-/** Sets the folder for an output file. Returns 0, or -1 with one line in *message. */
-int journal_name(struct journal *journal, const char *output, struct message *message);
-/** Refuses a folder that is there already. Returns 0, or -1 with one line in *message: what is to be done depends on
- *  whether another program is at work in it. */
-int journal_refuse(const struct journal *journal, struct message *message);
+/** Sets the folder for the outputs STEM.h5, STEM.csv and so on: all that share a file share it. Returns 0, or -1 with one line
+ *  in *message. */
+int journal_name(struct journal *journal, const char *stem, struct message *message);
+/** What is there already: 1 if it is a run that can go on, 0 if it is nothing, or what a run has left before its first
+ *  checkpoint; -1 with one line in *message if another program is at work in it, or it is no journal. */
+int journal_look(const struct journal *journal, struct message *message);
 
 /** Makes the folder if need be, locks it against other programs and opens the two files, which must hold the records of
  *  these marks, bit for bit; what is behind them is cut off. Returns 0, or -1 with one line in *message and what is
@@ -54,7 +56,7 @@ int journal_read(const struct journal *journal, const struct journal_file *file,
 
 /** Closes the files and leaves them where they are; harmless on a journal that is not open. */
 void journal_close(struct journal *journal);
-/** Closes and removes them and the folder. */
+/** Closes and removes them and the folder, as far as they are this program's: if another has locked them they stay. */
 void journal_remove(struct journal *journal);
 
 #endif

@@ -8,6 +8,7 @@
 #include "hdf5_sink.h"
 #include "interval.h"
 #include "loop.h"
+#include "number.h"
 #include "run_identity.h"
 #include "run_signals.h"
 
@@ -20,7 +21,18 @@ static int open_scene(struct run *run, struct message *message)
         tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
+    if (run->steps < 1)
+        return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
+                           NUMBER(run->scene.h), NUMBER(run->scene.t_end));
     return run_identity(r->scene, r->sets, r->sets_count, &run->model, &run->checkpoint.identity, message);
+}
+
+static int name_journal(struct run *run, struct message *message)
+{
+    char stem[FOLDER_PATH];
+    snprintf(stem, sizeof stem, "%s", run->output);
+    stem[strlen(stem) - strlen(run->files.hdf5) + strlen(run->files.stem)] = '\0';
+    return journal_name(&run->journal, stem, message);
 }
 
 static int open_files(struct run *run, struct message *message)
@@ -32,16 +44,21 @@ static int open_files(struct run *run, struct message *message)
                                    {run->scene.table, "the scene's table of bodies"},
                                    {run->scene.binder.table, "the scene's table of bonds"}};
     memcpy(run->inputs, inputs, sizeof inputs);
-    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 ||
-        journal_name(&run->journal, run->output, message) != 0)
+    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 || name_journal(run, message) != 0)
         return -1;
     run->files.force = run->request->force;
     run->files.inputs = run->inputs;
     run->files.inputs_count = sizeof inputs / sizeof inputs[0];
     if (run_files_check(&run->files, message) != 0)
         return -1;
-    if (!run->request->resume && journal_refuse(&run->journal, message) != 0)
+    const int there = journal_look(&run->journal, message);
+    if (there < 0)
         return -1;
+    run->kept = there;
+    if (run->kept && !run->request->resume)
+        return message_set(
+            message, "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
+            run->journal.folder);
     /* before hours of computing, not after */
     return folder_create(run->files.folder, message);
 }
@@ -88,7 +105,6 @@ int run_open(const struct run_request *request, struct run *run, struct message 
 {
     memset(run, 0, sizeof *run);
     run->request = request;
-    run_signals_catch();
     hdf5_start();
     if (open_scene(run, message) != 0)
         return -1;
@@ -106,12 +122,17 @@ int run_open(const struct run_request *request, struct run *run, struct message 
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
     if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)
         return -1;
+    run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
+    run->begun = 1;
     return journal_open(&run->journal, run->checkpoint.rows, run->checkpoint.frames, message);
 }
 
 void run_close(struct run *run)
 {
-    journal_close(&run->journal);
+    if (run->begun && !run->kept)
+        journal_remove(&run->journal);
+    else
+        journal_close(&run->journal);
     free(run->frame);
     run->frame = NULL;
     verdict_destroy(&run->verdict);

@@ -27,8 +27,9 @@ struct run_request {
 enum run_end {
     RUN_COMPLETE,
     RUN_STOPPED, /* by a signal; it can be resumed */
+    RUN_ENDED,   /* by a signal, before the first step: it leaves nothing */
     RUN_BROKEN,  /* a step was refused or a number is not finite; what was recorded before is in the files */
-    RUN_FAILED   /* files cannot be written; what was recorded is in the journal */
+    RUN_FAILED /* it did not start, or files cannot be written; what was recorded since a checkpoint is in the journal */
 };
 
 struct run {
@@ -44,7 +45,8 @@ struct run {
     struct record record;
     struct verdict verdict;
     int64_t from, steps;
-    double *frame; /* one */
+    int begun, kept; /* the journal is this run's; there is a checkpoint in the journal */
+    double *frame;   /* one */
 
     /* while it goes */
     enum run_end end;

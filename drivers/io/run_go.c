@@ -39,8 +39,13 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
         message_set(&what, "all bodies are finite, but the energy '%s' is %g", columns->name[c],
                     row != NULL ? row[c] : 0.0);
     }
-    message_set(run->message, "%s at h = %s: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
-                NUMBER(run->scene.h), (long long)step, t, what.text);
+    if (step == 0)
+        message_set(run->message,
+                    "%s: the start (t = 0): %.200s; the scene begins with numbers too large: smaller ones",
+                    run->scene.name, what.text);
+    else
+        message_set(run->message, "%s at h = %s: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
+                    NUMBER(run->scene.h), (long long)step, t, what.text);
     return stop(run, RUN_BROKEN);
 }
 
@@ -53,9 +58,10 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     run->checkpoint.step = step;
     run->saved = now();
-    return checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, run->message) != 0
-               ? stop(run, RUN_FAILED)
-               : 0;
+    if (checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, run->message) != 0)
+        return stop(run, RUN_FAILED);
+    run->kept = 1;
+    return 0;
 }
 
 struct poll {
@@ -71,6 +77,8 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct run *run = p->run;
     if (step == run->steps)
         return save(run, step, t, bodies);
+    if (run_signals_seen() != NULL && step == 0)
+        return stop(run, RUN_ENDED);
     if (run_signals_seen() != NULL) {
         if (save(run, step, t, bodies) != 0)
             return 1;
@@ -140,11 +148,11 @@ static enum run_end write_files(struct run *run)
         return RUN_FAILED;
     if (record_rows(&run->record, measure_drift, run, &problem) == 0 &&
         run_files_write(&run->files, &run->record, &problem) == 0) {
-        journal_remove(&run->journal);
+        run->kept = 0;
         return run->end;
     }
-    message_set(run->message, "%.600s; the run is kept in %.300s: make space and use --resume", problem.text,
-                run->journal.folder);
+    message_set(run->message, "%.600s; the run is kept in %.300s: when that is mended go on with --resume",
+                problem.text, run->journal.folder);
     return RUN_FAILED;
 }
 
@@ -163,6 +171,12 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
     run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
     if (loop_run(&run->model, run->scene.stepper, run->scene.h, run->from, run->steps, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
+    if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {
+        run->end = RUN_FAILED; /* nothing has happened that files could tell of */
+        run->kept = 0;
+    }
+    if (run->end == RUN_ENDED)
+        run->kept = 0;
     if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
         run->end = write_files(run);
     run->seconds = now() - run->began;

@@ -15,14 +15,18 @@ static void note(int number)
 
 void run_signals_catch(void)
 {
-    static const int numbers[] = {SIGTERM, SIGUSR1, SIGINT};
+    static const int numbers[] = {SIGTERM, SIGUSR1, SIGINT, SIGHUP, SIGXCPU};
     struct sigaction action;
     memset(&action, 0, sizeof action);
     action.sa_handler = note;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
-    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
-        sigaction(numbers[k], &action, NULL);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) {
+        struct sigaction before;
+        /* what the caller wants ignored stays so: nohup's SIGHUP, Ctrl-C in a shell's background */
+        if (sigaction(numbers[k], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(numbers[k], &action, NULL);
+    }
     action.sa_handler = SIG_IGN;
     sigaction(SIGXFSZ, &action, NULL);
 }
@@ -30,5 +34,17 @@ void run_signals_catch(void)
 const char *run_signals_seen(void)
 {
     const int number = seen;
-    return number == 0 ? NULL : number == SIGTERM ? "SIGTERM" : number == SIGUSR1 ? "SIGUSR1" : "SIGINT";
+    return number == 0         ? NULL
+           : number == SIGTERM ? "SIGTERM"
+           : number == SIGUSR1 ? "SIGUSR1"
+           : number == SIGHUP  ? "SIGHUP"
+           : number == SIGXCPU ? "SIGXCPU"
+                               : "SIGINT";
+}
+
+void run_signals_obey(void)
+{
+    const int number = seen;
+    signal(number, SIG_DFL);
+    raise(number);
 }

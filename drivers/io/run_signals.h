@@ -3,9 +3,11 @@
 #ifndef VTI_RUN_SIGNALS_H
 #define VTI_RUN_SIGNALS_H
 
-/** From now on SIGTERM, SIGUSR1 and SIGINT are noted, and a file that grows too large is an error, not a signal. */
+/** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, and a file that grows too large is an error, not a signal. */
 void run_signals_catch(void);
-/** "SIGTERM", "SIGUSR1" or "SIGINT" if one has come, else NULL. */
+/** "SIGTERM", say, if one has come, else NULL. */
 const char *run_signals_seen(void);
+/** Ends the program as the signal that has come would have. */
+void run_signals_obey(void);
 
 #endif

@@ -71,8 +71,8 @@ static void close_journal(struct task_journal *journal, int done, int rank)
 /** What is wrong with the files, and where the results are. */
 static int not_written(const struct task_journal *journal, const struct message *problem, struct message *message)
 {
-    return message_set(message, "%.600s; the results are kept in %.300s: make space and use --resume", problem->text,
-                       journal->path);
+    return message_set(message, "%.600s; the results are kept in %.300s: when that is mended go on with --resume",
+                       problem->text, journal->path);
 }
 
 /* ---- convergence -------------------------------------------------------------------------------------------------- */

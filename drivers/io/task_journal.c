@@ -34,8 +34,7 @@ static size_t record_size(const struct task_journal *journal)
 
 static int fail(const struct task_journal *journal, struct message *message)
 {
-    return message_set(message, "%s: %s; make space there and go on with --resume, or choose another folder with -o",
-                       journal->path, strerror(errno));
+    return message_set(message, "%s: %s; %s", journal->path, strerror(errno), folder_remedy(errno));
 }
 
 static int damaged(const struct task_journal *journal, const char *what, struct message *message)

@@ -69,15 +69,92 @@ def kills(base, name, *options):
     check(gone_on > 0, f"... {gone_on} times from a checkpoint")
 
 
+SIGNALS = (signal.SIGTERM, signal.SIGUSR1, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)
+
+
+def as_usual(number):
+    """Whatever the shell or nohup wants that the tests were started from."""
+    signal.signal(number, signal.SIG_DFL)
+
+
+def signals_before(base):
+    """Before the first step they simply end the program, while it waits for its scene too, and leave nothing."""
+    os.mkfifo(f"{base}/scene.yaml")
+    for number in SIGNALS:
+        with subprocess.Popen([RUN, f"{base}/scene.yaml"], cwd=base, preexec_fn=lambda: as_usual(number)) as process:
+            time.sleep(0.2)  # too early is well too
+            process.send_signal(number)
+            try:
+                code = process.wait(20)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                code = "none"
+        check(code == -number and os.listdir(base) == ["scene.yaml"], f"a FIFO as scene, {number.name}: code {code}")
+    with subprocess.Popen([RUN, scene("torus"), "--t-end", "1", "-o", f"{base}/hup/out.h5"], stdout=subprocess.DEVNULL,
+                          preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)) as process:
+        while process.poll() is None and not os.path.exists(f"{base}/hup/out.run/rows"):
+            time.sleep(0.0005)
+        process.send_signal(signal.SIGHUP)
+        check(process.wait() == 0, "under nohup a SIGHUP is ignored")
+
+
+def failed_starts(base):
+    """They say why, leave nothing, and do not touch an earlier run's files."""
+    for name, text in (("velocity", "{x: [0, 0, 0], v: [1e200, 0, 0], mass: 1}"), ("energy", "{x: [0, 0, 0], v: [1e150, 0, 0], mass: 1e100}")):
+        with open(f"{base}/{name}.yaml", "w", encoding="ascii") as file:
+            file.write(f"bodies: {text}\nh: 0.1\nt_end: 1\n")
+        run(RUN, scene("spin"), "-o", f"{base}/{name}/out.h5")
+        earlier = contents(f"{base}/{name}/out")
+        for more in ([], ["--checkpoint", "1e-9"], ["--resume", "-o", f"{base}/none/out.h5"]):
+            result = run(RUN, f"{base}/{name}.yaml", "-o", f"{base}/{name}/out.h5", *more)
+            check(result.returncode == 1 and one_line(result, "the start (t = 0)", "smaller") and "reduce h" not in result.stderr,
+                  f"too large {name}: {result.stderr.strip()}")
+            check(contents(f"{base}/{name}/out") == earlier and len(os.listdir(f"{base}/{name}")) == 4, "... leaves all as it was")
+    result = run(RUN, scene("spin"), "--h", "0.1", "--t-end", "0.05", "-o", f"{base}/short.h5")
+    check(result.returncode == 1 and one_line(result, "h = 0.1", "t_end = 0.05", "smaller h"), f"no step: {result.stderr.strip()}")
+    os.makedirs(f"{base}/mine/out.run/notes")
+    result = run(RUN, scene("spin"), "-o", f"{base}/mine/out.h5")
+    check(result.returncode == 1 and one_line(result, "out.run", "-o") and os.listdir(f"{base}/mine") == ["out.run"],
+          f"somebody's folder: {result.stderr.strip()}")
+    os.makedirs(f"{base}/dead/out.run")
+    for name in ("rows", "frames"):
+        with open(f"{base}/dead/out.run/{name}", "wb") as file:
+            file.write(bytes(1000))
+    result = run(RUN, scene("spin"), "-o", f"{base}/dead/out.h5")
+    check(result.returncode == 0 and len(os.listdir(f"{base}/dead")) == 4, "one killed before its first checkpoint is no run to go on")
+
+
+def one_stem(base):
+    """out.h5 and out.hdf5 would share out.csv, out.xdmf and out.dump."""
+    with subprocess.Popen([RUN, scene("torus"), "--t-end", "1000", "-o", f"{base}/out.h5"], stdout=subprocess.DEVNULL) as process:
+        while process.poll() is None and not os.path.exists(f"{base}/out.run/frames"):
+            time.sleep(0.0005)
+        result = run(RUN, scene("torus"), "--t-end", "0.1", "-o", f"{base}/out.hdf5")
+        check(result.returncode == 1 and one_line(result, "another vti-run"), f"two endings: {result.stderr.strip()}")
+        process.kill()
+
+
+def vanished(base):
+    """The folder of a run goes while it runs: no space would help."""
+    with subprocess.Popen([RUN, scene("torus"), "--t-end", "1000", "--checkpoint", "0.02", "-o", f"{base}/new/out.h5"],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        while process.poll() is None and not os.path.exists(f"{base}/new/out.run/checkpoint"):
+            time.sleep(0.0005)
+        os.rename(f"{base}/new", f"{base}/gone")
+        words = process.communicate()[1]
+    check(process.returncode == 1 and "vanished" in words and "space" not in words and words.count("\n") == 1,
+          f"the folder has vanished: {words.strip()}")
+
+
 def signals(base):
-    """SIGTERM, SIGUSR1 and SIGINT in a run that would take hours: a checkpoint, one line, code 75; and it goes on to an end
+    """Signals in a run that would take hours: a checkpoint, one line, code 75; and it goes on to an end
     that is moved to 500 steps later."""
     options = [scene("torus"), "--stepper", "vti3-leapfrog", "--record", "8", "--frames", "64"]
-    for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGINT):
+    for number in SIGNALS:
         stem = f"{base}/{number.name}/out"
         with subprocess.Popen([RUN, *options, "--t-end", "100000", "-o", stem + ".h5"], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, text=True) as process:
-            while process.poll() is None and not os.path.exists(stem + ".h5.run/frames"):
+                              stderr=subprocess.PIPE, text=True, preexec_fn=lambda: as_usual(number)) as process:
+            while process.poll() is None and not (os.path.exists(stem + ".run/rows") and os.path.getsize(stem + ".run/rows")):
                 time.sleep(0.0005)
             process.send_signal(number)
             words = process.communicate()[1]
@@ -97,24 +174,26 @@ def terminated(base):
     arguments = [scene("pile"), "--t-end", "2", "--record", "64", "--frames", "256"]
     run(RUN, *arguments, "-o", f"{base}/whole/out.h5")
     whole = contents(f"{base}/whole/out")
-    life, same, codes = 0.1, 0, []
+    life, same, left, codes = 0.1, 0, 0, []
     while codes.count(RESUME) < KILLS and len(codes) < 50 * KILLS:
         again = [*arguments, "-o", f"{base}/{len(codes)}/out.h5", "--resume"]
         with subprocess.Popen([RUN, *again], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            while not os.path.exists(f"{base}/{len(codes)}/out.h5.run") and process.poll() is None:
+            while not os.path.exists(f"{base}/{len(codes)}/out.run") and process.poll() is None:
                 time.sleep(0.0005)
             begin = time.monotonic()
             time.sleep(random.uniform(0, life))
             process.terminate()
             codes.append(process.wait())
+            if codes[-1] == -signal.SIGTERM:  # before its first step
+                left += os.path.exists(f"{base}/{len(codes) - 1}/out.run")
         # what a run has left to live after its first sign changes with what else the machine does
         life = min(1.3 * life, 10) if codes[-1] == RESUME else max(0.8 * (time.monotonic() - begin), 0.001)
         stem = f"{base}/{len(codes) - 1}"
-        if codes[-1] == RESUME:
+        if codes[-1] != 0:
             run(RUN, *again)
         same += contents(f"{stem}/out") == whole
         shutil.rmtree(stem)
-    check(set(codes) <= {0, RESUME} and codes.count(RESUME) == KILLS and same == len(codes),
+    check(set(codes) <= {0, RESUME, -signal.SIGTERM} and codes.count(RESUME) == KILLS and same == len(codes) and left == 0,
           f"pile: {codes.count(RESUME)} of {len(codes)} stopped by SIGTERM before their end, {same} end with the same bytes")
 
 
@@ -138,8 +217,8 @@ def full_disk(base):
         shutil.copytree(f"{base}/earlier", folder)
         result = run(RUN, *options, "-o", f"{folder}/out.h5", preexec_fn=with_limit(kilobytes))
         check(result.returncode == 1 and one_line(result, folder), f"files up to {kilobytes} kB: {result.stderr.strip()}")
-        check(contents(f"{folder}/out") == earlier and sorted(os.listdir(folder)) ==
-              sorted(["out.h5.run", *os.listdir(f"{base}/earlier")]), "... the files of an earlier run are untouched")
+        check(contents(f"{folder}/out") == earlier and set(os.listdir(folder)) <=
+              {"out.run", *os.listdir(f"{base}/earlier")}, "... the files of an earlier run are untouched")
         result = run(RUN, *options, "-o", f"{folder}/out.h5", "--resume")
         check(result.returncode == 0 and contents(f"{folder}/out") == whole, "... with space it goes on to the same bytes")
 
@@ -149,7 +228,7 @@ def interrupted(folder):
     arguments = [scene("torus"), "--t-end", "0.25", "--record", "7", "--frames", "4", "-o", f"{folder}/out.h5"]
     journal = 8 * (2 + 12 * 80) * 64  # 64 frames of step, time, and four vectors of 80 bodies; attitudes come on top in out.h5
     result = run(RUN, *arguments, preexec_fn=with_limit(journal // 1024 + 20))
-    assert result.returncode == 1 and os.path.exists(f"{folder}/out.h5.run/checkpoint"), result.stderr
+    assert result.returncode == 1 and os.path.exists(f"{folder}/out.run/checkpoint"), result.stderr
     return arguments
 
 
@@ -163,14 +242,14 @@ def prolonged(base):
 
 
 def prolonged_from_nothing(base):
-    """A run that ended before its first step, but after a lagging stepper had moved its velocities."""
-    arguments = [scene("pendulum"), "--stepper", "vti3-leapfrog", "--record", "1", "--frames", "1"]
-    result = run(RUN, *arguments, "--t-end", "1e-3", "-o", f"{base}/none/out.h5", preexec_fn=with_limit(4))
-    check(result.returncode == 1 and os.path.exists(f"{base}/none/out.h5.run/checkpoint"), "a run without steps is interrupted")
+    """A run whose last checkpoint is before its first step, but after a lagging stepper had moved its velocities."""
+    arguments = [scene("pendulum"), "--stepper", "vti3-leapfrog", "--h", "1e-3", "--record", "1", "--frames", "1"]
+    result = run(RUN, *arguments, "--t-end", "1", "--checkpoint", "1e-9", "-o", f"{base}/none/out.h5", preexec_fn=with_limit(4))
+    check(result.returncode == 1 and os.path.exists(f"{base}/none/out.run/checkpoint"), "a run is interrupted early")
     result = run(RUN, *arguments, "--t-end", "1", "-o", f"{base}/none/out.h5", "--resume")
     run(RUN, *arguments, "--t-end", "1", "-o", f"{base}/asked/out.h5")
-    check(result.returncode == 0 and contents(f"{base}/none/out") == contents(f"{base}/asked/out"),
-          "... and starts once, not twice")
+    check(result.returncode == 0 and "starts at t = 0" in result.stdout and
+          contents(f"{base}/none/out") == contents(f"{base}/asked/out"), "... and starts once, not twice")
 
 
 def broken(base):
@@ -190,7 +269,7 @@ def broken(base):
 
 def refused_resumes(base):
     arguments = interrupted(f"{base}/kept")
-    journal = f"{base}/kept/out.h5.run"
+    journal = f"{base}/kept/out.run"
 
     def refusal(what, words, *options, spoil=None, command=None):
         shutil.copytree(journal, f"{base}/spare")
@@ -219,7 +298,7 @@ def refused_resumes(base):
     other = [*arguments]
     other[0] = scene("torus-printed")
     size = os.path.getsize(f"{journal}/checkpoint")
-    refusal("a journal, but no --resume", ["out.h5.run", "--resume", "delete it"])
+    refusal("a journal, but no --resume", ["out.run", "--resume", "delete it"])
     refusal("another scene", ["another run", "scene"], "--resume", command=other)
     refusal("another value", ["another run", "--set"], "--resume", "--set", "binder.axial=201")
     refusal("another h", ["another run", "--h"], "--resume", "--h", "1/2048")
@@ -258,7 +337,7 @@ def tables(base):
     arguments = [f"{base}/table.yaml", "--frames", "16", "-o", f"{base}/out/out.h5"]
     bodies(100, 1.0)
     result = run(RUN, *arguments, preexec_fn=with_limit(320))
-    check(result.returncode == 1 and one_line(result, "out.h5.run"), f"table, disk full: {result.stderr.strip()}")
+    check(result.returncode == 1 and one_line(result, "out.run"), f"table, disk full: {result.stderr.strip()}")
     bodies(100, 2.0)
     result = run(RUN, *arguments, "--resume")
     check(result.returncode == 1 and one_line(result, "another run", "bodies"), f"other table: {result.stderr.strip()}")
@@ -302,7 +381,7 @@ def changed_tables(base):
         arguments = [f"{base}/{ending}.yaml", "-o", f"{base}/{ending}/out.h5", "--record", "8", "--frames", "8"]
         write(ending, {"bodies": bodies, "bonds": bonds})
         result = run(RUN, *arguments, preexec_fn=with_limit(60))
-        check(result.returncode == 1 and one_line(result, "out.h5.run"), f"{ending}, disk full: {result.stderr.strip()}")
+        check(result.returncode == 1 and one_line(result, "out.run"), f"{ending}, disk full: {result.stderr.strip()}")
         for group, name in [("bodies", name) for name in bodies] + [("bonds", name) for name in bonds]:
             tables = {"bodies": bodies, "bonds": bonds}
             write(ending, {**tables, group: changed(tables[group], name)})
@@ -331,21 +410,21 @@ def refused(base):
         ("unknown path", [scene("spin"), "--set", "bodies.inertai=1"], ["bodies.inertai"]),
         ("wrong ending", [scene("spin"), "-o", f"{base}/out.yaml"], ["-o", "out.yaml", ".h5"]),
         ("unwritable place", [scene("spin"), "-o", f"{blocked}/out.h5"], [blocked, "-o"]),
-        ("a file in the journal's place", [scene("spin"), "-o", f"{blocked}.h5"], [f"{blocked}.h5.run"]),
+        ("a file in the journal's place", [scene("spin"), "-o", f"{blocked}.h5"], [f"{blocked}.run"]),
     ]
-    open(f"{blocked}.h5.run", "w", encoding="ascii").close()
+    open(f"{blocked}.run", "w", encoding="ascii").close()
     for what, arguments, words in cases:
         result = run(RUN, *arguments, cwd=base)
         check(result.returncode == 1 and one_line(result, *words), f"{what}: {result.stderr.strip()}")
-    check(sorted(os.listdir(base)) == ["file", "file.h5.run"], "refusals leave nothing behind")
+    check(sorted(os.listdir(base)) == ["file", "file.run"], "refusals leave nothing behind")
     result = run(RUN, scene("spin"), "--resume", "-o", f"{blocked}.h5")
-    check(result.returncode == 1 and one_line(result, f"{blocked}.h5.run"), f"... nor with --resume: {result.stderr.strip()}")
+    check(result.returncode == 1 and one_line(result, f"{blocked}.run"), f"... nor with --resume: {result.stderr.strip()}")
 
 
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
           lambda base: kills(base, "torus", "--t-end", "4"), lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, terminated, full_disk, tables, changed_tables, prolonged, prolonged_from_nothing, broken, refused_resumes,
+          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, prolonged_from_nothing, broken, refused_resumes,
           refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:

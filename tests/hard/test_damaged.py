@@ -68,7 +68,7 @@ def refused(arguments, path, whole, spoilt, word):
 def checkpoints(base):
     arguments = interrupted(f"{base}/run")
     for name in ("checkpoint", "rows", "frames"):
-        path = f"{base}/run/out.h5.run/{name}"
+        path = f"{base}/run/out.run/{name}"
         with open(path, "rb") as file:
             whole = file.read()
         if name == "checkpoint":
@@ -86,9 +86,9 @@ def checkpoints(base):
 
 def busy(base):
     """Two runs into one file: the second is told that there is another, not that it may delete what is there."""
-    arguments = [f"{SCENES}/torus.yaml", "--t-end", "1000", "-o", f"{base}/two.h5"]
+    arguments = [f"{SCENES}/torus.yaml", "--t-end", "1000", "--checkpoint", "0.02", "-o", f"{base}/two.h5"]
     with subprocess.Popen([RUN, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-        while not os.path.exists(f"{base}/two.h5.run/frames"):
+        while not os.path.exists(f"{base}/two.run/checkpoint"):
             pass
         for more in ([], ["--resume"]):
             result = run(RUN, *arguments, *more)

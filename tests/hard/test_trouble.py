@@ -65,7 +65,7 @@ class Topic:
         after = self.files(self.folder)
         torn = [name for name in self.whole if after.get(name) not in (self.earlier[name], self.whole[name])]
         wrong = f"pieces: {torn}; " if torn else ""
-        wrong += self.full(result, after, self.calls[at - 1]) if how in ("full", "once") else self.ended(result, how)
+        wrong += self.full(result, after, self.calls[at - 1]) if how in ("full", "once") else self.ended(result, how, after)
         again = start(self.command, self.folder)
         if at > self.kept and not self.is_whole(after) and "goes on" not in again.stdout:
             wrong += "what had been kept is lost; "
@@ -73,10 +73,12 @@ class Topic:
             wrong += f"goes on with code {again.returncode}: {again.stderr.strip()} {list(programs.contents(self.folder))}; "
         return wrong
 
-    def ended(self, result, how):
+    def ended(self, result, how, after):
         codes = [-signal.SIGTERM if how == "term" else -signal.SIGKILL]
         if how == "term" and "run" in self.name:
-            codes = [0, 75]
+            codes = [0, 75, -signal.SIGTERM]  # the last before its first step, with nothing to go on from
+            if result.returncode == codes[2] and self.journal in after:
+                return "ended, and left a journal; "
         ours = [line for line in result.stderr.splitlines() if line.startswith("vti-")]  # MPI may have to say something too
         one_line = len(ours) == (result.returncode == 75)
         return "" if result.returncode in codes and one_line else f"code {result.returncode}: {result.stderr.strip()}; "
@@ -117,7 +119,7 @@ def cost(*words):
 
 
 def runs(base):
-    topic = Topic(base, run("--t-end", "1"), run("--t-end", "1/2"), "out.h5.run", ("rename", "/checkpoint"))
+    topic = Topic(base, run("--t-end", "1"), run("--t-end", "1/2"), "out.run", ("rename", "/checkpoint"))
     for how in ("kill", "term", "full"):
         topic.meets(how, topic.numbers())
     topic.meets("torn", topic.numbers("pwrite"))
