@@ -30,7 +30,8 @@ static const char usage[] =
     "  --force               replace files that are no results of vti too; what the scene is read from is never "
     "replaced\n"
     "  --checkpoint SECONDS  time between checkpoints (default 60)\n"
-    "  --resume              go on from the last checkpoint, if there is one, else start\n"
+    "  --resume              go on from the last checkpoint, or with a later --t-end from the end of a complete run;\n"
+    "                        if there is neither, start\n"
     "  -h, --help            this text\n"
     "\n"
     "While it runs everything is kept in the folder OUT.run. After SIGTERM, SIGUSR1, SIGHUP, SIGXCPU or Ctrl-C it "
@@ -180,7 +181,11 @@ int main(int argc, char **argv)
         return EXIT_SUCCESS;
     }
     enum run_end end = RUN_FAILED;
-    if (run_open(&arguments.request, &run, &message) == 0) {
+    const int opened = run_open(&arguments.request, &run, &message) == 0;
+    if (opened && run.done) {
+        run_say_done(&run, stdout);
+        end = output_end(&message) == 0 ? RUN_COMPLETE : RUN_FAILED;
+    } else if (opened) {
         run_say_start(&run, stdout);
         end = run_go(&run, progress_show, &message);
         progress_clear();

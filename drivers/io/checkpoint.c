@@ -86,9 +86,11 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
-static int damaged(const struct journal *journal, const char *path, const char *what, struct message *message)
+static int damaged(const char *path, const char *what, const char *folder, struct message *message)
 {
-    return message_set(message, "%s: %s; delete %s and start the run anew", path, what, journal->folder);
+    if (folder != NULL)
+        return message_set(message, "%.600s: %s; delete %.300s and start the run anew", path, what, folder);
+    return message_set(message, "%.600s: %s; start anew without --resume, or choose another place with -o", path, what);
 }
 
 /** All bytes of the file, from malloc. Returns 1, 0 if there is no file, or -1. */
@@ -156,36 +158,50 @@ static int unpack(const unsigned char *bytes, size_t size, struct head *head)
            digest == digest_add(DIGEST_START, bytes, size - sizeof digest);
 }
 
-int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
-                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct verdict *verdict,
-                    struct message *message)
+int checkpoint_bytes(const struct journal *journal, unsigned char **bytes, size_t *size, struct message *message)
 {
-    struct head head;
     char path[FOLDER_PATH];
-    unsigned char *bytes;
-    size_t size = 0;
-    const int64_t doubles = state_size(bodies) + verdict_size(verdict);
-    memset(&head, 0, sizeof head);
+    *bytes = NULL;
     if (folder_path(journal->folder, "checkpoint", 0, path, message) != 0)
         return -1;
-    int result = read_all(path, &bytes, &size);
-    if (result < 0)
-        result = damaged(journal, path, "cannot be read", message);
-    else if (result > 0 && !unpack(bytes, size, &head))
-        result = damaged(journal, path, "is no checkpoint of vti-run, or is damaged", message);
-    else if (result > 0 && check_identity(&head.checkpoint.identity, identity, scene, path, message) != 0)
-        result = -1;
-    else if (result > 0 &&
-             (head.checkpoint.state_doubles != doubles || size != sizeof head + 8 * (size_t)doubles + sizeof(uint64_t)))
-        result = damaged(journal, path, "holds other quantities than this program does", message);
-    if (result > 0)
-        *checkpoint = head.checkpoint;
+    const int result = read_all(path, bytes, size);
+    return result < 0 ? damaged(path, "cannot be read", journal->folder, message) : result;
+}
+
+int checkpoint_take(const unsigned char *bytes, size_t size, const char *path, const char *folder,
+                    const struct identity *identity, const struct scene *scene, struct checkpoint *checkpoint,
+                    const vti_bodies *bodies, struct verdict *verdict, struct message *message)
+{
+    struct head head;
+    const int64_t doubles = state_size(bodies) + verdict_size(verdict);
+    if (!unpack(bytes, size, &head))
+        return damaged(path, "is no checkpoint of vti-run, or is damaged", folder, message);
+    if (check_identity(&head.checkpoint.identity, identity, scene, path, message) != 0)
+        return -1;
+    if (head.checkpoint.state_doubles != doubles || size != sizeof head + 8 * (size_t)doubles + sizeof(uint64_t))
+        return damaged(path, "holds other quantities than this program does", folder, message);
+    *checkpoint = head.checkpoint;
     /* who starts anew from step 0 moves the velocities of a lagging method anew */
-    if (result > 0 && checkpoint->step > 0) {
+    if (checkpoint->step > 0) {
         const double *state = (const double *)(const void *)(bytes + sizeof head);
         state_put(state, bodies);
         verdict_put(verdict, state + state_size(bodies));
     }
+    return 0;
+}
+
+int checkpoint_read(const struct journal *journal, const struct identity *identity, const struct scene *scene,
+                    struct checkpoint *checkpoint, const vti_bodies *bodies, struct verdict *verdict,
+                    struct message *message)
+{
+    char path[FOLDER_PATH];
+    unsigned char *bytes;
+    size_t size = 0;
+    int result = checkpoint_bytes(journal, &bytes, &size, message);
+    if (result > 0 && (folder_path(journal->folder, "checkpoint", 0, path, message) != 0 ||
+                       checkpoint_take(bytes, size, path, journal->folder, identity, scene, checkpoint, bodies, verdict,
+                                       message) != 0))
+        result = -1;
     free(bytes);
     return result;
 }

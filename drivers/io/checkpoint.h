@@ -38,4 +38,12 @@ int checkpoint_read(const struct journal *journal, const struct identity *identi
                     struct checkpoint *checkpoint, const vti_bodies *bodies, struct verdict *verdict,
                     struct message *message);
 
+/** The bytes of the checkpoint in the journal's folder, from malloc; returns likewise. */
+int checkpoint_bytes(const struct journal *journal, unsigned char **bytes, size_t *size, struct message *message);
+/** The same as checkpoint_read from these bytes, which messages call path; folder is what is to be deleted if they are damaged, or
+ *  NULL. Returns 0 or -1. */
+int checkpoint_take(const unsigned char *bytes, size_t size, const char *path, const char *folder,
+                    const struct identity *identity, const struct scene *scene, struct checkpoint *checkpoint,
+                    const vti_bodies *bodies, struct verdict *verdict, struct message *message);
+
 #endif

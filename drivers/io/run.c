@@ -10,6 +10,7 @@
 #include "loop.h"
 #include "number.h"
 #include "run_identity.h"
+#include "run_restart.h"
 #include "run_signals.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
@@ -74,16 +75,50 @@ static int choose_every(const char *option, int64_t asked, int64_t resumed, int6
     return 0;
 }
 
+/** The end of a complete run, in its HDF5 file. Returns 1, 0 if there is no such file, or -1. */
+static int open_restart(struct run *run, struct message *message)
+{
+    char path[FOLDER_PATH];
+    unsigned char *bytes;
+    size_t size = 0;
+    const struct identity identity = run->checkpoint.identity;
+    if (folder_output(run->files.folder, run->files.hdf5, 0, path, message) != 0)
+        return -1;
+    int result = run_restart_find(path, &bytes, &size, message);
+    if (result > 0 && checkpoint_take(bytes, size, path, NULL, &identity, &run->scene, &run->checkpoint,
+                                      &run->model.bodies, &run->verdict, message) != 0)
+        result = -1;
+    free(bytes);
+    return result;
+}
+
+/** The journal, with what a complete run has recorded if it is that which goes on. */
+static int open_journal(struct run *run, struct message *message)
+{
+    const struct checkpoint *c = &run->checkpoint;
+    char path[FOLDER_PATH];
+    if (!run->restored)
+        return journal_open(&run->journal, c->rows, c->frames, message);
+    if (journal_open(&run->journal, journal_mark_start(c->rows.doubles), journal_mark_start(c->frames.doubles),
+                     message) != 0 ||
+        folder_output(run->files.folder, run->files.hdf5, 0, path, message) != 0)
+        return -1;
+    return run->done ? 0 : run_restart_fill(path, &run->record, c, message);
+}
+
 static int open_checkpoint(struct run *run, struct message *message)
 {
     const struct identity identity = run->checkpoint.identity;
     struct checkpoint *c = &run->checkpoint;
-    const int found = run->request->resume ? checkpoint_read(&run->journal, &identity, &run->scene, c,
-                                                             &run->model.bodies, &run->verdict, message)
-                                           : 0;
+    int found = 0;
+    if (run->request->resume && run->kept)
+        found = checkpoint_read(&run->journal, &identity, &run->scene, c, &run->model.bodies, &run->verdict, message);
+    else if (run->request->resume)
+        found = run->restored = open_restart(run, message);
     if (found < 0)
         return -1;
     run->from = c->step;
+    run->done = run->restored && run->from == run->steps;
     if (!found) {
         c->rows = journal_mark_start(run->record.columns.count);
         c->frames = journal_mark_start(run->record.frames.doubles);
@@ -92,8 +127,9 @@ static int open_checkpoint(struct run *run, struct message *message)
         return message_set(message, "%s: records other quantities than this program does; delete it and start anew",
                            run->journal.folder);
     if (run->steps < run->from)
-        return message_set(message, "--t-end: %.10g lies before the checkpoint at t = %.10g; give that or more",
-                           run->scene.t_end, (double)run->from * run->scene.h);
+        return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
+                           NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
+                           (double)run->from * run->scene.h);
     if (choose_every("--record", run->request->record_every, c->record_every,
                      interval_choose(run->scene.h, run->steps, 1000), &c->record_every, message) != 0)
         return -1;
@@ -124,7 +160,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
         return -1;
     run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
     run->begun = 1;
-    return journal_open(&run->journal, run->checkpoint.rows, run->checkpoint.frames, message);
+    return open_journal(run, message);
 }
 
 void run_close(struct run *run)

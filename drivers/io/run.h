@@ -45,6 +45,8 @@ struct run {
     struct record record;
     struct verdict verdict;
     int64_t from, steps;
+    int done;        /* it was complete before: there is nothing to do */
+    int restored;    /* it goes on from the files of a complete run */
     int begun, kept; /* the journal is this run's; there is a checkpoint in the journal */
     double *frame;   /* one */
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "checkpoint.h"
 #include "hdf5_sink.h"
 #include "vtkhdf.h"
 
@@ -80,6 +81,21 @@ static void verdict_write(const struct judgement *judgement, struct hdf5_sink *f
                        (const char *)judgement + verdict_numbers[k].offset);
 }
 
+/** /restart: the checkpoint at the end of a complete run, from which it goes on (run_restart.h). */
+static int restart_write(const struct record *record, struct hdf5_sink *file, struct message *message)
+{
+    unsigned char *bytes;
+    size_t size = 0;
+    if (!record->complete)
+        return 0;
+    const int found = checkpoint_bytes(record->journal, &bytes, &size, message);
+    const hsize_t count = (hsize_t)size;
+    if (found > 0)
+        hdf5_dataset(file, "restart", H5T_NATIVE_UINT8, 1, &count, bytes);
+    free(bytes);
+    return found < 0 ? -1 : 0;
+}
+
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);
@@ -94,8 +110,8 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         walls_write(&record->model->walls, &file);
         contact_write(record->model->scene, &file);
     }
-    const int failed =
-        file.failed || vtkhdf_write(record, &file, message) != 0 || energies_write(record, &file, message) != 0;
+    const int failed = file.failed || vtkhdf_write(record, &file, message) != 0 ||
+                       energies_write(record, &file, message) != 0 || restart_write(record, &file, message) != 0;
     if (hdf5_close_file(&file) == 0 && !failed)
         return 0;
     return message->text[0] != '\0' ? -1 : message_set(message, "%s: cannot be written; the disk may be full", path);

@@ -86,9 +86,20 @@ void run_say_start(const struct run *run, FILE *file)
             (long long)run->checkpoint.frames_every, (double)run->checkpoint.frames_every * h);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
-    else if (run->request->resume)
+    if (run->restored && run->from > 0)
+        fprintf(file,
+                "rows and frames stay as far apart as they are: the files will be those of one run with --record %lld "
+                "--frames %lld\n",
+                (long long)run->checkpoint.record_every, (long long)run->checkpoint.frames_every);
+    if (run->request->resume && run->from == 0)
         fputs("no steps were done yet: starts at t = 0\n", file);
     fflush(file);
+}
+
+void run_say_done(const struct run *run, FILE *file)
+{
+    fprintf(file, "%s: the run is complete, to t = %.10g; there is nothing to do (a later --t-end prolongs it)\n",
+            run->output, (double)run->steps * run->scene.h);
 }
 
 /* ---- after ------------------------------------------------------------------------------------------------------- */

@@ -241,6 +241,75 @@ def prolonged(base):
           contents(f"{base}/longer/out") == contents(f"{base}/asked/out"), "--resume with a later --t-end prolongs the run")
 
 
+def continued(base):
+    """A run that is complete goes on from its end: as if it had been asked for the later end from the start, with the rows and
+    frames that it has; three times over, from out.h5 alone."""
+    with open(f"{base}/bodies.csv", "w", encoding="ascii") as file:
+        file.write("x,y,z,vx,vy,vz,mass\n0,0,0,1,0,0,1\n3,0,0,0,0,0,2\n")
+    with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {table: bodies.csv, diameter: 1}\ncontact: {stiffness: 100}\nh: 1/256\nt_end: 1\n")
+    even = ["--h", "1e-3"]  # rows and frames every 0.005 and 0.05 for any of these ends
+    cases = [("torus", "vti2", ["--record", "7", "--frames", "32"], ("0.1", "0.25", "0.4")),
+             ("pendulum", "vti3-leapfrog", even, ("4", "4.5", "5")), ("pendulum", "srkn6", [], ("1/4", "1", "2")),
+             ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2"))]
+    for number, (name, stepper, options, ends) in enumerate(cases):
+        arguments = [name + ".yaml" if name.startswith(base) else scene(name), "--stepper", stepper, *options]
+        stem = f"{base}/{number}/out"
+        run(RUN, *arguments, "--t-end", ends[0], "-o", stem + ".h5")
+        for ending in (".csv", ".dump", ".xdmf"):  # all that is needed is in out.h5
+            if os.path.exists(stem + ending):
+                os.unlink(stem + ending)
+        for end in ends[1:]:
+            more = run(RUN, *arguments, "--t-end", end, "-o", stem + ".h5", "--resume")
+            kept = more.stdout.split("those of one run with ")[-1].split("\n")[0].split()
+            intervals = [] if options[:1] in (["--record"], ["--h"]) else kept
+            run(RUN, *arguments, "--t-end", end, *intervals, "-o", f"{base}/whole{number}{end.replace('/', '_')}/out.h5")
+            check(more.returncode == 0 and "goes on from step" in more.stdout and kept[0] == "--record" and
+                  contents(stem) == contents(f"{base}/whole{number}{end.replace('/', '_')}/out"),
+                  f"{name}, {stepper}: to {ends[0]}, then {end}, with the bytes of one run {more.stderr}")
+        before, times = contents(stem), os.stat(stem + ".h5").st_mtime_ns
+        again = run(RUN, *arguments, "--t-end", ends[-1], "-o", stem + ".h5", "--resume")
+        check(again.returncode == 0 and "complete" in again.stdout and "nothing to do" in again.stdout and
+              contents(stem) == before and os.stat(stem + ".h5").st_mtime_ns == times, "... and then there is nothing to do")
+        check(not os.path.exists(stem + ".run"), "... and nothing is left behind")
+
+
+def refused_ends(base):
+    """A complete run is not written over by --resume if it is another one, damaged, broken off or longer."""
+    torus = [scene("torus"), "--t-end", "0.05", "-o", f"{base}/out.h5"]
+    run(RUN, *torus)
+    whole = contents(f"{base}/out")
+
+    def refusal(what, words, *options, file=None):
+        if file is not None:
+            with open(f"{base}/out.h5", "wb") as out:
+                out.write(file)
+        before = contents(f"{base}/out")
+        result = run(RUN, *torus, "--resume", *options)
+        check(result.returncode == 1 and one_line(result, "out.h5" if "--t-end" not in words else "--t-end", *words),
+              f"{what}: {result.stderr.strip()}")
+        check(contents(f"{base}/out") == before and len(os.listdir(base)) == 4, "... and leaves all as it was")
+
+    refusal("an earlier end", ["--t-end", "0.04", "end of the run at t = 0.05"], "--t-end", "0.04")
+    refusal("another value", ["another run", "--set"], "--set", "binder.axial=201", "--t-end", "0.1")
+    refusal("another h", ["another run", "--h"], "--h", "1/2048", "--t-end", "0.1")
+    with h5py.File(f"{base}/out.h5", "r+") as file:
+        file["energies/total"][3] *= 1 + 1e-15
+    refusal("a row that is spoilt", ["rows or frames", "without --resume"], "--t-end", "0.1")
+    for name in ("VTKHDF/Points", "restart"):
+        with open(f"{base}/out.h5", "wb") as out:
+            out.write(whole[".h5"])
+        with h5py.File(f"{base}/out.h5", "r+") as file:
+            data = file[name]
+            at = (85, 0) if data.ndim == 2 else len(data) // 2
+            data[at] = data[at] + 1
+        refusal(f"{name} is spoilt", ["without --resume"], "--t-end", "0.1")
+    blown = [scene("torus"), "--h", "0.02", "--t-end", "20", "-o", f"{base}/out.h5"]
+    run(RUN, *blown)
+    torus = blown
+    refusal("a run that broke off", ["no run that came to its end", "without --resume"])
+
+
 def prolonged_from_nothing(base):
     """A run whose last checkpoint is before its first step, but after a lagging stepper had moved its velocities."""
     arguments = [scene("pendulum"), "--stepper", "vti3-leapfrog", "--h", "1e-3", "--record", "1", "--frames", "1"]
@@ -424,7 +493,7 @@ def refused(base):
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
           lambda base: kills(base, "torus", "--t-end", "4"), lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, prolonged_from_nothing, broken, refused_resumes,
+          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, continued, refused_ends, prolonged_from_nothing, broken, refused_resumes,
           refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:

@@ -32,12 +32,14 @@ class Topic:
         same."""
         self.command, self.journal, self.timed = command, journal, timed
         self.name, self.folder, self.old = os.path.basename(base), f"{base}/new", f"{base}/old"
-        results = [start(earlier, self.old), start(command, self.folder, "list", 0, f"{base}/log")]
-        self.earlier, self.whole = self.files(self.old), self.files(self.folder)
+        results = [start(earlier, self.old), start(command, f"{base}/whole")]
+        self.earlier, self.whole = self.files(self.old), self.files(f"{base}/whole")
+        shutil.copytree(self.old, self.folder)
+        results.append(start(command, self.folder, "list", 0, f"{base}/log"))
         with open(f"{base}/log", encoding="utf-8") as log:
             self.calls = log.read().splitlines()
         self.kept = [k + 1 for k, call in enumerate(self.calls) if call.startswith(keeps[0]) and call.endswith(keeps[1])][1]
-        check(all(result.returncode == 0 for result in results) and self.earlier.keys() == self.whole.keys() and
+        check(all(result.returncode == 0 for result in results) and self.files(self.folder) == self.whole and self.earlier.keys() == self.whole.keys() and
               all(self.earlier[name] != self.whole[name] for name in self.whole if name not in timed),
               f"{self.name}: {len(self.calls)} calls change {', '.join(self.whole)}")
 

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
+#include "run_restart.h"
+
+#include <hdf5.h>
+#include <math.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
+
+/** Rows first ... first + count - 1 of a dataset with so many columns, or of one dimension with columns 1. */
+static int read_rows(hid_t file, const char *name, int64_t first, int64_t count, int64_t columns, double *to)
+{
+    const hsize_t start[2] = {(hsize_t)first, 0}, block[2] = {(hsize_t)count, (hsize_t)columns};
+    hsize_t dims[2] = {0, 1};
+    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+    const int rank = H5Sget_simple_extent_ndims(space);
+    int ok = (rank == 1 || rank == 2) && H5Sget_simple_extent_dims(space, dims, NULL) == rank &&
+             dims[0] >= start[0] + block[0] && dims[1] == block[1] &&
+             H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, block, NULL) >= 0;
+    const hid_t memory = H5Screate_simple(2, block, NULL);
+    ok = ok && H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, to) >= 0;
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(set);
+    return ok ? 0 : -1;
+}
+
+/** 1, or 0 if it is not there. */
+static int read_restart(hid_t file, unsigned char **bytes, size_t *size)
+{
+    hsize_t length = 0;
+    const hid_t set = H5Dopen2(file, "restart", H5P_DEFAULT), space = H5Dget_space(set);
+    if (H5Sget_simple_extent_ndims(space) == 1 && H5Sget_simple_extent_dims(space, &length, NULL) == 1)
+        *bytes = malloc((size_t)length + 1);
+    *size = (size_t)length;
+    const int found = *bytes != NULL && H5Dread(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, *bytes) >= 0;
+    H5Sclose(space);
+    H5Dclose(set);
+    return found;
+}
+
+int run_restart_find(const char *path, unsigned char **bytes, size_t *size, struct message *message)
+{
+    struct stat info;
+    int found = 0;
+    *bytes = NULL;
+    if (stat(path, &info) != 0 || info.st_size == 0)
+        return 0;
+    H5E_BEGIN_TRY
+    {
+        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        found = file >= 0 && read_restart(file, bytes, size);
+        if (file >= 0)
+            H5Fclose(file);
+    }
+    H5E_END_TRY;
+    if (found)
+        return 1;
+    free(*bytes);
+    *bytes = NULL;
+    return message_set(
+        message,
+        "%.600s: holds no run that came to its end, so that none can go on; start anew without --resume, "
+        "or choose another place with -o",
+        path);
+}
+
+/* ---- rows and frames ---------------------------------------------------------------------------------------------- */
+
+static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
+{
+    enum { BLOCK = 4096, NAME = 64 };
+    const struct columns *columns = &record->columns;
+    double(*values)[BLOCK] = malloc(sizeof *values * (size_t)columns->count);
+    int failed = values == NULL;
+    for (int64_t first = 0; !failed && first < rows; first += BLOCK) {
+        const int64_t count = rows - first < BLOCK ? rows - first : BLOCK;
+        for (int c = 0; !failed && c < columns->count; ++c) {
+            char name[NAME];
+            snprintf(name, sizeof name, "energies/%s", columns->name[c]);
+            failed = read_rows(file, name, first, count, 1, values[c]);
+        }
+        for (int64_t k = 0; !failed && k < count; ++k) {
+            double row[COLUMNS];
+            for (int c = 0; c < columns->count; ++c)
+                row[c] = values[c][k];
+            failed = journal_add(record->journal, &record->journal->rows, row, message);
+        }
+    }
+    free(values);
+    return failed ? -1 : 0;
+}
+
+static int read_frame(hid_t file, const struct record *record, int64_t k, double *frame)
+{
+    const struct frame_layout *layout = &record->frames;
+    const struct {
+        const char *name;
+        int64_t place;
+    } parts[] = {{"VTKHDF/Points", layout->x},
+                 {"VTKHDF/PointData/velocity", layout->v},
+                 {"VTKHDF/PointData/omega", layout->omega},
+                 {"VTKHDF/PointData/alpha", layout->alpha}};
+    int failed = read_rows(file, "VTKHDF/Steps/Values", k, 1, 1, &frame[1]);
+    frame[0] = rint(frame[1] / record->h);
+    for (size_t q = 0; !failed && q < sizeof parts / sizeof parts[0]; ++q)
+        if (parts[q].place != 0)
+            failed = read_rows(file, parts[q].name, layout->n * k, layout->n, 3, frame + parts[q].place);
+    return failed;
+}
+
+static int fill_frames(hid_t file, const struct record *record, int64_t frames, struct message *message)
+{
+    double *frame = malloc(sizeof *frame * (size_t)record->frames.doubles);
+    int failed = frame == NULL;
+    for (int64_t k = 0; !failed && k < frames; ++k)
+        failed = read_frame(file, record, k, frame) != 0 ||
+                 journal_add(record->journal, &record->journal->frames, frame, message) != 0;
+    free(frame);
+    return failed ? -1 : 0;
+}
+
+static int is_mark(const struct journal_mark *have, const struct journal_mark *want)
+{
+    return have->doubles == want->doubles && have->count == want->count && have->digest == want->digest;
+}
+
+int run_restart_fill(const char *path, const struct record *record, const struct checkpoint *checkpoint,
+                     struct message *message)
+{
+    int filled = 0;
+    message->text[0] = '\0';
+    H5E_BEGIN_TRY
+    {
+        const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        filled = file >= 0 && fill_rows(file, record, checkpoint->rows.count, message) == 0 &&
+                 fill_frames(file, record, checkpoint->frames.count, message) == 0;
+        if (file >= 0)
+            H5Fclose(file);
+    }
+    H5E_END_TRY;
+    if (filled && is_mark(&record->journal->rows.mark, &checkpoint->rows) &&
+        is_mark(&record->journal->frames.mark, &checkpoint->frames))
+        return 0;
+    if (message->text[0] != '\0')
+        return -1;
+    return message_set(
+        message,
+        "%.600s: its rows or frames are not those that the run had recorded; start anew without --resume, "
+        "or choose another place with -o",
+        path);
+}
