@@ -52,7 +52,7 @@ int journal_look(const struct journal *journal, struct message *message)
     struct stat info;
     char rows[FOLDER_PATH], checkpoint[FOLDER_PATH];
     if (lstat(journal->folder, &info) != 0)
-        return 0;
+        return JOURNAL_NONE;
     if (folder_path(journal->folder, "rows", 0, rows, message) != 0 ||
         folder_path(journal->folder, "checkpoint", 0, checkpoint, message) != 0)
         return -1;
@@ -61,7 +61,7 @@ int journal_look(const struct journal *journal, struct message *message)
                            journal->folder);
     if (file_lock_taken(rows))
         return message_set(message, TAKEN, journal->folder);
-    return lstat(checkpoint, &info) == 0;
+    return lstat(checkpoint, &info) == 0 ? JOURNAL_RUN : JOURNAL_EARLY;
 }
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */

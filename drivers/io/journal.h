@@ -36,7 +36,9 @@ struct journal_mark journal_mark_start(int64_t doubles);
 /** Sets the folder for the outputs STEM.h5, STEM.csv and so on: all that share a file share it. Returns 0, or -1 with one line
  *  in *message. */
 int journal_name(struct journal *journal, const char *stem, struct message *message);
-/** What is there already: 1 if it is a run that can go on, 0 if it is nothing, or what a run has left before its first
+enum { JOURNAL_NONE, JOURNAL_EARLY, JOURNAL_RUN };
+
+/** What is there already: JOURNAL_RUN if it is a run that can go on, JOURNAL_EARLY if it is what one has left before its first
  *  checkpoint; -1 with one line in *message if another program is at work in it, or it is no journal. */
 int journal_look(const struct journal *journal, struct message *message);
 

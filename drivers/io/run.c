@@ -55,7 +55,8 @@ static int open_files(struct run *run, struct message *message)
     const int there = journal_look(&run->journal, message);
     if (there < 0)
         return -1;
-    run->kept = there;
+    run->kept = there == JOURNAL_RUN;
+    run->early = there == JOURNAL_EARLY;
     if (run->kept && !run->request->resume)
         return message_set(
             message, "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
@@ -115,6 +116,8 @@ static int open_checkpoint(struct run *run, struct message *message)
         found = checkpoint_read(&run->journal, &identity, &run->scene, c, &run->model.bodies, &run->verdict, message);
     else if (run->request->resume)
         found = run->restored = open_restart(run, message);
+    if (found < 0 && run->early) /* that run has begun to replace whatever is there */
+        found = run->restored = 0;
     if (found < 0)
         return -1;
     run->from = c->step;

@@ -47,6 +47,7 @@ struct run {
     int64_t from, steps;
     int done;        /* it was complete before: there is nothing to do */
     int restored;    /* it goes on from the files of a complete run */
+    int early;       /* the journal is there, of a run that came to no checkpoint */
     int begun, kept; /* the journal is this run's; there is a checkpoint in the journal */
     double *frame;   /* one */
 

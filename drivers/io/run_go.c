@@ -177,6 +177,8 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
     }
     if (run->end == RUN_ENDED)
         run->kept = 0;
+    if (run->end == RUN_FAILED && run->journal.rows.mark.count > 0)
+        run->kept = 1; /* --resume begins it again, whatever run the files are of */
     if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
         run->end = write_files(run);
     run->seconds = now() - run->began;
