@@ -6,7 +6,7 @@
 #include <string.h>
 
 /** What the effect needs, and the model's memory. Rivals want packed arrays of the model's own. */
-struct guest {
+struct adapter {
     struct model model;
     struct scene scene;
     vti_check_forces *forces;
@@ -31,7 +31,7 @@ static void attitude(const vti_bodies *b, int64_t i, double quat[4])
 
 static void ask(const void *self, const vti_bodies *b)
 {
-    const struct guest *guest = self;
+    const struct adapter *adapter = self;
     double x[3 * VTI_CHECK_BODIES], quat[4 * VTI_CHECK_BODIES], force[3 * VTI_CHECK_BODIES],
         moment[3 * VTI_CHECK_BODIES];
     for (int64_t i = 0; i < b->count; ++i) {
@@ -39,7 +39,7 @@ static void ask(const void *self, const vti_bodies *b)
             x[3 * i + k] = b->x.c[k][i * b->x.stride];
         attitude(b, i, quat + 4 * i);
     }
-    guest->forces(guest->kit, b->count, x, quat, force, moment);
+    adapter->forces(adapter->kit, b->count, x, quat, force, moment);
     for (int64_t i = 0; i < b->count; ++i)
         for (int k = 0; k < 3; ++k) {
             b->force.c[k][i * b->force.stride] += force[3 * i + k];
@@ -47,7 +47,7 @@ static void ask(const void *self, const vti_bodies *b)
         }
 }
 
-static void invite(struct guest *g, int64_t n, const double *x, const double *v, const double *quat,
+static void set_up(struct adapter *g, int64_t n, const double *x, const double *v, const double *quat,
                    const double *omega, const double *mass, const double *inertia)
 {
     const size_t size = (size_t)(3 * n) * sizeof *x;
@@ -92,16 +92,16 @@ static void read_back(const vti_bodies *b, double *x, double *v, double *quat, d
 int method_check_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
                          double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
-    struct guest guest;
+    struct adapter adapter;
     struct travel travel;
     struct message message;
-    memset(&guest, 0, sizeof guest);
+    memset(&adapter, 0, sizeof adapter);
     if (n < 1 || n > VTI_CHECK_BODIES)
         return -1;
-    guest.forces = forces;
-    guest.kit = kit;
-    invite(&guest, n, x, v, quat, omega, mass, inertia);
-    if (travel_create(&travel, self, &guest.model, h, &message) != 0)
+    adapter.forces = forces;
+    adapter.kit = kit;
+    set_up(&adapter, n, x, v, quat, omega, mass, inertia);
+    if (travel_create(&travel, self, &adapter.model, h, &message) != 0)
         return -1;
     const int result = travel_go(&travel, steps, &message);
     if (result == 0) {

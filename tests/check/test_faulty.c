@@ -265,6 +265,26 @@ static void constants_alone_fail_no_other_line(void **state)
     }
 }
 
+/** Any inertia from a fifth to five times what it should be, and any force, is measured to all digits that are said. */
+static void constants_are_measured(void **state)
+{
+    rng g = rng_seed(811);
+    (void)state;
+    for (int trial = 0; trial < 8; ++trial) {
+        const double ratio = exp(uniform(&g, -log(5), log(5)));
+        struct faulty hosts[] = {{.inertia = ratio}, {.force = ratio, .moment = ratio}};
+        static const char *const what[] = {"the inertia is", "forces and moments are"};
+        for (int k = 0; k < 2; ++k) {
+            vti_check_report report;
+            char text[VTI_CHECK_TEXT];
+            snprintf(text, sizeof text, "%s %.5g times what", what[k], ratio);
+            assert_int_equal(vti_check_run("constant", faulty_advance, &hosts[k], &report), 1);
+            if (strncmp(report.word[0].text, text, strlen(text)) != 0)
+                fail_msg("%s: %s", text, report.word[0].text);
+        }
+    }
+}
+
 /** A mistake that no sentence knows is still not passed. */
 static void what_is_not_known_is_not_passed(void **state)
 {
@@ -298,9 +318,11 @@ static void nothing_passes_where_the_host_refuses(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_mistake_is_named), cmocka_unit_test(every_mistake_of_translation_is_named),
-        cmocka_unit_test(constants_alone_fail_no_other_line), cmocka_unit_test(what_is_not_known_is_not_passed),
-        cmocka_unit_test(nothing_passes_where_the_host_refuses)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_mistake_is_named),
+                                       cmocka_unit_test(every_mistake_of_translation_is_named),
+                                       cmocka_unit_test(constants_alone_fail_no_other_line),
+                                       cmocka_unit_test(constants_are_measured),
+                                       cmocka_unit_test(what_is_not_known_is_not_passed),
+                                       cmocka_unit_test(nothing_passes_where_the_host_refuses)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,6 +27,13 @@ static void list(void **state)
         assert_true(m->order > 0);
         assert_string_equal(m->kind, m->rival != NULL ? "rival" : strncmp(m->name, "vti", 3) == 0 ? "paper" : "ours");
     }
+    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i) { /* these are found by name alone */
+        const struct method *m = method_of(rival_unlisted(i)->name);
+        assert_ptr_equal(m->rival, rival_unlisted(i));
+        for (int64_t k = 0; k < method_count(); ++k)
+            assert_true(method_at(k) != m);
+    }
+    assert_null(rival_unlisted(-1));
     assert_string_equal(method_of("exact")->kind, "ours");
     assert_string_equal(method_of("vti3-leapfrog")->kind, "paper");
     assert_string_equal(method_of("mercury")->kind, "rival");
