@@ -13,6 +13,7 @@
  *  - inputs must be finite; then so are the results, half turns and |alpha| up to DBL_MAX included;
  *  - an attitude that is computed has |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which
  *    costs at most 3.5e-18 rad;
+ *  - bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns;
  *  - the output may be the same array as an input, never a part of one.
  *
  * The header stands alone (C99 and C++; libm and nothing else).
@@ -82,6 +83,61 @@ static inline double vti_norm(const double a[3])
     return sqrt(vti_dot(b, b)) / s;
 }
 
+/* ---- angles in plain arithmetic ----------------------------------------------------------------------------- */
+
+/* A libm picks its functions by the processor's vector units and their last bits differ: the same attitudes would have other
+ * angles elsewhere. Additions, products, quotients and square roots are rounded alike everywhere. */
+
+/** atan2(y, x) of x, y >= 0, in [0, pi/2], within 1.5 ulp. With t the smaller over the larger of x and y,
+ *
+ *      atan t = atan c + atan r,   r = (t - c)/(1 + t c),   atan r = r - r^3/3 + r^5/5 - ...,
+ *
+ *  where c is 0, 1/2 or 1, so that |r| <= 1/4. */
+static inline double vti_arc(double y, double x)
+{
+    static const double angle[2][3][2] = {
+        /* atan c and pi/2 - atan c, in two parts */
+        {{0.0, 0.0}, {0.4636476090008061, 2.2698777452961687e-17}, {0.7853981633974483, 3.061616997868383e-17}},
+        {{1.5707963267948966, 6.123233995736766e-17},
+         {1.1071487177940904, 9.40447137356638e-17},
+         {0.7853981633974483, 3.061616997868383e-17}}};
+    const int steep = y > x;
+    const double a = steep ? x : y, b = steep ? y : x;
+    const int k = a <= 0.25 * b ? 0 : a < 0.75 * b ? 1 : 2;
+    double r = b > 0.0 ? a / b : b;
+    if (k > 0) {
+        const double s = vti_scale(b), c = 0.5 * k;
+        r = (s * a - c * (s * b)) / (s * b + c * (s * a));
+    }
+    const double z = r * r;
+    double sum = 1.0 / 21 - z * (1.0 / 23 - z * (1.0 / 25 - z * (1.0 / 27)));
+    sum = 1.0 / 13 - z * (1.0 / 15 - z * (1.0 / 17 - z * (1.0 / 19 - z * sum)));
+    sum = z * (1.0 / 3 - z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * (1.0 / 11 - z * sum)))));
+    const double rest = r - r * sum;
+    return angle[steep][k][0] + (steep ? angle[steep][k][1] - rest : angle[steep][k][1] + rest);
+}
+
+/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in three parts, of which n times the first two is exact. */
+static inline void vti_sin_cos(double t, double *sine, double *cosine)
+{
+    if (fabs(t) > 1048576.0) {
+        *sine = sin(t);
+        *cosine = cos(t);
+        return;
+    }
+    const double n = floor(t * 0.6366197723675814 + 0.5), a = t - n * 1.5707963267341256, b = n * 6.077100506303966e-11;
+    const double d = a - b, e = ((a - d) - b) - n * 2.0222662487959506e-21, r = d + e, low = (d - r) + e, z = r * r;
+    double p = 1.0 / 39916800 - z * (1.0 / 6227020800.0 - z * (1.0 / 1307674368000.0 - z * (1.0 / 355687428096000.0)));
+    p = 1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z * p)));
+    double q =
+        1.0 / 479001600 - z * (1.0 / 87178291200.0 - z * (1.0 / 20922789888000.0 - z * (1.0 / 6402373705728000.0)));
+    q = z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800 - z * q))));
+    const double s = r + (low - r * z * p), c = 1.0 - (z * (0.5 - q) + r * low); /* the angle is r + low */
+    const int quarter = (int)(n - 4.0 * floor(0.25 * n));
+    *sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
+    *cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
+}
+
 /* ---- alpha as a quaternion that is not normalised ------------------------------------------------------------ */
 
 /** q ~ (alpha, 2): the quaternion (x, y, z, w) of alpha up to a positive factor, with |q_k| <= VTI_RRV_LARGE and q.q
@@ -128,7 +184,7 @@ VTI_INLINE void vti_pair_rotate(const double q[4], double side, const double p[3
 /** theta in [0, pi] by which the quaternion q ~ (v, w) turns. */
 static inline double vti_pair_angle(const double q[4])
 {
-    return 2.0 * atan2(vti_norm(q), fabs(q[3]));
+    return 2.0 * vti_arc(vti_norm(q), fabs(q[3]));
 }
 
 /** |log(R_p R_q^T)| in [0, pi]: the angle of p q^-1. */
@@ -277,7 +333,7 @@ static inline void vti_rrv_rotate_back(const double a[3], const double p[3], dou
 /** theta = 2 atan(|a|/2) = |log R(a)|_F / sqrt 2, in [0, pi]. */
 static inline double vti_rrv_angle(const double a[3])
 {
-    return 2.0 * atan2(vti_norm(a), 2.0);
+    return 2.0 * vti_arc(vti_norm(a), 2.0);
 }
 
 /** Distance of two attitudes, |log(R(a) R(b)^T)| in [0, pi]. */
@@ -289,12 +345,15 @@ static inline double vti_rrv_distance(const double a[3], const double b[3])
     return vti_pair_distance(p, q);
 }
 
-/** alpha of the rotation vector theta (radians, of any length; taken modulo full turns). */
+/** alpha of the rotation vector theta (radians, of any length; taken modulo full turns). The same bits everywhere up to |theta| =
+ *  2^21, beyond which libm's sine and cosine serve. */
 static inline void vti_rrv_from_rotvec(const double theta[3], double a[3])
 {
     const double half[3] = {0.5 * theta[0], 0.5 * theta[1], 0.5 * theta[2]};
     const double t = vti_norm(half);
-    const double raw = t > VTI_RRV_SMALL ? tan(t) / t : 1.0; /* tan t/t = 1 + t^2/3 + ... rounds to 1 below */
+    double s, c;
+    vti_sin_cos(t, &s, &c);
+    const double raw = t > VTI_RRV_SMALL ? s / c / t : 1.0; /* tan t/t = 1 + t^2/3 + ... rounds to 1 below */
     const double most = VTI_RRV_LARGE / (1.0 + vti_max3(theta));
     const double k = fabs(raw) < most ? raw : copysign(most, raw);
     a[0] = k * theta[0];
@@ -309,7 +368,7 @@ static inline void vti_rrv_to_rotvec(const double a[3], double theta[3])
     vti_rrv_to_pair(a, q);
     const double n = vti_norm(q);
     /* 2 atan(n/2)/n = 1 - n^2/12 + ... rounds to 1 long before n/n would be 0/0 */
-    const double k = n > VTI_RRV_SMALL ? 2.0 * atan2(n, q[3]) / n : 1.0;
+    const double k = n > VTI_RRV_SMALL ? 2.0 * vti_arc(n, q[3]) / n : 1.0;
     theta[0] = k * q[0];
     theta[1] = k * q[1];
     theta[2] = k * q[2];

@@ -23,8 +23,9 @@ VTI_INLINE int turned(const double u[3], const double q[4], double r[4])
     const double s = sqrt(vti_dot(u, u));
     if (s == 0.0)
         return 0;
-    const double k = sin(0.5 * s) / s, c = cos(0.5 * s);
-    const double v[3] = {k * u[0], k * u[1], k * u[2]};
+    double sine, c;
+    vti_sin_cos(0.5 * s, &sine, &c);
+    const double k = sine / s, v[3] = {k * u[0], k * u[1], k * u[2]};
     quat_turned(c, v, q, r);
     return 1;
 }

@@ -21,6 +21,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "control.h"
+#include "plain.h"
 #include "rates.h"
 
 enum { ORDER = 8, STATES = 2 };
@@ -87,7 +89,7 @@ static int tolerance_of(const struct course *c, double *epsilon, struct message 
     if (model_stable_step(c->model, &c->model->bodies, &at, &stable, message) != 0)
         return -1;
     const double most = fmax(2.0 * c->h / stable.h, vti_max_turn(c->h, &c->bodies));
-    *epsilon = fmax(share * pow(most > 0.0 ? most : 1.0, ORDER), least);
+    *epsilon = fmax(share * plain_power(most > 0.0 ? most : 1.0, ORDER), least);
     return 0;
 }
 
@@ -98,7 +100,7 @@ static int prepare_adaptive(struct course *c, struct message *message)
         return -1;
     struct tool *tool = c->tool;
     tool->h = c->h;
-    tool->control = gsl_odeiv2_control_y_new(epsilon, epsilon);
+    tool->control = control_new(epsilon);
     tool->evolve = gsl_odeiv2_evolve_alloc(tool->system.dimension);
     tool->cut = gsl_odeiv2_evolve_alloc(tool->system.dimension);
     return tool->control != NULL && tool->evolve != NULL && tool->cut != NULL ? 0 : -1;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "model.h"
+#include "plain.h"
 
 /* ---- how far bodies get from rest ------------------------------------------------------------------------------------- */
 
@@ -75,7 +76,7 @@ static double overlap_of(const struct model *model, double energy)
         stiffness = s->contact.stiffness;
     if (s->has_wall)
         stiffness = fmin(stiffness, s->wall.stiffness);
-    return fmin(pow(2.5 * energy / stiffness, 0.4), 1.0);
+    return fmin(plain_power(2.5 * energy / stiffness, 0.4), 1.0);
 }
 
 static double strain_of(const struct model *model, const vti_bodies *b, double energy)

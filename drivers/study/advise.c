@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plain.h"
 #include "search.h"
 
 /* the solution is known to this share of the error asked for */
@@ -37,8 +38,8 @@ static int too_long(const struct search *s, double seconds)
  *  the order tells. */
 static double seconds_to_go(const struct search *s, double order)
 {
-    const double doublings = ceil(log2(s->advice->known / (known_share * s->advice->target)) / fmax(order, 2.0));
-    return s->solution.seconds * 2.0 * (exp2(doublings) - 1.0);
+    const double doublings = ceil(plain_log2(s->advice->known / (known_share * s->advice->target)) / fmax(order, 2.0));
+    return s->solution.seconds * 2.0 * (plain_exp2(doublings) - 1.0);
 }
 
 /** Doubles the steps until two runs agree. Leaves the last in s->solution. */
@@ -60,10 +61,10 @@ static int find_solution(struct search *s)
         pilot_destroy(&s->solution);
         s->solution = finer;
         /* what is left after a halving of h is 1/(2^p - 1) of what that changed; no order is taken for granted */
-        const double order = isfinite(last) && apart > 0.0 ? fmin(fmax(log2(last / apart), 1.0), 8.0) : 1.0;
+        const double order = isfinite(last) && apart > 0.0 ? fmin(fmax(plain_log2(last / apart), 1.0), 8.0) : 1.0;
         if (isfinite(last) && apart > 1e-13)
             a->order = order;
-        a->known = apart / (exp2(order) - 1.0);
+        a->known = apart / (plain_exp2(order) - 1.0);
         if (halvings > 1 && a->known <= known_share * a->target) {
             a->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
             return 0;

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "plain.h"
+
 double cost_error(const struct race_result *run, int turns)
 {
     return turns ? run->attitude_error : run->velocity_error;
@@ -81,7 +83,7 @@ void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, co
     const double first = first_steps(c, model);
     double evals_per_step = 1.0;
     for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, turns); ++k) {
-        const double steps = rint(first * exp2(0.5 * k));
+        const double steps = rint(first * plain_exp2(0.5 * k));
         if (steps * fmax(evals_per_step, 1.0) > (double)most || (poll != NULL && poll(poll_self, k) != 0))
             break;
         evals_per_step = (double)one_rung(c, method, c->t_end / steps, 1.0, turns, reference, ladder) / steps;

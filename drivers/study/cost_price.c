@@ -4,6 +4,8 @@
 #include <gsl/gsl_fit.h>
 #include <math.h>
 
+#include "plain.h"
+
 const double cost_targets[COST_TARGETS] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 
 /** Rule 1. */
@@ -19,7 +21,7 @@ static int reaches(const struct cost_ladder *ladder, int turns, int64_t k, doubl
 /** The point at share between a and b of a straight line in logarithms. */
 static double between(double a, double b, double share)
 {
-    return a * pow(b / a, share);
+    return a * plain_power(b / a, share);
 }
 
 struct cost_price cost_price_of(const struct cost_ladder *ladder, int turns, double error)
@@ -36,13 +38,13 @@ struct cost_price cost_price_of(const struct cost_ladder *ladder, int turns, dou
     const double fine = cost_error(run, turns), coarse = cost_error(before, turns);
     double share = 1.0;
     if (coarse > error && fine > 0.0)
-        share = log(coarse / error) / log(coarse / fine);
+        share = plain_log2(coarse / error) / plain_log2(coarse / fine);
     price.force_evals = between((double)before->force_evals, (double)run->force_evals, share);
     price.seconds = between(before->seconds, run->seconds, share);
     return price;
 }
 
-/** 10 to the slope of log10(value) over log10(1/error). */
+/** 10 to the slope of log(value) over log(1/error). */
 static double factor(const double *value)
 {
     enum { FEWEST = 3 };
@@ -50,13 +52,13 @@ static double factor(const double *value)
     size_t n = 0;
     for (int k = 0; k < COST_TARGETS; ++k)
         if (isfinite(value[k])) {
-            x[n] = -log10(cost_targets[k]);
-            y[n++] = log10(value[k]);
+            x[n] = -plain_log2(cost_targets[k]);
+            y[n++] = plain_log2(value[k]);
         }
     if (n < FEWEST)
         return NAN;
     gsl_fit_linear(x, 1, y, 1, n, &c0, &c1, &cov00, &cov01, &cov11, &sum);
-    return pow(10.0, c1);
+    return plain_power(10.0, c1);
 }
 
 struct cost_price cost_price_factor(const struct cost_price prices[COST_TARGETS])

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "control.h"
+
 /* ---- the state as bodies --------------------------------------------------------------------------------------------- */
 
 int64_t equations_body_width(const struct model *model)
@@ -129,8 +131,14 @@ int equations_create(struct equations *eq, struct model *model, double tolerance
     eq->system = (gsl_odeiv2_system){rates, NULL, (size_t)eq->width, eq};
     eq->loads = calloc((size_t)(6 * model->bodies.count), sizeof *eq->loads);
     eq->driver = gsl_odeiv2_driver_alloc_y_new(&eq->system, gsl_odeiv2_step_rk8pd, first_step, tolerance, tolerance);
-    if (eq->loads != NULL && eq->driver != NULL)
+    gsl_odeiv2_control *control = control_new(tolerance);
+    if (eq->loads != NULL && eq->driver != NULL && control != NULL) {
+        gsl_odeiv2_control_free(eq->driver->c);
+        eq->driver->c = control;
         return 0;
+    }
+    if (control != NULL)
+        gsl_odeiv2_control_free(control);
     equations_destroy(eq);
     return -1;
 }

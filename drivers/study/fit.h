@@ -17,6 +17,9 @@ struct order {
     int64_t points;      /* that were fitted; with fewer than 3 usable ones order and interval are NaN */
 };
 
+/** Student's t of the 95 % interval with that many degrees of freedom, in plain arithmetic. */
+double fit_student(int64_t freedom);
+
 /** Fits n errors at n steps h, in any order. Not usable are errors that are not finite or not above floor[i]. */
 struct order fit_order(const double *h, const double *error, const double *floor, int64_t n);
 

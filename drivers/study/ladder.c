@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "plain.h"
 
 #define HELP "write one step (1/64), a list (0.1,0.05) or a ladder by factors of two (2^-4:2^-13)"
 
@@ -25,7 +26,7 @@ static int64_t read_ladder(const char *text, const char *colon, double h[LADDER_
     double from, to;
     if (read_part(text, (size_t)(colon - text), &from) != 0 || read_part(colon + 1, strlen(colon + 1), &to) != 0)
         return message_set(message, "--h: '%s' is not a ladder of two positive numbers; " HELP, text);
-    const double rungs = log2(from / to);
+    const double rungs = plain_log2(from / to);
     if (fabs(rungs - rint(rungs)) > 1e-9)
         return message_set(message, "--h: '%s' does not go from one to the other by factors of two; " HELP, text);
     if (fabs(rungs) >= LADDER_MOST)

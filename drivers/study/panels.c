@@ -5,11 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#include "plain.h"
 
-static double angle(int k)
+/** cos(j theta) and sin(j theta) of the nodes' theta = (2 k + 1) pi/(2 N). */
+static double cosine(int64_t j, int64_t k)
 {
-    return (2 * k + 1) * PI / (2 * PANELS_NODES);
+    return plain_cos_turn(1.0, j * (2 * k + 1), 4 * PANELS_NODES);
+}
+
+static double sine(int64_t k)
+{
+    return plain_sin_turn(1.0, 2 * k + 1, 4 * PANELS_NODES);
 }
 
 int panels_create(struct panels *panels, int64_t width, int64_t count, double t_end)
@@ -19,8 +25,10 @@ int panels_create(struct panels *panels, int64_t width, int64_t count, double t_
     panels->count = count;
     panels->t_end = t_end;
     for (int k = 0; k < PANELS_NODES; ++k) {
-        panels->node[k] = -cos(angle(k));
-        panels->weight[k] = (k % 2 == 0 ? 1.0 : -1.0) * sin(angle(k));
+        panels->node[k] = -cosine(1, k);
+        panels->weight[k] = (k % 2 == 0 ? 1.0 : -1.0) * sine(k);
+        panels->last[0][k] = cosine(PANELS_NODES - 2, k);
+        panels->last[1][k] = cosine(PANELS_NODES - 1, k);
     }
     panels->values = calloc((size_t)(count * PANELS_NODES * width), sizeof *panels->values);
     return panels->values != NULL ? 0 : -1;
@@ -46,10 +54,10 @@ double panels_tail(const struct panels *panels, int64_t p)
 {
     double largest = 0.0;
     for (int64_t c = 0; c < panels->width; ++c)
-        for (int j = PANELS_NODES - 2; j < PANELS_NODES; ++j) {
+        for (int j = 0; j < 2; ++j) {
             double sum = 0.0;
             for (int k = 0; k < PANELS_NODES; ++k)
-                sum += panels_row(panels, p, k)[c] * cos(j * angle(k));
+                sum += panels_row(panels, p, k)[c] * panels->last[j][k];
             largest = fmax(largest, fabs(2.0 * sum / PANELS_NODES));
         }
     return largest;

@@ -11,9 +11,10 @@ struct panels {
     int64_t width; /* components */
     int64_t count; /* panels */
     double t_end;
-    double node[PANELS_NODES];   /* of [-1, 1], ascending */
-    double weight[PANELS_NODES]; /* barycentric */
-    double *values;              /* [count][PANELS_NODES][width] */
+    double node[PANELS_NODES];    /* of [-1, 1], ascending */
+    double weight[PANELS_NODES];  /* barycentric */
+    double last[2][PANELS_NODES]; /* the two highest Chebyshev polynomials at the nodes, up to sign */
+    double *values;               /* [count][PANELS_NODES][width] */
 };
 
 /** count panels on [0, t_end]; frees what *panels held before. Returns 0, or -1 if there is no memory. */

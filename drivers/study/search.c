@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "plain.h"
+
 /* h is aimed at a share of the error asked for, and taken if the error lies between the lowest share and 1 */
 static const double aim = 0.7, lowest = 0.35;
 
@@ -41,21 +43,23 @@ static double order_between(const vti_stepper *stepper, const struct point *coar
     const double most = (double)stepper->order + 1.0, least = 0.9 * fmin((double)stepper->order, 2.0);
     if (coarse->steps == 0 || !(coarse->error < 0.3))
         return (double)stepper->order;
-    return fmin(fmax(log(coarse->error / fine->error) / log((double)fine->steps / (double)coarse->steps), least), most);
+    return fmin(
+        fmax(plain_log2(coarse->error / fine->error) / plain_log2((double)fine->steps / (double)coarse->steps), least),
+        most);
 }
 
 static int64_t steps_for(const struct point *p, double order, double error)
 {
-    return (int64_t)ceil((double)p->steps * pow(p->error / error, 1.0 / order));
+    return (int64_t)ceil((double)p->steps * plain_power(p->error / error, 1.0 / order));
 }
 
 /** Steps between two points, one on each side of the error aimed at. */
 static int64_t steps_between(const struct point *above, const struct point *below, double error)
 {
     /* by the error where that falls evenly, else by halves: it may jump */
-    double share = log(above->error / error) / log(above->error / below->error);
+    double share = plain_log2(above->error / error) / plain_log2(above->error / below->error);
     share = share > 0.1 && share < 0.9 ? share : 0.5;
-    const double steps = (double)above->steps * pow((double)below->steps / (double)above->steps, share);
+    const double steps = (double)above->steps * plain_power((double)below->steps / (double)above->steps, share);
     return (int64_t)llrint(fmin(fmax(steps, (double)above->steps + 1.0), (double)below->steps - 1.0));
 }
 

@@ -79,8 +79,12 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 The bits do not depend on the compiler, the optimisation level or the width of vectors: `tests/hard/digest.txt` holds hashes of
 runs by all steppers and of all effects, and a test builds the core with gcc and clang from -O0 to -O3, for x86-64-v2 to -v4 and
 with the kernels that are picked at run time, and compares. On aarch64 (under qemu-user) and on i386 with SSE2 they are the same; with
-the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). Measures of angles call atan2, whose last bit is
-the C library's; nothing that moves a body does. Slices stepped by threads give the bits of one thread, without a race
+the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). The elementary functions that
+a C library picks by the processor's units (sin, cos, exp, log, pow) are called by nothing that moves a body and no number that is
+read or written: angles, rings, powers in scenes, fits and the reference's choice of steps have their own, in plain arithmetic.
+A test runs whole programs with glibc masking FMA, AVX2, AVX-512 and more (`meson test 'hard masks'`) and compares every byte that
+is no time. Exceptions: `vti_rrv_from_rotvec` of angles beyond 2^21, `vti-check`, which compares with tolerances, and GSL, whose
+rk8pd is plain arithmetic, but compiled by the distribution. Slices stepped by threads give the bits of one thread, without a race
 (`./dev sanitize`).
 """
 

@@ -138,6 +138,38 @@ static void convert_alpha(void **state)
     }
 }
 
+static void arc(void **state)
+{
+    (void)state;
+    rng g = rng_seed(107);
+    for (int i = 0; i < TRIALS; ++i) {
+        double in[2];
+        random_bits(&g, 2, in);
+        in[i % 2] = i % 4 < 2 ? in[i % 2] : in[1 - i % 2] * uniform(&g, 0, 1); /* all slopes alike */
+        const double y = fabs(in[0]), x = fabs(in[1]), found = vti_arc(y, x);
+        const long double expected = atan2l(y, x);
+        if (!(fabsl(found - expected) <= 1.5L * EPS * expected + TINY))
+            fail_with("arc", in, 2, (double)(found - expected));
+    }
+    assert_true(vti_arc(0, 0) == 0 && vti_arc(0, 1) == 0 && vti_arc(1, 0) == 0.5 * PI && vti_arc(1, 1) == 0.25 * PI);
+    assert_true(isnan(vti_arc(NAN, 1)) && isnan(vti_arc(1, NAN)));
+}
+
+/** Everywhere, beside right angles, and where libm takes over. */
+static void sine_and_cosine(void **state)
+{
+    (void)state;
+    rng g = rng_seed(108);
+    for (int i = 0; i < TRIALS; ++i) {
+        const double most = i % 3 == 0 ? 0x1p20 : 8, right = floor(uniform(&g, -667544, 667544)) * (0.5 * PI);
+        const double t = i % 3 == 1 ? right : i == 0 ? 1.5e6 : uniform(&g, -most, most);
+        double s, c;
+        vti_sin_cos(t, &s, &c);
+        if (!(fabsl(s - sinl(t)) <= EPS) || !(fabsl(c - cosl(t)) <= EPS))
+            fail_with("sine or cosine", &t, 1, (double)(s - sinl(t)));
+    }
+}
+
 static void norm_and_angle(void **state)
 {
     (void)state;
@@ -209,10 +241,16 @@ static void distance(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(compose),        cmocka_unit_test(turn),
-        cmocka_unit_test(rotate),         cmocka_unit_test(convert_alpha),
-        cmocka_unit_test(norm_and_angle), cmocka_unit_test(convert_to_alpha),
-        cmocka_unit_test(distance),       cmocka_unit_test(nearest_half_turn),
+        cmocka_unit_test(compose),
+        cmocka_unit_test(turn),
+        cmocka_unit_test(rotate),
+        cmocka_unit_test(convert_alpha),
+        cmocka_unit_test(norm_and_angle),
+        cmocka_unit_test(convert_to_alpha),
+        cmocka_unit_test(distance),
+        cmocka_unit_test(nearest_half_turn),
+        cmocka_unit_test(arc),
+        cmocka_unit_test(sine_and_cosine),
     };
     return cmocka_run_group_tests(tests, needs_long_double, NULL);
 }

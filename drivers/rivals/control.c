@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * M. Galassi et al., GNU Scientific Library Reference Manual, 3rd ed. (2009), "Adaptive Step-size Control": with E_i/D_i the
+ * estimated over the desired error of component i, D_i = epsilon + epsilon |y_i|, r the largest of them, q = 8 the order,
+ *
+ *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
+ *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h */
+#include "control.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double safety = 0.9, most = 5.0;
+
+static void *create(void)
+{
+    return calloc(1, sizeof(double));
+}
+
+static int init(void *state, double absolute, double relative, double a_y, double a_dydt)
+{
+    (void)relative, (void)a_y, (void)a_dydt;
+    *(double *)state = absolute;
+    return 0;
+}
+
+static double desired(const void *state, double y)
+{
+    const double epsilon = *(const double *)state;
+    return epsilon * fabs(y) + epsilon;
+}
+
+static double eighth_root(double r)
+{
+    return sqrt(sqrt(sqrt(r)));
+}
+
+/** Of 1e-8 < r < 1: Newton's method for y^9 = r comes down to it from 1, until rounding stops it. */
+static double ninth_root(double r)
+{
+    double y = 2.0, next = 1.0;
+    while (next < y) {
+        y = next;
+        const double y2 = y * y, y4 = y2 * y2;
+        next = y - (y - r / (y4 * y4)) / 9.0;
+    }
+    return y;
+}
+
+static int adjust(void *state, size_t n, unsigned int order, const double y[], const double error[],
+                  const double rate[], double *h)
+{
+    double r = 0.0;
+    (void)order, (void)rate;
+    for (size_t i = 0; i < n; ++i)
+        r = fmax(r, fabs(error[i]) / desired(state, y[i]));
+    if (r > 1.1) {
+        *h *= fmax(safety / eighth_root(r), 1.0 / most);
+        return GSL_ODEIV_HADJ_DEC;
+    }
+    if (r < 0.5) {
+        *h *= r < 1e-8 ? most : fmin(fmax(safety / ninth_root(r), 1.0), most);
+        return GSL_ODEIV_HADJ_INC;
+    }
+    return GSL_ODEIV_HADJ_NIL;
+}
+
+static int level(void *state, const double y, const double rate, const double h, const size_t i, double *found)
+{
+    (void)rate, (void)h, (void)i;
+    *found = desired(state, y);
+    return 0;
+}
+
+static int set_driver(void *state, const gsl_odeiv2_driver *driver)
+{
+    (void)state, (void)driver;
+    return 0;
+}
+
+gsl_odeiv2_control *control_new(double epsilon)
+{
+    static const gsl_odeiv2_control_type plain = {"plain", create, init, adjust, level, set_driver, free};
+    gsl_odeiv2_control *control = gsl_odeiv2_control_alloc(&plain);
+    if (control != NULL)
+        gsl_odeiv2_control_init(control, epsilon, epsilon, 1.0, 0.0);
+    return control;
+}

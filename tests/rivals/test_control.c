@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The choice of steps in plain arithmetic is GSL's, to the last bits, and so are Student's quantiles. */
+#include <gsl/gsl_cdf.h>
+
+#include "control.h"
+#include "fit.h"
+#include "support.h"
+
+enum { CASES = 100000, NUMBERS = 3 };
+
+static void steps_as_gsl_chooses_them(void **state)
+{
+    static const double epsilon = 1e-3;
+    gsl_odeiv2_control *ours = control_new(epsilon), *theirs = gsl_odeiv2_control_y_new(epsilon, epsilon);
+    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, NUMBERS);
+    rng g = rng_seed(5);
+    int changed[3] = {0};
+    (void)state;
+    for (int i = 0; i < CASES; ++i) {
+        const double size = i % 2 ? 10.0 : 1.0, rate[NUMBERS] = {0.0};
+        double y[NUMBERS], error[NUMBERS], h = 0.1, expected = 0.1;
+        for (int k = 0; k < NUMBERS; ++k) {
+            y[k] = uniform(&g, -2, 2);
+            error[k] = epsilon * pow(10.0, size * uniform(&g, -0.6, 0.4)) * (k - 1);
+        }
+        const int way = gsl_odeiv2_control_hadjust(ours, step, y, error, rate, &h);
+        assert_int_equal(way, gsl_odeiv2_control_hadjust(theirs, step, y, error, rate, &expected));
+        assert_close(h, expected, 4 * EPS * expected);
+        ++changed[way + 1];
+    }
+    for (int way = 0; way < 3; ++way)
+        assert_true(changed[way] > CASES / 20);
+    gsl_odeiv2_step_free(step);
+    gsl_odeiv2_control_free(ours);
+    gsl_odeiv2_control_free(theirs);
+}
+
+static void quantiles(void **state)
+{
+    (void)state;
+    for (int freedom = 1; freedom < 64; ++freedom)
+        assert_close(fit_student(freedom), gsl_cdf_tdist_Pinv(0.975, freedom), 1e-12 * fit_student(freedom));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(quantiles)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
