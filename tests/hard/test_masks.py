@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from programs import ENVIRONMENT, contents, run  # pylint: disable=wrong-import-position
 from tally import check, conclude, failures  # pylint: disable=wrong-import-position
 
-libm, vti_run, vti_study, root = sys.argv[1:]
+libm, vti_run, vti_study, root = map(os.path.abspath, sys.argv[1:])
 
 # glibc before 2.33 knows a unit by what of it is usable; names that are not known are passed over.
 UNITS = (("AVX512F",), ("FMA", "FMA4", "AVX2", "AVX512F"),
