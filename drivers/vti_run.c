@@ -27,6 +27,7 @@ static const char usage[] =
     "  --frames EVERY        steps between frames of the trajectory (default: about 100 frames)\n"
     "                        the state at the end is always recorded\n"
     "  --no-dump             no OUT.dump, the largest of the files\n"
+    "  --xdmf                OUT.xdmf for more than 2000 frames too: 5 kB for each, and ParaView reads OUT.h5 itself\n"
     "  --force               replace files that are no results of vti too; what the scene is read from is never "
     "replaced\n"
     "  --checkpoint SECONDS  time between checkpoints (default 60)\n"
@@ -90,7 +91,7 @@ static int read_seconds(const char *text, double *seconds, struct message *messa
     return 0;
 }
 
-enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, FORCE };
+enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, XDMF, FORCE };
 
 static int take(struct arguments *a, int option, char **argv, struct message *message)
 {
@@ -114,6 +115,9 @@ static int take(struct arguments *a, int option, char **argv, struct message *me
         return 0;
     case NO_DUMP:
         a->request.dump = 0;
+        return 0;
+    case XDMF:
+        a->request.xdmf = 1;
         return 0;
     case FORCE:
         a->request.force = 1;
@@ -142,10 +146,11 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"checkpoint", required_argument, NULL, CHECKPOINT},
                                             {"resume", no_argument, NULL, RESUME},
                                             {"no-dump", no_argument, NULL, NO_DUMP},
+                                            {"xdmf", no_argument, NULL, XDMF},
                                             {"force", no_argument, NULL, FORCE},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
-    const struct run_request defaults = {NULL, NULL, 0, NULL, 0, 0, 60.0, 0, 1, 0};
+    const struct run_request defaults = {NULL, NULL, 0, NULL, 0, 0, 60.0, 0, 1, 0, 0};
     a->request = defaults;
     a->request.sets = a->sets;
     opterr = 0;

@@ -48,6 +48,7 @@ static int open_files(struct run *run, struct message *message)
     if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 || name_journal(run, message) != 0)
         return -1;
     run->files.force = run->request->force;
+    run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;
     run->files.inputs_count = sizeof inputs / sizeof inputs[0];
     if (run_files_check(&run->files, message) != 0)

@@ -20,6 +20,7 @@ struct run_request {
     double checkpoint_seconds;
     int resume; /* go on from the checkpoint, if there is one */
     int dump;   /* write the LAMMPS dump */
+    int xdmf;   /* write the XDMF index of however many frames */
     int force;  /* replace files that are not ours */
 };
 

@@ -95,34 +95,42 @@ static int write_text(const struct run_files *files, const struct record *record
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
-/** A dump of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our business. */
-static void remove_dump(const struct run_files *files)
+/** One of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our business. */
+static void remove_earlier(const struct run_files *files, int kind)
 {
     char name[264], path[FOLDER_PATH];
     struct message ignored = {""};
-    name_of(files, DUMP, name);
-    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[DUMP]))
+    name_of(files, kind, name);
+    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[kind]))
         unlink(path);
+}
+
+int run_files_has_xdmf(const struct run_files *files, const struct record *record)
+{
+    return files->xdmf || record->journal->frames.mark.count <= RUN_XDMF_FRAMES;
 }
 
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
 {
-    const int kinds = files->dump ? KINDS : DUMP;
+    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump};
     char name[KINDS][264];
     const char *names[KINDS];
-    int failed = 0;
+    int failed = 0, count = 0;
     if (run_files_check(files, message) != 0)
         return -1;
-    for (int kind = 0; kind < kinds; ++kind) {
+    for (int kind = 0; kind < KINDS; ++kind) {
+        if (!wanted[kind])
+            continue;
         name_of(files, kind, name[kind]);
-        names[kind] = name[kind];
+        names[count++] = name[kind];
         if (failed == 0)
             failed = kind == HDF5 ? write_hdf5(files, record, message)
                                   : write_text(files, record, kind, name[kind], message);
     }
-    if (folder_finish(files->folder, names, kinds, failed, message) != 0)
+    if (folder_finish(files->folder, names, count, failed, message) != 0)
         return -1;
-    if (!files->dump)
-        remove_dump(files);
+    for (int kind = 0; kind < KINDS; ++kind)
+        if (!wanted[kind])
+            remove_earlier(files, kind);
     return 0;
 }

@@ -12,6 +12,7 @@ struct run_files {
     char stem[256]; /* OUT */
     char hdf5[264]; /* OUT.h5, or with the other ending that was asked for */
     int dump;       /* whether OUT.dump is wanted */
+    int xdmf;       /* whether OUT.xdmf is wanted of however many frames */
     int force;      /* replace files that are not ours */
     const struct input *inputs;
     int inputs_count;
@@ -20,6 +21,12 @@ struct run_files {
 /** Takes the name of the HDF5 file apart. Returns 0, or -1 with one line in *message. */
 int run_files_name(struct run_files *files, const char *output, int dump, struct message *message);
 
+/** The most frames for which OUT.xdmf is written unasked: it takes about 5 kB of text for each, as much as the frame itself in
+ *  OUT.h5 where bodies are few. */
+enum { RUN_XDMF_FRAMES = 2000 };
+
+/** Whether OUT.xdmf is written. */
+int run_files_has_xdmf(const struct run_files *files, const struct record *record);
 /** Whether they may be written (overwrite.h). Returns 0, or -1 with one line in *message. */
 int run_files_check(const struct run_files *files, struct message *message);
 

@@ -107,12 +107,16 @@ void run_say_done(const struct run *run, FILE *file)
 void run_say_end(const struct run *run, FILE *file)
 {
     const double scale = run->energy0 != 0.0 ? fabs(run->energy0) : 1.0;
+    const int xdmf = run_files_has_xdmf(&run->files, &run->record);
     fprintf(file, "energy: %.10g at t = 0, %.10g at t = %.10g; change %.3g, at most %.3g%s\n", run->energy0,
             run->energy1, run->t, (run->energy1 - run->energy0) / scale, run->drift / scale,
             run->energy0 != 0.0 ? " of it" : "");
-    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv, .xdmf%s%s\n",
+    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s\n",
             (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
-            run->output, run->files.dump ? ", .dump" : "",
+            run->output, xdmf ? ", .xdmf" : "", run->files.dump ? ", .dump" : "",
             run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+    if (!xdmf)
+        fprintf(file, "no .xdmf of so many frames, 5 kB for each: ParaView reads %s itself, and --xdmf writes it\n",
+                run->output);
     fprintf(file, "%s\n", run->judgement.text);
 }

@@ -159,6 +159,15 @@ def even_times(base):
               "numbers are written as the shortest decimal")
 
 
+def many_frames(base):
+    """The index takes more room than what it leads to: of many frames only if asked for, and that of an earlier run goes."""
+    arguments = [f"{SCENES}/pendulum.yaml", "--h", "1e-3", "--frames", "1", "--record", "100", "--no-dump", "-o", f"{base}/many.h5"]
+    for end, options, there in (("2", [], False), ("1.999", [], True), ("2", [], False), ("2", ["--xdmf"], True)):
+        result = run(RUN, *arguments, "--t-end", end, *options)
+        check(result.returncode == 0 and os.path.exists(f"{base}/many.xdmf") == there and
+              ("no .xdmf" in result.stdout) == (not there), f"{1000 * float(end) + 1:.0f} frames {options}: .xdmf {there}")
+
+
 def contact_flag(base):
     """Whether bonded bodies touch stands in the file, if the scene has contact at all."""
     def flag(scene, *options):
@@ -177,5 +186,6 @@ with tempfile.TemporaryDirectory() as root:
         one_case(root, *case)
     says(root)
     even_times(root)
+    many_frames(root)
     contact_flag(root)
 conclude()

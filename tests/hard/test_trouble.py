@@ -139,6 +139,13 @@ def studies(base, *arguments, short=()):
         topic.meets("term", topic.numbers()[0 if LONG else 1::1 if LONG else 2])
 
 
+def lockless(base):
+    """A file system without locks is written to like any other."""
+    for command in (run("--t-end", "1/4"), study("--h", "1/16")):
+        result = start(command, base, "nolock")
+        check(result.returncode == 0, f"no locks: {result.stderr.strip()}")
+
+
 def unsaid(base):
     """The files are there, and what could not be said is missed."""
     for command in (run("--t-end", "1"), study("--h", "1/16"), cost("vti1"),
@@ -157,6 +164,7 @@ TOPICS = {
                                   ("timing.csv",), short=("full", "kill")),
     "cost": lambda base: studies(base, cost("vti1,vti2"), cost("vti1"), "cost.journal", ("pwrite", "/cost.journal"),
                                  ("cost.csv", "prices.csv", "machine.txt"), short=()),
+    "lockless": lockless,
     "unsaid": unsaid,
 }
 with tempfile.TemporaryDirectory() as root:

@@ -4,7 +4,7 @@
  * one whose number is TROUBLE_AT meets TROUBLE_HOW:
  *     kill   SIGKILL before it              torn   SIGKILL when half of its bytes are written
  *     term   SIGTERM before it              full   no space, from this call on
- *                                           once   no space, for this call only
+ *     nolock no locks, whatever the call    once   no space, for this call only
  * All are listed in the file TROUBLE_LOG, if that is set. */
 #undef _FILE_OFFSET_BITS /* open and open64 are different names here */
 #undef _FORTIFY_SOURCE
@@ -87,6 +87,26 @@ static int meet_file(const char *call, int fd)
     path_of(fd, path);
     return meet(call, path, GROWS);
 }
+
+/* ---- locks ------------------------------------------------------------------------------------------------------- */
+
+/** nolock: the file system has none. Nobody here calls it without a third argument that matters to locks. */
+#define FCNTL(NAME)                                                                                                    \
+    int NAME(int fd, int command, ...)                                                                                 \
+    {                                                                                                                  \
+        va_list rest;                                                                                                  \
+        va_start(rest, command);                                                                                       \
+        void *argument = va_arg(rest, void *);                                                                         \
+        va_end(rest);                                                                                                  \
+        REAL(#NAME, int, int, int, ...);                                                                               \
+        if (is_how("nolock") && (command == F_SETLK || command == F_GETLK)) {                                          \
+            errno = EOPNOTSUPP;                                                                                        \
+            return -1;                                                                                                 \
+        }                                                                                                              \
+        return real(fd, command, argument);                                                                            \
+    }
+FCNTL(fcntl)
+FCNTL(fcntl64)
 
 /* ---- what is opened ---------------------------------------------------------------------------------------------- */
 
