@@ -140,9 +140,9 @@ def long_time(page, folder):
         page.text(f"`{line}`")
     page.text("The figure is therefore made with h = 1e-3, the step of the paper's other figures of the torus. What would make it "
               "possible at h = 1e-2: every K times L0^2, as if lengths had been left in the energies, the printed shear, and "
-              "contact inside intact bonds too. The test `torus_contact` runs that to t = 500: VTI-2's E-error is 3.3 % (1.8 to "
-              "4.8 % of starts that differ by 1e-13: the printed shear is chaotic), VTI-3's 2.0 %, and VTI-2's 0.1 % at "
-              "h = 5e-3.")
+              "contact inside intact bonds too. The test `torus_contact` runs that to t = 500: the E-error is 1.8 to 4.8 % "
+              "for VTI-2 and 1.9 to 3.5 % for VTI-3 (seven starts that differ by 1e-13: the printed shear is chaotic), and a tenth "
+              "of that at h = 5e-3.")
 
 
 def _said(path):

@@ -67,25 +67,28 @@ static void energy_climbs(void **state)
     assert_below(energy_error(&t, "vti2", h, 100, &last), 3e-3);
 }
 
-/** E-error of VTI-2 at h = 1e-2: 1.8 to 4.8 % of seven starts that differ by 1e-13, the printed shear being chaotic; at
- *  h = 5e-3 a tenth of that. */
+/** The printed shear is chaotic: starts that differ by 1e-13 end with other errors. VTI-2 at h = 1e-2 has 1.8 to 4.8 % in seven
+ *  of them, at h = 5e-3 a tenth of that; all seven run with 500 for t. */
 static void other_reading_of_the_figure(void **state)
 {
     static torus t;
     static const char *const steppers[] = {"vti2", "vti3", "vti2"};
     static const double h[] = {1e-2, 1e-2, 5e-3}, most[] = {0.08, 0.08, 0.008};
+    const int starts = until > 100 ? 7 : 1;
     double last = NAN;
     (void)state;
-    for (int k = 0; k < 3; ++k) {
-        torus_start(&t, VTI_SHEAR_PRINTED);
-        scale(&t, t.diameter * t.diameter); /* L0 = D_p */
-        touch_everywhere(&t);
-        t.effects[0] = vti_bonds_effect(&t.w.bonds);
-        t.effects[2] = vti_walls_effect(&t.walls);
-        const double error = energy_error(&t, steppers[k], h[k], 500, &last);
-        print_message("K times L0^2, %s, h = %g: E-error to t = 500 %.2g\n", steppers[k], h[k], error);
-        assert_below(error, most[k]);
-    }
+    for (int k = 0; k < 3; ++k)
+        for (int s = 0; s < starts; ++s) {
+            torus_start(&t, VTI_SHEAR_PRINTED);
+            scale(&t, t.diameter * t.diameter); /* L0 = D_p */
+            touch_everywhere(&t);
+            t.effects[0] = vti_bonds_effect(&t.w.bonds);
+            t.effects[2] = vti_walls_effect(&t.walls);
+            t.c.v[3][1] = 1e-13 * s;
+            const double error = energy_error(&t, steppers[k], h[k], 500, &last);
+            print_message("K times L0^2, %s, h = %g: E-error to t = 500 %.2g\n", steppers[k], h[k], error);
+            assert_below(error, most[k]);
+        }
     torus_start(&t, VTI_SHEAR_PRINTED); /* with the numbers as printed */
     touch_everywhere(&t);
     assert_true(!(energy_error(&t, "vti2", 1e-2, 0.1, &last) < 1)); /* over, or NaN */
