@@ -31,6 +31,10 @@ static const char usage[] =
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  -o FOLDER         output folder (default study-SCENE)\n"
     "  --resume          go on with a study that was interrupted, if there is one in the folder, else start\n"
+    "  --memory MB       most that the reference solution takes on every rank (default 1000). What is longer is\n"
+    "                    integrated again by every run, window by window; of scenes with contacts or many bodies "
+    "fewer\n"
+    "                    states are compared\n"
     "  --force           replace files that are no results of vti too; what the scene is read from is never replaced\n"
     "  --no-plot         no pictures\n"
     "  -h, --help        this text\n"
@@ -45,13 +49,16 @@ static const char usage[] =
     "\n"
     "Every run is kept in the folder as soon as it is done. After any end before the last file is written the same "
     "command\n"
-    "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted.\n"
+    "with --resume goes on and gives the same bytes as if nothing had happened, timing.csv excepted. SIGTERM, SIGUSR1 "
+    "and\n"
+    "Ctrl-C end it with code 75; Open MPI's mpirun makes 1 of that, unless it was SIGUSR1, and talks over our message\n"
+    "unless it is told to be --quiet.\n"
     "\n"
     "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where one is bad, all "
     "files\n"
     "are written and the code is 3.\n";
 
-enum { SETS = 64, EXIT_BAD = 3 };
+enum { SETS = 64, EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
 
 /** What the program reads. */
 struct study_inputs {
@@ -60,7 +67,7 @@ struct study_inputs {
 };
 
 struct arguments {
-    const char *scene, *steppers, *h, *t_end, *folder, *evals, *repeats;
+    const char *scene, *steppers, *h, *t_end, *folder, *evals, *repeats, *memory;
     const char *const *scenes;
     const char *sets[SETS];
     int sets_count, scenes_count, plot, help, cost, resume, force;
@@ -68,7 +75,7 @@ struct arguments {
 
 static int read_arguments(int argc, char **argv, struct arguments *a, struct message *message)
 {
-    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS, RESUME, FORCE };
+    enum { STEPPERS = 256, H, T_END, SET, NO_PLOT, COST, EVALS, REPEATS, RESUME, FORCE, MEMORY };
     static const struct option options[] = {{"steppers", required_argument, NULL, STEPPERS},
                                             {"h", required_argument, NULL, H},
                                             {"t-end", required_argument, NULL, T_END},
@@ -79,6 +86,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"repeats", required_argument, NULL, REPEATS},
                                             {"resume", no_argument, NULL, RESUME},
                                             {"force", no_argument, NULL, FORCE},
+                                            {"memory", required_argument, NULL, MEMORY},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
     const struct arguments defaults = {.plot = 1};
@@ -103,6 +111,8 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
             a->evals = optarg;
         else if (c == REPEATS)
             a->repeats = optarg;
+        else if (c == MEMORY)
+            a->memory = optarg;
         else if (c == 'h')
             a->help = 1;
         else if (c == 'o')
@@ -124,6 +134,17 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                            a->evals != NULL ? "--evals" : "--repeats");
     if (!a->cost && optind + 1 < argc)
         return message_set(message, "%s: only one scene can be studied at a time; remove it", argv[optind + 1]);
+    return 0;
+}
+
+static int read_memory(const char *text, double *bytes, struct message *message)
+{
+    *bytes = REFERENCE_BYTES;
+    if (text == NULL)
+        return 0;
+    if (number_read(text, bytes) != 0 || !(*bytes > 0.0))
+        return message_set(message, "--memory: '%s' is not a positive number of megabytes; write 500 or 1e4", text);
+    *bytes *= 1e6;
     return 0;
 }
 
@@ -161,6 +182,8 @@ static int make_plan(const struct arguments *a, struct scene *scene, struct tabl
     plan->t_end = scene->t_end;
     if (a->t_end != NULL && (number_read(a->t_end, &plan->t_end) != 0 || !(plan->t_end > 0.0)))
         return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", a->t_end);
+    if (read_memory(a->memory, &plan->memory, message) != 0)
+        return -1;
     if (study_read_steppers(a->steppers != NULL ? a->steppers : "vti1,vti2,vti3", plan, message) != 0)
         return -1;
     plan->h_count = a->h != NULL ? ladder_read(a->h, plan->h, message) : ladder_around(scene, plan->h);
@@ -176,7 +199,7 @@ static int make_cost_plan(const struct arguments *a, struct cost_scenes *scenes,
         return message_set(message,
                            "the shipped scene pendulum.yaml was not found beside the program; name a scene file");
     if (cost_plan_limits(plan, a->evals, a->repeats, message) != 0 ||
-        cost_plan_methods(plan, a->steppers, message) != 0)
+        read_memory(a->memory, &plan->memory, message) != 0 || cost_plan_methods(plan, a->steppers, message) != 0)
         return -1;
     if (cost_scenes_read(a->scenes_count > 0 ? a->scenes : pendulum, a->scenes_count > 0 ? a->scenes_count : 1, a->sets,
                          a->sets_count, a->t_end, scenes, plan, message) != 0)
@@ -251,5 +274,5 @@ int main(int argc, char **argv)
         fprintf(stderr, "vti-study: %s\n", message.text);
         failed = -1;
     }
-    return failed < 0 ? EXIT_FAILURE : failed > 0 ? EXIT_BAD : EXIT_SUCCESS;
+    return failed == WATCH_ASKED ? EXIT_RESUME : failed < 0 ? EXIT_FAILURE : failed > 0 ? EXIT_BAD : EXIT_SUCCESS;
 }

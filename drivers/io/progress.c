@@ -2,34 +2,111 @@
 #define _POSIX_C_SOURCE 200809L
 #include "progress.h"
 
+#include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { WIDTH = 40 };
+enum { WIDTH = 40, REST = 40 /* what stands beside the bar, at most */ };
 
 static double shown = -1.0;
 
-void progress_show(int64_t done, int64_t all, double seconds)
+/* ---- where the terminal is ------------------------------------------------------------------------------------------ */
+
+/** Whether this is a rank that a launcher reads by pipes. A program that is started without one has most of the variables too. */
+static int is_launched(void)
+{
+    struct stat info;
+    return (getenv("OMPI_COMM_WORLD_SIZE") != NULL || getenv("PMI_SIZE") != NULL) && fstat(STDERR_FILENO, &info) == 0 &&
+           (S_ISFIFO(info.st_mode) || S_ISSOCK(info.st_mode));
+}
+
+/** Whether a stream of the process that has started this one is a terminal. */
+static int launcher_isatty(int stream)
+{
+    char path[64];
+    snprintf(path, sizeof path, "/proc/%ld/fd/%d", (long)getppid(), stream);
+    const int fd = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
+    const int yes = fd >= 0 && isatty(fd);
+    if (fd >= 0)
+        close(fd);
+    return yes;
+}
+
+/** The stream that leads to a terminal, the one that results go to first, so that bar and results come in order; or NULL. */
+static FILE *find_terminal(void)
+{
+    int (*const is_terminal)(int) = is_launched() ? launcher_isatty : isatty;
+    const char *told = getenv("VTI_TERMINAL");
+    if (told != NULL && strcmp(told, "0") == 0)
+        return NULL;
+    if (is_terminal(STDOUT_FILENO))
+        return stdout;
+    return is_terminal(STDERR_FILENO) || (told != NULL && strcmp(told, "1") == 0) ? stderr : NULL;
+}
+
+/** It is looked for once. */
+static FILE *terminal(void)
+{
+    static FILE *found = NULL;
+    static int looked = 0;
+    if (!looked)
+        found = find_terminal();
+    looked = 1;
+    return found;
+}
+
+/* ---- the bar -------------------------------------------------------------------------------------------------------- */
+
+/** "12 s left", "25 min left", "3.5 h left" */
+static void say_left(double seconds, FILE *file)
+{
+    if (seconds < 100.0)
+        fprintf(file, "  %.0f s left", seconds);
+    else if (seconds < 6000.0)
+        fprintf(file, "  %.0f min left", seconds / 60.0);
+    else
+        fprintf(file, "  %.3g h left", seconds / 3600.0);
+}
+
+void progress_show_what(const char *what, int64_t done, int64_t all, double seconds)
 {
     char bar[WIDTH + 1];
-    if (!isatty(STDERR_FILENO) || all <= 0 || (shown >= 0.0 && seconds - shown < 0.1))
+    static const char *last = NULL;
+    const int same = last != NULL && strcmp(what, last) == 0;
+    if (terminal() == NULL || all <= 0 || (shown >= 0.0 && same && seconds >= shown && seconds - shown < 0.1))
         return;
+    last = what;
     shown = seconds;
     const double share = (double)done / (double)all;
     const int filled = (int)(share * WIDTH);
     memset(bar, '.', WIDTH);
     memset(bar, '#', (size_t)filled);
     bar[WIDTH] = '\0';
-    fprintf(stderr, "\r[%s] %3.0f %%", bar, 100.0 * share);
+    fprintf(terminal(), "\r%s%s[%s] %3.0f %%", what, *what != '\0' ? " " : "", bar, 100.0 * share);
     if (done > 0)
-        fprintf(stderr, "  %.0f s left ", seconds * (1.0 - share) / share);
-    fflush(stderr);
+        say_left(seconds * (1.0 - share) / share, terminal());
+    fputs("   ", terminal()); /* over the rest of a longer one */
+    fflush(terminal());
+}
+
+void progress_show(int64_t done, int64_t all, double seconds)
+{
+    progress_show_what("", done, all, seconds);
 }
 
 void progress_clear(void)
 {
-    if (shown >= 0.0)
-        fprintf(stderr, "\r%*s\r", WIDTH + 32, "");
+    if (shown >= 0.0) {
+        fprintf(terminal(), "\r%*s\r", WIDTH + REST - 1, "");
+        fflush(terminal());
+        /* the launcher reads this stream and that of messages one after the other: let it take this one first */
+        const struct timespec a_moment = {0, 50000000};
+        if (is_launched())
+            nanosleep(&a_moment, NULL);
+    }
     shown = -1.0;
 }

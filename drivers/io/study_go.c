@@ -9,6 +9,7 @@
 #include "hdf5_sink.h"
 #include "number.h"
 #include "progress.h"
+#include "run_signals.h"
 #include "study_csv.h"
 #include "study_files.h"
 #include "study_identity.h"
@@ -75,7 +76,64 @@ static int not_written(const struct task_journal *journal, const struct message 
                        problem->text, journal->path);
 }
 
+/* ---- the person at the terminal ----------------------------------------------------------------------------------- */
+
+static int is_asked(void)
+{
+    return run_signals_seen() != NULL;
+}
+
+/** From now on whoever wants the study to end is heard. */
+static struct study_watch begin_watch(void)
+{
+    const struct study_watch watch = {progress_show_what, is_asked};
+    run_signals_catch();
+    return watch;
+}
+
+static int say_stopped(const struct task_journal *journal, struct message *message)
+{
+    const char *by = run_signals_seen();
+    if (journal->kept == 0)
+        return message_set(message,
+                           "%s: stopped before the first run was done; the same command with --resume starts again",
+                           by != NULL ? by : "a signal");
+    return message_set(message, "%s: stopped; %lld of %lld runs are kept in %.300s: go on with --resume",
+                       by != NULL ? by : "a signal", (long long)journal->kept, (long long)journal->tasks,
+                       journal->path);
+}
+
+/** The end of a study that returned failed, on all ranks. */
+static int end_study(int failed, struct task_journal *journal, int done, int rank, struct message *message)
+{
+    if (failed == WATCH_ASKED && rank == 0)
+        say_stopped(journal, message);
+    close_journal(journal, done, rank);
+    const int agreed = study_agree(failed, rank, message);
+    return failed == WATCH_ASKED ? failed : agreed;
+}
+
+static int count_ranks(void)
+{
+    int ranks;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    return ranks;
+}
+
 /* ---- convergence -------------------------------------------------------------------------------------------------- */
+
+/** The first line: what will be done. */
+static void say_plan(const struct plan *plan)
+{
+    const int ranks = count_ranks();
+    printf("%s to t = %.10g: ", plan->scene->name, plan->t_end);
+    for (int64_t k = 0; k < plan->steppers_count; ++k)
+        printf("%s%s", k > 0 ? ", " : "", plan->steppers[k]->name);
+    printf(" at %lld step%s from h = %.10g to %.10g: %lld runs on %d rank%s, after a reference solution\n",
+           (long long)plan->h_count, plan->h_count > 1 ? "s" : "", plan->h[0], plan->h[plan->h_count - 1],
+           (long long)(plan->steppers_count * plan->h_count), ranks, ranks > 1 ? "s" : "");
+    fflush(stdout);
+}
 
 static void say_study(const struct study *study, const char *folder)
 {
@@ -110,22 +168,24 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     struct task_journal journal;
     struct message message = {""}, problem = {""};
     const struct task_identity identity = study_identity(plan);
+    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[STUDY_FILES];
     study_files_list(place->folder, files);
     if (open_journal(&journal, place, "study.journal", files, STUDY_FILES, &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
-    int failed = study_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &study, &message);
+    if (rank == 0)
+        say_plan(plan);
+    int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
         (check_files(place, files, STUDY_FILES, &problem) != 0 ||
          study_files_write(&study, place->folder, &problem) != 0))
         failed = not_written(&journal, &problem, &message);
     /* a run that is refused would be refused again */
-    close_journal(&journal, failed == 0 || study.refused, rank);
+    failed = end_study(failed, &journal, failed == 0 || study.refused, rank, &message);
     if (failed == 0 && rank == 0)
         say_study(&study, place->folder);
-    failed = study_agree(failed, rank, &message);
     if (failed == 0)
         failed = some_bad(&study, rank);
     study_destroy(&study);
@@ -133,6 +193,17 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
 }
 
 /* ---- cost --------------------------------------------------------------------------------------------------------- */
+
+static void say_cost_plan(const struct cost_plan *plan)
+{
+    const int ranks = count_ranks();
+    printf("what accuracy costs: ");
+    for (int64_t k = 0; k < plan->cases_count; ++k)
+        printf("%s%s to t = %.10g", k > 0 ? ", " : "", plan->cases[k].name, plan->cases[k].t_end);
+    printf(", by %lld methods on %d rank%s: reference solutions, errors, times\n", (long long)plan->methods_count,
+           ranks, ranks > 1 ? "s" : "");
+    fflush(stdout);
+}
 
 static void say_cost(const struct cost *cost, const char *folder)
 {
@@ -147,19 +218,22 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     struct task_journal journal;
     struct message message = {""}, problem = {""};
     const struct task_identity identity = cost_identity(plan);
+    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[COST_FILES];
     cost_files_list(place->folder, files);
     if (open_journal(&journal, place, "cost.journal", files, COST_FILES, &identity, rank) != 0)
         return -1;
     const struct store store = task_journal_store(&journal);
-    int failed = cost_run(plan, MPI_COMM_WORLD, progress_show, rank == 0 ? &store : NULL, &cost, &message);
+    if (rank == 0)
+        say_cost_plan(plan);
+    int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
         (check_files(place, files, COST_FILES, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
         failed = not_written(&journal, &problem, &message);
-    close_journal(&journal, failed == 0, rank);
+    failed = end_study(failed, &journal, failed == 0, rank, &message);
     if (failed == 0 && rank == 0)
         say_cost(&cost, place->folder);
     cost_destroy(&cost);
-    return study_agree(failed, rank, &message);
+    return failed;
 }

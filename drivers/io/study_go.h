@@ -19,8 +19,9 @@ struct study_place {
 /** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
 int study_agree(int failed, int rank, const struct message *message);
 
-/** Runs the plan, writes its files and says on the terminal what came out. Collective. Returns, on all ranks, 0, 1
- *  if all is written but the verdict on some run is bad, or -1 when one line has been said about what failed. */
+/** Says what will be done, runs the plan, writes its files and says what came out. SIGTERM, SIGINT and their like end it as soon
+ *  as what is done is kept. Collective. Returns, on all ranks, 0, 1 if all is written but the verdict on some run is bad, or when
+ *  one line has been said about it WATCH_ASKED if it was ended so, or -1 if something failed. */
 int study_go(const struct plan *plan, const struct study_place *place, int rank);
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank);
 

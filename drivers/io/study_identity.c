@@ -70,6 +70,7 @@ struct task_identity study_identity(const struct plan *plan)
         add_name(&identity, TASK_METHODS, plan->steppers[k]->name);
     add(&identity, TASK_STEPS, plan->h, sizeof *plan->h * (size_t)plan->h_count);
     add(&identity, TASK_ENDS, &plan->t_end, sizeof plan->t_end);
+    add(&identity, TASK_LIMITS, &plan->memory, sizeof plan->memory);
     return identity;
 }
 
@@ -84,5 +85,6 @@ struct task_identity cost_identity(const struct cost_plan *plan)
         add_name(&identity, TASK_METHODS, plan->methods[k]->name);
     add(&identity, TASK_STEPS, plan->h, sizeof *plan->h * (size_t)plan->h_count);
     add(&identity, TASK_LIMITS, &plan->most_evals, sizeof plan->most_evals);
+    add(&identity, TASK_LIMITS, &plan->memory, sizeof plan->memory);
     return identity;
 }

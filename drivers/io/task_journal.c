@@ -102,7 +102,7 @@ static int check_identity(const struct task_journal *journal, const struct task_
                                                    "--steppers differ",
                                                    "--h differs",
                                                    "--t-end differs",
-                                                   "--evals differs"};
+                                                   "--evals or --memory differs"};
     if (strncmp(have->version, want->version, sizeof have->version) != 0)
         return message_set(message,
                            "%s: is of vti %.16s and this is vti %.16s; resume with that version, or start anew "

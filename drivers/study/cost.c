@@ -13,11 +13,12 @@ struct work {
     struct cost *cost;
     struct model *models; /* [cases_count], at t = 0 */
     struct reference *references;
-    cost_progress progress;
+    const struct study_watch *watch;
     const struct store *store;
     struct message *message;
     double start;
-    int64_t done, all;
+    int64_t done, all; /* ladders that the store does not hold */
+    int rank;
 };
 
 static int64_t ladders_of(const struct cost_plan *plan)
@@ -42,8 +43,10 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
         if (anywhere(model_create(it->scene, model, message), comm) != 0)
             return -1;
         const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
-        if (reference_create(model, it->t_end, interval, comm, &w->references[c], message) != 0)
-            return -1;
+        const int failed =
+            reference_create(model, it->t_end, interval, w->plan->memory, comm, w->watch, &w->references[c], message);
+        if (failed != 0)
+            return failed;
         w->cost->facts[c].turns = model->turns;
         w->cost->facts[c].uncertainty = w->references[c].uncertainty;
     }
@@ -65,8 +68,7 @@ static int task_done(void *self, int64_t task, int rank, const void *result)
     struct work *w = self;
     memcpy(&w->cost->ladders[task], result, sizeof *w->cost->ladders);
     ++w->done;
-    if (w->progress != NULL)
-        w->progress(w->done, w->all, MPI_Wtime() - w->start);
+    study_show(w->watch, "errors", w->done, w->all, MPI_Wtime() - w->start);
     return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
 }
 
@@ -76,11 +78,24 @@ static int64_t recall(struct work *w, int64_t n, int64_t *order)
     int rank;
     int64_t left = 0;
     for (int64_t task = n - 1; task >= 0; --task)
-        if (w->store != NULL && w->store->recall(w->store->self, task, &rank, &w->cost->ladders[task]))
-            ++w->done;
-        else
+        if (w->store == NULL || !w->store->recall(w->store->self, task, &rank, &w->cost->ladders[task]))
             order[left++] = task;
+    w->all = left;
     return left;
+}
+
+static void task_progress(void *self, int64_t task, int64_t work)
+{
+    const struct work *w = self;
+    (void)task;
+    (void)work;
+    study_show(w->watch, "errors", w->done, w->all, MPI_Wtime() - w->start);
+}
+
+static int is_asked(void *self)
+{
+    const struct work *w = self;
+    return study_asked(w->watch);
 }
 
 static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
@@ -92,24 +107,25 @@ static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
         return message_set(message, "out of memory; use fewer scenes");
     }
     w->start = MPI_Wtime();
-    w->all = n;
     message->text[0] = '\0';
     const int64_t left = recall(w, n, order);
-    const struct queue queue = {w, left, order, sizeof(struct cost_ladder), run_task, task_done, NULL};
+    const struct queue queue = {w,        left,      order,         sizeof(struct cost_ladder),
+                                run_task, task_done, task_progress, is_asked};
     const int failed = queue_run(&queue, comm);
     free(order);
-    if (failed != 0 && message->text[0] == '\0')
+    if (failed == -1 && message->text[0] == '\0')
         message_set(message, "out of memory; use fewer scenes");
     return failed;
 }
 
 /* ---- times ----------------------------------------------------------------------------------------------------------- */
 
-static void tell(void *self, double done, double all)
+static int tell(void *self, double share)
 {
     const struct work *w = self;
-    if (w->progress != NULL)
-        w->progress((int64_t)(1e6 * done / all), 1000000, MPI_Wtime() - w->start);
+    if (w->rank == 0)
+        study_show(w->watch, "times", (int64_t)(1e6 * share), 1000000, MPI_Wtime() - w->start);
+    return study_asked(w->watch);
 }
 
 /** Every rank's list of the runs that went well, by case, method and h. Returns how many, or -1. */
@@ -140,10 +156,11 @@ static int time_all(struct work *w, MPI_Comm comm, int rank, struct message *mes
     struct cost_run *runs = NULL;
     const int64_t n = list_runs(w, comm, rank, &runs);
     double *samples = calloc((size_t)(n > 0 ? n * w->plan->repeats : 1), sizeof *samples);
+    const struct watch on_sample = {tell, w};
     int failed = anywhere(n < 0 || samples == NULL ? -1 : 0, comm);
     w->start = MPI_Wtime();
     if (failed == 0)
-        failed = cost_time(w->plan, runs, n, comm, rank == 0 ? tell : NULL, w, samples);
+        failed = cost_time(w->plan, runs, n, comm, &on_sample, samples);
     if (failed == 0 && rank == 0) {
         double *s = samples;
         for (int64_t k = 0; k < ladders_of(w->plan); ++k)
@@ -153,7 +170,7 @@ static int time_all(struct work *w, MPI_Comm comm, int rank, struct message *mes
     }
     free(runs);
     free(samples);
-    return failed == 0 ? 0 : message_set(message, "out of memory; use fewer scenes");
+    return failed == -1 ? message_set(message, "out of memory; use fewer scenes") : failed;
 }
 
 /* ---- all together ---------------------------------------------------------------------------------------------------- */
@@ -193,15 +210,16 @@ static void release(struct work *w)
     free(w->models);
 }
 
-int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, const struct store *store,
+int cost_run(const struct cost_plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
              struct cost *cost, struct message *message)
 {
     int rank;
-    struct work w = {plan, cost, NULL, NULL, progress, store, message, 0.0, 0, 0};
+    struct work w = {plan, cost, NULL, NULL, watch, store, message, 0.0, 0, 0, 0};
     const double start = MPI_Wtime();
     memset(cost, 0, sizeof *cost);
     cost->plan = plan;
     MPI_Comm_rank(comm, &rank);
+    w.rank = rank;
     MPI_Comm_size(comm, &cost->ranks);
     int failed = anywhere(allocate(&w, rank), comm);
     if (failed != 0)

@@ -26,14 +26,10 @@ struct cost {
     double seconds; /* for everything */
 };
 
-/** Shows progress on rank 0: done of all, in parts of the errors pass first and of the times pass then, and seconds since
- *  its start. */
-typedef void (*cost_progress)(int64_t done, int64_t all, double seconds);
-
 /** Runs the plan on all ranks of comm. All but seconds and their spread is the same for any number of ranks. Collective.
  *  Ladders (struct cost_ladder) that the store holds are not computed again; the others come into it; times are taken anew.
- *  Returns 0, or -1 on all ranks with one line in *message on rank 0. store and progress may be NULL. */
-int cost_run(const struct cost_plan *plan, MPI_Comm comm, cost_progress progress, const struct store *store,
+ *  Returns 0, or on all ranks -1 with one line in *message on rank 0, or WATCH_ASKED. store and watch may be NULL. */
+int cost_run(const struct cost_plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
              struct cost *cost, struct message *message);
 void cost_destroy(struct cost *cost);
 

@@ -24,6 +24,7 @@ struct cost_plan {
     int64_t h_count;
     int64_t most_evals; /* of one run; 0: COST_WORK over the number of bodies */
     int repeats;        /* of the timing */
+    double memory;      /* bytes that the reference of a case may take on every rank (reference.h) */
 };
 
 /** Lists "exact,rk4" in plan->methods, or all that there are for NULL. Returns 0, or -1 with one line in *message that

@@ -37,7 +37,7 @@ static double sample(const struct cost_plan *plan, const struct cost_run *run)
 }
 
 int cost_time(const struct cost_plan *plan, const struct cost_run *runs, int64_t n, MPI_Comm comm,
-              void (*tell)(void *self, double done, double all), void *tell_self, double *samples)
+              const struct watch *watch, double *samples)
 {
     int rank, ranks;
     double done = 0.0, all = 0.0;
@@ -56,14 +56,14 @@ int cost_time(const struct cost_plan *plan, const struct cost_run *runs, int64_t
         for (int64_t r = 0; r < n; ++r) {
             double *s = &samples[r * plan->repeats + round];
             *s = 0.0;
-            if (hand[r] != (rank + round) % ranks)
+            if (hand[r] != (rank + round) % ranks || failed)
                 continue;
             *s = sample(plan, &runs[r]);
             done += runs[r].work;
-            if (tell != NULL)
-                tell(tell_self, done, all);
+            failed = watch_see(watch, done / all) ? WATCH_ASKED : 0;
         }
     free(hand);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     MPI_Allreduce(MPI_IN_PLACE, samples, (int)(n * plan->repeats), MPI_DOUBLE, MPI_MAX, comm);
-    return 0;
+    return failed;
 }

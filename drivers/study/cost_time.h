@@ -15,9 +15,9 @@ struct cost_run {
 
 /** Times n runs, which are the same on all ranks. Each rank does one run at a time, without a message in between. The runs
  *  are gone through plan->repeats times, so that a burst of noise hits one sample of many runs rather than all samples of
- *  one, and every time by another rank. samples[n][repeats] comes out on all ranks. tell (may be NULL) is called on every
- *  rank after each run with the work done of all its work. Collective. Returns 0, or -1 on all ranks if there is no memory. */
+ *  one, and every time by another rank. samples[n][repeats] comes out on all ranks. watch looks on on every rank after each
+ *  of its runs. Collective. Returns on all ranks 0, or -1 if there is no memory, or WATCH_ASKED. */
 int cost_time(const struct cost_plan *plan, const struct cost_run *runs, int64_t n, MPI_Comm comm,
-              void (*tell)(void *self, double done, double all), void *tell_self, double *samples);
+              const struct watch *watch, double *samples);
 
 #endif

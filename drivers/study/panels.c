@@ -18,11 +18,13 @@ static double sine(int64_t k)
     return plain_sin_turn(1.0, 2 * k + 1, 4 * PANELS_NODES);
 }
 
-int panels_create(struct panels *panels, int64_t width, int64_t count, double t_end)
+int panels_create(struct panels *panels, int64_t width, int64_t count, int64_t held, double t_end)
 {
     panels_destroy(panels);
     panels->width = width;
     panels->count = count;
+    panels->first = 0;
+    panels->held = held;
     panels->t_end = t_end;
     for (int k = 0; k < PANELS_NODES; ++k) {
         panels->node[k] = -cosine(1, k);
@@ -30,7 +32,7 @@ int panels_create(struct panels *panels, int64_t width, int64_t count, double t_
         panels->last[0][k] = cosine(PANELS_NODES - 2, k);
         panels->last[1][k] = cosine(PANELS_NODES - 1, k);
     }
-    panels->values = calloc((size_t)(count * PANELS_NODES * width), sizeof *panels->values);
+    panels->values = calloc((size_t)(held * PANELS_NODES * width), sizeof *panels->values);
     return panels->values != NULL ? 0 : -1;
 }
 
@@ -47,7 +49,7 @@ double panels_time(const struct panels *panels, int64_t p, double tau)
 
 double *panels_row(const struct panels *panels, int64_t p, int k)
 {
-    return panels->values + (p * PANELS_NODES + k) * panels->width;
+    return panels->values + ((p - panels->first) * PANELS_NODES + k) * panels->width;
 }
 
 double panels_tail(const struct panels *panels, int64_t p)

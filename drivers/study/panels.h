@@ -8,27 +8,29 @@
 enum { PANELS_NODES = 16 };
 
 struct panels {
-    int64_t width; /* components */
-    int64_t count; /* panels */
+    int64_t width;       /* components */
+    int64_t count;       /* panels */
+    int64_t first, held; /* of those the ones that are in memory */
     double t_end;
     double node[PANELS_NODES];    /* of [-1, 1], ascending */
     double weight[PANELS_NODES];  /* barycentric */
     double last[2][PANELS_NODES]; /* the two highest Chebyshev polynomials at the nodes, up to sign */
-    double *values;               /* [count][PANELS_NODES][width] */
+    double *values;               /* [held][PANELS_NODES][width] */
 };
 
-/** count panels on [0, t_end]; frees what *panels held before. Returns 0, or -1 if there is no memory. */
-int panels_create(struct panels *panels, int64_t width, int64_t count, double t_end);
+/** count panels on [0, t_end], the first held of them in memory: whoever sets panels->first fills them anew. Frees what
+ *  *panels held before. Returns 0, or -1 if there is no memory. */
+int panels_create(struct panels *panels, int64_t width, int64_t count, int64_t held, double t_end);
 void panels_destroy(struct panels *panels);
 
-/** Time of tau in [-1, 1] of panel p, and the values at node k to be filled in. */
+/** Time of tau in [-1, 1] of panel p, and the values at node k to be filled in. From here on p is in memory. */
 double panels_time(const struct panels *panels, int64_t p, double tau);
 double *panels_row(const struct panels *panels, int64_t p, int k);
 
 /** Largest of the last two Chebyshev coefficients of any component of panel p: what the interpolant leaves out is smaller. */
 double panels_tail(const struct panels *panels, int64_t p);
 
-/** The panel that holds t, and t's place tau in it. */
+/** The panel that holds t, in memory or not, and t's place tau in it. */
 int64_t panels_find(const struct panels *panels, double t, double *tau);
 /** All components at tau of panel p. */
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out);

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Messages: a worker sends DONE (its task and result; task -1 at the start) and receives TASK (the next one, or -1). STOP
- * asks a worker to end the task that it is at. */
+ * asks a worker to end the task that it is at; a worker that is asked so from outside tells rank 0 by ASKED. */
+#define _POSIX_C_SOURCE 200809L
 #include "queue.h"
 
 #include <stdlib.h>
+#include <time.h>
 
-enum { TAG_DONE = 1, TAG_TASK = 2, TAG_STOP = 3 };
+enum { TAG_DONE = 1, TAG_TASK = 2, TAG_STOP = 3, TAG_ASKED = 4 };
 
 /** A message DONE. */
 struct report {
@@ -24,9 +26,16 @@ struct state {
     int64_t handed_out;
     int workers; /* that have not been sent home */
     char *home;  /* [ranks] 1 for those that have */
-    int stopped;
+    int stopped; /* 0, or what queue_run returns */
     int64_t own_task;
+    /* the others */
+    int told; /* 1 once rank 0 has been sent ASKED */
 };
+
+static int is_asked(const struct state *s)
+{
+    return s->queue->asked != NULL && s->queue->asked(s->queue->self);
+}
 
 /* ---- rank 0 -------------------------------------------------------------------------------------------------------- */
 
@@ -35,21 +44,30 @@ static int64_t next_task(struct state *s)
     return s->stopped || s->handed_out == s->queue->tasks ? -1 : s->queue->order[s->handed_out++];
 }
 
-static void take(struct state *s, int rank, const struct report *report)
+/** Nothing more is taken or handed out; rank, which has nothing to do just now, need not be told. */
+static void stop(struct state *s, int rank, int why)
 {
-    if (report->task < 0 || s->stopped || s->queue->done(s->queue->self, report->task, rank, report->result) == 0)
-        return;
-    s->stopped = 1;
-    for (int other = 1; other < s->ranks; ++other)
+    for (int other = 1; other < s->ranks && !s->stopped; ++other)
         if (other != rank && !s->home[other])
             MPI_Send(NULL, 0, MPI_BYTE, other, TAG_STOP, s->comm);
+    s->stopped = s->stopped ? s->stopped : why;
 }
 
-/** Receives one DONE and answers it. */
+static void take(struct state *s, int rank, const struct report *report)
+{
+    if (report->task >= 0 && !s->stopped && s->queue->done(s->queue->self, report->task, rank, report->result) != 0)
+        stop(s, rank, -1);
+}
+
+/** Receives one message and answers it. */
 static void serve(struct state *s)
 {
     MPI_Status status;
-    MPI_Recv(s->report, s->report_bytes, MPI_BYTE, MPI_ANY_SOURCE, TAG_DONE, s->comm, &status);
+    MPI_Recv(s->report, s->report_bytes, MPI_BYTE, MPI_ANY_SOURCE, MPI_ANY_TAG, s->comm, &status);
+    if (status.MPI_TAG == TAG_ASKED) {
+        stop(s, 0, WATCH_ASKED);
+        return;
+    }
     take(s, status.MPI_SOURCE, s->report);
     const int64_t task = next_task(s);
     if (task < 0) {
@@ -62,14 +80,15 @@ static void serve(struct state *s)
 static int poll_root(void *self, int64_t work)
 {
     struct state *s = self;
-    int waiting = 1;
+    int waiting = s->ranks > 1;
     while (waiting) {
-        MPI_Iprobe(MPI_ANY_SOURCE, TAG_DONE, s->comm, &waiting, MPI_STATUS_IGNORE);
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, s->comm, &waiting, MPI_STATUS_IGNORE);
         if (waiting)
             serve(s);
     }
-    if (s->queue->progress != NULL)
-        s->queue->progress(s->queue->self, s->own_task, work);
+    s->queue->progress(s->queue->self, s->own_task, work);
+    if (is_asked(s))
+        stop(s, 0, WATCH_ASKED);
     return s->stopped;
 }
 
@@ -80,8 +99,12 @@ static void work_root(struct state *s, struct report *own)
         s->queue->run(s->queue->self, own->task, poll_root, s, own->result);
         take(s, 0, own);
     }
-    while (s->workers > 0)
-        serve(s);
+    s->own_task = -1;
+    while (s->workers > 0) {
+        const struct timespec a_moment = {0, 1000000};
+        poll_root(s, 0);
+        nanosleep(&a_moment, NULL);
+    }
 }
 
 /* ---- the others ------------------------------------------------------------------------------------------------------ */
@@ -91,6 +114,10 @@ static int poll_worker(void *self, int64_t work)
     struct state *s = self;
     int told = 0;
     (void)work;
+    if (!s->told && is_asked(s)) {
+        s->told = 1;
+        MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_ASKED, s->comm);
+    }
     MPI_Iprobe(0, TAG_STOP, s->comm, &told, MPI_STATUS_IGNORE);
     return told;
 }
@@ -117,7 +144,7 @@ static void work_other(struct state *s)
 int queue_run(const struct queue *queue, MPI_Comm comm)
 {
     int rank;
-    struct state s = {queue, comm, 0, NULL, 0, 0, 0, NULL, 0, -1};
+    struct state s = {queue, comm, 0, NULL, 0, 0, 0, NULL, 0, -1, 0};
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &s.ranks);
     s.workers = s.ranks - 1;
@@ -127,8 +154,8 @@ int queue_run(const struct queue *queue, MPI_Comm comm)
     struct report *own = calloc(1, bytes);
     s.home = calloc((size_t)s.ranks, 1);
     const int without = s.report == NULL || own == NULL || s.home == NULL;
-    int failed = without;
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
+    int failed = without ? -1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     if (!failed && !without) {
         if (rank == 0)
             work_root(&s, own);
@@ -140,5 +167,5 @@ int queue_run(const struct queue *queue, MPI_Comm comm)
     free(s.report);
     free(own);
     free(s.home);
-    return failed ? -1 : 0;
+    return failed;
 }

@@ -8,6 +8,8 @@
 #include <mpi.h>
 #include <stdint.h>
 
+#include "watch.h"
+
 /** Called by a running task now and then, with the work done so far; non-zero asks the task to end. */
 typedef int (*queue_poll)(void *poll_self, int64_t work);
 
@@ -20,11 +22,14 @@ struct queue {
     void (*run)(void *self, int64_t task, queue_poll poll, void *poll_self, void *result);
     /** Rank 0: takes a result. Non-zero stops the queue: tasks under way are asked to end, no more are handed out. */
     int (*done)(void *self, int64_t task, int rank, const void *result);
-    /** Rank 0: progress of its own task. May be NULL. */
+    /** Rank 0: progress of its own task, -1 while it waits for those of others. */
     void (*progress)(void *self, int64_t task, int64_t work);
+    /** Any rank, often: whether somebody has asked for the end of the queue. May be NULL. */
+    int (*asked)(void *self);
 };
 
-/** Works the queue off. Collective; returns 0, or -1 on all ranks if done stopped it or memory ran out. */
+/** Works the queue off. Collective; returns on all ranks 0, or -1 if done stopped it or memory ran out, or WATCH_ASKED if any
+ *  rank was asked to end. */
 int queue_run(const struct queue *queue, MPI_Comm comm);
 
 #endif

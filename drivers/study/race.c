@@ -98,6 +98,8 @@ static int go_and_look(struct travel *travel, double h, int64_t looks, struct ra
 
 static int at_the_end(struct travel *travel, double h, struct reference *reference, double t_end, struct race_result *r)
 {
+    if (reference_seek(reference, t_end, NULL, &r->message) != 0)
+        return -1;
     const vti_bodies bodies = travel_bodies(travel), exact = reference_at(reference, t_end);
     r->attitude_error = vti_attitude_distance(&bodies, &exact);
     r->velocity_error = velocity_error(&bodies, &exact);

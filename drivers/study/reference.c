@@ -10,6 +10,13 @@ int reference_is_smooth(const struct model *model)
     return !model->scene->has_contact && !model->scene->has_wall && equations_width(model) <= FEW;
 }
 
+/** Where a reference is made. */
+struct place {
+    MPI_Comm comm;
+    int rank;
+    const struct watch *watch;
+};
+
 /* ---- sharing ---------------------------------------------------------------------------------------------------------- */
 
 /** MPI counts are int: large arrays travel in pieces. */
@@ -30,50 +37,79 @@ static int anywhere(int failed, MPI_Comm comm)
     return failed;
 }
 
-static int create_smooth(struct model *model, double t_end, MPI_Comm comm, int rank, struct smooth *s,
+/** What rank 0 found: the one window that there is, or where each of several starts. */
+static void share_panels(struct smooth *s, MPI_Comm comm)
+{
+    if (s->windows == 1) {
+        broadcast(s->panels.values, s->panels.count * s->panels.width * PANELS_NODES, comm);
+        s->window = 0;
+    } else
+        broadcast(s->starts, s->windows * (SMOOTH_START + equations_width(s->model)), comm);
+}
+
+static int create_smooth(struct model *model, double t_end, double bytes, const struct place *place, struct smooth *s,
                          struct message *message)
 {
     int failed = smooth_create(s, model, message);
-    if (failed == 0 && rank == 0)
-        failed = smooth_integrate(s, t_end, message);
-    if (anywhere(failed, comm) != 0)
-        return -1;
-    int64_t size[2] = {s->panels.width, s->panels.count};
-    MPI_Bcast(size, 2, MPI_INT64_T, 0, comm);
-    if (rank != 0 && panels_create(&s->panels, size[0], size[1], t_end) != 0)
-        failed = message_set(message, "%s: out of memory for the reference solution", model->scene->name);
-    if (anywhere(failed, comm) != 0)
-        return -1;
-    broadcast(s->panels.values, size[0] * size[1] * PANELS_NODES, comm);
+    if (failed == 0 && place->rank == 0)
+        failed = smooth_integrate(s, t_end, bytes, place->watch, message);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    int64_t size[2] = {s->panels.count, s->panels.held};
+    MPI_Bcast(size, 2, MPI_INT64_T, 0, place->comm);
+    if (place->rank != 0 && smooth_resize(s, size[0], size[1], t_end) != 0)
+        failed = message_set(message, "%s: out of memory for the reference solution; give less of it with --memory",
+                             model->scene->name);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    share_panels(s, place->comm);
     return 0;
 }
 
-static int create_sampled(struct model *model, double t_end, double interval, MPI_Comm comm, int rank,
+static int create_sampled(struct model *model, double t_end, double interval, const struct place *place,
                           struct sampled *s, struct message *message)
 {
     int failed = sampled_create(s, model, interval, llrint(t_end / interval), message);
-    if (anywhere(failed, comm) != 0)
-        return -1;
-    if (rank == 0)
-        failed = sampled_integrate(s, message);
-    if (anywhere(failed, comm) != 0)
-        return -1;
-    broadcast(s->states, s->count * s->width, comm);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    if (place->rank == 0)
+        failed = sampled_integrate(s, place->watch, message);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    broadcast(s->states, s->count * s->width, place->comm);
     return 0;
 }
 
-int reference_create(struct model *model, double t_end, double interval, MPI_Comm comm, struct reference *r,
-                     struct message *message)
+/** A pass of an integration as a stage of a study. */
+struct stage {
+    const struct study_watch *watch;
+    double start, share;
+};
+
+static int see_pass(void *self, double share)
 {
-    int rank;
-    MPI_Comm_rank(comm, &rank);
+    struct stage *stage = self;
+    if (share < stage->share)
+        stage->start = MPI_Wtime(); /* of the next pass */
+    stage->share = share;
+    study_show(stage->watch, "reference", (int64_t)(1e6 * share), 1000000, MPI_Wtime() - stage->start);
+    return study_asked(stage->watch);
+}
+
+int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
+                     const struct study_watch *watch, struct reference *r, struct message *message)
+{
+    struct stage stage = {watch, MPI_Wtime(), 0.0};
+    const struct watch on_pass = {see_pass, &stage};
+    struct place place = {comm, 0, &on_pass};
+    MPI_Comm_rank(comm, &place.rank);
     memset(r, 0, sizeof *r);
     r->interval = interval;
-    const int failed = interval == 0.0 ? create_smooth(model, t_end, comm, rank, &r->smooth, message)
-                                       : create_sampled(model, t_end, interval, comm, rank, &r->sampled, message);
+    const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, &place, &r->smooth, message)
+                                       : create_sampled(model, t_end, interval, &place, &r->sampled, message);
     if (failed != 0) {
         reference_destroy(r);
-        return -1;
+        return failed;
     }
     r->energy_error = interval == 0.0 ? r->smooth.energy_error : r->sampled.energy_error;
     r->uncertainty = interval == 0.0 ? r->smooth.interpolation_error : r->sampled.spread;
@@ -89,6 +125,11 @@ void reference_destroy(struct reference *r)
 }
 
 /* ---- reading ---------------------------------------------------------------------------------------------------------- */
+
+int reference_seek(struct reference *r, double t, const struct watch *watch, struct message *message)
+{
+    return r->interval == 0.0 ? smooth_seek(&r->smooth, t, watch, message) : 0;
+}
 
 vti_bodies reference_at(struct reference *r, double t)
 {

@@ -21,13 +21,20 @@ struct reference {
 /** 1 if the model's motion can be read at any time: no contacts, no walls, few bodies. */
 int reference_is_smooth(const struct model *model);
 
-/** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm and gives every rank a copy. interval
- *  is 0, or for models that are not smooth an interval of which t_end is a multiple. Collective. Returns 0 on all ranks,
- *  or -1 on all with one line in *message. */
-int reference_create(struct model *model, double t_end, double interval, MPI_Comm comm, struct reference *reference,
-                     struct message *message);
+/** The memory that a reference takes on every rank, in bytes, unless somebody says otherwise. */
+#define REFERENCE_BYTES 1e9
+
+/** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm and shares it with all. interval is 0,
+ *  or for models that are not smooth an interval of which t_end is a multiple. Panels take up to bytes on every rank: what
+ *  does not fit is integrated again when it is read (smooth.h); states at intervals take what they take. watch looks on
+ *  on rank 0. Collective. Returns 0 on all ranks, or -1 on all with one line in *message, or WATCH_ASKED on all. */
+int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
+                     const struct study_watch *watch, struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
 
+/** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or
+ *  WATCH_ASKED. Not collective. */
+int reference_seek(struct reference *reference, double t, const struct watch *watch, struct message *message);
 /** The bodies at t, attitudes as quaternions (not normalised). The views point into the reference and hold until the next
  *  call. */
 vti_bodies reference_at(struct reference *reference, double t);

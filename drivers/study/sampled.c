@@ -32,8 +32,14 @@ vti_bodies sampled_state(struct sampled *s, int64_t k)
     return equations_bodies(s->model, s->states + k * s->width);
 }
 
+/** State k of those of two solutions is there. */
+static int see(const struct sampled *s, const struct watch *watch, int64_t k)
+{
+    return watch_see(watch, 0.5 * (double)k / (double)(s->count - 1)) ? WATCH_ASKED : 0;
+}
+
 /** The solution that is kept. */
-static int integrate(struct sampled *s, struct equations *eq, struct message *message)
+static int integrate(struct sampled *s, struct equations *eq, const struct watch *watch, struct message *message)
 {
     double t = 0.0, energy = 0.0;
     equations_start(s->model, s->states);
@@ -43,6 +49,8 @@ static int integrate(struct sampled *s, struct equations *eq, struct message *me
             memcpy(state, state - s->width, (size_t)s->width * sizeof *state);
             if (equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
                 return -1;
+            if (see(s, watch, k) != 0)
+                return WATCH_ASKED;
         }
         const vti_bodies bodies = sampled_state(s, k);
         const double now = model_energy(s->model, &bodies);
@@ -53,7 +61,8 @@ static int integrate(struct sampled *s, struct equations *eq, struct message *me
 }
 
 /** The solution that it is compared with. */
-static int compare(struct sampled *s, struct equations *eq, double *state, struct message *message)
+static int compare(struct sampled *s, struct equations *eq, double *state, const struct watch *watch,
+                   struct message *message)
 {
     double t = 0.0;
     vti_integral distance = {{0.0, 0.0}, 0.0, 0};
@@ -62,6 +71,8 @@ static int compare(struct sampled *s, struct equations *eq, double *state, struc
     for (int64_t k = 0; k < s->count; ++k) {
         if (k > 0 && equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
             return -1;
+        if (k > 0 && see(s, watch, s->count - 1 + k) != 0)
+            return WATCH_ASKED;
         const vti_bodies kept = sampled_state(s, k);
         vti_integral_add(&distance, s->interval, vti_h1_distance(&other, &kept));
     }
@@ -70,17 +81,17 @@ static int compare(struct sampled *s, struct equations *eq, double *state, struc
     return 0;
 }
 
-int sampled_integrate(struct sampled *s, struct message *message)
+int sampled_integrate(struct sampled *s, const struct watch *watch, struct message *message)
 {
     struct equations eq;
     int failed = equations_create(&eq, s->model, step_tolerance);
     if (failed == 0) {
-        failed = integrate(s, &eq, message);
+        failed = integrate(s, &eq, watch, message);
         equations_destroy(&eq);
     }
     double *state = calloc((size_t)s->width, sizeof *state);
     if (failed == 0 && state != NULL && equations_create(&eq, s->model, looser * step_tolerance) == 0) {
-        failed = compare(s, &eq, state, message);
+        failed = compare(s, &eq, state, watch, message);
         equations_destroy(&eq);
     }
     free(state);

@@ -5,6 +5,7 @@
 #define VTI_SAMPLED_H
 
 #include "equations.h"
+#include "watch.h"
 
 struct sampled {
     struct model *model;
@@ -19,8 +20,8 @@ struct sampled {
 int sampled_create(struct sampled *sampled, struct model *model, double interval, int64_t intervals,
                    struct message *message);
 void sampled_destroy(struct sampled *sampled);
-/** Fills the states, twice. Returns 0, or -1 with one line in *message. */
-int sampled_integrate(struct sampled *sampled, struct message *message);
+/** Fills the states, twice. Returns 0, or -1 with one line in *message, or WATCH_ASKED. */
+int sampled_integrate(struct sampled *sampled, const struct watch *watch, struct message *message);
 
 /** State k; the views point into the reference. */
 vti_bodies sampled_state(struct sampled *sampled, int64_t k);

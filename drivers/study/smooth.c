@@ -8,9 +8,10 @@
 
 /* The tolerance of a step of rk8pd, and the share of the state that interpolation may add. */
 static const double step_tolerance = 1e-14, interpolation_tolerance = 1e-13;
-/* Panels are halved until the interpolants are that good, or until they would fill this much memory. */
-static const double most_bytes = 1e9;
+/* The first panels. They are halved until the interpolants are good, as long as that helps or takes no memory that is not
+ * there. */
 static const double first_panel = 0.5;
+static const double most_panels = 0x1p40;
 
 int smooth_create(struct smooth *s, struct model *model, struct message *message)
 {
@@ -23,48 +24,174 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
 void smooth_destroy(struct smooth *s)
 {
     panels_destroy(&s->panels);
+    equations_destroy(&s->equations);
     free(s->state);
-    s->state = NULL;
+    free(s->starts);
+    s->state = s->starts = NULL;
+}
+
+/* ---- windows --------------------------------------------------------------------------------------------------------- */
+
+static double *start_of(const struct smooth *s, int64_t window)
+{
+    return s->starts + window * (SMOOTH_START + equations_width(s->model));
+}
+
+/** ||q||^2 up to the start of a window. */
+static vti_sum sum_before(const struct smooth *s, int64_t window)
+{
+    const double *start = start_of(s, window);
+    const vti_sum sum = {start[1], start[2]};
+    return sum;
+}
+
+static void keep_start(struct smooth *s, int64_t window, vti_sum sum)
+{
+    double *start = start_of(s, window);
+    start[0] = s->t;
+    start[1] = sum.high;
+    start[2] = sum.low;
+    memcpy(start + SMOOTH_START, s->state, (size_t)equations_width(s->model) * sizeof *s->state);
+}
+
+int smooth_resize(struct smooth *s, int64_t count, int64_t held, double t_end)
+{
+    const int64_t width = equations_width(s->model);
+    free(s->starts);
+    s->window = -1;
+    s->windows = (count + held - 1) / held;
+    s->starts = calloc((size_t)(s->windows * (SMOOTH_START + width)), sizeof *s->starts);
+    return panels_create(&s->panels, width - 1, count, held, t_end) != 0 || s->starts == NULL ? -1 : 0;
+}
+
+static int64_t window_of(const struct smooth *s, int64_t panel)
+{
+    return panel / s->panels.held;
+}
+
+/** The panel after the last of a window. */
+static int64_t end_of(const struct smooth *s, int64_t window)
+{
+    const int64_t end = (window + 1) * s->panels.held;
+    return end < s->panels.count ? end : s->panels.count;
 }
 
 /* ---- integration ----------------------------------------------------------------------------------------------------- */
 
-/** One pass over all panels. */
-static int one_pass(struct smooth *s, struct equations *eq, struct message *message)
+static int no_memory(const struct smooth *s, struct message *message)
+{
+    return message_set(message, "%s: out of memory for the reference solution; give less of it with --memory",
+                       s->model->scene->name);
+}
+
+/** Goes to the start of a window, with an integrator that knows nothing of what came before, or the panels would depend on
+ *  that. */
+static int enter(struct smooth *s, int64_t window, struct message *message)
+{
+    const double *start = start_of(s, window);
+    equations_destroy(&s->equations);
+    if (equations_create(&s->equations, s->model, step_tolerance) != 0)
+        return no_memory(s, message);
+    s->t = start[0];
+    memcpy(s->state, start + SMOOTH_START, (size_t)equations_width(s->model) * sizeof *s->state);
+    s->panels.first = window * s->panels.held;
+    s->window = -1;
+    return 0;
+}
+
+static int one_panel(struct smooth *s, int64_t p, struct message *message)
 {
     const struct panels *panels = &s->panels;
-    const vti_bodies bodies = equations_bodies(s->model, s->state);
-    double t = 0.0;
-    s->energy_error = s->interpolation_error = 0.0;
-    equations_start(s->model, s->state);
-    const double energy = model_energy(s->model, &bodies);
-    for (int64_t p = 0; p < panels->count; ++p) {
-        for (int k = 0; k < PANELS_NODES; ++k) {
-            if (equations_advance(eq, &t, panels_time(panels, p, panels->node[k]), s->state, message) != 0)
-                return -1;
-            memcpy(panels_row(panels, p, k), s->state, (size_t)panels->width * sizeof *s->state);
-        }
-        s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
-        s->interpolation_error = fmax(s->interpolation_error, panels_tail(panels, p));
+    for (int k = 0; k < PANELS_NODES; ++k) {
+        if (equations_advance(&s->equations, &s->t, panels_time(panels, p, panels->node[k]), s->state, message) != 0)
+            return -1;
+        memcpy(panels_row(panels, p, k), s->state, (size_t)panels->width * sizeof *s->state);
     }
     return 0;
 }
 
-int smooth_integrate(struct smooth *s, double t_end, struct message *message)
+int smooth_seek(struct smooth *s, double t, const struct watch *watch, struct message *message)
 {
-    const int64_t width = equations_width(s->model) - 1;
-    for (int64_t count = (int64_t)ceil(t_end / first_panel);; count *= 2) {
-        struct equations eq;
-        if (panels_create(&s->panels, width, count, t_end) != 0 || equations_create(&eq, s->model, step_tolerance) != 0)
-            return message_set(message, "%s: out of memory for the reference solution; shorten t_end",
-                               s->model->scene->name);
-        const int failed = one_pass(s, &eq, message);
-        equations_destroy(&eq);
-        const double next = 2.0 * (double)(count * PANELS_NODES * width) * (double)sizeof(double);
-        if (failed != 0 || s->interpolation_error <= interpolation_tolerance || next > most_bytes)
+    double tau;
+    if (s->windows == 1 && s->window == 0)
+        return 0;
+    const int64_t window = window_of(s, panels_find(&s->panels, t, &tau));
+    if (window == s->window)
+        return 0;
+    if (enter(s, window, message) != 0)
+        return -1;
+    for (int64_t p = s->panels.first; p < end_of(s, window); ++p) {
+        if (one_panel(s, p, message) != 0)
+            return -1;
+        if (watch_see(watch, (double)p / (double)s->panels.count))
+            return WATCH_ASKED;
+    }
+    s->window = window;
+    return 0;
+}
+
+static double panel_integral(struct smooth *s, int64_t p, double end);
+
+/** Keeps what the window after this one starts from. */
+static void hand_on(struct smooth *s, int64_t window)
+{
+    vti_sum sum = sum_before(s, window);
+    keep_start(s, window + 1, sum);
+    for (int64_t p = s->panels.first; p < end_of(s, window); ++p) /* which needs s->state */
+        vti_sum_add(&sum, panel_integral(s, p, 1.0));
+    start_of(s, window + 1)[1] = sum.high;
+    start_of(s, window + 1)[2] = sum.low;
+}
+
+/** One pass over all panels, which leaves the last window in memory. */
+static int one_pass(struct smooth *s, const struct watch *watch, struct message *message)
+{
+    const vti_bodies bodies = equations_bodies(s->model, s->state);
+    const vti_sum nothing = {0.0, 0.0};
+    s->t = s->energy_error = s->interpolation_error = 0.0;
+    equations_start(s->model, s->state);
+    keep_start(s, 0, nothing);
+    const double energy = model_energy(s->model, &bodies);
+    for (int64_t window = 0; window < s->windows; ++window) {
+        if (enter(s, window, message) != 0)
+            return -1;
+        for (int64_t p = s->panels.first; p < end_of(s, window); ++p) {
+            if (one_panel(s, p, message) != 0)
+                return -1;
+            s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
+            s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p));
+            if (watch_see(watch, (double)(p + 1) / (double)s->panels.count))
+                return WATCH_ASKED;
+        }
+        s->window = window;
+        if (window + 1 < s->windows)
+            hand_on(s, window);
+    }
+    return 0;
+}
+
+int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct watch *watch, struct message *message)
+{
+    const double panel = (double)(PANELS_NODES * (equations_width(s->model) - 1)) * (double)sizeof(double);
+    const double fit = fmax(1.0, floor(bytes / panel)); /* into memory */
+    double last = INFINITY;
+    if (!(t_end / first_panel <= most_panels))
+        return message_set(message, "%s: no reference solution can be had up to t = %g; shorten t_end",
+                           s->model->scene->name, t_end);
+    for (double count = ceil(t_end / first_panel);; count *= 2.0) {
+        const double windows = ceil(count / fit), held = ceil(count / windows);
+        if (smooth_resize(s, (int64_t)count, (int64_t)held, t_end) != 0)
+            return no_memory(s, message);
+        const int failed = one_pass(s, watch, message);
+        const int helps = s->interpolation_error < 0.5 * last;
+        last = s->interpolation_error;
+        if (failed != 0 || last <= interpolation_tolerance ||
+            (2.0 * count > fit && (!helps || 2.0 * count > most_panels)))
             return failed;
     }
 }
+
+/* ---- reading --------------------------------------------------------------------------------------------------------- */
 
 vti_bodies smooth_at(struct smooth *s, double t)
 {
@@ -136,8 +263,8 @@ double smooth_norm_squared(struct smooth *s, double t)
 {
     double tau;
     const int64_t last = panels_find(&s->panels, t, &tau);
-    vti_sum sum = {0.0, 0.0};
-    for (int64_t p = 0; p <= last; ++p)
+    vti_sum sum = sum_before(s, s->window);
+    for (int64_t p = s->panels.first; p <= last; ++p)
         vti_sum_add(&sum, panel_integral(s, p, p < last ? 1.0 : tau));
     return vti_sum_value(&sum);
 }

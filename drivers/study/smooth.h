@@ -1,27 +1,46 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The reference of a model whose motion is smooth and whose bodies are few: Chebyshev panels, readable at any time. */
+ * The reference of a model whose motion is smooth and whose bodies are few: Chebyshev panels, readable at any time.
+ *
+ * As many panels as memory allows are a window. All of a reference that fits into one stay there. Of a longer one the state at
+ * the start of each window is kept, and a window is integrated again from there when somebody reads in it: whoever goes
+ * through time in order does that once per window, and finds the same bits as anybody else. */
 #ifndef VTI_SMOOTH_H
 #define VTI_SMOOTH_H
 
 #include "equations.h"
 #include "panels.h"
+#include "watch.h"
 
 struct smooth {
     struct model *model;
-    struct panels panels;       /* of the bodies' part of a state */
-    double *state;              /* where smooth_at writes */
+    struct panels panels;       /* of the bodies' part of a state: those of one window */
+    double *state;              /* where integration is, and where smooth_at writes */
+    double t;                   /* of the integration */
+    struct equations equations; /* that integrate */
+    int64_t windows, window;    /* how many, and which one is in memory, -1 for none */
+    double *starts; /* [windows][SMOOTH_START + a state's width]: t, ||q||^2 as two parts of a sum, and the state */
     double energy_error;        /* largest |E - E_0| at the ends of the panels */
     double interpolation_error; /* largest panels_tail */
 };
 
-/** Room for a reference of *model; the panels are made by smooth_integrate, or by panels_create and a copy. */
+enum { SMOOTH_START = 3 };
+
+/** Room for a reference of *model; the panels are made by smooth_integrate, or by smooth_resize and a copy. */
 int smooth_create(struct smooth *smooth, struct model *model, struct message *message);
 void smooth_destroy(struct smooth *smooth);
-/** Integrates to t_end. Returns 0, or -1 with one line in *message. */
-int smooth_integrate(struct smooth *smooth, double t_end, struct message *message);
+/** Integrates to t_end, with panels of up to bytes in memory. Returns 0, or -1 with one line in *message, or
+ *  WATCH_ASKED. */
+int smooth_integrate(struct smooth *smooth, double t_end, double bytes, const struct watch *watch,
+                     struct message *message);
+/** Room for count panels on [0, t_end], held of them at once. No window is in memory then. Returns 0, or -1 if there is no
+ *  memory. */
+int smooth_resize(struct smooth *smooth, int64_t count, int64_t held, double t_end);
 
+/** Brings the window of t into memory. Returns as smooth_integrate does. */
+int smooth_seek(struct smooth *smooth, double t, const struct watch *watch, struct message *message);
+/** At a t whose window is in memory. */
 vti_bodies smooth_at(struct smooth *smooth, double t);
-/** Exact ||q||^2_{H1(0,t)}: Gauss-Legendre on the panels, split where a body passes a half turn, since the integrand
+/** Exact ||q||^2_{H1(0,t)}, likewise: Gauss-Legendre on the panels, split where a body passes a half turn, since the integrand
  *  (theta in [0, pi]) has a kink there. */
 double smooth_norm_squared(struct smooth *smooth, double t);
 

@@ -67,7 +67,6 @@ int study_read_steppers(const char *list, struct plan *plan, struct message *mes
  *  of a multiple of it if the states would not fit into memory, which all steps must divide. */
 static int choose_interval(struct study *study, struct message *message)
 {
-    static const double most_bytes = 1e9;
     const struct plan *plan = study->plan;
     study->t_end = plan->t_end;
     if (reference_is_smooth(&study->model))
@@ -83,7 +82,7 @@ static int choose_interval(struct study *study, struct message *message)
                                "or many bodies are compared at common times; use a ladder such as 1/1000:1/8000",
                                NUMBER(plan->h[k]), NUMBER(study->interval));
     }
-    while (plan->t_end / study->interval * width > most_bytes)
+    while (plan->t_end / study->interval * width > plan->memory)
         study->interval *= 2.0;
     study->t_end = (double)loop_steps(plan->t_end, study->interval) * study->interval;
     return 0;
@@ -114,11 +113,11 @@ static int make_trials(struct study *study, struct message *message)
 struct work {
     struct study *study;
     struct reference *reference;
-    study_progress progress;
+    const struct study_watch *watch;
     const struct store *store;
     struct message *message;
     double start;
-    int64_t steps_all, steps_done;
+    int64_t steps_all, steps_done; /* of the runs that the store does not hold */
 };
 
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
@@ -129,8 +128,7 @@ static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self,
 
 static void show(struct work *w, int64_t extra)
 {
-    if (w->progress != NULL)
-        w->progress(w->steps_done + extra, w->steps_all, MPI_Wtime() - w->start);
+    study_show(w->watch, "runs", w->steps_done + extra, w->steps_all, MPI_Wtime() - w->start);
 }
 
 static int task_done(void *self, int64_t task, int rank, const void *result)
@@ -156,17 +154,22 @@ static int64_t recall(struct work *w, int64_t *order)
         const int64_t task = order[k];
         if (w->store != NULL &&
             w->store->recall(w->store->self, task, &w->study->ranks[task], &w->study->outcomes[task]))
-            w->steps_done += w->study->trials[task].steps;
-        else
-            order[left++] = task;
+            continue;
+        w->steps_all += w->study->trials[task].steps;
+        order[left++] = task;
     }
     return left;
 }
 
 static void task_progress(void *self, int64_t task, int64_t steps)
 {
-    (void)task;
-    show(self, steps);
+    show(self, task >= 0 ? steps : 0);
+}
+
+static int is_asked(void *self)
+{
+    const struct work *w = self;
+    return study_asked(w->watch);
 }
 
 /** Rows sorted by falling number of steps, equal ones by row. */
@@ -224,10 +227,10 @@ static int allocate(struct study *study, int rank)
 }
 
 /** The queue over all runs, once the reference is there. */
-static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, study_progress progress,
+static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, const struct study_watch *watch,
                    const struct store *store, struct message *message)
 {
-    struct work work = {study, reference, progress, store, message, MPI_Wtime(), 0, 0};
+    struct work work = {study, reference, watch, store, message, MPI_Wtime(), 0, 0};
     int64_t *order = calloc((size_t)study->runs, sizeof *order);
     const int without = order == NULL;
     int failed = without;
@@ -237,20 +240,19 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
         return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);
     }
     longest_first(study, order);
-    for (int64_t r = 0; r < study->runs; ++r)
-        work.steps_all += study->trials[r].steps;
     message->text[0] = '\0';
     const int64_t left = recall(&work, order);
-    const struct queue queue = {&work, left, order, sizeof(struct outcome), run_task, task_done, task_progress};
+    const struct queue queue = {&work,    left,      order,         sizeof(struct outcome),
+                                run_task, task_done, task_progress, is_asked};
     failed = queue_run(&queue, comm);
     free(order);
     study->seconds = MPI_Wtime() - work.start;
-    if (failed && message->text[0] == '\0')
+    if (failed == -1 && message->text[0] == '\0')
         message_set(message, "out of memory; use fewer runs");
     return failed;
 }
 
-int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, const struct store *store,
+int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
               struct study *study, struct message *message)
 {
     int rank;
@@ -268,15 +270,18 @@ int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, c
     if (failed == 0)
         failed = make_trials(study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
-    if (failed != 0 || reference_create(&study->model, study->t_end, study->interval, comm, &reference, message) != 0)
-        return -1;
+    if (failed == 0)
+        failed = reference_create(&study->model, study->t_end, study->interval, plan->memory, comm, watch, &reference,
+                                  message);
+    if (failed != 0)
+        return failed;
     if (rank == 0) {
         study->energy0 = model_energy(&study->model, &study->model.bodies);
         study->norm_squared = reference_norm_squared(&reference, study->t_end);
         study->reference_energy_error = reference.energy_error;
         study->reference_uncertainty = reference.uncertainty;
     }
-    failed = run_all(study, &reference, comm, progress, store, message);
+    failed = run_all(study, &reference, comm, watch, store, message);
     reference_destroy(&reference);
     if (failed == 0 && rank == 0)
         fit_orders(study);

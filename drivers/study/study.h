@@ -18,6 +18,7 @@ struct plan {
     double h[LADDER_MOST];
     int64_t h_count;
     double t_end;
+    double memory; /* bytes that the reference may take on every rank (reference.h) */
 };
 
 /** Errors that orders are fitted to: e_error, q_error, h1_error, attitude_error. */
@@ -41,15 +42,13 @@ struct study {
     int refused; /* a run has failed, and would again: nothing of this study is worth keeping */
 };
 
-/** Shows progress on rank 0: steps done of all steps, both weighted by steps, and the seconds since the start. */
-typedef void (*study_progress)(int64_t done, int64_t all, double seconds);
-
 /** Lists "vti1,vti2" in plan->steppers. Returns 0, or -1 with one line in *message that names the known ones. */
 int study_read_steppers(const char *list, struct plan *plan, struct message *message);
 
 /** Runs the plan on all ranks of comm. Collective. Returns 0, or -1 on all ranks with one line in *message on rank 0.
- *  Outcomes that the store holds are not computed again; the others come into it. store and progress may be NULL. */
-int study_run(const struct plan *plan, MPI_Comm comm, study_progress progress, const struct store *store,
+ *  Outcomes that the store holds are not computed again; the others come into it. store and watch may be NULL; a study
+ *  that watch has asked to end returns WATCH_ASKED on all ranks, without a message. */
+int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
               struct study *study, struct message *message);
 void study_destroy(struct study *study);
 

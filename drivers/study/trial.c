@@ -13,6 +13,7 @@ struct measures {
     struct outcome *outcome;
     struct columns columns;
     struct verdict verdict;
+    struct watch watch; /* while the reference is brought to where the run is */
     double h, t_end;
     double energy0, invariants0[MODEL_INVARIANTS];
     struct invariant invariant[MODEL_INVARIANTS];
@@ -50,12 +51,15 @@ static void sample(struct measures *m, double t, double energy_error, const doub
 }
 
 /** The error against the reference, where that is known. */
-static void compare(struct measures *m, int64_t step, double t, const vti_bodies *bodies)
+static int compare(struct measures *m, int64_t step, double t, const vti_bodies *bodies)
 {
+    if (reference_seek(m->reference, t, &m->watch, &m->outcome->message) != 0)
+        return -1;
     const vti_bodies exact = reference_at(m->reference, t);
     vti_integral_add(&m->error_squared, (double)m->compare_every * m->h, vti_h1_distance(bodies, &exact));
     if (step == m->outcome->steps)
         m->outcome->attitude_error = vti_attitude_distance(bodies, &exact);
+    return 0;
 }
 
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -64,8 +68,8 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     const double energy_error = model_energy(m->model, bodies) - m->energy0;
     vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
     vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
-    if (step % m->compare_every == 0)
-        compare(m, step, t, bodies);
+    if (step % m->compare_every == 0 && compare(m, step, t, bodies) != 0)
+        return 1;
 
     double deviation[MODEL_INVARIANTS] = {0.0};
     model_invariant_values(m->model, bodies, deviation);
@@ -101,14 +105,23 @@ static void measures_end(struct measures *m)
 struct poller {
     int (*poll)(void *self, int64_t step);
     void *self;
+    int64_t step;
 };
 
 static int poll_see(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
-    const struct poller *p = self;
+    struct poller *p = self;
     (void)t;
     (void)bodies;
+    p->step = step;
     return p->poll(p->self, step);
+}
+
+static int poll_on_the_way(void *self, double share)
+{
+    const struct poller *p = self;
+    (void)share;
+    return p->poll != NULL && p->poll(p->self, p->step);
 }
 
 void trial_run(const struct scene *scene, const struct trial *trial, struct reference *reference,
@@ -117,7 +130,7 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
     enum { POLL_EVERY = 2048 };
     struct model model;
     struct measures measures;
-    struct poller poller = {poll, poll_self};
+    struct poller poller = {poll, poll_self, 0};
     const struct observer observers[] = {{measure, &measures, 1, 0}, {poll_see, &poller, POLL_EVERY, 0}};
 
     memset(outcome, 0, sizeof *outcome);
@@ -128,12 +141,14 @@ void trial_run(const struct scene *scene, const struct trial *trial, struct refe
         return;
     }
     outcome->failed = measures_begin(&measures, &model, reference, trial, outcome) != 0;
+    measures.watch = (struct watch){poll_on_the_way, &poller};
     if (!outcome->failed) {
         const double start = MPI_Wtime();
         outcome->failed = loop_run(&model, trial->stepper, trial->h, 0, trial->steps, observers, poll != NULL ? 2 : 1,
                                    &outcome->message) != 0;
         outcome->seconds = MPI_Wtime() - start;
-        measures_end(&measures);
+        if (!outcome->failed)
+            measures_end(&measures);
     }
     verdict_destroy(&measures.verdict);
     model_destroy(&model);

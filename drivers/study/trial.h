@@ -35,7 +35,8 @@ struct outcome {
 };
 
 /** Runs trial on a fresh model of scene. poll (may be NULL) is called with poll_self and the steps taken so far every few
- *  thousand steps; non-zero stops the run. Never fails as such: look at outcome->failed. */
+ *  thousand steps, and while a piece of the reference is made; non-zero stops the run, which then has failed for no reason.
+ *  Never fails as such: look at outcome->failed. */
 void trial_run(const struct scene *scene, const struct trial *trial, struct reference *reference,
                int (*poll)(void *self, int64_t step), void *poll_self, struct outcome *outcome);
 
