@@ -93,14 +93,11 @@ static struct study_watch begin_watch(void)
 
 static int say_stopped(const struct task_journal *journal, struct message *message)
 {
-    const char *by = run_signals_seen();
     if (journal->kept == 0)
         return message_set(message,
-                           "%s: stopped before the first run was done; the same command with --resume starts again",
-                           by != NULL ? by : "a signal");
-    return message_set(message, "%s: stopped; %lld of %lld runs are kept in %.300s: go on with --resume",
-                       by != NULL ? by : "a signal", (long long)journal->kept, (long long)journal->tasks,
-                       journal->path);
+                           "stopped before the first run was done; the same command with --resume starts again");
+    return message_set(message, "stopped; %lld of %lld runs are kept in %.300s: go on with --resume",
+                       (long long)journal->kept, (long long)journal->tasks, journal->path);
 }
 
 /** The end of a study that returned failed, on all ranks. */
