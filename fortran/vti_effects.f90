@@ -52,7 +52,7 @@ contains
         if (exist(effects)) energy = c_energy(effects, size(effects, kind=c_int64_t), bodies)
     end function
 
-    !> Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates.
+    !> Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates. No other call asks.
     function vti_step_check(method, effects) result(status)
         type(vti_stepper), intent(in), target :: method
         type(vti_effect), intent(in) :: effects(:)

@@ -41,7 +41,7 @@ enum vti_status {
     VTI_E_STEPPER = -12, /**< there is no such stepper or law: NULL, as vti_stepper_find gives, or without its lists */
     VTI_E_FRAME = -13,   /**< there is no such frame */
     VTI_E_BOND = -14,    /**< a bond is not between two bodies that exist apart, or is of no stiffness or form */
-    VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates */
+    VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates: vti_step_check only */
     VTI_E_CONTACT = -16,    /**< a contact is not between two bodies that exist, or its size or stiffness is none */
     VTI_E_STATE = -17,      /**< a position, velocity, attitude or spin is not finite, or a quaternion is zero */
     VTI_E_SPRINGS = -18     /**< an effect does not report its springs, so that there is no bound on the step */

@@ -74,7 +74,9 @@ typedef struct vti_effect {
 /** force = moment = 0 on the slice, then every effect in order. An effect without apply, as is made of what is NULL or given
  *  in part, is refused with VTI_E_NULL, and one whose check says no with what it says; then nothing has been touched. */
 VTI_API int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
-/** Once before a run, if forces are effects: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates, else VTI_OK. */
+/** Once before a run, if forces are effects: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates,
+ *  else VTI_OK. Nothing else asks: vti_step_begin sees no effects, and a host that does not call this is not refused; its
+ *  dissipation then turns into gain wherever the stepper steps back. */
 VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n);
 
 /* ---- pendulum ------------------------------------------------------------------------------------------------------ */

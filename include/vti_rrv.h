@@ -10,7 +10,8 @@
  *
  * Contracts that hold for every function here:
  *  - vectors are double[3]; matrices double[9], row by row; quaternions double[4] in the order x, y, z, w;
- *  - inputs must be finite; then so are the results, half turns and |alpha| up to DBL_MAX included;
+ *  - inputs must be finite; then so are the results, half turns and |alpha| up to DBL_MAX included. One thing is excepted:
+ *    a quaternion of four zeros, as cleared memory holds, is no attitude, and what is made of it is NaN;
  *  - an attitude that is computed has |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which
  *    costs at most 3.5e-18 rad;
  *  - bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns;
@@ -385,7 +386,7 @@ static inline void vti_rrv_to_quat_xyzw(const double a[3], double q[4])
     q[3] *= k;
 }
 
-/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. */
+/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. NaN of four zeros. */
 static inline void vti_rrv_from_quat_xyzw(const double q[4], double a[3])
 {
     vti_rrv_from_pair(q, a);

@@ -17,8 +17,8 @@ FixNVEVTI::FixNVEVTI(LAMMPS *host, int narg, char **arg)
     // LAMMPS evaluates forces once a step, and its moments and spins are in space.
     if (!method || method->stages != 1 || method->lag != 0.0 || method->frame != VTI_FRAME_SPACE)
         error->all(FLERR, "Fix nve/vti has the steppers vti1, vti2, vti3 and exact, not {}", arg[narg - 1]);
-    if (!atom->quat || !atom->omega || !atom->torque || !atom->radius || !atom->rmass)
-        error->all(FLERR, "Fix nve/vti needs spheres that have an orientation: atom_style bpm/sphere");
+    if (!atom->omega || !atom->torque || !atom->radius || !atom->rmass)
+        error->all(FLERR, "Fix nve/vti needs spheres that turn: atom_style sphere or bpm/sphere");
 }
 
 int FixNVEVTI::setmask()
@@ -61,15 +61,18 @@ void FixNVEVTI::setup_post_neighbor()
     post_neighbor();
 }
 
-/* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y, z). */
+/* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y, z); where
+   atoms have none, as those of atom_style sphere, nothing is turned, and spins are kicked all the same. */
 vti_bodies FixNVEVTI::views() const
 {
     vti_bodies bodies = vti_bodies_none(atom->nlocal);
-    double *q = atom->quat[0];
     bodies.x = vti_view_packed(atom->x[0]);
     bodies.v = vti_view_packed(atom->v[0]);
     bodies.force = vti_view_packed(atom->f[0]);
-    bodies.quat = {{q + 1, q + 2, q + 3, q}, 4, 0};
+    if (atom->quat) {
+        double *q = atom->quat[0];
+        bodies.quat = {{q + 1, q + 2, q + 3, q}, 4, 0};
+    }
     bodies.omega = vti_view_packed(atom->omega[0]);
     bodies.moment = vti_view_packed(atom->torque[0]);
     bodies.mass = vti_scalars_array(atom->rmass);

@@ -184,6 +184,18 @@ static void zero_is_the_identity(void **state)
     assert_true(vti_rrv_angle(zero) == 0 && vti_rrv_distance(zero, zero) == 0);
 }
 
+/** A quaternion of four zeros is no attitude: NaN shows it, wherever it goes in. */
+static void no_attitude(void **state)
+{
+    (void)state;
+    const double none[4] = {0, 0, 0, 0}, p[3] = {1, 2, 3};
+    double a[3] = {0, 0, 0}, r[3] = {0, 0, 0};
+    vti_rrv_from_quat_xyzw(none, a);
+    vti_pair_rotate(none, 1, p, r);
+    for (int k = 0; k < 3; ++k)
+        assert_true(isnan(a[k]) && isnan(r[k]));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -196,6 +208,7 @@ int main(void)
         cmocka_unit_test(compositions),
         cmocka_unit_test(turns),
         cmocka_unit_test(zero_is_the_identity),
+        cmocka_unit_test(no_attitude),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
