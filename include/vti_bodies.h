@@ -216,7 +216,10 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
 /** vti_bodies_check once and for all: if it passes, the bodies are marked, and later calls with them, or with slices of
- *  them, do not check again. For hosts that step few bodies very often. Seal again after changing a view. */
+ *  them, do not check again. For hosts that step few bodies very often. Seal again after changing a view.
+ *  A library that is built with -Dchecked=true heeds no seal: every call looks at all that vti_bodies_check_values looks at,
+ *  and vti_apply at the lists of its effects, whose bodies are those that x (or the attitude) has by its count, or, where that
+ *  is 0, those up to the end of the slice. For the day when a fault is hunted; otherwise it costs no instruction. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and

@@ -146,13 +146,18 @@ static int states_check(const vti_bodies *b, vti_fault *fault)
     return status;
 }
 
-int vti_bodies_check_values(const vti_bodies *b, vti_fault *fault)
+int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
     int status = vti_bodies_fault(b, fault);
     if (status == VTI_OK)
         status = values_check(&b->mass, b, VTI_E_MASS, VTI_QUANTITY_MASS, fault);
     if (status == VTI_OK)
         status = values_check(&b->inertia, b, VTI_E_INERTIA, VTI_QUANTITY_INERTIA, fault);
     return status == VTI_OK ? states_check(b, fault) : status;
+}
+
+int vti_bodies_check_values(const vti_bodies *b, vti_fault *fault)
+{
+    vti_blame_none(VTI_OK, fault);
+    return vti_bodies_values_fault(b, fault);
 }

@@ -34,6 +34,8 @@ static int check(const void *self, const vti_bodies *b)
     const int lacks = !has_list(p) || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
     if (lacks)
         return VTI_E_NULL;
+    if (VTI_LOOKS)
+        return vti_bonds_check(p, vti_bodies_named(b), NULL);
     return p->shear.p != NULL && !form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
@@ -174,9 +176,15 @@ int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_v
     return status;
 }
 
+/** Whether s ends before bond k. */
+static int ends_before(const vti_scalars *s, int64_t k)
+{
+    return s->count != 0 && k >= s->count;
+}
+
 static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 {
-    return s->p != NULL && !(isfinite(stiffness(s, k)) && stiffness(s, k) >= 0.0);
+    return s->p != NULL && (ends_before(s, k) || !(isfinite(stiffness(s, k)) && stiffness(s, k) >= 0.0));
 }
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
@@ -200,7 +208,8 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return vti_blame(VTI_E_BOND, k, stiffness(all[c], k), VTI_QUANTITY_NONE, fault);
+                return vti_blame(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : stiffness(all[c], k),
+                                 VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;
 }

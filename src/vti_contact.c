@@ -45,7 +45,9 @@ static int list_check(const vti_contacts *p)
 static int contacts_check(const void *self, const vti_bodies *b)
 {
     const int status = list_check(self);
-    return status == VTI_OK && !vti_has(&b->x) ? VTI_E_NULL : status;
+    if (status == VTI_OK && !vti_has(&b->x))
+        return VTI_E_NULL;
+    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : status;
 }
 
 /** F_i = (K/D) o^{3/2} n = -F_j */
@@ -148,7 +150,8 @@ int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault
     for (int64_t k = 0; k < contacts->count; ++k)
         for (int side = 0; side < 2; ++side) {
             const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
-            if (i < 0 || i >= n || pair[0] == pair[1])
+            const int64_t sizes = contacts->diameter.count;
+            if (i < 0 || i >= n || pair[0] == pair[1] || (sizes != 0 && i >= sizes))
                 return vti_blame(VTI_E_CONTACT, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
             const double diameter = vti_scalar(&contacts->diameter, i);
             if (!(isfinite(diameter) && diameter > 0.0))
@@ -185,10 +188,25 @@ static inline double wall_overlap(const vti_walls *p, const vti_bodies *b, const
     return 1.0 - (vti_dot(plane, x) - plane[3]) / *radius;
 }
 
+/** VTI_E_CONTACT unless normals are of length 1, offsets and stiffness finite, and diameters positive. */
+static int walls_look(const vti_walls *p, const vti_bodies *b)
+{
+    if (p->count > 0 && (p->plane == NULL || p->diameter.p == NULL))
+        return VTI_E_NULL;
+    int good = p->count <= 0 || (isfinite(p->stiffness) && p->stiffness >= 0.0);
+    for (int64_t w = 0; w < p->count; ++w)
+        good &= fabs(vti_dot(p->plane + 4 * w, p->plane + 4 * w) - 1.0) < 1e-12 && isfinite(p->plane[4 * w + 3]);
+    for (int64_t i = b->first; p->count > 0 && i < b->first + b->count; ++i)
+        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0;
+    return good ? VTI_OK : VTI_E_CONTACT;
+}
+
 static int walls_check(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
-    return p->count > 0 && !vti_has(&b->x) ? VTI_E_NULL : VTI_OK;
+    if (p->count > 0 && !vti_has(&b->x))
+        return VTI_E_NULL;
+    return VTI_LOOKS ? walls_look(p, b) : VTI_OK;
 }
 
 /** F = (K/(D/2)) o^{3/2} along the normal */

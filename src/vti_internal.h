@@ -95,12 +95,34 @@ int vti_bodies_fault(const vti_bodies *b, vti_fault *fault);
 /** VTI_E_STRIDE if components of one view meet, VTI_E_ALIAS if two views share memory. Each view is whole or absent. */
 int vti_alias_check(const vti_bodies *b, vti_fault *fault);
 
+/** vti_bodies_check_values, but where nothing is wrong fault stays as it was. */
+int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault);
+
+/** 1 if the library was built with -Dchecked=true: every call then looks at all of its bodies and lists, sealed or not. */
+#ifdef VTI_CHECKED
+enum { VTI_LOOKS = 1 };
+#else
+enum { VTI_LOOKS = 0 };
+#endif
+
 /** vti_bodies_fault, unless the bodies are sealed. */
 static inline int vti_bodies_ready_or(const vti_bodies *b, vti_fault *fault)
 {
     if (b == NULL)
         return VTI_E_NULL;
+    if (VTI_LOOKS)
+        return vti_bodies_values_fault(b, fault);
     return b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_fault(b, fault);
+}
+
+/** How many bodies lists may name, as far as is known: those that the views show, or else those up to the end of the slice. */
+static inline int64_t vti_bodies_named(const vti_bodies *b)
+{
+    const int64_t shown[] = {b->x.count, b->alpha.count, b->quat.count, b->first + b->count};
+    int k = 0;
+    while (shown[k] == 0 && k < 3)
+        ++k;
+    return shown[k];
 }
 
 static inline int vti_bodies_ready(const vti_bodies *b)

@@ -136,7 +136,7 @@ static int is_of(const vti_bodies *b, const double *a)
 
 static int probe_check(const vti_bodies *b, const vti_bodies *probed)
 {
-    const int status = vti_bodies_ready(probed);
+    const int status = vti_bodies_check(probed); /* what they hold is to be written */
     if (status != VTI_OK)
         return status;
     if (probed->first != b->first || probed->count != b->count)

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The library of -Dchecked=true: what goes wrong after a seal, or in a list after its check, is refused by the next call, and
+ * nothing is written. Linked with the other library each of these would be a crash, or NaN somewhere later. */
+#include "bodies.h"
+#include "support.h"
+
+enum { N = 4, DOUBLES = 3 * N };
+
+static const double h = 0.125;
+static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], rest[4];
+static int64_t pair[2];
+static vti_bodies b;
+static vti_bonds bonds;
+static vti_contacts contacts;
+static vti_walls walls;
+
+/** Sealed bodies and checked lists. */
+static int sound(void **state)
+{
+    (void)state;
+    static const double one = 1.0, plane[4] = {0, 0, 1, -5};
+    for (int i = 0; i < DOUBLES; ++i) {
+        x[i] = i;
+        v[i] = f[i] = a[i] = w[i] = m[i] = 0.01 * i;
+    }
+    for (int i = 0; i < N; ++i)
+        mass[i] = inertia[i] = 1;
+    b = bodies_packed(N, x, v, f, a, NULL, w, m, mass, inertia);
+    pair[0] = 0;
+    pair[1] = 1;
+    assert_int_equal(vti_bonds_rest(1, pair, 0, &b.x, rest, NULL), VTI_OK);
+    const vti_scalars k = vti_scalars_one(&one);
+    bonds = (vti_bonds){1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE};
+    contacts = (vti_contacts){1, pair, 0, k, 5};
+    walls = (vti_walls){1, plane, k, 5};
+    assert_int_equal(vti_bodies_seal(&b), VTI_OK);
+    return 0;
+}
+
+/** Every call refuses, says what, and writes nothing. */
+static void refused(int status, int64_t body, int64_t quantity)
+{
+    const vti_stepper *vti2 = vti_stepper_find("vti2");
+    double *const all[6] = {x, v, f, a, w, m};
+    double before[6][DOUBLES];
+    for (int k = 0; k < 6; ++k)
+        memcpy(before[k], all[k], sizeof x);
+    vti_fault fault = {7, 7, 7};
+    assert_int_equal(vti_step_begin(vti2, h, &b, &fault), status);
+    assert_true(fault.body == body && fault.quantity == quantity);
+    assert_int_equal(vti_step_finish(vti2, h, &b), status);
+    assert_int_equal(vti_step_start(vti2, h, &b), status);
+    assert_int_equal(vti_step_sync(vti2, h, &b), status);
+    assert_int_equal(vti_kick(h, &b), status);
+    assert_int_equal(vti_drift(VTI_LAW_EXACT, VTI_FRAME_SPACE, h, &b, NULL), status);
+    assert_int_equal(vti_apply(NULL, 0, &b), status);
+    assert_true(isnan(vti_kinetic_translation(&b)));
+    for (int k = 0; k < 6; ++k)
+        assert_same_bits(before[k], all[k], DOUBLES);
+}
+
+static void views_after_the_seal(void **state)
+{
+    (void)state;
+    b.x.c[1] = NULL;
+    refused(VTI_E_VIEW, -1, VTI_QUANTITY_X);
+    b.x.c[1] = x + 1;
+    b.omega.stride = 1;
+    refused(VTI_E_STRIDE, -1, VTI_QUANTITY_OMEGA);
+    b.omega.stride = 3;
+    b.mass.p = NULL;
+    refused(VTI_E_MASS, -1, VTI_QUANTITY_MASS);
+}
+
+static void numbers_after_the_seal(void **state)
+{
+    (void)state;
+    v[3 * 2 + 1] = NAN;
+    refused(VTI_E_STATE, 2, VTI_QUANTITY_V);
+    v[3 * 2 + 1] = 0;
+    a[3 * 3] = INFINITY;
+    refused(VTI_E_STATE, 3, VTI_QUANTITY_ALPHA);
+    a[3 * 3] = 0;
+    mass[1] = -1;
+    refused(VTI_E_MASS, 1, VTI_QUANTITY_MASS);
+}
+
+static void list_refused(const vti_effect *effect, int status)
+{
+    double before[2][DOUBLES];
+    memcpy(before[0], f, sizeof f);
+    memcpy(before[1], m, sizeof m);
+    assert_int_equal(vti_apply(effect, 1, &b), status);
+    assert_true(isnan(vti_energy(effect, 1, &b)));
+    assert_same_bits(before[0], f, DOUBLES);
+    assert_same_bits(before[1], m, DOUBLES);
+}
+
+static void lists_after_their_check(void **state)
+{
+    (void)state;
+    const vti_effect bond = vti_bonds_effect(&bonds), contact = vti_contacts_effect(&contacts);
+    assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
+    assert_int_equal(vti_apply(&contact, 1, &b), VTI_OK);
+    const int64_t wrong[] = {100000000, -1, 0, N};
+    for (int k = 0; k < 4; ++k) {
+        pair[1] = wrong[k];
+        list_refused(&bond, VTI_E_BOND);
+        list_refused(&contact, VTI_E_CONTACT);
+    }
+    pair[1] = 1;
+    rest[3] = NAN;
+    list_refused(&bond, VTI_E_BOND);
+    contacts.stiffness = -1;
+    list_refused(&contact, VTI_E_CONTACT);
+    const vti_effect wall = vti_walls_effect(&walls);
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    const double skew[4] = {0, 0, 2, -5};
+    walls.plane = skew;
+    list_refused(&wall, VTI_E_CONTACT);
+}
+
+/** Bodies that are held lie outside the slice that is stepped: the views say that they exist. */
+static void held_bodies(void **state)
+{
+    (void)state;
+    const vti_effect bond = vti_bonds_effect(&bonds);
+    b = vti_bodies_slice(b, 0, 1);
+    list_refused(&bond, VTI_E_BOND);
+    b.x.count = N;
+    assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(views_after_the_seal, sound),
+        cmocka_unit_test_setup(numbers_after_the_seal, sound),
+        cmocka_unit_test_setup(lists_after_their_check, sound),
+        cmocka_unit_test_setup(held_bodies, sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
