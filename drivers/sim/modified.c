@@ -112,7 +112,7 @@ struct energies modified_energies(struct modified *m, const vti_bodies *bodies, 
     /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves out
      * is large */
     const vti_stepper *s = m->stepper;
-    const double h2 = m->h * m->h, t = m->h / 1024.0, late = 0.5 - s->kick[1] - s->lag;
+    const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
     vti_bodies *p = &m->probe;
     if (m->memory == NULL)
         return e;

@@ -18,7 +18,7 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
     MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
 
 static const double most_gain = 0.25;  /* of S */
-static const double most_swing = 0.95; /* of S, by H alone */
+static const double most_swing = 0.7;  /* of S, by H alone */
 static const double rounding = 1e-12;  /* of all energies: sqrt(1e7) steps of eps, and more */
 static const double some_travel = 0.1; /* diameters per step: contacts are met that deep */
 static const double most_travel = 1.0; /* two bodies may pass through each other unseen */

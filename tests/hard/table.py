@@ -22,6 +22,7 @@ SECTIONS = {
     "paper_step": "The paper's torus with h = 1e-2",
     "touch": "Contacts, bonds and walls at their extremes",
     "corner": "Crowds",
+    "verdict": "Whether a run can be believed",
     "nonfinite": "Numbers that are none",
     "held": "Held bodies, no bodies, denormals",
     "extent": "Very many bodies",
@@ -95,7 +96,7 @@ def topic(program):
 
 def cases(program, scenes):
     """{case: {outcome: [who]}} in the order in which they were printed."""
-    arguments = [scenes] if topic(program) == "rivals" else []
+    arguments = [scenes] if topic(program) in ("rivals", "verdict") else []
     result = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
     if result.returncode != 0:
         sys.exit(f"{program} failed:\n{result.stdout}{result.stderr}")

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What the verdict is made of: angles of the laws against libm's in long double, the modified energy's order, slopes of series
+ * with known ones, bonds that turn past half a turn. */
+#define _POSIX_C_SOURCE 200809L
+#include "hard.h"
+
+#include "../driver/model_support.h"
+#include "turning.h"
+#include "verdict.h"
+
+/* ---- angles ---------------------------------------------------------------------------------------------------------- */
+
+/** law_angle folds nothing either, but for the whole turn that atan2l takes off beyond 2 pi. */
+static void angles(void **state)
+{
+    (void)state;
+    for (int64_t law = VTI_LAW_CLOSED; law <= VTI_LAW_EXACT9; ++law)
+        for (double s = 1e-9; s < (law == VTI_LAW_CLOSED ? 1.0 : 1e6); s *= 1.07) {
+            const double ours = turning_angle(law, s), theirs = (double)law_angle(law, s);
+            const double off = remainder(ours - theirs, 4.0 * PI);
+            assert_close(off, 0.0, 8.0 * EPS * ours);
+            assert_true(ours >= 0.0 && (law == VTI_LAW_CLOSED || ours <= 1.01 * s || s > 3.0));
+        }
+}
+
+/** The shares by which steps of the exact laws miss h|Omega|: of s^7 and s^9, and none but that of the law is left at 10. */
+static void errors(void **state)
+{
+    const vti_stepper *exact = vti_stepper_find("exact"), *kl8 = vti_stepper_find("kl8"),
+                      *vti2 = vti_stepper_find("vti2");
+    (void)state;
+    assert_close(log2(turning_error(exact, 0.5) / turning_error(exact, 0.25)), 6.0, 0.1);
+    assert_close(log2(turning_error(kl8, 2.0) / turning_error(kl8, 1.0)), 8.0, 0.3);
+    assert_close(turning_error(exact, 10.0), fabs(0.7094 + 2.0 * PI - 10.0) / 10.0, 1e-4);
+    assert_close(turning_error(vti2, 1.0), 1.0 - 2.0 * atan(0.5), 4 * EPS);
+    assert_true(turning_error(exact, 10.0) > turning_tolerance(exact));
+    assert_true(turning_error(vti_stepper_find("srkn11"), 10.0) > turning_tolerance(exact));
+    assert_true(turning_error(exact, 1.0) < turning_tolerance(exact) &&
+                turning_error(vti2, 1.0) < turning_tolerance(vti2));
+}
+
+/* ---- the modified energy ---------------------------------------------------------------------------------------------- */
+
+static const char chain[] =
+    "bodies:\n  chain: {count: 6, spacing: 1}\n  mass: 1\n  random: {seed: 5, v: 0.3, omega: 0.9}\n"
+    "binder: {moment: 3, axial: 40, shear: {stiffness: 30}}\nh: 1\nt_end: 1\n";
+static const char pendulum[] = "bodies: {inertia: 2, alpha: [1, 2, -0.5], omega: [0.4, 1.5, -0.7]}\n"
+                               "pendulum: {weight: 3, rho0: [0.3, 0.1, 1]}\nh: 1\nt_end: 1\n";
+static const char sphere[] = "bodies: {x: [0, 0, 3], v: [0.2, 0, 0], mass: 2, diameter: 1}\ngravity: [0, 0, -1]\n"
+                             "h: 1\nt_end: 1\n";
+
+struct swing {
+    struct verdict verdict;
+    struct columns columns;
+    double least[2], most[2]; /* of the total and of the modified energy */
+};
+
+static int see(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct swing *s = self;
+    double row[COLUMNS];
+    verdict_row(&s->verdict, t, bodies, row);
+    for (int k = 0; k < 2; ++k) {
+        const double e = row[k == 0 ? s->columns.total : s->columns.modified];
+        s->least[k] = step == 0 ? e : fmin(s->least[k], e);
+        s->most[k] = step == 0 ? e : fmax(s->most[k], e);
+    }
+    return 0;
+}
+
+static void swings(const char *text, const char *stepper, double h, double swing[2])
+{
+    static struct scene scene;
+    static struct model model;
+    static struct swing s;
+    struct message message;
+    const vti_stepper *method = vti_stepper_find(stepper);
+    make_model(text, &scene, &model);
+    columns_of(&model, method, &s.columns);
+    assert_true(s.columns.modified == s.columns.total + 1);
+    assert_int_equal(verdict_create(&s.verdict, &model, method, h, &s.columns, &message), 0);
+    const struct observer observer = {see, &s, 1, 0};
+    assert_int_equal(loop_run(&model, method, h, 0, loop_steps(4.0, h), &observer, 1, &message), 0);
+    for (int k = 0; k < 2; ++k)
+        swing[k] = s.most[k] - s.least[k];
+    verdict_destroy(&s.verdict);
+    model_destroy(&model);
+}
+
+static void orders(void **state)
+{
+    static const char *const names[] = {"vti1", "vti2", "vti3", "vti3-leapfrog", "exact"};
+    static const char *const texts[] = {chain, pendulum};
+    (void)state;
+    for (size_t n = 0; n < 5; ++n)
+        for (int k = 0; k < 2; ++k) {
+            double coarse[2], fine[2];
+            swings(texts[k], names[n], 1.0 / 64, coarse);
+            swings(texts[k], names[n], 1.0 / 128, fine);
+            const double total = log2(coarse[0] / fine[0]), modified = log2(coarse[1] / fine[1]);
+            print_message("%s: orders %.3f, modified %.3f\n", names[n], total, modified);
+            assert_close(total, strcmp(names[n], "vti3") == 0 ? 1.0 : 2.0, 0.1);
+            assert_close(modified, 4.0, 0.2);
+        }
+}
+
+/** In a uniform field H is conserved by Verlet but for rounding, and the modified energy is another constant. Other lists have
+ *  no such column. */
+static void elsewhere(void **state)
+{
+    static struct scene scene;
+    static struct model model;
+    struct columns columns;
+    double swing[2];
+    (void)state;
+    swings(sphere, "vti2", 1.0 / 32, swing);
+    assert_below(swing[0], 1e-13);
+    assert_below(swing[1], 1e-13);
+    make_model(sphere, &scene, &model);
+    for (int64_t k = 0; k < vti_stepper_count(); ++k) {
+        const vti_stepper *s = vti_stepper_at(k);
+        columns_of(&model, s, &columns);
+        assert_int_equal(columns.modified >= 0, s->evals == 1);
+    }
+    model_destroy(&model);
+}
+
+/* ---- slopes ------------------------------------------------------------------------------------------------------------- */
+
+static void slopes(void **state)
+{
+    rng g = rng_seed(3);
+    double slope, error;
+    int within = 0;
+    (void)state;
+    for (int trial = 0; trial < 100; ++trial) {
+        struct trend line = {0}, noise = {0};
+        const int n = 10 + rng_below(&g, 5000);
+        for (int k = 0; k < n; ++k) {
+            trend_add(&line, 0.25 * k, 3.0 - 0.5 * k);
+            trend_add(&noise, 0.25 * k, 0.125 * k + uniform(&g, -1.0, 1.0));
+        }
+        trend_slope(&line, &slope, &error);
+        assert_close(slope, -2.0, 1e-11);
+        assert_below(error, 1e-11);
+        trend_slope(&noise, &slope, &error);
+        /* of independent values with the variance 1/3 a line over n of them knows its slope to sqrt(4/n^3) per value */
+        if (n > 100)
+            assert_close(error / (4.0 * sqrt(4.0 / n) / n), 1.0, 0.6);
+        within += fabs(slope - 0.5) < 2.0 * error;
+    }
+    /* 95 % of normal ones; 80 of 100 would be wrong by 7 standard deviations */
+    assert_in_range(within, 80, 100);
+    struct trend few = {0};
+    for (int k = 0; k < 3; ++k)
+        trend_add(&few, k, k);
+    trend_slope(&few, &slope, &error);
+    assert_true(isnan(slope) && isnan(error));
+}
+
+/* ---- bonds ---------------------------------------------------------------------------------------------------------------- */
+
+static int follow(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct verdict *v = self;
+    double row[COLUMNS];
+    (void)t;
+    verdict_step(v, bodies);
+    if (step % 50 == 0)
+        verdict_row(v, t, bodies, row);
+    return 0;
+}
+
+/** Two bodies held by a moment alone, turning against each other: theta_max = Omega sqrt(J/(2 K)), J/2 being the reduced inertia
+ *  and Omega the relative speed. */
+static int64_t turned(double share)
+{
+    static struct scene scene;
+    static struct model model;
+    static struct verdict v;
+    struct columns columns;
+    struct message message;
+    char text[TEXT_SIZE];
+    const double j = 0.1, k = 2.0, omega = share * PI / sqrt(j / (2.0 * k));
+    FILE *file = fopen("two.csv", "wb");
+    assert_non_null(file);
+    fprintf(file, "x,y,z,omega_x,omega_y,omega_z\n0,0,0,0,%.9g,0\n1,0,0,0,0,0\n", omega);
+    fclose(file);
+    write_text("bond.csv", "i,j\n0,1\n");
+    snprintf(text, sizeof text,
+             "bodies: {table: two.csv, mass: 1, inertia: %g, diameter: 1}\n"
+             "binder: {table: bond.csv, moment: %g}\nh: 1e-3\nt_end: 3\n",
+             j, k);
+    make_model(text, &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
+    const struct observer observer = {follow, &v, 1, 0};
+    assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, 3000, &observer, 1, &message), 0);
+    const struct judgement judgement = verdict_judge(&v, 0, &message);
+    assert_int_equal(judgement.verdict, judgement.bonds_turned > 0 ? VERDICT_DOUBTFUL : VERDICT_GOOD);
+    verdict_destroy(&v);
+    model_destroy(&model);
+    return judgement.bonds_turned;
+}
+
+static void bonds(void **state)
+{
+    (void)state;
+    assert_int_equal(turned(0.3), 0);
+    assert_int_equal(turned(0.95), 0);
+    assert_int_equal(turned(1.05), 1);
+    assert_int_equal(turned(3.0), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(angles),    cmocka_unit_test(errors), cmocka_unit_test(orders),
+                                       cmocka_unit_test(elsewhere), cmocka_unit_test(slopes), cmocka_unit_test(bonds)};
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
+}
