@@ -97,25 +97,17 @@ static inline void random_scene(rng *g, const char *const *steppers, int n, char
     say(text, "stepper: %s\nh: 1\nt_end: 1\n", steppers[rng_below(g, n)]);
 }
 
-/** The stable step at the start, and that of six contacts at once which go as deep as the energies at the start allow: spheres
- *  that do not touch yet will (EQUATIONS 6.10). To seven bits, so that nothing hangs on the last of them. */
+/** The stable step that the energies of the start allow, contacts that may come included. To seven bits, so that nothing hangs
+ *  on the last of them. */
 static inline double random_bound(const struct model *model)
 {
     struct message message;
-    const struct scene *s = model->scene;
-    double h = NAN, digits;
+    struct model_limits limits;
     int exponent;
-    const double overlap = model_overlap(model);
-    if (model_stable_step(model, overlap, &h, &message) != 0)
+    if (model_find_limits(model, &limits, &message) != 0)
         fail_msg("%s", message.text);
-    if (overlap > 0.0) {
-        const double stiffness =
-            fmax(s->has_contact ? s->contact.stiffness : 0.0, s->has_wall ? 4.0 * s->wall.stiffness : 0.0);
-        const double k = 1.5 * stiffness * sqrt(overlap) / (s->diameter * s->diameter);
-        h = fmin(h, 2.0 / sqrt(2.0 * 6.0 * k / s->mass));
-    }
+    const double h = fmin(limits.rest.h, limits.within.h), digits = frexp(h, &exponent);
     assert_true(isfinite(h));
-    digits = frexp(h, &exponent);
     return ldexp(floor(128.0 * digits) / 128.0, exponent);
 }
 

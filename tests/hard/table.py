@@ -44,6 +44,13 @@ NOTES = {
                  "energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
+    "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/sim/verdict.h): good, doubtful, bad. Bad is an energy that grows by "
+               "more than a quarter of what moves (S, the largest T + U without fields; by H and by H - (h^2/8) sum(F^2/m + RM^2/J), or "
+               "by 0.7 of S by H alone), a body that travels by more than a diameter per step where bodies meet something, and a run "
+               "that breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "
+               "of magnitude, eight steppers, 256 steps; a run with a step 16 times smaller says what the energy should be at each. The "
+               "verdict errs where it is good or doubtful on a run that is off by more than ten times S/4, or bad on one that is within S/4; "
+               "what lies between may be called either.",
     "rivals": "What `drivers/rivals` holds beside this library's steppers, in the cases that all of them can be put to. "
               "h = 0.9 and 1.1 of 2/omega is the limit of velocity Verlet, the same for all. Methods that choose their steps "
               "themselves are left out.",
