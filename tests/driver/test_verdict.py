@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verdict as the programs give it: one last line, attributes, columns, the code 3 apart from `complete`; the same bytes after
+--resume.                                                             test_verdict.py VTI_RUN VTI_STUDY MPIRUN SCENES"""
+import csv
+import os
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+from programs import run
+from run_support import contents, read_csv
+from tally import check, conclude
+
+RUN, STUDY, MPIRUN, SCENES = (os.path.abspath(path) for path in sys.argv[1:5])
+NUMBERS = ("energy_gain", "energy_swing", "energy_slope", "energy_slope_error", "energy_scale", "travel", "rotation",
+           "angle_error", "stable_step", "bonds_turned")
+
+BLOCK = """bodies:
+  lattice: {counts: [6, 4, 4], spacing: 1, corner: [1.6, 0, 0]}
+  mass: 1
+  v: [-4, 0, 0]
+binder: {moment: 10, axial: 20, shear: {stiffness: 200}}
+wall: {stiffness: 2100, planes: [[1, 0.2, 0, 1]]}
+h: 0.01
+t_end: 4
+"""
+FAST = """bodies: {table: fast.csv, mass: 1, diameter: 1}
+contact: {stiffness: 1}
+h: 0.01
+t_end: 1
+"""
+SPIN = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [10, 0, 0]}\nh: 1\nt_end: 20\n"
+
+
+def attributes(path):
+    with h5py.File(path) as file:
+        return dict(file.attrs)
+
+
+def verdict(base, scene, *options):
+    """Runs it: the result, the last line, the attributes."""
+    result = run(RUN, scene, "--no-dump", "-o", f"{base}/out.h5", "--force", *options)
+    lines = result.stdout.splitlines()
+    check(sum(line.startswith("verdict: ") for line in lines) == 1, f"one line of verdict: {lines[-1][:100]}")
+    found = attributes(f"{base}/out.h5")
+    check(found["verdict"].decode() == lines[-1].split()[1].rstrip(":"), "the attribute says the same")
+    check(all(name in found for name in NUMBERS), "and the numbers are there")
+    return result, lines, found
+
+
+def runs(base):
+    for scene in ("pendulum", "chain", "spin"):
+        result, _, found = verdict(base, f"{SCENES}/{scene}.yaml")
+        check(result.returncode == 0 and found["verdict"] == b"good" and found["complete"] == 1, f"{scene}: good, 0")
+    result, _, found = verdict(base, f"{base}/block.yaml")
+    check(result.returncode == 3 and found["verdict"] == b"bad" and found["complete"] == 1 and found["energy_gain"] > 0.25,
+          "an energy that explodes to finite numbers: bad, 3, complete")
+    result, lines, found = verdict(base, f"{base}/fast.yaml")
+    check(result.returncode == 3 and abs(found["travel"] - 5) < 1e-9 and any(
+        "moves by 5 diameters" in line for line in lines if line.startswith("warning: ")),
+        "spheres that pass through each other: a warning at the start, bad at the end")
+    for stepper in ("exact", "srkn11"):
+        result, lines, found = verdict(base, f"{base}/spin.yaml", "--stepper", stepper)
+        check(result.returncode == 0 and found["verdict"] == b"doubtful" and found["angle_error"] > 1e-3 and any(
+            "turns by another angle" in line for line in lines if line.startswith("warning: ")),
+            f"{stepper} at h|Omega| = 10: a warning at the start, doubtful at the end")
+    _, lines, found = verdict(base, f"{base}/spin.yaml", "--h", "0.1", "--stepper", "exact")
+    check(found["verdict"] == b"good" and not any("warning" in line for line in lines), "and none at 1")
+
+
+def modified(base):
+    """The swing of energy_modified is of fourth order where that of total is of second."""
+    swings = []
+    for h in ("1/32", "1/64"):
+        verdict(base, f"{SCENES}/pendulum.yaml", "--h", h)
+        names, rows = read_csv(f"{base}/out.csv")
+        swings.append([numpy.ptp(rows[:, names.index(name)]) for name in ("total", "energy_modified")])
+    total, better = numpy.log2(numpy.divide(*swings))
+    check(abs(total - 2) < 0.1 and abs(better - 4) < 0.3, f"orders of total and energy_modified: {total:.2f}, {better:.2f}")
+    verdict(base, f"{SCENES}/pendulum.yaml", "--stepper", "srkn6")
+    check("energy_modified" not in read_csv(f"{base}/out.csv")[0], "srkn6 has no such column")
+
+
+def resumed(base):
+    """Bonds are being followed past half a turn while the run is prolonged; the verdict is that of one run."""
+    whole = run(RUN, f"{base}/block.yaml", "--record", "7", "--frames", "50", "--no-dump", "-o", f"{base}/whole.h5")
+    run(RUN, f"{base}/block.yaml", "--record", "7", "--frames", "50", "--no-dump", "-o", f"{base}/parts.h5", "--t-end", "1.03")
+    parts = run(RUN, f"{base}/block.yaml", "--no-dump", "-o", f"{base}/parts.h5", "--resume")
+    same = {ending: a == b for (ending, a), b in zip(contents(f"{base}/whole").items(), contents(f"{base}/parts").values())
+            if ending in (".h5", ".csv")}
+    check(whole.returncode == parts.returncode == 3 and all(same.values()), f"prolonged: the same bytes, bad {same}")
+    check(whole.stdout.splitlines()[-1] == parts.stdout.splitlines()[-1], "and the same line")
+    check(attributes(f"{base}/whole.h5")["bonds_turned"] > 0, "of bonds that turned, too")
+
+
+def study(base):
+    result = run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/chain.yaml", "--steppers", "vti2", "--h", "1/8,1/64,1/128", "--t-end",
+                 "1", "--no-plot", "-o", f"{base}/study")
+    check(result.returncode == 3 and "verdict: of 3 runs 2 are good, 0 doubtful, 1 bad" in result.stdout,
+          f"a study with a run that explodes ends with 3 {result.stderr}")
+    with open(f"{base}/study/study.csv", encoding="ascii", newline="") as file:
+        rows = list(csv.DictReader(file))
+    check([row["verdict"] for row in rows] == ["bad", "good", "good"], "study.csv says which")
+    with h5py.File(f"{base}/study/study.h5") as file:
+        check(list(file["runs/verdict"]) == [2, 0, 0] and all(
+            numpy.array_equal(file[f"runs/{name}"], [float(row[name]) for row in rows], equal_nan=True) for name in NUMBERS),
+            "study.h5 holds the same numbers")
+
+
+with tempfile.TemporaryDirectory() as root:
+    for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("spin.yaml", SPIN),
+                       ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
+        with open(f"{root}/{name}", "w", encoding="ascii") as out:
+            out.write(text)
+    runs(root)
+    modified(root)
+    resumed(root)
+    study(root)
+conclude()
