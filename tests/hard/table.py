@@ -74,7 +74,11 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 |---|---|---|---|
 | a call that changes a file fails, or the disk is full, at any moment | vti-run, vti-study, vti-study --cost | reported: the file and why; files are the old or the new ones; --resume ends with the same bytes | hard trouble |
 | killed at any such call, or within a write | the same | the same bytes after --resume | hard trouble |
-| SIGTERM during a write | vti-run | ends with a checkpoint, 75, or with all files, 0 | hard trouble |
+| SIGTERM at any such call | vti-run | ends with a checkpoint, 75, or with all files, 0; before the first step by the signal, and leaves nothing | hard trouble |
+| SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGUSR1 | vti-run | a checkpoint, 75; before the first step the program ends; under nohup SIGHUP is ignored | run_resume |
+| a complete run, a later --t-end and --resume | vti-run | the bytes of one run to that end with the same --record and --frames | run_resume |
+| outputs that are inputs, links and hard links too | vti-run, vti-study | refused, --force or not | overwrite |
+| outputs that are there and no results of vti | the same | refused, but with --force | overwrite |
 | standard output cannot be written | vti-run, vti-study, vti-advise | reported, 1 | hard trouble |
 | kill -9 of any rank | vti-study | mpirun ends with a message (that of Debian 12 stays after one kill in a hundred, though all ranks are gone: PMIx 4.2.2 locks itself out at its end; end it by hand); the same bytes after --resume | hard study_resume |
 | one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
