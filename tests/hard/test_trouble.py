@@ -76,7 +76,7 @@ class Topic:
         return wrong
 
     def ended(self, result, how, after):
-        codes = [-signal.SIGTERM if how == "term" else -signal.SIGKILL]
+        codes = [0, 75] if how == "term" else [-signal.SIGKILL]
         if how == "term" and "run" in self.name:
             codes = [0, 75, -signal.SIGTERM]  # the last before its first step, with nothing to go on from
             if result.returncode == codes[2] and self.journal in after:
@@ -129,7 +129,7 @@ def runs(base):
 
 
 def studies(base, *arguments, short=()):
-    """short says what is done in full in the short test. vti-study does not catch SIGTERM, which ends it as SIGKILL does."""
+    """short says what is done in full in the short test."""
     topic = Topic(base, *arguments)
     topic.meets("torn", topic.numbers("pwrite"))
     topic.meets("full", topic.numbers("" if LONG or "full" in short else "fclose"))
