@@ -177,7 +177,7 @@ VTI_API vti_effect vti_walls_effect(const vti_walls *walls);
 VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_deformation *at,
                              vti_spring_visit *visit, void *context);
 
-/** A bound on the step, and what sets it. */
+/** A bound on the step, and what sets it: the stiffest spring at the bodies that allow no more. */
 typedef struct vti_stable {
     double h;        /**< 2/omega; infinite if nothing oscillates */
     int64_t effect;  /**< number of the effect in the array, from 0; -1 if nothing oscillates */

@@ -120,7 +120,8 @@ struct tally {
     int largest;    /* the scale that the largest weight has */
     int status;
     int64_t effect;
-    struct wide most;
+    struct wide most, heaviest;
+    int64_t at[2]; /* bodies of the element that is fastest with its shares */
     vti_stable found;
 };
 
@@ -171,8 +172,22 @@ static void find_most(void *context, const vti_spring *s)
     const struct wide found = omega2(s, t->b, zi, zj);
     if (!is_larger(found, t->most))
         return;
-    const vti_stable stable = {NAN, t->effect, s->element, s->i, s->j};
     t->most = found;
+    t->at[0] = s->i;
+    t->at[1] = s->j;
+}
+
+/** By shares that are as the weights all elements at a body come out alike: it is the heaviest there that sets the step. */
+static void name_heaviest(void *context, const vti_spring *s)
+{
+    struct tally *t = context;
+    if (s->i != t->at[0] && s->i != t->at[1] && (s->j < 0 || (s->j != t->at[0] && s->j != t->at[1])))
+        return;
+    const struct wide whole = omega2(s, t->b, 1.0, 1.0);
+    if (!is_larger(whole, t->heaviest))
+        return;
+    const vti_stable stable = {NAN, t->effect, s->element, s->i, s->j};
+    t->heaviest = whole;
     t->found = stable;
 }
 
@@ -241,10 +256,12 @@ int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, c
     status = effects_check(effects, n, b, stable);
     if (status != VTI_OK)
         return status;
-    struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {INFINITY, -1, -1, -1, -1}};
+    struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {0.0, 0}, {-1, -1}, {INFINITY, -1, -1, -1, -1}};
     status = share_out(effects, n, at, &t);
     if (status == VTI_OK)
         status = each_spring(effects, n, at, find_most, &t);
+    if (status == VTI_OK && t.at[0] >= 0)
+        status = each_spring(effects, n, at, name_heaviest, &t);
     if (status != VTI_OK)
         return status;
     *stable = t.found;
