@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !> Effects and measures: what Fortran gets is what C gets, and an effect written in Fortran works in C's loop.
 module spring
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int64_t, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funptr, c_int, c_int64_t, c_ptr
     use common, only: n
-    use vti, only: vti_bodies
+    use vti, only: vti_bodies, vti_show_spring, vti_spring, VTI_OK
     implicit none
 
     !> U = stiffness/2 sum |x|^2 on (3,n) arrays of the host, reached through self.
@@ -33,6 +33,23 @@ contains
         call c_f_pointer(self, s)
         energies(1) = s%stiffness/2*sum(s%x(:, bodies%first + 1:bodies%first + bodies%count)**2)
     end subroutine
+
+    !> Each body is held to 0, alike in all directions.
+    function spring_springs(self, bodies, at, visit, context) result(status) bind(c)
+        type(c_ptr), value :: self, at, context
+        type(vti_bodies), intent(in) :: bodies
+        type(c_funptr), value :: visit
+        integer(c_int) :: status
+        type(springs), pointer :: s
+        integer(c_int64_t) :: i
+        call c_f_pointer(self, s)
+        status = VTI_OK
+        associate (anywhere => at) ! the same at any deformation
+        end associate
+        do i = bodies%first + 1, bodies%first + bodies%count
+            call vti_show_spring(visit, context, vti_spring(element=i, i=i, axial=s%stiffness, across=s%stiffness))
+        end do
+    end function
 end module
 
 program test_fortran_effects
@@ -106,7 +123,8 @@ contains
         type(vti_pendulum), target :: pendulum = vti_pendulum(2.0_c_double, [0.0_c_double, 0.0_c_double, 1.0_c_double])
         type(springs), target :: own
         type(vti_effect) :: both(2)
-        real(c_double) :: arm(3)
+        type(vti_stable) :: stable
+        real(c_double) :: arm(3), scratch(n), expected
         own%stiffness = 3
         own%x => s%x
         own%force => force
@@ -124,5 +142,19 @@ contains
         call expect(all(abs([force(:, 1), moment(:, 1)] - 5) <= 0), 'bodies outside the slice are left alone')
         call expect(abs(vti_energy(both, b) - vti_energy(both(1:1), b) - 1.5_c_double*sum(s%x**2)) <= &
             8*epsilon(1.0_c_double)*vti_energy(both, b), 'energies add up') ! three sums, each good to 2 eps
+        ! an effect that says nothing of its springs leaves no bound; with them, the lightest body sets it
+        call expect_status(vti_stable_step(both, b, scratch, stable), VTI_E_SPRINGS, 'springs that are not told')
+        call expect(stable%effect == 2 .and. stable%element == 0 .and. stable%i == 0, 'the effect that does not tell')
+        both(2)%springs = c_funloc(spring_springs)
+        expected = 2/sqrt(3/minval(s%mass))
+        call expect_status(vti_stable_step(both(2:), b, scratch, stable), VTI_OK, 'springs of a host')
+        call expect(abs(stable%h - expected) <= 4*epsilon(expected)*expected, 'the bound of springs of a host')
+        call expect(stable%effect == 1 .and. stable%i == minloc(s%mass, 1) .and. stable%element == stable%i &
+            .and. stable%j == 0, 'what sets it')
+        call expect_status(vti_stable_step(both, b, scratch, stable, vti_deformation()), VTI_OK, 'with the pendulum')
+        call expect(stable%h < expected, 'two effects are stiffer than one')
+        both(2)%springs = c_funloc(vti_springs_none)
+        call expect_status(vti_stable_step(both(2:), b, scratch, stable), VTI_OK, 'no springs')
+        call expect(stable%h > huge(1.0_c_double) .and. stable%effect == 0, 'no springs do not oscillate')
     end subroutine
 end program
