@@ -159,6 +159,13 @@ static void add_weight(void *context, const vti_spring *s)
         t->shares[s->j - t->b->first] += w;
 }
 
+static void name(const vti_spring *s, struct wide whole, struct tally *t)
+{
+    const vti_stable stable = {NAN, t->effect, s->element, s->i, s->j};
+    t->heaviest = whole;
+    t->found = stable;
+}
+
 static void find_most(void *context, const vti_spring *s)
 {
     struct tally *t = context;
@@ -175,6 +182,7 @@ static void find_most(void *context, const vti_spring *s)
     t->most = found;
     t->at[0] = s->i;
     t->at[1] = s->j;
+    name(s, whole, t);
 }
 
 /** By shares that are as the weights all elements at a body come out alike: it is the heaviest there that sets the step. */
@@ -184,11 +192,8 @@ static void name_heaviest(void *context, const vti_spring *s)
     if (s->i != t->at[0] && s->i != t->at[1] && (s->j < 0 || (s->j != t->at[0] && s->j != t->at[1])))
         return;
     const struct wide whole = omega2(s, t->b, 1.0, 1.0);
-    if (!is_larger(whole, t->heaviest))
-        return;
-    const vti_stable stable = {NAN, t->effect, s->element, s->i, s->j};
-    t->heaviest = whole;
-    t->found = stable;
+    if (is_larger(whole, t->heaviest))
+        name(s, whole, t);
 }
 
 static int each_spring(const vti_effect *effects, int64_t n, const vti_deformation *at, vti_spring_visit *visit,

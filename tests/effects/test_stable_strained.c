@@ -76,7 +76,8 @@ static void all_shorter_or_longer(void **state)
             now[trial] = bound(&effect, 1, NULL) / limit;
             unsafe += bound(&effect, 1, &rest) > limit * (1 + HESSIAN_ERROR);
         }
-        print_message("bonds at %.1f of L0: the bound at rest is above the limit in %d of %d\n", shares[s], unsafe, CLUSTERS);
+        print_message("bonds at %.1f of L0: the bound at rest is above the limit in %d of %d\n", shares[s], unsafe,
+                      CLUSTERS);
         assert_true(s != 1 || unsafe > CLUSTERS / 10); /* or strain would not be called for */
         all_below("  within that strain", within, CLUSTERS);
         all_below("  where the bodies are", now, CLUSTERS);
@@ -264,12 +265,8 @@ static int rubber_springs(const void *self, const vti_bodies *b, const vti_defor
     const struct rubber *r = self;
     (void)b, (void)at;
     for (int64_t n = 0; n < r->count; ++n) {
-        const vti_spring s = {.element = n,
-                              .i = r->pair[n][0],
-                              .j = r->pair[n][1],
-                              .length = 1,
-                              .axial = r->k[n],
-                              .across = r->k[n]};
+        const vti_spring s = {
+            .element = n, .i = r->pair[n][0], .j = r->pair[n][1], .length = 1, .axial = r->k[n], .across = r->k[n]};
         visit(context, &s);
     }
     return VTI_OK;
@@ -406,8 +403,12 @@ static void other_units(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_shorter_or_longer),  cmocka_unit_test(each_its_own), cmocka_unit_test(moved_at_random),
-        cmocka_unit_test(contacts_that_may_come), cmocka_unit_test(own_effect),   cmocka_unit_test(any_size),
+        cmocka_unit_test(all_shorter_or_longer),
+        cmocka_unit_test(each_its_own),
+        cmocka_unit_test(moved_at_random),
+        cmocka_unit_test(contacts_that_may_come),
+        cmocka_unit_test(own_effect),
+        cmocka_unit_test(any_size),
         cmocka_unit_test(other_units),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
