@@ -375,7 +375,7 @@ static void any_size(void **state)
     assert_close(bound(&effect, 1, &rest) / 1e-250, sqrt(2), 1e-14);
 }
 
-/** A chain: units of mass that are smaller by 2^600 make all steps smaller by 2^300, to the bit; and a slow bond beside fast
+/** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside fast
  *  ones changes nothing. */
 static void other_units(void **state)
 {
@@ -387,8 +387,13 @@ static void other_units(void **state)
         const vti_deformation at = {0, 0.1, 0};
         const double h = bound(&effect, 1, &at);
         for (int i = 0; i < c.n; ++i) {
-            c.mass[i] *= 0x1p-600;
-            c.inertia[i] *= 0x1p-600;
+            c.mass[i] *= 0x1p600;
+            c.inertia[i] *= 0x1p600;
+        }
+        assert_true(bound(&effect, 1, &at) == h * 0x1p300);
+        for (int i = 0; i < c.n; ++i) {
+            c.mass[i] = c.mass[i] * 0x1p-600 * 0x1p-600;
+            c.inertia[i] = c.inertia[i] * 0x1p-600 * 0x1p-600;
         }
         assert_true(bound(&effect, 1, &at) == h * 0x1p-300);
         const int64_t last = w.bonds.count++;
