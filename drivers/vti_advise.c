@@ -10,6 +10,7 @@
 #include "output.h"
 #include "study.h"
 #include "table_hdf5.h"
+#include "version.h"
 
 static const char usage[] =
     "Usage: vti-advise [options] SCENE.yaml\n"
@@ -28,7 +29,8 @@ static const char usage[] =
     "  --set PATH=VALUE  override a value of the scene; may be repeated\n"
     "  --json            one JSON object with the keys stepper, h, predicted_error, predicted_seconds, stable_h,\n"
     "                    h_max_omega, alternatives; warnings go to stderr\n"
-    "  -h, --help        this text\n";
+    "  -h, --help        this text\n"
+    "  --version         version, commit, compiler, flags and vector units\n";
 
 enum { SETS = 64 };
 
@@ -127,6 +129,8 @@ int main(int argc, char **argv)
     static struct tables tables;
     static struct arguments arguments;
     struct message message = {""};
+    if (version_asked(argc, argv, "vti-advise", 1))
+        return 0;
     int failed = read_arguments(argc, argv, &arguments, &message);
     if (failed == 0 && arguments.help) {
         fputs(usage, stdout);

@@ -8,6 +8,7 @@
 
 #include "message.h"
 #include "method_check.h"
+#include "version.h"
 
 static const char usage[] =
     "Usage: vti-check [options] [--stepper NAME | --rival NAME | --plugin FILE.so:SYMBOL]\n"
@@ -23,6 +24,7 @@ static const char usage[] =
     "  --json                one JSON object\n"
     "  --list                names of steppers and rivals\n"
     "  -h, --help            this text\n"
+    "  --version             version, commit, compiler, flags and vector units\n"
     "\n"
     "Exit status: 0 if there is no fault, 1 if there is one, 2 if nothing could be checked.\n";
 
@@ -155,6 +157,8 @@ int main(int argc, char **argv)
     struct arguments a = {0, NULL, 0, 0, 0, 0};
     struct message message = {""};
     int result = 0;
+    if (version_asked(argc, argv, "vti-check", 1))
+        return 0;
     if (read_arguments(argc, argv, &a, &message) != 0)
         result = 2;
     else if (a.help)

@@ -11,6 +11,8 @@
 #include "progress.h"
 #include "run.h"
 #include "run_say.h"
+#include "scene_list.h"
+#include "version.h"
 #include "run_signals.h"
 
 static const char usage[] =
@@ -33,7 +35,9 @@ static const char usage[] =
     "  --checkpoint SECONDS  time between checkpoints (default 60)\n"
     "  --resume              go on from the last checkpoint, or with a later --t-end from the end of a complete run;\n"
     "                        if there is neither, start\n"
+    "  --list WHAT           steppers, effects or keys of scenes, with what they are\n"
     "  -h, --help            this text\n"
+    "  --version             version, commit, compiler, flags and vector units\n"
     "\n"
     "While it runs everything is kept in the folder OUT.run. After SIGTERM, SIGUSR1, SIGHUP, SIGXCPU or Ctrl-C it "
     "saves a checkpoint "
@@ -53,6 +57,7 @@ struct arguments {
     char short_sets[SETS][OVERRIDE]; /* "h=0.1" of --h 0.1, and the like */
     struct run_request request;
     int help;
+    const char *list;
 };
 
 /** An override of the scene; key is NULL where value already is "path=value". */
@@ -91,7 +96,7 @@ static int read_seconds(const char *text, double *seconds, struct message *messa
     return 0;
 }
 
-enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, XDMF, FORCE };
+enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, XDMF, FORCE, LIST };
 
 static int take(struct arguments *a, int option, char **argv, struct message *message)
 {
@@ -122,6 +127,9 @@ static int take(struct arguments *a, int option, char **argv, struct message *me
     case FORCE:
         a->request.force = 1;
         return 0;
+    case LIST:
+        a->list = optarg;
+        return 0;
     case 'o':
         a->request.output = optarg;
         return 0;
@@ -148,6 +156,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"no-dump", no_argument, NULL, NO_DUMP},
                                             {"xdmf", no_argument, NULL, XDMF},
                                             {"force", no_argument, NULL, FORCE},
+                                            {"list", required_argument, NULL, LIST},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
     const struct run_request defaults = {NULL, NULL, 0, NULL, 0, 0, 60.0, 0, 1, 0, 0};
@@ -160,7 +169,7 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
     a->request.scene = optind < argc ? argv[optind] : NULL;
     if (optind + 1 < argc)
         return message_set(message, "%.200s: only one scene can be run at a time; remove it", argv[optind + 1]);
-    if (a->request.scene == NULL && !a->help)
+    if (a->request.scene == NULL && !a->help && a->list == NULL)
         return message_set(message, "a scene is needed: vti-run SCENE.yaml; see vti-run --help");
     return 0;
 }
@@ -177,6 +186,8 @@ int main(int argc, char **argv)
     static struct arguments arguments;
     static struct run run;
     struct message message = {""};
+    if (version_asked(argc, argv, "vti-run", 1))
+        return EXIT_SUCCESS;
     if (read_arguments(argc, argv, &arguments, &message) != 0) {
         fprintf(stderr, "vti-run: %s\n", message.text);
         return EXIT_FAILURE;
@@ -184,6 +195,12 @@ int main(int argc, char **argv)
     if (arguments.help) {
         fputs(usage, stdout);
         return EXIT_SUCCESS;
+    }
+    if (arguments.list != NULL) {
+        if (scene_list(arguments.list, stdout, &message) == 0 && output_end(&message) == 0)
+            return EXIT_SUCCESS;
+        fprintf(stderr, "vti-run: %s\n", message.text);
+        return EXIT_FAILURE;
     }
     enum run_end end = RUN_FAILED;
     const int opened = run_open(&arguments.request, &run, &message) == 0;

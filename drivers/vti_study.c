@@ -14,6 +14,7 @@
 #include "pictures.h"
 #include "study_go.h"
 #include "table_hdf5.h"
+#include "version.h"
 
 static const char usage[] =
     "Usage: mpirun -n RANKS vti-study [options] [SCENE.yaml]\n"
@@ -38,6 +39,7 @@ static const char usage[] =
     "  --force           replace files that are no results of vti too; what the scene is read from is never replaced\n"
     "  --no-plot         no pictures\n"
     "  -h, --help        this text\n"
+    "  --version         version, commit, compiler, flags and vector units\n"
     "\n"
     "  --cost            what accuracy costs: errors against force evaluations and time, and the price of each error.\n"
     "                    Several scenes; each to its own ends T,... or those of --t-end T,...; --steppers knows "
@@ -233,6 +235,8 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
     static struct study_inputs inputs;
     struct arguments arguments;
     struct message message = {""};
+    if (version_asked(argc, argv, "vti-study", rank == 0))
+        return 0;
     int failed = read_arguments(argc, argv, &arguments, &message);
     if (failed == 0 && arguments.help) {
         if (rank == 0)

@@ -50,3 +50,22 @@ void frame_attitudes(const struct frame_layout *layout, const double *frame, dou
     for (int64_t i = 0; i < layout->n; ++i)
         vti_rrv_to_quat_xyzw(frame + layout->alpha + 3 * i, xyzw + 4 * i);
 }
+
+void frame_attitudes_w_first(const struct frame_layout *layout, const double *frame, double *wxyz)
+{
+    frame_attitudes(layout, frame, wxyz);
+    for (double *q = wxyz; q < wxyz + 4 * layout->n; q += 4) {
+        const double w = q[3];
+        q[3] = q[2];
+        q[2] = q[1];
+        q[1] = q[0];
+        q[0] = w;
+    }
+}
+
+void frame_directors(const struct frame_layout *layout, const double *frame, double *directors)
+{
+    static const double x_axis[3] = {1.0, 0.0, 0.0};
+    for (int64_t i = 0; i < layout->n; ++i)
+        vti_rrv_rotate(frame + layout->alpha + 3 * i, x_axis, directors + 3 * i);
+}

@@ -17,7 +17,12 @@ struct frame_layout {
 
 void frame_layout_of(const struct model *model, struct frame_layout *layout);
 void frame_take(const struct frame_layout *layout, int64_t step, double t, const vti_bodies *bodies, double *frame);
-/** Unit quaternions xyzw[n][4] of a frame whose bodies turn. */
+/* Of a frame whose bodies turn: */
+/** Unit quaternions [n][4], x y z w; w >= 0. */
 void frame_attitudes(const struct frame_layout *layout, const double *frame, double *xyzw);
+/** The same, w x y z, as ParaView's glyphs read quaternions. */
+void frame_attitudes_w_first(const struct frame_layout *layout, const double *frame, double *wxyz);
+/** The bodies' own x axes R e_x [n][3], along which arrows of ParaView and VTK point unturned. */
+void frame_directors(const struct frame_layout *layout, const double *frame, double *directors);
 
 #endif

@@ -105,6 +105,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
         attribute(w, "omega", k, 3);
         attribute(w, "alpha", k, 3);
         attribute(w, "attitude_xyzw", k, 4);
+        attribute(w, "attitude_wxyz", k, 4);
+        attribute(w, "director", k, 3);
     }
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");

@@ -63,16 +63,20 @@ struct quantity {
     const char *name;
     int64_t place;
     int64_t components;
+    /** Makes it from what the frame holds; NULL where the frame holds it. */
+    void (*derive)(const struct frame_layout *layout, const double *frame, double *values);
 };
 
-enum { QUANTITIES = 4 };
+enum { QUANTITIES = 6 };
 
 static void quantities_of(const struct frame_layout *layout, struct quantity list[QUANTITIES])
 {
-    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3},
-                                             {"omega", layout->omega, 3},
-                                             {"alpha", layout->alpha, 3},
-                                             {"attitude_xyzw", layout->alpha, 4}};
+    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3, NULL},
+                                             {"omega", layout->omega, 3, NULL},
+                                             {"alpha", layout->alpha, 3, NULL},
+                                             {"attitude_xyzw", layout->alpha, 4, frame_attitudes},
+                                             {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first},
+                                             {"director", layout->alpha, 3, frame_directors}};
     for (int q = 0; q < QUANTITIES; ++q)
         list[q] = all[q];
 }
@@ -108,7 +112,7 @@ static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const str
 struct writer {
     const struct record *record;
     struct hdf5_sink *root, *data;
-    double *xyzw, *times;
+    double *derived, *times;
 };
 
 static int take_frame(void *self, int64_t k, const double *frame)
@@ -119,13 +123,15 @@ static int take_frame(void *self, int64_t k, const double *frame)
     struct quantity list[QUANTITIES];
     quantities_of(layout, list);
     w->times[k] = frame[1];
-    if (layout->turns)
-        frame_attitudes(layout, frame, w->xyzw);
     hdf5_rows(w->root, "Points", H5T_NATIVE_DOUBLE, first, n, frame + layout->x);
-    for (int q = 0; q < QUANTITIES; ++q)
-        if (list[q].place != 0)
-            hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n,
-                      list[q].components == 4 ? w->xyzw : frame + list[q].place);
+    for (int q = 0; q < QUANTITIES; ++q) {
+        if (list[q].place == 0)
+            continue;
+        if (list[q].derive != NULL)
+            list[q].derive(layout, frame, w->derived);
+        hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n,
+                  list[q].derive != NULL ? w->derived : frame + list[q].place);
+    }
     return w->root->failed || w->data->failed ? -1 : 0;
 }
 
@@ -162,7 +168,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
     struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData");
     struct writer w = {record, &root, &data, malloc(sizeof(double) * (size_t)(4 * n + 1)),
                        calloc((size_t)(frames + 1), sizeof(double))};
-    root.failed |= w.xyzw == NULL || w.times == NULL;
+    root.failed |= w.derived == NULL || w.times == NULL;
     hdf5_text(&root, "Type", "PolyData");
     hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
     sequence(&root, "NumberOfPoints", 1, 1, n, 0);
@@ -173,7 +179,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
         write_steps(&root, record, w.times);
     else
         root.failed = 1;
-    free(w.xyzw);
+    free(w.derived);
     free(w.times);
     hdf5_close(&root, &data);
     hdf5_close(file, &root);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The trajectory as /VTKHDF, PolyData over time by the VTKHDF format (2.0, ParaView 5.12 and later): points are the
- * bodies' centres, vertices the bodies, lines the bonds. Point data: velocity, omega, alpha, attitude_xyzw, of what
+ * bodies' centres, vertices the bodies, lines the bonds. Point data: velocity, omega, alpha, attitude_xyzw, attitude_wxyz, director, of what
  * the scene has; diameter, if it has one; body, the index. Bodies, bonds, diameters and indices are written once,
  * all else once per frame, frame after frame. */
 #ifndef VTI_VTKHDF_H

@@ -4,10 +4,11 @@ import io
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageColor
 
 from . import scenery, style, words
 from .trouble import Trouble
@@ -16,7 +17,6 @@ SECONDS = 10
 RATE = 20                   # pictures per second; GIF counts in hundredths of a second
 LARGEST = 1_500_000         # bytes
 WIDTH, NARROWEST = 960, 320 # pixels; as wide as is light enough
-COLOURS = 32                # of a GIF: bodies, marks, wall, letters and their smoothed edges
 
 
 def make(run, folder):
@@ -37,6 +37,9 @@ def make(run, folder):
             break
         width = max(NARROWEST, 2 * int(0.47 * width * LARGEST / len(film)))     # outlines weigh as their length
     path = os.path.join(folder, "film.mp4" if ffmpeg else "film.gif")
+    if not ffmpeg:
+        print("vti-plot: there is no ffmpeg here, so the film is a GIF; with it (package ffmpeg) it is an MP4, smaller and sharper",
+              file=sys.stderr)
     style.write(film, path)
     return path
 
@@ -52,7 +55,8 @@ def _pictures(run, scene, frames, width):
         axes.clear()
         scene.draw(axes, frame)
         axes.set(xlabel=f"${scene.axis_names()[0]}$", ylabel=f"${scene.axis_names()[1]}$")
-        axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.2f}")
+        axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.2f}"
+                       + "".join("\n" + line for line in scene.meaning()))
         figure.canvas.draw()
         if k == 0:
             figure.set_layout_engine("none")    # the layout is found once: nothing may jump
@@ -60,12 +64,14 @@ def _pictures(run, scene, frames, width):
 
 
 def _gif(pictures):
-    """One palette for all, so that what does not move does not flicker and costs nothing."""
-    pictures = list(pictures)
-    palette = pictures[len(pictures) // 2].quantize(COLOURS, method=Image.Quantize.MEDIANCUT)
-    colours = np.reshape(palette.getpalette()[:3 * COLOURS], (-1, 3))
-    colours[np.all(colours > 245, axis=1)] = 255    # a mean of whites is not white
-    palette.putpalette(colours.flatten().tolist())
+    """One palette for all, so that what does not move does not flicker and costs nothing: the colours of the scenery, which come
+    and go (no picture need show a contact), and three between those that meet at edges."""
+    colours = [np.array(ImageColor.getrgb(name)) for name in scenery.COLOURS]
+    for one, other in scenery.EDGES:
+        ends = np.array(ImageColor.getrgb(one)), np.array(ImageColor.getrgb(other))
+        colours += [np.round(ends[0] + share * (ends[1] - ends[0])).astype(int) for share in (0.25, 0.5, 0.75)]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(np.concatenate(colours + [colours[0]] * (256 - len(colours))).tolist())
     frames = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     memory = io.BytesIO()
     frames[0].save(memory, "GIF", save_all=True, append_images=frames[1:], duration=1000 // RATE, loop=0, optimize=False)

@@ -10,6 +10,11 @@ from . import style
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
 BODY, RIM, MARK, CONTACT, WALL = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
+BEHIND_WALL = "#DDDDDD"
+# Of which a picture is made, and between which its edges are smoothed.
+COLOURS = ("#FFFFFF", BODY, RIM, MARK, CONTACT, WALL, BEHIND_WALL)
+EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (WALL, "#FFFFFF"),
+         (MARK, RIM))
 
 
 class Scenery:
@@ -41,6 +46,13 @@ class Scenery:
 
     def axis_names(self):
         return ["xyz"[axis] for axis in self.plane]
+
+    def meaning(self):
+        """What marks and colours stand for, of those that can appear: a line or none."""
+        said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed else []
+        if self.run.diameter is not None and self.detailed and (len(self.run.walls) or self.run.has_contact()):
+            said.append("orange: in contact")
+        return ["; ".join(said)] if said else []
 
     def draw(self, axes, frame):
         """Returns whether any body is in contact."""
@@ -77,7 +89,7 @@ class Scenery:
             if after <= 0:
                 outline.append(corners[k])
         if len(outline) > 2:
-            axes.add_patch(Polygon(outline, facecolor="#DDDDDD", edgecolor=WALL, linewidth=0.8, zorder=0.5))
+            axes.add_patch(Polygon(outline, facecolor=BEHIND_WALL, edgecolor=WALL, linewidth=0.8, zorder=0.5))
 
     def _touching(self, frame):
         """Bodies that overlap a wall, or another body which the scene lets them touch."""

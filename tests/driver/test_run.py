@@ -79,12 +79,17 @@ def measures(frames, steps, names, rows, record, mass, inertia):
     check(worst < 1e-15, f"energies and momenta are those of the trajectory, to {worst:.1e} per body")
 
 
+def x_axis(x, y, z, w):
+    """The first column of the matrix of unit quaternions."""
+    return numpy.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], axis=1)
+
+
 def trajectory(stem, names, bonds, diameters):
     frames, dump, xdmf = read_vtkhdf(stem + ".h5"), read_dump(stem + ".dump"), read_xdmf(stem + ".xdmf")
     moving = [name for name, given in (("velocity", "kinetic_translation"), ("omega", "kinetic_rotation"),
                                        ("attitude_xyzw", "kinetic_rotation")) if given in names]
     fixed = ["diameter"] if diameters else []
-    data = moving + fixed + ["body"] + (["alpha"] if "omega" in moving else [])
+    data = moving + fixed + ["body"] + (["alpha", "attitude_wxyz", "director"] if "omega" in moving else [])
     expected = {"t", "Points", "Vertices", "Lines", "Polygons", "Strips", *data}
     check(all(set(frame) == expected for frame in frames), f"VTKHDF: {len(frames)} frames of {' '.join(data)}")
     n = len(frames[0]["Points"])
@@ -96,6 +101,10 @@ def trajectory(stem, names, bonds, diameters):
         check(all(abs((frame["attitude_xyzw"] ** 2).sum(axis=1) - 1).max() < 1e-15 for frame in frames)
               and all(abs(2 * frame["attitude_xyzw"][:, :3] - frame["alpha"] * frame["attitude_xyzw"][:, 3:]).max() < 1e-15
                       for frame in frames), "VTKHDF: attitudes are unit quaternions, x y z first, of alpha")
+        check(all(numpy.array_equal(frame["attitude_wxyz"], numpy.roll(frame["attitude_xyzw"], 1, axis=1)) for frame in frames),
+              "VTKHDF: attitude_wxyz is the same with w first")
+        check(all(abs(frame["director"] - x_axis(*frame["attitude_xyzw"].T)).max() < 2e-15 for frame in frames),
+              "VTKHDF: director is the x axis of each body")
     check(same(frames, dump, ["Points", *moving, *fixed]), "the dump holds the same trajectory")
     check(all((frame["box"][:, 0] < frame["box"][:, 1]).all() and (frame["Points"] >= frame["box"][:, 0]).all()
               and (frame["Points"] <= frame["box"][:, 1]).all() for frame in dump), "... inside its box")

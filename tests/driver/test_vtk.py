@@ -19,8 +19,11 @@ from tally import check, conclude  # noqa: E402
 
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkMath
     from vtkmodules.vtkCommonCore import vtkVersion
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkFiltersCore import vtkGlyph3D
+    from vtkmodules.vtkFiltersSources import vtkArrowSource
     from vtkmodules.vtkIOHDF import vtkHDFReader
     from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
 except ImportError as missing:
@@ -70,4 +73,33 @@ for scene, *options in CASES:
         for ending, more in ((".h5", ["Lines"]), (".xdmf", [])):
             check(same(frames, read(f"{folder}/out{ending}", ending), data + more),
                   f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
+
+def one_glyph():
+    """An arrow along x that a body turned by a quarter about z holds points along y, by VTK's quaternions (w first) as by its
+    vectors."""
+    scene = "bodies: {alpha: [0, 0, 2], omega: [0, 0, 1e-9], inertia: 1}\nstepper: vti2\nh: 1\nt_end: 2\n"
+    with tempfile.TemporaryDirectory() as folder:
+        with open(f"{folder}/quarter.yaml", "w", encoding="ascii") as file:
+            file.write(scene)
+        done = run(RUN, f"{folder}/quarter.yaml", "-o", f"{folder}/out.h5")
+        check(done.returncode == 0, f"a quarter turn runs {done.stderr}")
+        reader = vtkHDFReader()
+        reader.SetFileName(f"{folder}/out.h5")
+        reader.Update()
+        data = reader.GetOutputDataObject(0)
+        turned = [[0.0] * 3 for _ in range(3)]
+        vtkMath.QuaternionToMatrix3x3(data.GetPointData().GetArray("attitude_wxyz").GetTuple(0), turned)
+        check(max(abs(turned[k][0] - (k == 1)) for k in range(3)) < 1e-8, f"attitude_wxyz turns x to y: {turned}")
+        data.GetPointData().SetActiveVectors("director")
+        glyph, arrow = vtkGlyph3D(), vtkArrowSource()
+        glyph.SetInputData(data)
+        glyph.SetSourceConnection(arrow.GetOutputPort())
+        glyph.SetVectorModeToUseVector()
+        glyph.Update()
+        bounds = glyph.GetOutput().GetBounds()
+        check(abs(bounds[3] - 1) < 1e-6 and abs(bounds[2]) < 1e-6 and max(map(abs, bounds[:2])) < 0.2,
+              f"the arrow along director points along y: {bounds}")
+
+
+one_glyph()
 conclude()

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a sentence each.
+test_lists.py ROOT VTI_RUN PROGRAM..."""
+import os
+import re
+import sys
+
+from programs import run
+from tally import check, conclude
+
+root, vti_run, *others = map(os.path.abspath, sys.argv[1:])
+
+commit = "unknown"
+if os.path.exists(os.path.join(root, ".git")):
+    commit = run("git", "-C", root, "rev-parse", "--short=7", "HEAD").stdout.strip()
+with open(os.path.join(root, "include", "vti.h"), encoding="utf-8") as file:
+    version = re.search(r'VTI_VERSION_STRING "(.*)"', file.read()).group(1)
+for program in (vti_run, *others):
+    said = run(program, "--version")
+    lines = said.stdout.splitlines()
+    check(said.returncode == 0 and said.stderr == "" and lines[0] == f"{os.path.basename(program)} {version}",
+          f"{lines[:1]} is the version")
+    check([line.split(":")[0] for line in lines[1:]] == ["commit", "compiler", "flags", "vector units"], "... with its build")
+    check("-ffp-contract=off" in lines[3] and (commit in lines[1] or "unknown" in lines[1]), f"... {lines[1]}")
+
+
+def listed(what):
+    said = run(vti_run, "--list", what)
+    check(said.returncode == 0 and said.stderr == "", f"--list {what}")
+    rows = [line.split("\t") for line in said.stdout.splitlines()]
+    check(all(len(row) == 2 and len(row[1]) > 3 for row in rows), f"... {len(rows)} rows of a name and what it is")
+    return [row[0] for row in rows]
+
+
+check({"vti1", "vti2", "vti3", "exact", "srkn11"} <= set(listed("steppers")), "the steppers of the README are there")
+check(listed("effects") == ["binder", "contact", "wall", "gravity", "pendulum"], "effects")
+keys = listed("keys")
+sections = {key.rsplit(".", 1)[0] for key in keys if "." in key}
+scene = os.path.join(root, "scenes", "torus.yaml")
+for key in keys:
+    refused = run(vti_run, scene, "--set", f"{key}=[!]", "-o", os.devnull + "/none.h5").stderr
+    check("unknown key" not in refused and refused != "", f"{key} is known to scenes")
+for section in ("", *sorted(sections)):
+    refused = run(vti_run, scene, "--set", (section + "." if section else "") + "zzz=1").stderr
+    known = refused.rsplit(": ", 1)[1].strip().split(", ")
+    mine = [key[len(section):].lstrip(".") for key in keys if key.startswith(section + "." if section else "")]
+    check(known == [key for key in mine if "." not in key], f"'{section}' holds what messages say it holds")
+wrong = run(vti_run, "--list", "colours")
+check(wrong.returncode != 0 and "steppers, effects or keys" in wrong.stderr, "anything else is refused")
+conclude()
