@@ -54,7 +54,9 @@ static int is_marked(const double *pair)
 void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double energy)
 {
     const int was = b->watching != 0.0, fresh = b->turned == 0.0;
-    b->watching = b->pair != NULL && !(2.0 * energy < b->least);
+    if (b->pair == NULL)
+        return;
+    b->watching = !(2.0 * energy < b->least);
     for (int64_t k = 0; b->watching != 0.0 && !was && k < b->model->bonds.count; ++k) {
         double *pair = b->pair + 4 * k;
         if (stiffness(b->model, k) == 0.0 || (!fresh && is_marked(pair)))
@@ -68,7 +70,7 @@ void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double ener
 
 void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
 {
-    for (int64_t k = 0; b->watching != 0.0 && k < b->model->bonds.count; ++k) {
+    for (int64_t k = 0; b->pair != NULL && b->watching != 0.0 && k < b->model->bonds.count; ++k) {
         double now[4], *pair = b->pair + 4 * k;
         if (is_marked(pair))
             continue;

@@ -6,11 +6,12 @@
 /** Neighbours become one. */
 static void merge(struct trend *s)
 {
-    for (int k = 0; k < TREND_BLOCKS / 2; ++k) {
+    enum { HALF = TREND_BLOCKS / 2 };
+    for (int k = 0; k < HALF; ++k) {
         s->t[k] = 0.5 * (s->t[2 * k] + s->t[2 * k + 1]);
         s->y[k] = 0.5 * (s->y[2 * k] + s->y[2 * k + 1]);
     }
-    s->blocks = TREND_BLOCKS / 2;
+    s->blocks = HALF;
     s->width *= 2.0;
 }
 

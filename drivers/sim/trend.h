@@ -14,10 +14,10 @@ struct trend {
     double t_sum, y_sum;                     /* of the block that is being filled */
 };
 
-void trend_add(struct trend *trend, double t, double y);
+void trend_add(struct trend *s, double t, double y);
 
 /** Least squares over the whole blocks: y per t, and its standard error by what the line leaves. Values that lie near each
  *  other in time are not independent; means over the 32 to 64 blocks of a long series nearly are. NaN below four blocks. */
-void trend_slope(const struct trend *trend, double *slope, double *error);
+void trend_slope(const struct trend *s, double *slope, double *error);
 
 #endif

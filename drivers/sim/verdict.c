@@ -125,10 +125,11 @@ static double travel(const struct verdict *v, const vti_bodies *bodies)
 /** Rows 0 to 63, every second of the next 64, every fourth of the next 128, ... */
 static int is_looked_at(double row)
 {
-    double every = 1.0;
-    for (double end = 64.0; row >= end; end *= 2.0)
-        every *= 2.0;
-    return every * floor(row / every) == row;
+    const int64_t number = (int64_t)row;
+    int64_t every = 1;
+    while (number >= 64 * every)
+        every *= 2;
+    return number % every == 0;
 }
 
 static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
