@@ -182,8 +182,8 @@ typedef struct vti_stable {
     double h;        /**< 2/omega; infinite if nothing oscillates */
     int64_t effect;  /**< number of the effect in the array, from 0; -1 if nothing oscillates */
     int64_t element; /**< the number of its spring, as in vti_spring; -1 if nothing oscillates */
-    int64_t i;       /**< its bodies, as in vti_spring; -1 if nothing oscillates */
-    int64_t j;
+    int64_t i;       /**< its body, as in vti_spring; -1 if nothing oscillates */
+    int64_t j;       /**< the other one; -1 also if there is none */
 } vti_stable;
 
 /** A step that is stable for every stepper whose limit is h < 2/omega_max: stable->h = 2/omega with omega >= omega_max of the
