@@ -123,12 +123,13 @@ static int count_ranks(void)
 static void say_plan(const struct plan *plan)
 {
     const int ranks = count_ranks();
-    printf("%s to t = %.10g: ", plan->scene->name, plan->t_end);
+    printf("%s to t = %s: ", plan->scene->name, NUMBER(plan->t_end));
     for (int64_t k = 0; k < plan->steppers_count; ++k)
         printf("%s%s", k > 0 ? ", " : "", plan->steppers[k]->name);
-    printf(" at %lld step%s from h = %.10g to %.10g: %lld runs on %d rank%s, after a reference solution\n",
-           (long long)plan->h_count, plan->h_count > 1 ? "s" : "", plan->h[0], plan->h[plan->h_count - 1],
-           (long long)(plan->steppers_count * plan->h_count), ranks, ranks > 1 ? "s" : "");
+    printf(" at %lld step%s from h = %s to %s: %lld runs on %d rank%s, after a reference solution\n",
+           (long long)plan->h_count, plan->h_count > 1 ? "s" : "", NUMBER(plan->h[0]),
+           NUMBER(plan->h[plan->h_count - 1]), (long long)(plan->steppers_count * plan->h_count), ranks,
+           ranks > 1 ? "s" : "");
     fflush(stdout);
 }
 
@@ -196,7 +197,7 @@ static void say_cost_plan(const struct cost_plan *plan)
     const int ranks = count_ranks();
     printf("what accuracy costs: ");
     for (int64_t k = 0; k < plan->cases_count; ++k)
-        printf("%s%s to t = %.10g", k > 0 ? ", " : "", plan->cases[k].name, plan->cases[k].t_end);
+        printf("%s%s to t = %s", k > 0 ? ", " : "", plan->cases[k].name, NUMBER(plan->cases[k].t_end));
     printf(", by %lld methods on %d rank%s: reference solutions, errors, times\n", (long long)plan->methods_count,
            ranks, ranks > 1 ? "s" : "");
     fflush(stdout);
