@@ -26,7 +26,7 @@ own_headers() {
     grep -HE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "$@" | sed -E 's/^([^:]*):[^"]*"([^"]*)".*/\1 \2/' || true
 }
 
-# from LIST FOLDER...: every "file name" of the list names a file of one of the folders
+# from LIST FOLDER...: every "file name" of the list names a file of one of the folders, or one that is made of NAME.in there
 from() {
     list=$1
     shift
@@ -34,7 +34,7 @@ from() {
         [ -n "$file" ] || continue
         found=0
         for folder in "$@"; do
-            case $name in */*) ;; *) [ ! -f "$folder/$name" ] || found=1 ;; esac
+            case $name in */*) ;; *) [ ! -f "$folder/$name" ] && [ ! -f "$folder/$name.in" ] || found=1 ;; esac
         done
         [ "$found" = 1 ] || complain "$file includes \"$name\", which is not in: $*"
     done <<EOF
