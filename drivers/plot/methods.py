@@ -18,6 +18,9 @@ NAMES = {
 # Verlet's scheme with a quaternion, each as its users have it
 QUATERNION_VERLET = ("lammps-richardson", "mercury", "yade-exp-verlet", "yade-leapfrog", "omelyan", "spiral")
 
+# GSL's, taken from its library as the distribution compiled it; all the others are compiled here, with one set of flags
+PREBUILT = ("rk8pd", "rk8pd-adaptive")
+
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "p", "h", "*")
 COLOURS = {
     "ours": ("#0B4F8A", "#0072B2", "#2E9BD6", "#00838F", "#00A087", "#006D4E", "#4C9A2A", "#1F2F86"),

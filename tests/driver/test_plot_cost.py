@@ -111,7 +111,12 @@ def test_claims(program, folder):
                            and kinds[key[1]] == kind) for kind in ("ours", "rival")}
         ratio = least["ours"] / least["rival"]
         assert row[0].startswith(scene) and math.isclose(value(row[1].split(" ")[0]), ratio, rel_tol=0.03), (row, ratio)
-        assert row[2] == ("met" if ratio <= most else "**not met**"), (row, ratio)
+        # RK8(7) is not compiled here: what a DOP853 with the project's flags reached counts, and without it "met" is qualified
+        binary = "RK8(7) fixed" in row[1]
+        apart = {"1e-04": 0.64, "1e-06": 0.79}[error] if scene == "chain" and binary else None
+        assert (f"**{apart}** against a DOP853" in row[1]) if apart else ("DOP853" not in row[1]), row
+        good = "met" if apart or not binary else "met against GSL's binary; not measured against one with the project's flags"
+        assert row[2] == (good if max(ratio, apart or 0) <= most else "**not met**"), (row, ratio)
     # At equal time two methods of order 2 are apart by their constants and the square of their speeds.
     mercury = next(row for row in rows if "MercuryDPM" in row[0])
     ratio = 0.1 / 0.2 * (31 / 40) ** 2
@@ -123,6 +128,36 @@ def test_claims(program, folder):
     cost_support.write_cost(folder, methods=slow)
     rows = table_below(page(program, folder, os.path.join(folder, "docs")), "What is claimed, and what is measured")[1]
     assert rows[0][2] == "**not met**" and next(row for row in rows if "MercuryDPM" in row[0])[2] == "**not met**", rows
+
+
+def test_stored_page(program, folder):
+    """docs/accuracy.md says what the generator says: how rivals were compiled, and each verdict on a best rival."""
+    with open(os.path.join(os.path.dirname(program), "..", "docs", "accuracy.md"), encoding="utf-8") as file:
+        stored = file.read()
+    cost_support.write_cost(folder)
+    text = page(program, folder, os.path.join(folder, "docs"))
+    opening = text.split("\n\n")[1:4]
+    assert "compiled with the same flags" in opening[0] and "exception" in opening[1] and "GSL" in opening[1], opening
+    assert stored.split("\n\n")[1:4] == opening, "another opening"
+    for row in table_below(stored, "What is claimed, and what is measured")[1][:4]:
+        scene, error = re.match(r"(\S+) to (\S+):", row[0]).groups()
+        found = float(re.match(r"\*\*([\d.]+)\*\*", row[1])[1])
+        study = os.path.join(folder, scene, error)
+        ours_to_rival(study, scene, error, found)
+        again = table_below(page(program, study, os.path.join(study, "docs")), "What is claimed, and what is measured")[1]
+        again = next(other for other in again if other[0] == row[0])
+        assert math.isclose(float(again[1].split("**")[1]), found, rel_tol=0.03) and "RK8(7) fixed" in again[1], (again, row)
+        assert again[2] == row[2] and again[1].split("; ")[2:] == row[1].split("; ")[2:], (again, row)
+
+
+def ours_to_rival(folder, scene, error, found):
+    """A study in which the best of ours takes `found` of the time of RK8(7) to that error, whoever else there is."""
+    speeds = {"srkn11": 29.0, "rk8pd": 1.0}
+    methods = {name: (*cost_support.METHODS[name][:4], nanoseconds) for name, nanoseconds in speeds.items()}
+    times = {name: cost_support.price(scene, values, float(error))[1] for name, values in methods.items()}
+    values = methods["rk8pd"]
+    methods["rk8pd"] = (*values[:4], times["srkn11"] / found / times["rk8pd"])
+    cost_support.write_cost(folder, scenes=(scene,), methods=methods)
 
 
 def test_edges(program, folder):
@@ -201,4 +236,5 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_edges, test_steady_spin, test_refusals)
+    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_stored_page, test_edges, test_steady_spin,
+                      test_refusals)
