@@ -41,6 +41,16 @@ def readme():
     return text
 
 
+def pictures(page):
+    """Each is there, a PNG that is no burden to a clone."""
+    text = page.read_text(encoding="utf-8")
+    found = re.findall(r"\[[^\]]*\]\(([\w./-]+\.png)\)", text)
+    for name in found:
+        content = (page.parent / name).read_bytes() if (page.parent / name).is_file() else b""
+        check(content.startswith(b"\x89PNG\r\n") and len(content) < 300_000, f"{page.name}: {name} is a PNG of {len(content)} bytes")
+    return found
+
+
 def linking():
     text = (project / "docs" / "linking.md").read_text(encoding="utf-8")
     languages, _ = blocks("linking.md", text)
@@ -53,6 +63,9 @@ def linking():
     return text
 
 
+first = pictures(project / "README.md")
+check(len(first) > 0, "the README has a picture")
+check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")
 for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src|fortran)/[\w./-]+)`", readme() + linking()):
     check((project / path).exists() or path.startswith("include/vti/"), f"{path} exists")
 conclude()
