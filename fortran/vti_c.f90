@@ -150,6 +150,15 @@ module vti_c
             integer(c_int) :: status
         end function
 
+        function c_step_next(method, h, bodies, fault) result(status) bind(c, name='vti_step_next')
+            import :: c_double, c_int, c_ptr, vti_bodies, vti_fault
+            type(c_ptr), value :: method
+            real(c_double), value :: h
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_fault), intent(inout) :: fault
+            integer(c_int) :: status
+        end function
+
         function c_step_start(method, h, bodies) result(status) bind(c, name='vti_step_start')
             import :: c_double, c_int, c_ptr, vti_bodies
             type(c_ptr), value :: method

@@ -8,7 +8,7 @@ module vti_steps
     implicit none
     private
     public :: vti_bodies_check_values, vti_drift, vti_stepper_find, vti_stepper_at
-    public :: vti_step_begin, vti_step_stage, vti_step_finish, vti_step_probe, vti_step_start, vti_step_sync
+    public :: vti_step_begin, vti_step_stage, vti_step_finish, vti_step_next, vti_step_probe, vti_step_start, vti_step_sync
     public :: blame, handle ! for the other modules here
 
 contains
@@ -124,6 +124,19 @@ contains
         type(vti_bodies), intent(in) :: bodies
         integer(c_int) :: status
         status = c_step_finish(handle(method), h, bodies)
+    end function
+
+    !> vti_step_finish and the vti_step_begin of the next step in one pass, for steps after which nobody looks at velocities:
+    !> the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift.
+    function vti_step_next(method, h, bodies, fault) result(status)
+        type(vti_stepper), intent(in), target :: method
+        real(c_double), intent(in) :: h
+        type(vti_bodies), intent(in) :: bodies
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_step_next(handle(method), h, bodies, found)
+        if (present(fault)) fault = blame(found)
     end function
 
     !> Where the forces of kick k are to be taken, by the methods that have a probe: writes x + probe(k) h^2 F/m and the

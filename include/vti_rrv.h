@@ -218,6 +218,18 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
         sum[k] *= inv;
 }
 
+/** The incremental form of vti_rrv_increment, for numbers and for vectors of numbers, V; returns f u.alpha. */
+#define VTI_RRV_INCREMENTAL(NAME, V)                                                                                   \
+    VTI_INLINE V NAME(V c, V f, const V u[3], double side, const V a[3], V add[3])                                     \
+    {                                                                                                                  \
+        const V d = f * (u[0] * a[0] + u[1] * a[1] + u[2] * a[2]), inv = 1.0 / (2.0 * c - d);                          \
+        const V x[3] = {u[1] * a[2] - u[2] * a[1], u[2] * a[0] - u[0] * a[2], u[0] * a[1] - u[1] * a[0]};              \
+        for (int k = 0; k < 3; ++k)                                                                                    \
+            add[k] = (2.0 * f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;                                          \
+        return d;                                                                                                      \
+    }
+VTI_RRV_INCREMENTAL(vti_rrv_incremental, double)
+
 /** alpha <- alpha (+) dalpha with dalpha = 2 f u/c given as c, f and u: the quaternion (w, v) = (c, f u) of the increment up
  *  to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1: R(alpha) <- R(alpha) R(dalpha), an
  *  increment in the body's frame. With f = 1:
@@ -234,11 +246,7 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
 VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], int small, double side, const double a[3],
                                  double add[3])
 {
-    const double d = f * vti_dot(u, a), inv = 1.0 / (2.0 * c - d);
-    double x[3];
-    vti_cross(u, a, x);
-    for (int k = 0; k < 3; ++k)
-        add[k] = (2.0 * f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;
+    const double d = vti_rrv_incremental(c, f, u, side, a, add);
     if (!small)
         small = c > VTI_RRV_SMALL && c < VTI_RRV_LARGE && fabs(f) * vti_max3(u) < VTI_RRV_NEAR * c;
     if (small && vti_max3(a) < VTI_RRV_NEAR && 2.0 * fabs(d) < c) /* so that no product has left the range */

@@ -87,6 +87,11 @@ VTI_API int vti_step_stage(const vti_stepper *method, int64_t k, double h, const
 /** The last kick, and the last drift where there is one. */
 VTI_API int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *bodies);
 
+/** vti_step_finish and the vti_step_begin of the next step in one pass over the bodies, for steps after which nobody looks at
+ *  velocities: the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift. On
+ *  VTI_E_TOO_LARGE nothing is written either: the step is not finished. */
+VTI_API int vti_step_next(const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault);
+
 /** Where the forces of kick k are to be taken: writes x + probe[k] h^2 F/m and the attitude turned by probe[k] h^2 RM/J into
  *  probed, whose x and attitude are memory of their own and whose force and moment may be those of bodies. */
 VTI_API int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,

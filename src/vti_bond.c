@@ -7,7 +7,7 @@
 /** The kernels for this machine's vector units. (Wider ones than AVX2 were no faster: most lists leave lanes empty.) */
 static const struct bond_kernel (*kernels(void))[4]
 {
-#ifdef VTI_WIDE
+#ifdef VTI_HAS_AVX2
     if (__builtin_cpu_supports("avx2"))
         return vti_bond_avx2;
 #endif

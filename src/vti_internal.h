@@ -149,16 +149,6 @@ enum { VTI_LANES = 64 };
  *  has to wait until they are in the cache, which only the bodies that follow can hide. */
 enum { VTI_FEW = 4 };
 
-/** The two halves of vti_kick, of bodies begin <= i < end, which have been checked: v += t F/m and Omega += t RM/J. A t of 0
- *  does not look at the forces. */
-void vti_kick_v(double t, const vti_bodies *b, int64_t begin, int64_t end);
-void vti_kick_omega(double t, const vti_bodies *b, int64_t begin, int64_t end);
-/** vti_kick by kick_t and vti_drift by t of the same bodies. */
-void vti_push(int law, int frame, double kick_t, double t, const vti_bodies *b, int64_t begin, int64_t end);
-
-/** VTI_E_TOO_LARGE if, after a kick by kick_t, a drift by t would break the law's bound for some body. */
-int vti_drift_refuses(int law, double kick_t, double t, const vti_bodies *b, vti_fault *fault);
-
 /** VTI_OK if the library has such a law and frame. */
 static inline int vti_law_check(int law, int frame)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The steppers, as data, and the step that plays them. With kick and drift as in vti_kick.c and vti_drift.c:
+ * The steppers, as data, and the step that plays them. With kick and drift as in vti_move.c:
  *
  *     VTI-1 (the paper's first map)   kick(h/2) drift(h) kick(h/2), closed form
  *     VTI-2 (the second)              kick(h/2) drift(h) kick(h/2), Cayley
@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "vti_coefficients.h"
-#include "vti_internal.h"
+#include "vti_move.h"
 #include "vti_steppers.h"
 
 static const vti_stepper steppers[] = {
@@ -40,9 +40,6 @@ const vti_stepper *vti_stepper_find(const char *name)
     return NULL;
 }
 
-/** Bodies of one block stay in the first-level cache from the kick to the drift. */
-enum { BLOCK = 256 };
-
 static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
     if (method == NULL || method->kick == NULL || method->drift == NULL)
@@ -55,22 +52,18 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_f
     return isfinite(h) && h > 0.0 ? VTI_OK : vti_blame(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
 }
 
-/** kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
-VTI_INLINE int play(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
+/** kick(before h), kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
+VTI_INLINE int play(const vti_stepper *method, double before, int64_t k, double h, const vti_bodies *b,
+                    vti_fault *fault)
 {
-    const int law = (int)method->law, frame = (int)method->frame;
-    const double kick = method->kick[k] * h, drift = method->drift[k] * h;
-    int status = vti_law_check(law, frame);
-    if (status == VTI_OK && law == VTI_LAW_CLOSED)
-        status = vti_drift_refuses(law, kick, drift, b, fault);
-    if (status != VTI_OK)
-        return status;
-    const int64_t end = b->first + b->count;
-    for (int64_t first = b->first; first < end; first += BLOCK) {
-        const int64_t next = end - first < BLOCK ? end : first + BLOCK;
-        vti_push(law, frame, kick, drift, b, first, next);
-    }
-    return VTI_OK;
+    const struct vti_move move = {before * h, method->kick[k] * h, method->drift[k] * h,
+                                  1,          (int)method->law,    (int)method->frame};
+    int status = vti_law_check(move.law, move.frame);
+    if (status == VTI_OK && move.law == VTI_LAW_CLOSED)
+        status = vti_move_check(&move, b, fault);
+    if (status == VTI_OK)
+        vti_move_all(&move, b);
+    return status;
 }
 
 int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
@@ -79,7 +72,7 @@ int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bod
     int status = check(method, h, b, fault);
     if (status == VTI_OK && (k < 0 || k >= method->stages))
         status = VTI_E_STAGE;
-    return status == VTI_OK ? play(method, k, h, b, fault) : status;
+    return status == VTI_OK ? play(method, 0.0, k, h, b, fault) : status;
 }
 
 int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
@@ -90,11 +83,11 @@ int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti
 /** kick(share h) of bodies that have been checked; a share of 0 touches nothing. */
 static int kick_share(double share, double h, const vti_bodies *b)
 {
-    const double t = share * h;
-    if (!isfinite(t))
+    const struct vti_move move = {0.0, share * h, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    if (!isfinite(move.kick))
         return VTI_E_TIME;
-    vti_kick_v(t, b, b->first, b->first + b->count);
-    vti_kick_omega(t, b, b->first, b->first + b->count);
+    if (move.kick != 0.0)
+        vti_move_all(&move, b);
     return VTI_OK;
 }
 
@@ -104,8 +97,19 @@ int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)
     if (status != VTI_OK)
         return status;
     if (method->drift[method->stages] != 0.0)
-        return play(method, method->stages, h, b, NULL);
+        return play(method, 0.0, method->stages, h, b, NULL);
     return kick_share(method->kick[method->stages], h, b);
+}
+
+int vti_step_next(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
+{
+    vti_blame_none(VTI_OK, fault);
+    const int status = check(method, h, b, fault);
+    if (status != VTI_OK)
+        return status;
+    if (method->drift[method->stages] != 0.0) /* two drifts */
+        return VTI_E_STAGE;
+    return play(method, method->kick[method->stages], 0, h, b, fault);
 }
 
 int vti_step_start(const vti_stepper *method, double h, const vti_bodies *b)
@@ -165,17 +169,23 @@ static void copy_configuration(const vti_bodies *b, const vti_bodies *to)
 static void displace(int frame, double t, const vti_bodies *b, const vti_bodies *to)
 {
     const int translates = vti_has(&b->v) && vti_has(&b->force), turns = vti_has(&b->omega) && vti_has(&b->moment);
-    vti_bodies centres = vti_bodies_none(b->count), attitudes = centres;
+    vti_bodies centres = vti_bodies_none(1), attitudes = centres;
     centres.x = to->x;
     centres.v = b->force;
     attitudes.alpha = to->alpha;
     attitudes.quat = to->quat;
     attitudes.omega = b->moment;
+    struct vti_move move = {0.0, 0.0, 0.0, 1, VTI_LAW_EXACT, frame};
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
-        if (translates)
-            vti_push(VTI_LAW_EXACT, frame, 0.0, t / vti_scalar(&b->mass, i), &centres, i, i + 1);
-        if (turns)
-            vti_push(VTI_LAW_EXACT, frame, 0.0, t / vti_scalar(&b->inertia, i), &attitudes, i, i + 1);
+        centres.first = attitudes.first = i;
+        if (translates) {
+            move.drift = t / vti_scalar(&b->mass, i);
+            vti_move_all(&move, &centres);
+        }
+        if (turns) {
+            move.drift = t / vti_scalar(&b->inertia, i);
+            vti_move_all(&move, &attitudes);
+        }
     }
 }
 

@@ -36,19 +36,37 @@ keep() {
     rm "$1"
 }
 
-# builds COMPILER: at each level, and with the wide kernels of bonds among which the library picks as it runs
+# wide COMPILER LABEL UNIT...: with kernels for these vector units, among which the library picks as it runs
+wide() {
+    compiler=$1
+    label=$1-$2
+    shift 2
+    objects=
+    defines=
+    for unit in "$@"; do
+        case $unit in
+        AVX2) options=-mavx2 ;;
+        AVX512) options="-mavx512f -mavx512dq -mavx512vl" ;;
+        esac
+        for source in "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c; do
+            object=$work/$label-$(basename "$source" .c).o
+            "$compiler" $flags -O3 $options -c "$source" -o "$object"
+            objects="$objects $object"
+        done
+        defines="$defines -DVTI_HAS_$unit"
+    done
+    "$compiler" $flags -O3 $defines $sources $objects "$here/digest.c" -lm -o "$work/$label"
+    keep "$work/$label"
+}
+
+# builds COMPILER: at each level, and with the kernels for wide units
 builds() {
     for level in $levels; do
         "$1" $flags $(echo "$level" | tr , ' ') $sources "$here/digest.c" -lm -o "$work/$1$level"
         keep "$work/$1$level"
     done
-    case $levels in
-    *v2*)
-        "$1" $flags -O3 -mavx2 -c "$root/src/vti_bond_avx2.c" -o "$work/$1-avx2.o"
-        "$1" $flags -O3 -DVTI_WIDE $sources "$work/$1-avx2.o" "$here/digest.c" -lm -o "$work/$1-wide"
-        keep "$work/$1-wide"
-        ;;
-    esac
+    case $levels in *v2*) wide "$1" avx2 AVX2 ;; esac
+    case $levels in *v4*) wide "$1" avx512 AVX2 AVX512 ;; esac
 }
 
 pids=

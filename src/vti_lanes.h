@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Lanes: a vector of numbers, one of each of WIDTH bodies, as wide as the file is compiled for. +, -, * and / are C's own and do in
+ * every lane what they do with one number, so that the bits do not depend on the width. Where the compiler has no such vectors,
+ * VTI_WIDTH is not defined, and bodies are moved one by one.
+ *
+ * For every width there are
+ *     lanes_all      whether a comparison holds in all lanes
+ *     lanes_gather   p[0], p[s], p[2 s], ...                                               lanes_scatter   the way back
+ *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
+ *     lanes_triples  those of three-vectors at p[0 ... 2], p[s ... s + 2], ...             lanes_untriple  the way back
+ *     lanes_quads    those of four numbers at p[0 ... 3], p[s ... s + 3], ...              lanes_unquad    the way back
+ *     lanes_spread   k of each body three times, as the components of packed vectors lie                              */
+#ifndef VTI_LANES_H
+#define VTI_LANES_H
+
+#include "vti_internal.h"
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#if defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define VTI_WIDTH 8
+#elif defined(__AVX2__)
+#define VTI_WIDTH 4
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+#define VTI_WIDTH 2
+#endif
+#endif
+#endif
+
+#ifdef VTI_WIDTH
+
+enum { WIDTH = VTI_WIDTH };
+
+#define VECTOR(N) __attribute__((vector_size(8 * (N))))
+/** The same where it lies in memory: aligned as numbers are. */
+#define THERE(N) __attribute__((vector_size(8 * (N)), aligned(8), may_alias))
+#define SHUFFLE __builtin_shufflevector
+
+typedef double lanes VECTOR(VTI_WIDTH);
+typedef int64_t lanes_mask VECTOR(VTI_WIDTH);
+typedef double lanes_there THERE(VTI_WIDTH);
+typedef double pair VECTOR(2);
+typedef double pair_there THERE(2);
+
+VTI_INLINE lanes lanes_load(const double *p)
+{
+    return *(const lanes_there *)p;
+}
+
+VTI_INLINE void lanes_store(double *p, lanes a)
+{
+    *(lanes_there *)p = a;
+}
+
+VTI_INLINE lanes lanes_of(double x)
+{
+    const lanes zero = {0.0};
+    return zero + x;
+}
+
+VTI_INLINE lanes lanes_sqrt(lanes a)
+{
+    for (int l = 0; l < WIDTH; ++l)
+        a[l] = sqrt(a[l]);
+    return a;
+}
+
+VTI_INLINE pair pair_load(const double *p)
+{
+    return *(const pair_there *)p;
+}
+
+VTI_INLINE void pair_store(double *p, pair a)
+{
+    *(pair_there *)p = a;
+}
+
+/* ---- two ------------------------------------------------------------------------------------------------------------- */
+
+#if VTI_WIDTH == 2
+
+VTI_INLINE int lanes_all(lanes_mask m)
+{
+    return (m[0] & m[1]) != 0;
+}
+
+VTI_INLINE lanes lanes_gather(const double *p, int64_t s)
+{
+    return (lanes){p[0], p[s]};
+}
+
+VTI_INLINE void lanes_scatter(double *p, int64_t s, lanes a)
+{
+    p[0] = a[0];
+    p[s] = a[1];
+}
+
+VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
+{
+    a[0] = SHUFFLE(p[0], p[1], 0, 3);
+    a[1] = SHUFFLE(p[0], p[2], 1, 2);
+    a[2] = SHUFFLE(p[1], p[2], 0, 3);
+}
+
+VTI_INLINE void lanes_join(const lanes a[3], lanes p[3])
+{
+    p[0] = SHUFFLE(a[0], a[1], 0, 2);
+    p[1] = SHUFFLE(a[2], a[0], 0, 3);
+    p[2] = SHUFFLE(a[1], a[2], 1, 3);
+}
+
+VTI_INLINE void lanes_spread(lanes k, lanes p[3])
+{
+    p[0] = SHUFFLE(k, k, 0, 0);
+    p[1] = k;
+    p[2] = SHUFFLE(k, k, 1, 1);
+}
+
+VTI_INLINE void lanes_triples(const double *p, int64_t s, lanes a[3])
+{
+    const pair x = pair_load(p), y = pair_load(p + s);
+    a[0] = SHUFFLE(x, y, 0, 2);
+    a[1] = SHUFFLE(x, y, 1, 3);
+    a[2] = lanes_gather(p + 2, s);
+}
+
+VTI_INLINE void lanes_untriple(double *p, int64_t s, const lanes a[3])
+{
+    pair_store(p, SHUFFLE(a[0], a[1], 0, 2));
+    pair_store(p + s, SHUFFLE(a[0], a[1], 1, 3));
+    lanes_scatter(p + 2, s, a[2]);
+}
+
+VTI_INLINE void lanes_quads(const double *p, int64_t s, lanes a[4])
+{
+    for (int k = 0; k < 4; k += 2) {
+        const pair x = pair_load(p + k), y = pair_load(p + s + k);
+        a[k] = SHUFFLE(x, y, 0, 2);
+        a[k + 1] = SHUFFLE(x, y, 1, 3);
+    }
+}
+
+VTI_INLINE void lanes_unquad(double *p, int64_t s, const lanes a[4])
+{
+    for (int k = 0; k < 4; k += 2) {
+        pair_store(p + k, SHUFFLE(a[k], a[k + 1], 0, 2));
+        pair_store(p + s + k, SHUFFLE(a[k], a[k + 1], 1, 3));
+    }
+}
+
+#else
+
+/* ---- four: what eight are made of, too --------------------------------------------------------------------------------- */
+
+typedef double four VECTOR(4);
+typedef double four_there THERE(4);
+typedef int64_t four_mask VECTOR(4);
+
+VTI_INLINE int four_all(four_mask m)
+{
+    return __builtin_ia32_movmskpd256((four)m) == 15;
+}
+
+VTI_INLINE four four_gather(const double *p, int64_t s)
+{
+    return (four){p[0], p[s], p[2 * s], p[3 * s]};
+}
+
+VTI_INLINE void four_scatter(double *p, int64_t s, four a)
+{
+    for (int l = 0; l < 4; ++l)
+        p[l * s] = a[l];
+}
+
+VTI_INLINE void four_triples(const double *p, int64_t s, four a[3])
+{
+    const four x = SHUFFLE(pair_load(p), pair_load(p + 2 * s), 0, 1, 2, 3);
+    const four y = SHUFFLE(pair_load(p + s), pair_load(p + 3 * s), 0, 1, 2, 3);
+    a[0] = SHUFFLE(x, y, 0, 4, 2, 6);
+    a[1] = SHUFFLE(x, y, 1, 5, 3, 7);
+    a[2] = four_gather(p + 2, s);
+}
+
+VTI_INLINE void four_untriple(double *p, int64_t s, const four a[3])
+{
+    const four x = SHUFFLE(a[0], a[1], 0, 4, 2, 6), y = SHUFFLE(a[0], a[1], 1, 5, 3, 7);
+    pair_store(p, SHUFFLE(x, x, 0, 1));
+    pair_store(p + s, SHUFFLE(y, y, 0, 1));
+    pair_store(p + 2 * s, SHUFFLE(x, x, 2, 3));
+    pair_store(p + 3 * s, SHUFFLE(y, y, 2, 3));
+    four_scatter(p + 2, s, a[2]);
+}
+
+/** Rows and columns of four times four numbers change places. */
+VTI_INLINE void four_transpose(const four r[4], four c[4])
+{
+    const four x = SHUFFLE(r[0], r[1], 0, 4, 2, 6), y = SHUFFLE(r[0], r[1], 1, 5, 3, 7);
+    const four z = SHUFFLE(r[2], r[3], 0, 4, 2, 6), w = SHUFFLE(r[2], r[3], 1, 5, 3, 7);
+    c[0] = SHUFFLE(x, z, 0, 1, 4, 5);
+    c[1] = SHUFFLE(y, w, 0, 1, 4, 5);
+    c[2] = SHUFFLE(x, z, 2, 3, 6, 7);
+    c[3] = SHUFFLE(y, w, 2, 3, 6, 7);
+}
+
+VTI_INLINE void four_quads(const double *p, int64_t s, four a[4])
+{
+    four r[4];
+    for (int l = 0; l < 4; ++l)
+        r[l] = *(const four_there *)(p + l * s);
+    four_transpose(r, a);
+}
+
+VTI_INLINE void four_unquad(double *p, int64_t s, const four a[4])
+{
+    four r[4];
+    four_transpose(a, r);
+    for (int l = 0; l < 4; ++l)
+        *(four_there *)(p + l * s) = r[l];
+}
+
+#if VTI_WIDTH == 4
+
+VTI_INLINE int lanes_all(lanes_mask m)
+{
+    return four_all(m);
+}
+
+VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
+{
+    const lanes x = SHUFFLE(p[0], p[1], 0, 1, 6, 7); /* x0 y0 x2 y2 */
+    const lanes y = SHUFFLE(p[0], p[2], 2, 3, 4, 5); /* z0 x1 z2 x3 */
+    const lanes z = SHUFFLE(p[1], p[2], 0, 1, 6, 7); /* y1 z1 y3 z3 */
+    a[0] = SHUFFLE(x, y, 0, 5, 2, 7);
+    a[1] = SHUFFLE(x, z, 1, 4, 3, 6);
+    a[2] = SHUFFLE(y, z, 0, 5, 2, 7);
+}
+
+VTI_INLINE void lanes_join(const lanes a[3], lanes p[3])
+{
+    const lanes x = SHUFFLE(a[0], a[1], 0, 4, 2, 6);
+    const lanes y = SHUFFLE(a[2], a[0], 0, 5, 2, 7);
+    const lanes z = SHUFFLE(a[1], a[2], 1, 5, 3, 7);
+    p[0] = SHUFFLE(x, y, 0, 1, 4, 5);
+    p[1] = SHUFFLE(z, x, 0, 1, 6, 7);
+    p[2] = SHUFFLE(y, z, 2, 3, 6, 7);
+}
+
+VTI_INLINE void lanes_spread(lanes k, lanes p[3])
+{
+    p[0] = SHUFFLE(k, k, 0, 0, 0, 1);
+    p[1] = SHUFFLE(k, k, 1, 1, 2, 2);
+    p[2] = SHUFFLE(k, k, 2, 3, 3, 3);
+}
+
+#define lanes_gather four_gather
+#define lanes_scatter four_scatter
+#define lanes_triples four_triples
+#define lanes_untriple four_untriple
+#define lanes_quads four_quads
+#define lanes_unquad four_unquad
+
+#else
+
+/* ---- eight ------------------------------------------------------------------------------------------------------------- */
+
+VTI_INLINE lanes two_fours(four a, four b)
+{
+    return SHUFFLE(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+VTI_INLINE four lower(lanes a)
+{
+    return SHUFFLE(a, a, 0, 1, 2, 3);
+}
+
+VTI_INLINE four upper(lanes a)
+{
+    return SHUFFLE(a, a, 4, 5, 6, 7);
+}
+
+VTI_INLINE int lanes_all(lanes_mask m)
+{
+    return four_all(SHUFFLE(m, m, 0, 1, 2, 3) & SHUFFLE(m, m, 4, 5, 6, 7));
+}
+
+VTI_INLINE lanes lanes_gather(const double *p, int64_t s)
+{
+    return two_fours(four_gather(p, s), four_gather(p + 4 * s, s));
+}
+
+VTI_INLINE void lanes_scatter(double *p, int64_t s, lanes a)
+{
+    four_scatter(p, s, lower(a));
+    four_scatter(p + 4 * s, s, upper(a));
+}
+
+VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
+{
+    const lanes x = SHUFFLE(p[0], p[1], 0, 3, 6, 9, 12, 15, 0, 0);
+    const lanes y = SHUFFLE(p[0], p[1], 1, 4, 7, 10, 13, 0, 0, 0);
+    const lanes z = SHUFFLE(p[0], p[1], 2, 5, 8, 11, 14, 0, 0, 0);
+    a[0] = SHUFFLE(x, p[2], 0, 1, 2, 3, 4, 5, 10, 13);
+    a[1] = SHUFFLE(y, p[2], 0, 1, 2, 3, 4, 8, 11, 14);
+    a[2] = SHUFFLE(z, p[2], 0, 1, 2, 3, 4, 9, 12, 15);
+}
+
+VTI_INLINE void lanes_join(const lanes a[3], lanes p[3])
+{
+    const lanes x = SHUFFLE(a[0], a[1], 0, 8, 0, 1, 9, 0, 2, 10);
+    const lanes y = SHUFFLE(a[0], a[1], 0, 3, 11, 0, 4, 12, 0, 5);
+    const lanes z = SHUFFLE(a[0], a[1], 13, 0, 6, 14, 0, 7, 15, 0);
+    p[0] = SHUFFLE(x, a[2], 0, 1, 8, 3, 4, 9, 6, 7);
+    p[1] = SHUFFLE(y, a[2], 10, 1, 2, 11, 4, 5, 12, 7);
+    p[2] = SHUFFLE(z, a[2], 0, 13, 2, 3, 14, 5, 6, 15);
+}
+
+VTI_INLINE void lanes_spread(lanes k, lanes p[3])
+{
+    p[0] = SHUFFLE(k, k, 0, 0, 0, 1, 1, 1, 2, 2);
+    p[1] = SHUFFLE(k, k, 2, 3, 3, 3, 4, 4, 4, 5);
+    p[2] = SHUFFLE(k, k, 5, 5, 6, 6, 6, 7, 7, 7);
+}
+
+/** Components of four bodies and of the next four, of n numbers each. */
+#define HALVES(WHAT, N)                                                                                                \
+    VTI_INLINE void lanes_##WHAT(const double *p, int64_t s, lanes a[N])                                               \
+    {                                                                                                                  \
+        four x[N], y[N];                                                                                               \
+        four_##WHAT(p, s, x);                                                                                          \
+        four_##WHAT(p + 4 * s, s, y);                                                                                  \
+        for (int k = 0; k < (N); ++k)                                                                                  \
+            a[k] = two_fours(x[k], y[k]);                                                                              \
+    }
+#define HALVES_BACK(WHAT, N)                                                                                           \
+    VTI_INLINE void lanes_##WHAT(double *p, int64_t s, const lanes a[N])                                               \
+    {                                                                                                                  \
+        four x[N], y[N];                                                                                               \
+        for (int k = 0; k < (N); ++k) {                                                                                \
+            x[k] = lower(a[k]);                                                                                        \
+            y[k] = upper(a[k]);                                                                                        \
+        }                                                                                                              \
+        four_##WHAT(p, s, x);                                                                                          \
+        four_##WHAT(p + 4 * s, s, y);                                                                                  \
+    }
+HALVES(triples, 3)
+HALVES(quads, 4)
+HALVES_BACK(untriple, 3)
+HALVES_BACK(unquad, 4)
+#undef HALVES
+#undef HALVES_BACK
+
+#endif
+#endif
+#endif
+#endif

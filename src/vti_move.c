@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Kick and drift, the two primitives of every stepper, for one body after the other; where there are many, by kernels that give
+ * the same bits (vti_move_kernels.h). */
+#include "vti_move.h"
+
+VTI_MOVE_LAW(law_of, double, (double), sqrt)
+
+/** a += b with the rounding error of the sum carried in *low (two-sum, exact whatever the magnitudes). */
+static inline double add_compensated(double a, double b, double *low)
+{
+    const double y = b + *low, s = a + y, z = s - a;
+    *low = (a - (s - z)) + (y - z);
+    return s;
+}
+
+/* ---- kick and translation ------------------------------------------------------------------------------------------------ */
+
+/** a += t by of one body, with its residual where there is one. */
+VTI_INLINE void add_by(double t, const double by[3], const vti_view *low, int64_t i, double a[3])
+{
+    for (int c = 0; c < 3; ++c)
+        a[c] = vti_has(low) ? add_compensated(a[c], t * by[c], low->c[c] + i * low->stride) : a[c] + t * by[c];
+}
+
+/** a of body i after its kicks, a += t/m by, which are also stored. */
+VTI_INLINE void kicked(const struct vti_move *move, const vti_view *view, const vti_view *by, const vti_scalars *over,
+                       const vti_view *low, int64_t i, double a[3])
+{
+    vti_load(view, i, a);
+    if (!vti_has(by) || (move->before == 0.0 && move->kick == 0.0))
+        return;
+    double f[3];
+    vti_load(by, i, f);
+    if (move->before != 0.0)
+        add_by(move->before / vti_scalar(over, i), f, low, i, a);
+    if (move->kick != 0.0)
+        add_by(move->kick / vti_scalar(over, i), f, low, i, a);
+    vti_store(view, i, a);
+}
+
+static void translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const int drifts = move->drifts && vti_has(&b->x);
+    for (int64_t i = begin; i < end; ++i) {
+        double v[3], x[3];
+        kicked(move, &b->v, &b->force, &b->mass, &b->v_low, i, v);
+        if (!drifts)
+            continue;
+        vti_load(&b->x, i, x);
+        add_by(move->drift, v, &b->x_low, i, x);
+        vti_store(&b->x, i, x);
+    }
+}
+
+/* ---- turn ---------------------------------------------------------------------------------------------------------------- */
+
+/** The increment dalpha = 2 f u/c. small: as in vti_rrv_increment. */
+struct increment {
+    double c, f;
+    int small;
+};
+
+/** As VTI_MOVE_LAW has it. Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as good as
+ *  any. Below s^2 = 8, c > 0.36 in both of the exact. */
+VTI_INLINE struct increment increment(int law, const double u[3])
+{
+    struct increment d = {2.0, 1.0, 0};
+    if (law == VTI_LAW_CAYLEY)
+        return d;
+    const double s2 = vti_dot(u, u);
+    d.small = law != VTI_LAW_CLOSED && s2 < 8.0;
+    if (law != VTI_LAW_CLOSED && !d.small && !(s2 < 0x1p60))
+        d.c = 0.0;
+    else
+        law_of(law, s2, &d.c, &d.f);
+    return d;
+}
+
+/** alpha <- alpha (+) dalpha for side = 1, in space; for side = -1 in the body's frame. */
+VTI_INLINE void turn_alpha(int law, double side, const double u[3], const vti_view *alpha, int64_t i)
+{
+    double a[3];
+    vti_load(alpha, i, a);
+    const struct increment d = increment(law, u);
+    vti_rrv_turn_by(d.c, d.f, u, d.small, side, a);
+    vti_store(alpha, i, a);
+}
+
+/** The same with the rounding error of alpha carried along. */
+VTI_INLINE void turn_compensated(int law, double side, const double u[3], const vti_view *alpha, const vti_view *low,
+                                 int64_t i)
+{
+    double base[3], add[3], r[3];
+    vti_load(alpha, i, base);
+    vti_load(low, i, r);
+    const struct increment d = increment(law, u);
+    const int incremental = vti_rrv_increment(d.c, d.f, u, d.small, side, base, add);
+    for (int k = 0; k < 3; ++k) {
+        r[k] = incremental ? r[k] : 0.0;
+        base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
+    }
+    vti_store(alpha, i, base);
+    vti_store(low, i, r);
+}
+
+/** q <- normalise((u, c) q), or q (u, c) in the body's frame: the same increment on a host's quaternion. */
+VTI_INLINE void turn_quat(int law, double side, const double turn[3], const vti_quat_view *quat, int64_t i)
+{
+    double u[3], q[4], r[4], x[3];
+    for (int k = 0; k < 4; ++k)
+        q[k] = quat->xyzw[k][i * quat->stride];
+    /* scaled, lest the square of a huge u overflow */
+    const struct increment d = increment(law, turn);
+    const double s = vti_max3(turn) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.c;
+    for (int k = 0; k < 3; ++k)
+        u[k] = s * d.f * turn[k];
+    vti_cross(u, q, x);
+    for (int k = 0; k < 3; ++k)
+        r[k] = c * q[k] + q[3] * u[k] + side * x[k];
+    r[3] = c * q[3] - vti_dot(u, q);
+    const double scale = 1.0 / sqrt(vti_dot(r, r) + r[3] * r[3]);
+    for (int k = 0; k < 4; ++k)
+        quat->xyzw[k][i * quat->stride] = r[k] * scale;
+}
+
+/* How the attitude is kept. */
+enum { NOT, BY_ALPHA, COMPENSATED, BY_QUAT };
+
+VTI_INLINE void rotate(int kept, int law, double side, const struct vti_move *move, const vti_bodies *b, int64_t begin,
+                       int64_t end)
+{
+    for (int64_t i = begin; i < end; ++i) {
+        double w[3];
+        kicked(move, &b->omega, &b->moment, &b->inertia, &b->omega_low, i, w);
+        const double t = move->drift, u[3] = {t * w[0], t * w[1], t * w[2]};
+        if (kept == BY_ALPHA)
+            turn_alpha(law, side, u, &b->alpha, i);
+        else if (kept == COMPENSATED)
+            turn_compensated(law, side, u, &b->alpha, &b->alpha_low, i);
+        else if (kept == BY_QUAT)
+            turn_quat(law, side, u, &b->quat, i);
+    }
+}
+
+/* Literal arguments, so that each way to keep the attitude, each law and each frame is a loop of its own. */
+typedef void turn(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+#define TURN(KEPT, LAW, FRAME, SIDE)                                                                                   \
+    static void KEPT##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)   \
+    {                                                                                                                  \
+        rotate(KEPT, VTI_LAW_##LAW, SIDE, move, b, begin, end);                                                        \
+    }
+#define LAWS(KEPT, FRAME, SIDE)                                                                                        \
+    TURN(KEPT, CLOSED, FRAME, SIDE)                                                                                    \
+    TURN(KEPT, CAYLEY, FRAME, SIDE)                                                                                    \
+    TURN(KEPT, EXACT, FRAME, SIDE)                                                                                     \
+    TURN(KEPT, EXACT9, FRAME, SIDE)
+#define FRAMES(KEPT)                                                                                                   \
+    LAWS(KEPT, space, 1.0)                                                                                             \
+    LAWS(KEPT, body, -1.0)
+FRAMES(BY_ALPHA)
+FRAMES(COMPENSATED)
+FRAMES(BY_QUAT)
+
+static void not_turned(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    rotate(NOT, VTI_LAW_CAYLEY, 1.0, move, b, begin, end);
+}
+
+#define BY_LAW(KEPT, FRAME)                                                                                            \
+    {                                                                                                                  \
+        NULL, KEPT##_CLOSED_##FRAME, KEPT##_CAYLEY_##FRAME, KEPT##_EXACT_##FRAME, KEPT##_EXACT9_##FRAME                \
+    }
+/** [how the attitude is kept][frame is the body's][law] */
+static turn *const turns[4][2][VTI_LAW_EXACT9 + 1] = {
+    [BY_ALPHA] = {BY_LAW(BY_ALPHA, space), BY_LAW(BY_ALPHA, body)},
+    [COMPENSATED] = {BY_LAW(COMPENSATED, space), BY_LAW(COMPENSATED, body)},
+    [BY_QUAT] = {BY_LAW(BY_QUAT, space), BY_LAW(BY_QUAT, body)},
+};
+
+static turn *turn_of(const struct vti_move *move, const vti_bodies *b)
+{
+    if (!move->drifts || !vti_has_attitude(b))
+        return not_turned;
+    const int kept = !vti_has(&b->alpha) ? BY_QUAT : vti_has(&b->alpha_low) ? COMPENSATED : BY_ALPHA;
+    return turns[kept][move->frame == VTI_FRAME_BODY][move->law];
+}
+
+void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
+{
+    const struct vti_move drift = {0.0, 0.0, move->drift, 1, move->law, move->frame};
+    turn_of(&drift, b)(&drift, b, i, i + 1);
+}
+
+/* ---- many ---------------------------------------------------------------------------------------------------------------- */
+
+/** The kernels for so many bodies and this machine's vector units, widest first: what one leaves over, the next may take. */
+static const struct vti_move_kernels *const *kernels(int64_t bodies)
+{
+    static const struct vti_move_kernels *const all[] = {
+#ifdef VTI_HAS_AVX512
+        &vti_move_avx512,
+#endif
+#ifdef VTI_HAS_AVX2
+        &vti_move_avx2,
+#endif
+        &vti_move_baseline, NULL};
+    const struct vti_move_kernels *const *first = all;
+    if (bodies < vti_move_baseline.least)
+        return all + sizeof all / sizeof all[0] - 1;
+#ifdef VTI_HAS_AVX512
+    first +=
+        bodies < vti_move_avx512.least || !__builtin_cpu_supports("avx512dq") || !__builtin_cpu_supports("avx512vl");
+#endif
+#ifdef VTI_HAS_AVX2
+    first += *first == &vti_move_avx2 && (bodies < vti_move_avx2.least || !__builtin_cpu_supports("avx2"));
+#endif
+    return first;
+}
+
+static void translate_all(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const int64_t many = vti_has(&b->x_low) || vti_has(&b->v_low) ? 0 : end - begin;
+    for (const struct vti_move_kernels *const *k = kernels(many); *k != NULL; ++k)
+        begin = (*k)->translate(move, b, begin, end);
+    translate(move, b, begin, end);
+}
+
+static void rotate_all(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const int64_t many = vti_has(&b->alpha_low) || vti_has(&b->omega_low) ? 0 : end - begin;
+    for (const struct vti_move_kernels *const *k = kernels(many); *k != NULL; ++k)
+        begin = (*k)->rotate(move, b, begin, end);
+    turn_of(move, b)(move, b, begin, end);
+}
+
+/** Bodies of one block stay in the first-level cache from their translation to their turn. */
+enum { BLOCK = 256 };
+
+void vti_move_all(const struct vti_move *move, const vti_bodies *b)
+{
+    const int kicks = move->before != 0.0 || move->kick != 0.0;
+    const int translates = vti_has(&b->v) && ((move->drifts && vti_has(&b->x)) || (kicks && vti_has(&b->force)));
+    const int rotates = vti_has(&b->omega) && ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
+    const int64_t last = b->first + b->count;
+    for (int64_t begin = b->first; begin < last; begin += BLOCK) {
+        const int64_t end = last - begin < BLOCK ? last : begin + BLOCK;
+        if (translates)
+            translate_all(move, b, begin, end);
+        if (rotates)
+            rotate_all(move, b, begin, end);
+    }
+}
+
+/* ---- the bound of the closed form ----------------------------------------------------------------------------------------- */
+
+/** u = t Omega of body i after the kicks, by their operations, so that what is tested is what the square root will see. */
+static void turn_ahead(const struct vti_move *move, const vti_bodies *b, int64_t i, double u[3])
+{
+    double low[3], m[3];
+    const vti_view residual = {{low, low + 1, low + 2}, 0, 0}, none = vti_view_none();
+    const vti_view *const carried = vti_has(&b->omega_low) ? &residual : &none;
+    vti_load(&b->omega, i, u);
+    if (vti_has(carried))
+        vti_load(&b->omega_low, i, low);
+    const double times[2] = {move->before, move->kick};
+    for (int k = 0; k < 2; ++k)
+        if (times[k] != 0.0 && vti_has(&b->moment)) {
+            vti_load(&b->moment, i, m);
+            add_by(times[k] / vti_scalar(&b->inertia, i), m, carried, 0, u);
+        }
+    for (int c = 0; c < 3; ++c)
+        u[c] *= move->drift;
+}
+
+/** The body with the largest s = |u|, or the first whose s is NaN. */
+static void name_worst(const struct vti_move *move, const vti_bodies *b, vti_fault *fault)
+{
+    double worst = -1.0;
+    for (int64_t i = b->first; i < b->first + b->count && !isnan(worst); ++i) {
+        double u[3];
+        turn_ahead(move, b, i, u);
+        const double s = vti_norm(u);
+        if (!(s <= worst)) {
+            worst = s;
+            vti_blame(VTI_E_TOO_LARGE, i, s, VTI_QUANTITY_OMEGA, fault);
+        }
+    }
+}
+
+int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault)
+{
+    if (move->law != VTI_LAW_CLOSED || !move->drifts || !vti_has_attitude(b) || !vti_has(&b->omega))
+        return VTI_OK;
+    int64_t i = b->first;
+    const int64_t end = i + b->count;
+    int refused = 0;
+    for (const struct vti_move_kernels *const *k = kernels(vti_has(&b->omega_low) ? 0 : b->count); *k != NULL; ++k)
+        refused |= (*k)->reaches(move, b, i, end, &i);
+    for (; i < end; ++i) {
+        double u[3];
+        turn_ahead(move, b, i, u);
+        refused |= !(vti_dot(u, u) < 1.0);
+    }
+    if (refused && fault != NULL)
+        name_worst(move, b, fault);
+    return refused ? VTI_E_TOO_LARGE : VTI_OK;
+}
+
+/* ---- the public primitives --------------------------------------------------------------------------------------------------- */
+
+int vti_kick(double t, const vti_bodies *b)
+{
+    const int status = vti_bodies_ready(b);
+    if (status != VTI_OK)
+        return status;
+    if (!isfinite(t))
+        return VTI_E_TIME;
+    const struct vti_move move = {0.0, t, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    vti_move_all(&move, b);
+    return VTI_OK;
+}
+
+int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
+{
+    vti_blame_none(VTI_OK, fault);
+    int status = vti_bodies_ready_or(b, fault);
+    if (status == VTI_OK)
+        status = vti_law_check(law, frame);
+    if (status == VTI_OK && !isfinite(t))
+        status = vti_blame(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
+    const struct vti_move move = {0.0, 0.0, t, 1, law, frame};
+    if (status == VTI_OK)
+        status = vti_move_check(&move, b, fault);
+    if (status == VTI_OK)
+        vti_move_all(&move, b);
+    return status;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A move is what a step does to a block of bodies between two evaluations of forces (EQUATIONS 2):
+ *
+ *     kick(before):  v += t F/m,  Omega += t RM/J         what is left of the last step
+ *     kick(kick):    the same                             the first of this one
+ *     drift(drift):  x += t v,  alpha <- alpha (+) dalpha(t Omega)
+ *
+ * vti_move.c moves bodies one by one, and picks kernels that do many at once (vti_move_kernels.h), with the same bits. */
+#ifndef VTI_MOVE_H
+#define VTI_MOVE_H
+
+#include "vti_internal.h"
+
+struct vti_move {
+    double before, kick; /* times of the kicks; a kick of 0 does not look at the forces */
+    double drift;        /* time of the drift */
+    int drifts;          /* whether there is one */
+    int law, frame;
+};
+
+/** Moves all bodies of the slice, which have been checked. */
+void vti_move_all(const struct vti_move *move, const vti_bodies *b);
+
+/** VTI_E_TOO_LARGE if the drift after the kicks would break the law's bound for some body, which fault then names. */
+int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault);
+
+/** Turns one body by the drift: what the kernels leave out. */
+void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
+
+/** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the layout
+ *  is not for them. Nothing that carries residuals is for them. */
+struct vti_move_kernels {
+    int64_t least; /* bodies; for fewer it does not pay to start */
+    int64_t (*translate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+    int64_t (*rotate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+    /** Whether a body's turn of the drift is 1 or more, or NaN; for the bodies up to *stopped. */
+    int (*reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped);
+};
+extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_avx512;
+
+/** The increment dalpha = 2 f u/c of a body that turns by u = t Omega, of s^2 = u.u:
+ *      closed, VTI-1     dalpha = 2 u/(1 + sqrt(1 - s^2))
+ *      Cayley, VTI-2, 3  dalpha = u
+ *      exact             dalpha = 2 tan(s/2)/s u by its continued fraction, without a pole as
+ *                        c = 2 - s^2/5, f = 1 - s^2/60;  c = 2 - 3s^2/14 + s^4/840, f = 1 - s^2/42
+ *  for numbers and for lanes of numbers, V with the square root SQRT. */
+#define VTI_MOVE_LAW(NAME, V, OF, SQRT)                                                                                \
+    VTI_INLINE void NAME(int law, V s2, V *c, V *f)                                                                    \
+    {                                                                                                                  \
+        *f = OF(1.0);                                                                                                  \
+        if (law == VTI_LAW_CAYLEY)                                                                                     \
+            *c = OF(2.0);                                                                                              \
+        else if (law == VTI_LAW_CLOSED)                                                                                \
+            *c = 1.0 + SQRT(1.0 - s2);                                                                                 \
+        else {                                                                                                         \
+            *f = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);                                          \
+            *c = 2.0 - s2 * (law == VTI_LAW_EXACT ? OF(1.0 / 5.0) : (180.0 - s2) * (1.0 / 840.0));                     \
+        }                                                                                                              \
+    }
+
+#endif

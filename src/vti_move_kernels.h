@@ -1,0 +1,405 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Moves of many bodies at once, a body to a lane. Vectors that lie packed are kicked and moved as they lie, and only the attitude
+ * and t Omega are sorted by component; all others are sorted as they are read. A turn is the incremental form of vti_rrv.h without
+ * its branch; where it is not allowed in some lane, the bodies of all lanes are turned one by one.
+ *
+ * The files vti_move_*.c include this and nothing else: each is compiled for vector units of its own, and defines MOVE_KERNELS, the
+ * name of its table. */
+#include "vti_lanes.h"
+#include "vti_move.h"
+
+#ifdef VTI_WIDTH
+
+VTI_RRV_INCREMENTAL(incremental, lanes)
+VTI_MOVE_LAW(law_of, lanes, lanes_of, lanes_sqrt)
+
+/* ---- what lies how ----------------------------------------------------------------------------------------------------- */
+
+/** PACKED: as vectors lie in memory, x y z x y z ..., three vectors of lanes. SEPARATE: an array for each component. MIXED: of
+ *  components that lie side by side at any stride, and of separate ones. */
+enum order { PACKED, SEPARATE, MIXED };
+
+/** A view, in variables of its own: what nobody else can change stays in registers. */
+struct stream {
+    double *c[3];
+    int64_t stride;
+    int adjacent; /* its components lie side by side */
+};
+
+VTI_INLINE struct stream stream_of(const vti_view *v)
+{
+    const int adjacent = v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
+    const struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
+    return s;
+}
+
+/** The order in which lanes are filled from it alone; -1 if they cannot be. */
+VTI_INLINE int order_of(struct stream s)
+{
+    return s.adjacent ? (s.stride == 3 ? PACKED : MIXED) : s.stride == 1 ? SEPARATE : -1;
+}
+
+/** The same of two together. */
+VTI_INLINE int order_with(int order, struct stream s)
+{
+    const int other = order_of(s);
+    return order == other ? order : order < 0 || other < 0 ? -1 : MIXED;
+}
+
+VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
+{
+    if (order == MIXED && s.adjacent)
+        lanes_triples(s.c[0] + i * s.stride, s.stride, r);
+    else
+        for (int k = 0; k < 3; ++k)
+            r[k] = lanes_load(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i);
+}
+
+VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes r[3])
+{
+    if (order == MIXED && s.adjacent)
+        lanes_untriple(s.c[0] + i * s.stride, s.stride, r);
+    else
+        for (int k = 0; k < 3; ++k)
+            lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
+}
+
+/* ---- kick -------------------------------------------------------------------------------------------------------------- */
+
+/** The kicks of a move of one quantity: a += t/m by, once or twice. */
+struct kicks {
+    int count;
+    double t[2];
+    struct stream by;
+    const double *m;
+    int64_t stride;
+    lanes quotient[2]; /* where one m serves all */
+};
+
+VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by, const vti_scalars *over)
+{
+    struct kicks k = {0, {0.0, 0.0}, stream_of(by), over->p, over->stride, {lanes_of(0.0), lanes_of(0.0)}};
+    if (!vti_has(by))
+        return k;
+    if (move->before != 0.0)
+        k.t[k.count++] = move->before;
+    if (move->kick != 0.0)
+        k.t[k.count++] = move->kick;
+    for (int n = 0; n < k.count && k.stride == 0; ++n)
+        k.quotient[n] = lanes_of(k.t[n] / *k.m);
+    return k;
+}
+
+VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lanes a[3])
+{
+    lanes each[3] = {quotient, quotient, quotient};
+    if (order == PACKED)
+        lanes_spread(quotient, each);
+    for (int c = 0; c < 3; ++c)
+        a[c] += each[c] * by[c];
+}
+
+VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
+{
+    lanes by[3], first = k.quotient[0], second = k.quotient[1];
+    load(order, k.by, i, by);
+    if (k.stride != 0) {
+        const lanes m = k.stride == 1 ? lanes_load(k.m + i) : lanes_gather(k.m + i * k.stride, k.stride);
+        first = k.t[0] / m;
+        second = k.count > 1 && k.t[1] != k.t[0] ? k.t[1] / m : first;
+    }
+    add_by(order, first, by, a);
+    if (k.count > 1)
+        add_by(order, second, by, a);
+}
+
+/** a is kicked, and x += t a where x moves. */
+VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
+                              int64_t begin, int64_t end)
+{
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes v[3], place[3];
+        load(order, a, i, v);
+        if (k.count > 0) {
+            kick(order, k, i, v);
+            store(order, a, i, v);
+        }
+        if (!moves)
+            continue;
+        load(order, x, i, place);
+        for (int c = 0; c < 3; ++c)
+            place[c] += t * v[c];
+        store(order, x, i, place);
+    }
+}
+
+/** The same, body by body: of vectors whose components lie side by side, at any strides. */
+VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, int moves, struct stream x, int64_t begin,
+                                   int64_t end)
+{
+    double q[2] = {k.quotient[0][0], k.quotient[1][0]};
+    for (int64_t i = begin; i < end; ++i) {
+        double *const v = a.c[0] + i * a.stride, *const place = x.c[0] + i * x.stride;
+        pair xy = pair_load(v);
+        double z = v[2];
+        for (int n = 0; n < k.count; ++n) {
+            const double *const by = k.by.c[0] + i * k.by.stride;
+            if (k.stride != 0)
+                q[n] = k.t[n] / k.m[i * k.stride];
+            xy += q[n] * pair_load(by);
+            z += q[n] * by[2];
+        }
+        if (k.count > 0) {
+            pair_store(v, xy);
+            v[2] = z;
+        }
+        if (moves) {
+            pair_store(place, pair_load(place) + t * xy);
+            place[2] += t * z;
+        }
+    }
+}
+
+/** Whichever of the two suits. */
+VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, int moves, struct stream x,
+                                     int64_t begin, int64_t end)
+{
+    const struct stream by = k.count > 0 ? k.by : a;
+    const int order = order_with(order_with(order_of(a), x), by);
+    if (order == MIXED && a.adjacent && x.adjacent && by.adjacent) {
+        kick_and_move_each(k, t, a, moves, x, begin, end);
+        return end;
+    }
+    if (order == PACKED)
+        kick_and_move(PACKED, k, t, a, moves, x, begin, end);
+    else if (order == SEPARATE)
+        kick_and_move(SEPARATE, k, t, a, moves, x, begin, end);
+    else
+        return begin;
+    return begin + (end - begin) / WIDTH * WIDTH;
+}
+
+static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (end - begin < WIDTH)
+        return begin;
+    const struct stream v = stream_of(&b->v);
+    const struct kicks k = kicks_of(move, &b->force, &b->mass);
+    if (!move->drifts || !vti_has(&b->x))
+        return kick_and_move_any(k, 0.0, v, 0, v, begin, end);
+    return kick_and_move_any(k, move->drift, v, 1, stream_of(&b->x), begin, end);
+}
+
+static int quat_is_adjacent(const vti_quat_view *q)
+{
+    return q->xyzw[1] == q->xyzw[0] + 1 && q->xyzw[2] == q->xyzw[0] + 2 && q->xyzw[3] == q->xyzw[0] + 3;
+}
+
+/* ---- turn -------------------------------------------------------------------------------------------------------------- */
+
+/** u = t Omega after its kicks, by component. Returns u.u. */
+VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct stream omega, int writes, int64_t i,
+                             lanes u[3])
+{
+    lanes w[3];
+    load(order, omega, i, w);
+    if (k.count > 0) {
+        kick(order, k, i, w);
+        if (writes)
+            store(order, omega, i, w);
+    }
+    for (int c = 0; c < 3; ++c)
+        w[c] *= t;
+    if (order == PACKED)
+        lanes_split(w, u);
+    else
+        for (int c = 0; c < 3; ++c)
+            u[c] = w[c];
+    return u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+}
+
+VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b, int64_t i)
+{
+    for (int l = 0; l < WIDTH; ++l)
+        vti_move_turn(move, b, i + l);
+}
+
+/** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c <= 2 and
+ *  rounding keeps order, one sum that is less than c^2 tells. */
+VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
+                           int64_t begin, int64_t end)
+{
+    const struct stream omega = stream_of(&b->omega), alpha = stream_of(&b->alpha);
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const double t = move->drift;
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes u[3], there[3], a[3], add[3], c, f;
+        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+        load(order, alpha, i, there);
+        if (order == PACKED)
+            lanes_split(there, a);
+        else
+            for (int n = 0; n < 3; ++n)
+                a[n] = there[n];
+        law_of(law, s2, &c, &f);
+        const lanes d = incremental(c, f, u, side, a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < c * c;
+        if (!lanes_all(near)) {
+            turn_one_by_one(move, b, i);
+            continue;
+        }
+        for (int n = 0; n < 3; ++n)
+            a[n] += add[n];
+        if (order == PACKED) {
+            lanes_join(a, there);
+            store(order, alpha, i, there);
+        } else
+            store(order, alpha, i, a);
+    }
+}
+
+/** q <- normalise((u, c) q), or q (u, c) in the body's frame, where u is small enough for its square. */
+VTI_INLINE void turn_quat(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
+                          int64_t begin, int64_t end)
+{
+    const struct stream omega = stream_of(&b->omega);
+    const vti_quat_view quat = b->quat;
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const double t = move->drift;
+    const int adjacent = quat_is_adjacent(&quat);
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes u[3], q[4], r[4], c, f;
+        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+        if (adjacent)
+            lanes_quads(quat.xyzw[0] + i * quat.stride, quat.stride, q);
+        else
+            for (int n = 0; n < 4; ++n)
+                q[n] = lanes_load(quat.xyzw[n] + i);
+        if (!lanes_all(s2 < 8.0)) {
+            turn_one_by_one(move, b, i);
+            continue;
+        }
+        law_of(law, s2, &c, &f);
+        for (int n = 0; n < 3; ++n)
+            u[n] *= f;
+        const lanes x[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
+        for (int n = 0; n < 3; ++n)
+            r[n] = c * q[n] + q[3] * u[n] + side * x[n];
+        r[3] = c * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
+        const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
+        for (int n = 0; n < 4; ++n)
+            r[n] *= scale;
+        if (adjacent)
+            lanes_unquad(quat.xyzw[0] + i * quat.stride, quat.stride, r);
+        else
+            for (int n = 0; n < 4; ++n)
+                lanes_store(quat.xyzw[n] + i, r[n]);
+    }
+}
+
+/* Literal arguments, so that each order, law and frame is a loop of its own. */
+typedef void turn(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+#define TURN(KEPT, ORDER, LAW, FRAME, SIDE)                                                                            \
+    static void KEPT##_##ORDER##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b, int64_t begin,      \
+                                                 int64_t end)                                                          \
+    {                                                                                                                  \
+        turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, begin, end);                                                  \
+    }
+#define LAWS(KEPT, ORDER, FRAME, SIDE)                                                                                 \
+    TURN(KEPT, ORDER, CLOSED, FRAME, SIDE)                                                                             \
+    TURN(KEPT, ORDER, CAYLEY, FRAME, SIDE)                                                                             \
+    TURN(KEPT, ORDER, EXACT, FRAME, SIDE)                                                                              \
+    TURN(KEPT, ORDER, EXACT9, FRAME, SIDE)
+LAWS(alpha, PACKED, space, 1.0)
+LAWS(alpha, PACKED, body, -1.0)
+LAWS(alpha, SEPARATE, space, 1.0)
+LAWS(alpha, SEPARATE, body, -1.0)
+LAWS(alpha, MIXED, space, 1.0)
+LAWS(alpha, MIXED, body, -1.0)
+LAWS(quat, PACKED, space, 1.0)
+LAWS(quat, PACKED, body, -1.0)
+LAWS(quat, SEPARATE, space, 1.0)
+LAWS(quat, SEPARATE, body, -1.0)
+LAWS(quat, MIXED, space, 1.0)
+LAWS(quat, MIXED, body, -1.0)
+
+#define BY_LAW(KEPT, ORDER, FRAME)                                                                                     \
+    {                                                                                                                  \
+        NULL, KEPT##_##ORDER##_CLOSED_##FRAME, KEPT##_##ORDER##_CAYLEY_##FRAME, KEPT##_##ORDER##_EXACT_##FRAME,        \
+            KEPT##_##ORDER##_EXACT9_##FRAME                                                                            \
+    }
+#define BY_FRAME(KEPT, ORDER)                                                                                          \
+    {                                                                                                                  \
+        BY_LAW(KEPT, ORDER, space), BY_LAW(KEPT, ORDER, body)                                                          \
+    }
+/** [attitude is a quaternion][order of omega, moment and alpha][frame is the body's][law] */
+static turn *const turns[2][3][2][VTI_LAW_EXACT9 + 1] = {
+    {BY_FRAME(alpha, PACKED), BY_FRAME(alpha, SEPARATE), BY_FRAME(alpha, MIXED)},
+    {BY_FRAME(quat, PACKED), BY_FRAME(quat, SEPARATE), BY_FRAME(quat, MIXED)}};
+
+static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (end - begin < WIDTH)
+        return begin;
+    const struct stream w = stream_of(&b->omega);
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    if (!move->drifts || !vti_has_attitude(b))
+        return kick_and_move_any(k, 0.0, w, 0, w, begin, end);
+    const int by_quat = !vti_has(&b->alpha);
+    int order = order_with(order_of(w), k.count > 0 ? k.by : w);
+    if (!by_quat)
+        order = order_with(order, stream_of(&b->alpha));
+    else if (b->quat.stride != 1 && !quat_is_adjacent(&b->quat))
+        order = -1;
+    if (order < 0 || (order == MIXED && WIDTH > 4)) /* eight are sorted more slowly than twice four */
+        return begin;
+    const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
+    struct vti_move rest = *move;
+    if (order == MIXED && k.count > 0 && kick_and_move_any(k, 0.0, w, 0, w, begin, stop) == stop)
+        rest.before = rest.kick = 0.0;
+    turns[by_quat][order][move->frame == VTI_FRAME_BODY][move->law](&rest, b, begin, stop);
+    return stop;
+}
+
+/* ---- the bound of the closed form ----------------------------------------------------------------------------------------- */
+
+static int reaches(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped)
+{
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const struct stream omega = stream_of(&b->omega), by = k.count > 0 ? k.by : omega;
+    lanes_mask below = lanes_of(0.0) < 1.0;
+    int64_t i = begin;
+    lanes u[3];
+    const int order = order_with(order_of(omega), by);
+    if (order == PACKED)
+        for (; i + WIDTH <= end; i += WIDTH)
+            below &= kicked_turn(PACKED, k, move->drift, omega, 0, i, u) < 1.0;
+    else if (order >= 0)
+        for (; i + WIDTH <= end; i += WIDTH)
+            below &= kicked_turn(MIXED, k, move->drift, omega, 0, i, u) < 1.0;
+    *stopped = i;
+    return !lanes_all(below);
+}
+
+const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH, translate, rotate, reaches};
+
+#else
+
+static int64_t none(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    (void)move;
+    (void)b;
+    (void)end;
+    return begin;
+}
+
+static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped)
+{
+    *stopped = none(move, b, begin, end);
+    return 0;
+}
+
+const struct vti_move_kernels MOVE_KERNELS = {0, none, none, reaches_none};
+
+#endif

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Moves of many bodies by the kernels of every vector width against the same bodies moved one by one, to the bit: all layouts, laws
+ * and frames, no kick, one and two, attitudes past half a turn and of any size, spins of any size. And vti_step_next against
+ * the finish and the begin that it stands for. The kernels' tables are private to the library. */
+#include "../../src/vti_move.h"
+#include "support.h"
+
+enum { N = 43, ROOM = 24 * N };
+enum { PACKED, SEPARATE, STRUCTS, BESIDE, LAYOUTS }; /* BESIDE: omega and v packed, all else separate */
+
+struct body_memory {
+    double all[8][ROOM], mass[N], inertia[N];
+};
+static struct body_memory one, many, before;
+
+static vti_view view_in(int layout, double *p, int is_velocity)
+{
+    const vti_view in_struct = {{p + 5, p + 6, p + 7}, 21, 0};
+    if (layout == STRUCTS)
+        return in_struct;
+    return layout == PACKED || (layout == BESIDE && is_velocity) ? vti_view_packed(p)
+                                                                 : vti_view_separate(p, p + N, p + 2 * N);
+}
+
+static vti_bodies bodies_in(int layout, int by_quat, int one_mass, struct body_memory *m)
+{
+    vti_bodies b = vti_bodies_none(N);
+    b.x = view_in(layout, m->all[0], 0);
+    b.v = view_in(layout, m->all[1], 1);
+    b.force = view_in(layout, m->all[2], 0);
+    b.omega = view_in(layout, m->all[3], 1);
+    b.moment = view_in(layout, m->all[4], 0);
+    double *const q = m->all[5];
+    const vti_quat_view side_by_side = {{q, q + 1, q + 2, q + 3}, 4 + 3 * (layout == STRUCTS), 0},
+                        separate = {{q, q + N, q + 2 * N, q + 3 * N}, 1, 0};
+    if (!by_quat)
+        b.alpha = view_in(layout, q, 0);
+    else
+        b.quat = layout == SEPARATE ? separate : side_by_side;
+    b.mass = one_mass ? vti_scalars_one(m->mass) : vti_scalars_array(m->mass);
+    b.inertia = one_mass ? vti_scalars_one(m->inertia) : vti_scalars_array(m->inertia);
+    return b;
+}
+
+/** Random bodies; some are near or past half a turn, some spin beyond every bound, and one is of huge numbers. closed: all turn by
+ *  less than 1. */
+static void fill(rng *g, int closed, const vti_bodies *b)
+{
+    for (int64_t i = 0; i < N; ++i) {
+        const double size = i % 11 == 3 ? 1e3 : i % 11 == 5 ? 1e12 : i == 29 ? 1e200 : 1.0;
+        const double speed = closed ? 0.3 : i % 13 == 7 ? 9.0 : i == 31 ? 1e180 : 1.0;
+        double u[3];
+        for (int k = 0; k < 3; ++k) {
+            b->x.c[k][i * b->x.stride] = uniform(g, -1, 1);
+            b->v.c[k][i * b->v.stride] = uniform(g, -1, 1);
+            b->force.c[k][i * b->force.stride] = uniform(g, -1, 1);
+            b->moment.c[k][i * b->moment.stride] = uniform(g, -1, 1);
+            b->omega.c[k][i * b->omega.stride] = speed * uniform(g, -1, 1);
+            u[k] = size * uniform(g, -1, 1);
+            if (b->alpha.c[0] != NULL)
+                b->alpha.c[k][i * b->alpha.stride] = u[k];
+        }
+        for (int k = 0; k < 4 && b->quat.xyzw[0] != NULL; ++k)
+            b->quat.xyzw[k][i * b->quat.stride] = uniform(g, -1, 1);
+    }
+}
+
+/** The move body by body, by the public primitives: fewer bodies than any kernel takes. */
+static void expect(const struct vti_move *move, const vti_bodies *b)
+{
+    for (int64_t i = 0; i < N; ++i) {
+        const vti_bodies slice = vti_bodies_slice(*b, i, 1);
+        assert_int_equal(vti_kick(move->before, &slice), VTI_OK);
+        assert_int_equal(vti_kick(move->kick, &slice), VTI_OK);
+        if (move->drifts)
+            assert_int_equal(vti_drift(move->law, move->frame, move->drift, &slice, NULL), VTI_OK);
+    }
+}
+
+static void agree(const struct vti_move_kernels *kernels, int64_t width)
+{
+    static const double kicks[4][2] = {{0.0, 0.0}, {0.0, 0.3}, {0.3, 0.3}, {0.2, -0.3}};
+    enum { CASES = LAYOUTS * 2 * 2 * 4 * 2 * 4 * 2 };
+    rng g = rng_seed(3);
+    for (int k = 0; k < CASES; ++k) {
+        int rest = k;
+        const int layout = rest % LAYOUTS, by_quat = (rest /= LAYOUTS) % 2, one_mass = (rest /= 2) % 2;
+        const double *const kick = kicks[(rest /= 2) % 4];
+        const int drifts = (rest /= 4) % 2, law = 1 + (rest /= 2) % 4,
+                  frame = (rest /= 4) % 2 ? VTI_FRAME_BODY : VTI_FRAME_SPACE;
+        const struct vti_move move = {kick[0], kick[1], 0.2, drifts, law, frame};
+        for (int i = 0; i < N; ++i) {
+            before.mass[i] = uniform(&g, 0.5, 2);
+            before.inertia[i] = uniform(&g, 0.5, 2);
+        }
+        const vti_bodies start = bodies_in(layout, by_quat, one_mass, &before);
+        fill(&g, law == VTI_LAW_CLOSED, &start);
+        one = many = before;
+        const vti_bodies expected = bodies_in(layout, by_quat, one_mass, &one),
+                         b = bodies_in(layout, by_quat, one_mass, &many);
+        expect(&move, &expected);
+        int64_t stopped;
+        assert_int_equal(kernels->reaches(&move, &b, 0, N, &stopped), law != VTI_LAW_CLOSED); /* some then spin */
+        assert_true(stopped == N / width * width);
+        const int64_t moved = kernels->translate(&move, &b, 0, N), turned = kernels->rotate(&move, &b, 0, N);
+        vti_bodies left = vti_bodies_slice(b, moved, N - moved);
+        left.alpha = left.omega = left.moment = vti_view_none();
+        left.quat = vti_bodies_none(0).quat;
+        vti_move_all(&move, &left);
+        left = vti_bodies_slice(b, turned, N - turned);
+        left.x = left.v = left.force = vti_view_none();
+        vti_move_all(&move, &left);
+        if (layout == PACKED || layout == SEPARATE) /* not all is left over */
+            assert_true(moved == N / width * width && turned == moved);
+        assert_same_bits(&many, &one, sizeof one / sizeof(double));
+    }
+}
+
+static void baseline(void **state)
+{
+    (void)state;
+    agree(&vti_move_baseline, 2);
+}
+
+static void avx2(void **state)
+{
+    (void)state;
+#ifdef VTI_HAS_AVX2
+    if (__builtin_cpu_supports("avx2")) {
+        agree(&vti_move_avx2, 4);
+        return;
+    }
+#endif
+    skip();
+}
+
+static void avx512(void **state)
+{
+    (void)state;
+#ifdef VTI_HAS_AVX512
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+        agree(&vti_move_avx512, 8);
+        return;
+    }
+#endif
+    skip();
+}
+
+/** The bound sees a body that reaches 1, or is NaN, wherever it stands; nothing is written then. */
+static void the_bound_sees_every_body(void **state)
+{
+    (void)state;
+    rng g = rng_seed(5);
+    const vti_stepper *vti1 = vti_stepper_find("vti1");
+    for (int trial = 0; trial < 2 * LAYOUTS * N; ++trial) {
+        const int layout = trial % LAYOUTS, bad = trial / LAYOUTS % N, nan = trial / LAYOUTS / N;
+        for (int i = 0; i < N; ++i)
+            before.mass[i] = before.inertia[i] = 1.0;
+        const vti_bodies b = bodies_in(layout, 0, 0, &before);
+        fill(&g, 1, &b);
+        b.omega.c[1][bad * b.omega.stride] = nan ? NAN : 3.0;
+        many = before;
+        vti_fault fault;
+        assert_int_equal(vti_step_begin(vti1, 0.5, &b, &fault), VTI_E_TOO_LARGE);
+        assert_int_equal(fault.body, bad);
+        assert_same_bits(&many, &before, sizeof many / sizeof(double));
+        assert_int_equal(vti_step_next(vti1, 0.5, &b, &fault), VTI_E_TOO_LARGE);
+        assert_int_equal(fault.body, bad);
+        assert_same_bits(&many, &before, sizeof many / sizeof(double));
+    }
+}
+
+static void next_is_finish_and_begin(void **state)
+{
+    (void)state;
+    rng g = rng_seed(7);
+    for (int64_t s = 0; s < vti_stepper_count(); ++s)
+        for (int layout = 0; layout < LAYOUTS; ++layout) {
+            const vti_stepper *const method = vti_stepper_at(s);
+            for (int i = 0; i < N; ++i)
+                before.mass[i] = before.inertia[i] = uniform(&g, 0.5, 2);
+            const vti_bodies start = bodies_in(layout, 0, 0, &before);
+            fill(&g, 1, &start);
+            one = many = before;
+            const vti_bodies expected = bodies_in(layout, 0, 0, &one), b = bodies_in(layout, 0, 0, &many);
+            vti_fault fault;
+            if (method->drift[method->stages] != 0.0) {
+                assert_int_equal(vti_step_next(method, 0.1, &b, &fault), VTI_E_STAGE);
+                assert_same_bits(&many, &before, sizeof many / sizeof(double));
+                continue;
+            }
+            assert_int_equal(vti_step_finish(method, 0.1, &expected), VTI_OK);
+            assert_int_equal(vti_step_begin(method, 0.1, &expected, NULL), VTI_OK);
+            assert_int_equal(vti_step_next(method, 0.1, &b, &fault), VTI_OK);
+            assert_same_bits(&many, &one, sizeof many / sizeof(double));
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(baseline),
+        cmocka_unit_test(avx2),
+        cmocka_unit_test(avx512),
+        cmocka_unit_test(the_bound_sees_every_body),
+        cmocka_unit_test(next_is_finish_and_begin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
