@@ -194,8 +194,9 @@ void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
 
 /* ---- many ---------------------------------------------------------------------------------------------------------------- */
 
-/** The kernels for so many bodies and this machine's vector units, widest first: what one leaves over, the next may take. */
-static const struct vti_move_kernels *const *kernels(int64_t bodies)
+/** The kernels for so many bodies and this machine's vector units, widest first, then NULL: what one leaves over, the next may
+ *  take. None is for few bodies, or for such as carry residuals. */
+static inline const struct vti_move_kernels *const *kernels(int64_t bodies, int carry)
 {
     static const struct vti_move_kernels *const all[] = {
 #ifdef VTI_HAS_AVX512
@@ -206,11 +207,11 @@ static const struct vti_move_kernels *const *kernels(int64_t bodies)
 #endif
         &vti_move_baseline, NULL};
     const struct vti_move_kernels *const *first = all;
-    if (bodies < vti_move_baseline.least)
+    if (carry || bodies <= VTI_FEW)
         return all + sizeof all / sizeof all[0] - 1;
 #ifdef VTI_HAS_AVX512
-    first +=
-        bodies < vti_move_avx512.least || !__builtin_cpu_supports("avx512dq") || !__builtin_cpu_supports("avx512vl");
+    const int has_avx512 = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    first += bodies < vti_move_avx512.least || !has_avx512;
 #endif
 #ifdef VTI_HAS_AVX2
     first += *first == &vti_move_avx2 && (bodies < vti_move_avx2.least || !__builtin_cpu_supports("avx2"));
@@ -220,16 +221,16 @@ static const struct vti_move_kernels *const *kernels(int64_t bodies)
 
 static void translate_all(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    const int64_t many = vti_has(&b->x_low) || vti_has(&b->v_low) ? 0 : end - begin;
-    for (const struct vti_move_kernels *const *k = kernels(many); *k != NULL; ++k)
+    const int carry = vti_has(&b->x_low) || vti_has(&b->v_low);
+    for (const struct vti_move_kernels *const *k = kernels(end - begin, carry); *k != NULL; ++k)
         begin = (*k)->translate(move, b, begin, end);
     translate(move, b, begin, end);
 }
 
 static void rotate_all(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    const int64_t many = vti_has(&b->alpha_low) || vti_has(&b->omega_low) ? 0 : end - begin;
-    for (const struct vti_move_kernels *const *k = kernels(many); *k != NULL; ++k)
+    const int carry = vti_has(&b->alpha_low) || vti_has(&b->omega_low);
+    for (const struct vti_move_kernels *const *k = kernels(end - begin, carry); *k != NULL; ++k)
         begin = (*k)->rotate(move, b, begin, end);
     turn_of(move, b)(move, b, begin, end);
 }
@@ -295,7 +296,7 @@ int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *
     int64_t i = b->first;
     const int64_t end = i + b->count;
     int refused = 0;
-    for (const struct vti_move_kernels *const *k = kernels(vti_has(&b->omega_low) ? 0 : b->count); *k != NULL; ++k)
+    for (const struct vti_move_kernels *const *k = kernels(b->count, vti_has(&b->omega_low)); *k != NULL; ++k)
         refused |= (*k)->reaches(move, b, i, end, &i);
     for (; i < end; ++i) {
         double u[3];

@@ -84,11 +84,10 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
     enum { CASES = LAYOUTS * 2 * 2 * 4 * 2 * 4 * 2 };
     rng g = rng_seed(3);
     for (int k = 0; k < CASES; ++k) {
-        int rest = k;
-        const int layout = rest % LAYOUTS, by_quat = (rest /= LAYOUTS) % 2, one_mass = (rest /= 2) % 2;
-        const double *const kick = kicks[(rest /= 2) % 4];
-        const int drifts = (rest /= 4) % 2, law = 1 + (rest /= 2) % 4,
-                  frame = (rest /= 4) % 2 ? VTI_FRAME_BODY : VTI_FRAME_SPACE;
+        const int layout = k % LAYOUTS, by_quat = k / LAYOUTS % 2, one_mass = k / (2 * LAYOUTS) % 2;
+        const double *const kick = kicks[k / (4 * LAYOUTS) % 4];
+        const int drifts = k / (16 * LAYOUTS) % 2, law = 1 + k / (32 * LAYOUTS) % 4;
+        const int frame = k / (128 * LAYOUTS) % 2 ? VTI_FRAME_BODY : VTI_FRAME_SPACE;
         const struct vti_move move = {kick[0], kick[1], 0.2, drifts, law, frame};
         for (int i = 0; i < N; ++i) {
             before.mass[i] = uniform(&g, 0.5, 2);
