@@ -25,4 +25,9 @@ void frame_attitudes_w_first(const struct frame_layout *layout, const double *fr
 /** The bodies' own x axes R e_x [n][3], along which arrows of ParaView and VTK point unturned. */
 void frame_directors(const struct frame_layout *layout, const double *frame, double *directors);
 
+/** The model's bodies, with the state of the frame, which is only read. */
+vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame);
+/** Of each bond of the model: its energy, the sum over its terms, and its stretch r/L0 - 1. Returns VTI_OK or a status. */
+int frame_bonds(const struct frame_layout *layout, const double *frame, double *energy, double *stretch);
+
 #endif

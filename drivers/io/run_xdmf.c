@@ -50,6 +50,27 @@ static void slab(const struct writer *w, const char *path, int64_t k, int64_t co
     fputs("</DataItem>\n", w->file);
 }
 
+/** The bonds of frame k in a dataset of numbers of all cells: bodies before bonds, frame after frame. */
+static void slab_of_bonds(const struct writer *w, const char *path, int64_t k)
+{
+    const long long n = (long long)w->record->frames.n, bonds = (long long)shape_bonds(w->record->model);
+    fprintf(w->file,
+            "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld\">\n"
+            "<DataItem Dimensions=\"3 1\" NumberType=\"Int\" Format=\"XML\">%lld 1 %lld</DataItem>\n",
+            bonds, (n + bonds) * (long long)k + n, bonds);
+    whole(w, path, (n + bonds) * (long long)w->record->journal->frames.mark.count, 1, "Float");
+    fputs("</DataItem>\n", w->file);
+}
+
+static void bond_attribute(const struct writer *w, const char *name, int64_t k)
+{
+    char path[64];
+    snprintf(path, sizeof path, "CellData/%s", name);
+    fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Cell\">\n", name);
+    slab_of_bonds(w, path, k);
+    fputs("</Attribute>\n", w->file);
+}
+
 static void attribute(const struct writer *w, const char *name, int64_t k, int64_t columns)
 {
     char path[64];
@@ -111,6 +132,10 @@ static int take_frame(void *self, int64_t k, const double *frame)
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");
+    if (w->bonds) {
+        bond_attribute(w, "bond_energy", k);
+        bond_attribute(w, "bond_stretch", k);
+    }
     fputs("</Grid>\n", w->file);
     return ferror(w->file) ? -1 : 0;
 }

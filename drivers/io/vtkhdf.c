@@ -107,13 +107,58 @@ static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const str
                          (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
 }
 
+/* ---- cell data --------------------------------------------------------------------------------------------------- */
+
+enum { BOND_QUANTITIES = 2 };
+
+static const char *const bond_quantities[BOND_QUANTITIES] = {"bond_energy", "bond_stretch"};
+
+static int64_t cells_of(const struct record *record)
+{
+    return record->frames.n + shape_bonds(record->model);
+}
+
+/** The index of each bond, behind those of the vertices. */
+static void bond_indices(struct hdf5_sink *data, const struct record *record)
+{
+    const int64_t n = record->frames.n, count = cells_of(record);
+    int64_t *values = malloc(sizeof *values * (size_t)(count + 1));
+    data->failed |= values == NULL;
+    for (int64_t k = 0; values != NULL && k < count; ++k)
+        values[k] = k < n ? -1 : k - n;
+    if (values != NULL)
+        integers(data, "bond", count, values);
+    free(values);
+}
+
+static void empty_cell_data(struct hdf5_sink *data, const struct record *record)
+{
+    const hsize_t values = (hsize_t)cells_of(record) * (hsize_t)record->journal->frames.mark.count;
+    for (int q = 0; q < BOND_QUANTITIES; ++q)
+        hdf5_dataset(data, bond_quantities[q], H5T_NATIVE_DOUBLE, 1, &values, NULL);
+    bond_indices(data, record);
+}
+
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
 struct writer {
     const struct record *record;
-    struct hdf5_sink *root, *data;
+    struct hdf5_sink *root, *data, *cells;
     double *derived, *times;
+    double *bonds; /* each quantity of all cells, zeros but for the bonds; NULL without bonds */
 };
+
+static void take_bonds(struct writer *w, int64_t k, const double *frame)
+{
+    const struct frame_layout *layout = &w->record->frames;
+    const int64_t count = cells_of(w->record);
+    if (w->bonds == NULL)
+        return;
+    w->cells->failed |= frame_bonds(layout, frame, w->bonds + layout->n, w->bonds + count + layout->n) != VTI_OK;
+    for (int q = 0; q < BOND_QUANTITIES; ++q)
+        hdf5_rows(w->cells, bond_quantities[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
+                  w->bonds + q * count);
+}
 
 static int take_frame(void *self, int64_t k, const double *frame)
 {
@@ -132,7 +177,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
         hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n,
                   list[q].derive != NULL ? w->derived : frame + list[q].place);
     }
-    return w->root->failed || w->data->failed ? -1 : 0;
+    take_bonds(w, k, frame);
+    return w->root->failed || w->data->failed || w->cells->failed ? -1 : 0;
 }
 
 static void write_steps(struct hdf5_sink *root, const struct record *record, const double *times)
@@ -159,28 +205,46 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
         sequence(&offsets, "diameter", frames, 1, 0, 0);
     sequence(&offsets, "body", frames, 1, 0, 0);
     hdf5_close(&s, &offsets);
+    if (shape_bonds(record->model) > 0) {
+        offsets = hdf5_group(&s, "CellDataOffsets");
+        for (int q = 0; q < BOND_QUANTITIES; ++q)
+            sequence(&offsets, bond_quantities[q], frames, 1, 0, cells_of(record));
+        sequence(&offsets, "bond", frames, 1, 0, 0);
+        hdf5_close(&s, &offsets);
+    }
     hdf5_close(root, &s);
 }
 
 int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
     const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
-    struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData");
-    struct writer w = {record, &root, &data, malloc(sizeof(double) * (size_t)(4 * n + 1)),
-                       calloc((size_t)(frames + 1), sizeof(double))};
-    root.failed |= w.derived == NULL || w.times == NULL;
+    struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData"),
+                     cell_data = hdf5_group(&root, "CellData");
+    const int has_bonds = shape_bonds(record->model) > 0;
+    struct writer w = {record,
+                       &root,
+                       &data,
+                       &cell_data,
+                       malloc(sizeof(double) * (size_t)(4 * n + 1)),
+                       calloc((size_t)(frames + 1), sizeof(double)),
+                       has_bonds ? calloc((size_t)(BOND_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
+    root.failed |= w.derived == NULL || w.times == NULL || (has_bonds && w.bonds == NULL);
     hdf5_text(&root, "Type", "PolyData");
     hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
     sequence(&root, "NumberOfPoints", 1, 1, n, 0);
     all_cells(&root, record);
     empty_data(&root, &data, record);
     fixed_data(&data, record);
-    if (!root.failed && !data.failed && record_frames(record, take_frame, &w, message) == 0)
+    if (has_bonds)
+        empty_cell_data(&cell_data, record);
+    if (!root.failed && !data.failed && !cell_data.failed && record_frames(record, take_frame, &w, message) == 0)
         write_steps(&root, record, w.times);
     else
         root.failed = 1;
     free(w.derived);
     free(w.times);
+    free(w.bonds);
+    hdf5_close(&root, &cell_data);
     hdf5_close(&root, &data);
     hdf5_close(file, &root);
     return file->failed ? -1 : 0;

@@ -109,7 +109,7 @@ def read_xdmf(path):
             frame = {"t": float(grid.find("Time").get("Value")), "cells": cells, "type": topology.get("TopologyType")}
             frame["Points"] = xdmf_array(grid.find("Geometry").find("DataItem"), folder)
             for attribute in grid.findall("Attribute"):
-                assert attribute.get("Center") == "Node"
+                assert attribute.get("Center") in ("Node", "Cell")
                 data = xdmf_array(attribute.find("DataItem"), folder)
                 assert data.shape[1:] == {"Scalar": (), "Vector": (3,), "Matrix": (1, 4)}[attribute.get("AttributeType")]
                 frame[attribute.get("Name")] = data.reshape(len(data), -1) if data.ndim > 1 else data
@@ -143,6 +143,12 @@ def read_vtkhdf(path):
                 points = group["Connectivity"][id_:id_ + ids]
                 assert len(offsets) == cells + 1 and offsets[-1] == len(points) == ids
                 frame[kind] = [list(points[offsets[c]:offsets[c + 1]]) for c in range(cells)]
+            # cells in the order of the kinds
+            cells = sum(len(frame[kind]) for kind in ("Vertices", "Lines", "Polygons", "Strips"))
+            for name in root["CellData"]:
+                offset = steps["CellDataOffsets"][name][k]
+                frame[name] = root["CellData"][name][offset:offset + cells]
+                assert len(frame[name]) == cells
             assert all(len(frame[name]) == n for name in [*root["PointData"], "Points"])
             frames.append(frame)
     return frames

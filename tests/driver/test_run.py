@@ -33,6 +33,7 @@ def columns(translates, turns, *terms):
             *[f"angular_{k}" for k in XYZ]]
 
 
+BONDS = ("bond", "bond_energy", "bond_stretch")
 BINDER = ("binder_moment", "binder_axial", "binder_shear")
 # scene, options, columns, bonds, has diameters, mass, inertia
 CASES = [
@@ -84,13 +85,51 @@ def x_axis(x, y, z, w):
     return numpy.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], axis=1)
 
 
+def turned(q, x):
+    """x turned by the unit quaternions q, x y z w."""
+    v, w = q[:, :3], q[:, 3:]
+    return x + 2 * numpy.cross(v, numpy.cross(v, x) + w * x)
+
+
+def bond_data(frames, bodies, xdmf, names, rows, stiffness):
+    """Energy and stretch of each bond, in VTKHDF behind zeros for the bodies, in XDMF alone, are those of the equations for the
+    trajectory's positions and attitudes, and energies add up to the binder's."""
+    n, (moment, axial, shear) = bodies, stiffness
+    i, j = numpy.array(frames[0]["Lines"]).T
+    start = frames[0]["Points"][i] - frames[0]["Points"][j]
+    length = numpy.linalg.norm(start, axis=1)
+    errors = [0.0, 0.0, 0.0]
+    for frame in frames:
+        d, q = frame["Points"][i] - frame["Points"][j], frame["attitude_xyzw"]
+        r = numpy.linalg.norm(d, axis=1)
+        # R_i R_j^T turns by 2 atan(|v|/w) of q_i q_j^-1
+        v = q[j, 3:] * q[i, :3] - q[i, 3:] * q[j, :3] - numpy.cross(q[i, :3], q[j, :3])
+        theta = 2 * numpy.arctan2(numpy.linalg.norm(v, axis=1), abs((q[i] * q[j]).sum(axis=1)))
+        b = turned(q[i], start / length[:, None]) + turned(q[j], start / length[:, None])
+        apart = d / r[:, None] - b / numpy.linalg.norm(b, axis=1)[:, None]
+        energy = moment / 2 * theta ** 2 + axial / 2 * (r / length - 1) ** 2 + shear * (apart ** 2).sum(axis=1) / 2
+        row = dict(zip(names, rows[numpy.argmin(abs(rows[:, 0] - frame["t"]))]))
+        errors[0] = max(errors[0], abs(frame["bond_energy"][n:] - energy).max() / (1e-3 + energy.max()))
+        errors[1] = max(errors[1], abs(frame["bond_stretch"][n:] - (r / length - 1)).max())
+        if row["t"] == frame["t"]:
+            errors[2] = max(errors[2], abs(frame["bond_energy"].sum() - sum(row[term] for term in BINDER)))
+    # some hundred roundings, of energies beside the largest
+    check(errors[0] < 1e-13 and errors[1] < 1e-14, f"each bond's energy and stretch, to {errors[0]:.1e} and {errors[1]:.1e}")
+    check(errors[2] < 1e-12, f"energies of the bonds add up to the binder's, to {errors[2]:.1e}")
+    check(max(abs(frame["bond_stretch"]).max() for frame in frames) > 1e-4, "... of bonds that are stretched")
+    check(all(not frame["bond_energy"][:n].any() and not frame["bond_stretch"][:n].any()
+              and frame["bond"].tolist() == [-1] * n + list(range(len(i))) for frame in frames), "vertices have none")
+    check(len(xdmf) == len(frames) and all(numpy.array_equal(frame[name][n:], line[name])
+          for frame, line in zip(frames, xdmf) for name in ("bond_energy", "bond_stretch")), "XDMF: the same of the bonds")
+
+
 def trajectory(stem, names, bonds, diameters):
     frames, dump, xdmf = read_vtkhdf(stem + ".h5"), read_dump(stem + ".dump"), read_xdmf(stem + ".xdmf")
     moving = [name for name, given in (("velocity", "kinetic_translation"), ("omega", "kinetic_rotation"),
                                        ("attitude_xyzw", "kinetic_rotation")) if given in names]
     fixed = ["diameter"] if diameters else []
     data = moving + fixed + ["body"] + (["alpha", "attitude_wxyz", "director"] if "omega" in moving else [])
-    expected = {"t", "Points", "Vertices", "Lines", "Polygons", "Strips", *data}
+    expected = {"t", "Points", "Vertices", "Lines", "Polygons", "Strips", *data, *BONDS[:3 * (bonds > 0)]}
     check(all(set(frame) == expected for frame in frames), f"VTKHDF: {len(frames)} frames of {' '.join(data)}")
     n = len(frames[0]["Points"])
     check(all(frame["Vertices"] == [[i] for i in range(n)] and len(frame["Lines"]) == bonds for frame in frames),
@@ -122,6 +161,8 @@ def trajectory(stem, names, bonds, diameters):
             frame["type"] == "Polyline" and frame["cells"].tolist() == frames[0]["Lines"] for frame in lines),
             "... and to the bonds")
     check(len(xdmf) == (bonds > 0), "... which exist if the scene has any")
+    if bonds > 0:
+        bond_data(frames, n, xdmf["bonds over time"], *read_csv(stem + ".csv"), (10, 200, 200))
     return frames, [frame["step"] for frame in dump]
 
 

@@ -38,7 +38,7 @@ READERS = {".h5": vtkHDFReader, ".xdmf": vtkXdmfReader}
 
 
 def read(path, ending):
-    """Frames as run_support's readers return them; cells of the XDMF index are left to those."""
+    """Frames as run_support's readers return them; which points the cells of the XDMF index join is left to those."""
     reader, frames = READERS[ending](), []
     reader.SetFileName(path)
     reader.UpdateInformation()
@@ -48,11 +48,14 @@ def read(path, ending):
     for t in [information.Get(key, k) for k in range(information.Length(key))] or [0.0]:
         reader.UpdateTimeStep(t)
         data = reader.GetOutputDataObject(0)
-        data = data.GetBlock(0) if data.IsA("vtkMultiBlockDataSet") else data
+        blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())] if data.IsA("vtkMultiBlockDataSet") else [data]
+        data, cells = blocks[0], blocks[-1].GetCellData()
         frame = {"t": t, "Points": vtk_to_numpy(data.GetPoints().GetData()).copy()}
         for k in range(data.GetPointData().GetNumberOfArrays()):
             array = data.GetPointData().GetArray(k)
             frame[array.GetName()] = vtk_to_numpy(array).copy()
+        for k in range(cells.GetNumberOfArrays()):
+            frame[cells.GetArrayName(k)] = vtk_to_numpy(cells.GetArray(k)).copy()
         if ending == ".h5":
             ids = vtk_to_numpy(data.GetLines().GetConnectivityArray()) if data.GetNumberOfLines() else numpy.zeros(0, int)
             frame["Lines"] = ids.reshape(-1, 2).tolist()
@@ -63,14 +66,19 @@ def read(path, ending):
 # What moves only, what turns only, with and without bonds and diameters, few frames and many.
 CASES = [("pendulum", "--stepper", "vti3-leapfrog", "--frames", "100"), ("spin", "--h", "0.3"), ("torus", "--t-end", "0.5"),
          ("chain", "--t-end", "1/512"), ("pile", "--t-end", "1/16", "--frames", "30")]
+BONDS = ("bond", "bond_energy", "bond_stretch")
 print(f"VTK {vtkVersion.GetVTKVersion()}")
 for scene, *options in CASES:
     with tempfile.TemporaryDirectory() as folder:
         done = run(RUN, f"{SCENES}/{scene}.yaml", *options, "-o", f"{folder}/out.h5")
         check(done.returncode == 0, f"{scene} runs {done.stderr}")
         frames = read_vtkhdf(f"{folder}/out.h5")
-        data = sorted(set(frames[0]) - {"t", "Vertices", "Lines", "Polygons", "Strips"})
-        for ending, more in ((".h5", ["Lines"]), (".xdmf", [])):
+        data = sorted(set(frames[0]) - {"t", "Vertices", "Lines", "Polygons", "Strips", *BONDS})
+        check(all(name in frames[0] for name in BONDS) == (len(frames[0]["Lines"]) > 0), f"{scene}: bonds have cell data")
+        bonds = [{"t": frame["t"], **{name: frame[name][len(frame["Points"]):] for name in BONDS[1:]}} for frame in frames
+                 if "bond" in frame]
+        check(not bonds or same(bonds, read(f"{folder}/out.xdmf", ".xdmf"), BONDS[1:]), f"{scene}.xdmf: cell data of the bonds")
+        for ending, more in ((".h5", ["Lines", *(name for name in BONDS if name in frames[0])]), (".xdmf", [])):
             check(same(frames, read(f"{folder}/out{ending}", ending), data + more),
                   f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
 
