@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Each host of examples/ ends where vti-run ends with the same scene, to the last bit; the old code does not before the
 change that examples/legacy shows.                                                  test_hosts.py PROJECT VTI_RUN HOST..."""
-import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -11,6 +11,7 @@ import tempfile
 import h5py
 import numpy
 
+from programs import ENVIRONMENT
 from tally import check, conclude
 
 project, vti_run = pathlib.Path(sys.argv[1]), sys.argv[2]
@@ -31,8 +32,8 @@ def by_vti_run():
 
 def by_host(path, table="bodies.csv", **more):
     """The same, and what else a host says: energies."""
-    result = subprocess.run([path, chain / table], check=False, capture_output=True, text=True, timeout=120,
-                            env=dict(os.environ, **more))
+    result = subprocess.run([*(path if isinstance(path, list) else [path]), chain / table], check=False, capture_output=True, text=True, timeout=120,
+                            env=dict(ENVIRONMENT, **more))
     lines = result.stdout.splitlines() if result.returncode == 0 else []
     energies = [float(line.split()[1]) for line in lines if line.startswith("energy")]
     rows = [[float(word) for word in line.split()] for line in lines if not line.startswith("energy")]
@@ -59,4 +60,7 @@ for threads in ("1", "2", "3", "7", "16"):
     if "host_threads" in hosts:
         rows = by_host(hosts["host_threads"], OMP_NUM_THREADS=threads)[0]
         check(rows.tobytes() == expected.tobytes(), f"host_threads, {threads} threads")
+for ranks in (2, 3, 7, 10) if "host_ranks" in hosts and shutil.which("mpirun") else ():
+    rows = by_host(["mpirun", "--quiet", "-n", str(ranks), hosts["host_ranks"]])[0]
+    check(rows.tobytes() == expected.tobytes(), f"host_ranks, {ranks} ranks")
 conclude()
