@@ -54,7 +54,7 @@ def pictures(page):
 def linking():
     text = (project / "docs" / "linking.md").read_text(encoding="utf-8")
     languages, _ = blocks("linking.md", text)
-    check(set(languages) == {"c", "cpp", "fortran", "sh", "cmake", "meson", "diff"}, "linking.md shows every language and tool")
+    check(set(languages) == {"c", "cpp", "fortran", "sh", "cmake", "meson", "ini", "diff"}, "linking.md shows every language and tool")
     check(languages.count("fortran") == 3, "linking.md shows both kinds of Fortran")
     names = "\n".join(path.read_text(encoding="utf-8").lower() for folder in ("include", "fortran")
                       for path in (project / folder).iterdir())

@@ -15,6 +15,14 @@ subproject('vti', default_options: ['fortran=enabled'])
 executable('host', 'pendulum.f90', dependencies: dependency('vti-fortran'))
 """
 
+# as the page says: dependency() alone; what is installed here is not taken
+MESON_BUILD_WRAP = """project('host', 'c', default_options: ['c_std=c99', 'force_fallback_for=vti'])
+executable('host', 'host_structs.c', dependencies: dependency('vti'))
+"""
+MESON_BUILD_WRAP_FORTRAN = """project('host', 'c', 'fortran', default_options: ['force_fallback_for=vti'])
+executable('host', 'pendulum.f90', dependencies: dependency('vti-fortran', default_options: ['fortran=enabled']))
+"""
+
 project = pathlib.Path(sys.argv[1])
 version = re.search(r'VTI_VERSION_STRING "(.*)"', (project / "include" / "vti.h").read_text(encoding="utf-8"))[1]
 folder = scratch("vti-subproject-")
@@ -44,10 +52,38 @@ def use(text, build, expected, ending):
     check([part["version"] for part in info["subprojects"]] == [version], f"{build.name}: version {version}")
 
 
+def wrapped(what):
+    """Meson fetches vti itself, by the page's file with another address: that of a repository here."""
+    origin, other, revision = host / "subprojects" / "vti", folder / "other", f"v{version}"
+    git = ("git", "-C", origin, "-c", "user.name=test", "-c", "user.email=test@example.org")
+    made = [run(*git, *words) for words in (("init", "-q"), ("add", "-A"), ("commit", "-q", "-m", "vti"), ("tag", revision))]
+    if not check(None not in made, f"{what}: a repository"):
+        return
+    text = block(project, "ini")
+    check(f"revision = {revision}\n" in text, f"{what}: revision {revision}")
+    (other / "subprojects").mkdir(parents=True)
+    (other / "subprojects" / "vti.wrap").write_text(re.sub(r"(?m)^url = .*", f"url = {origin.as_uri()}", text), encoding="utf-8")
+    for source in ("host_structs.c", "pendulum.f90"):
+        shutil.copy(project / "examples" / source, other)
+    build = folder / "build-wrapped"
+    (other / "meson.build").write_text(MESON_BUILD_WRAP, encoding="utf-8")
+    good = run("meson", "setup", build, other) is not None and run("ninja", "-C", build) is not None
+    said = run(build / "host", project / "examples" / "chain" / "bodies.csv") or ""
+    check(good and len(said.split()) == 120, f"{what}: fetched, built and run")
+    if not have("gfortran"):
+        return
+    (other / "meson.build").write_text(MESON_BUILD_WRAP_FORTRAN, encoding="utf-8")
+    good = run("meson", "setup", folder / "wrapped-fortran", other) is not None and \
+        run("ninja", "-C", folder / "wrapped-fortran") is not None
+    check(good and "energy = 0.74711" in (run(folder / "wrapped-fortran" / "host") or ""), f"{what}: Fortran")
+
+
 # the page's own words; a copy that is installed on this machine must not be taken for this one
 use(block(project, "meson").replace("'c_std=c99'", "'c_std=c99', 'force_fallback_for=vti'"), folder / "core", {"host", "vti"},
     lambda said: len(said.split()) == 120)
 if have("gfortran"):
     use(MESON_BUILD_FORTRAN, folder / "with-fortran", {"host", "vti", "vti_fortran"},
         lambda said: "energy = 0.74711" in said)
+if have("git"):
+    wrapped("the page's vti.wrap")
 conclude()
