@@ -57,7 +57,7 @@ static void translate(const struct vti_move *move, const vti_bodies *b, int64_t 
 
 /** The increment dalpha = 2 f u/c. small: as in vti_rrv_increment. */
 struct increment {
-    double c, f;
+    double cf[2];
     int small;
 };
 
@@ -65,15 +65,15 @@ struct increment {
  *  any. Below s^2 = 8, c > 0.36 in both of the exact. */
 VTI_INLINE struct increment increment(int law, const double u[3])
 {
-    struct increment d = {2.0, 1.0, 0};
+    struct increment d = {{2.0, 1.0}, 0};
     if (law == VTI_LAW_CAYLEY)
         return d;
     const double s2 = vti_dot(u, u);
     d.small = law != VTI_LAW_CLOSED && s2 < 8.0;
     if (law != VTI_LAW_CLOSED && !d.small && !(s2 < 0x1p60))
-        d.c = 0.0;
+        d.cf[0] = 0.0;
     else
-        law_of(law, s2, &d.c, &d.f);
+        law_of(law, s2, d.cf);
     return d;
 }
 
@@ -83,7 +83,7 @@ VTI_INLINE void turn_alpha(int law, double side, const double u[3], const vti_vi
     double a[3];
     vti_load(alpha, i, a);
     const struct increment d = increment(law, u);
-    vti_rrv_turn_by(d.c, d.f, u, d.small, side, a);
+    vti_rrv_turn_by(d.cf[0], d.cf[1], u, d.small, side, a);
     vti_store(alpha, i, a);
 }
 
@@ -95,7 +95,7 @@ VTI_INLINE void turn_compensated(int law, double side, const double u[3], const 
     vti_load(alpha, i, base);
     vti_load(low, i, r);
     const struct increment d = increment(law, u);
-    const int incremental = vti_rrv_increment(d.c, d.f, u, d.small, side, base, add);
+    const int incremental = vti_rrv_increment(d.cf[0], d.cf[1], u, d.small, side, base, add);
     for (int k = 0; k < 3; ++k) {
         r[k] = incremental ? r[k] : 0.0;
         base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
@@ -112,9 +112,9 @@ VTI_INLINE void turn_quat(int law, double side, const double turn[3], const vti_
         q[k] = quat->xyzw[k][i * quat->stride];
     /* scaled, lest the square of a huge u overflow */
     const struct increment d = increment(law, turn);
-    const double s = vti_max3(turn) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.c;
+    const double s = vti_max3(turn) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.cf[0];
     for (int k = 0; k < 3; ++k)
-        u[k] = s * d.f * turn[k];
+        u[k] = s * d.cf[1] * turn[k];
     vti_cross(u, q, x);
     for (int k = 0; k < 3; ++k)
         r[k] = c * q[k] + q[3] * u[k] + side * x[k];

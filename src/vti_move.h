@@ -44,18 +44,18 @@ extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_
  *      Cayley, VTI-2, 3  dalpha = u
  *      exact             dalpha = 2 tan(s/2)/s u by its continued fraction, without a pole as
  *                        c = 2 - s^2/5, f = 1 - s^2/60;  c = 2 - 3s^2/14 + s^4/840, f = 1 - s^2/42
- *  for numbers and for lanes of numbers, V with the square root SQRT. */
+ *  as cf = {c, f}; for numbers and for lanes of numbers, V with the square root SQRT. */
 #define VTI_MOVE_LAW(NAME, V, OF, SQRT)                                                                                \
-    VTI_INLINE void NAME(int law, V s2, V *c, V *f)                                                                    \
+    VTI_INLINE void NAME(int law, V s2, V cf[2])                                                                       \
     {                                                                                                                  \
-        *f = OF(1.0);                                                                                                  \
+        cf[1] = OF(1.0);                                                                                               \
         if (law == VTI_LAW_CAYLEY)                                                                                     \
-            *c = OF(2.0);                                                                                              \
+            cf[0] = OF(2.0);                                                                                           \
         else if (law == VTI_LAW_CLOSED)                                                                                \
-            *c = 1.0 + SQRT(1.0 - s2);                                                                                 \
+            cf[0] = 1.0 + SQRT(1.0 - s2);                                                                              \
         else {                                                                                                         \
-            *f = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);                                          \
-            *c = 2.0 - s2 * (law == VTI_LAW_EXACT ? OF(1.0 / 5.0) : (180.0 - s2) * (1.0 / 840.0));                     \
+            cf[1] = 1.0 - s2 * (law == VTI_LAW_EXACT ? 1.0 / 60.0 : 1.0 / 42.0);                                       \
+            cf[0] = 2.0 - s2 * (law == VTI_LAW_EXACT ? OF(1.0 / 5.0) : (180.0 - s2) * (1.0 / 840.0));                  \
         }                                                                                                              \
     }
 

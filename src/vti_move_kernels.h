@@ -234,7 +234,7 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
     for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
-        lanes u[3], there[3], a[3], add[3], c, f;
+        lanes u[3], there[3], a[3], add[3], cf[2];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         load(order, alpha, i, there);
         if (order == PACKED)
@@ -242,9 +242,9 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
         else
             for (int n = 0; n < 3; ++n)
                 a[n] = there[n];
-        law_of(law, s2, &c, &f);
-        const lanes d = incremental(c, f, u, side, a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-        const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < c * c;
+        law_of(law, s2, cf);
+        const lanes d = incremental(cf[0], cf[1], u, side, a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
         if (!lanes_all(near)) {
             turn_one_by_one(move, b, i);
             continue;
@@ -269,7 +269,7 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     const double t = move->drift;
     const int adjacent = quat_is_adjacent(&quat);
     for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
-        lanes u[3], q[4], r[4], c, f;
+        lanes u[3], q[4], r[4], cf[2];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         if (adjacent)
             lanes_quads(quat.xyzw[0] + i * quat.stride, quat.stride, q);
@@ -280,13 +280,13 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
             turn_one_by_one(move, b, i);
             continue;
         }
-        law_of(law, s2, &c, &f);
+        law_of(law, s2, cf);
         for (int n = 0; n < 3; ++n)
-            u[n] *= f;
+            u[n] *= cf[1];
         const lanes x[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
         for (int n = 0; n < 3; ++n)
-            r[n] = c * q[n] + q[3] * u[n] + side * x[n];
-        r[3] = c * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
+            r[n] = cf[0] * q[n] + q[3] * u[n] + side * x[n];
+        r[3] = cf[0] * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
         const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
         for (int n = 0; n < 4; ++n)
             r[n] *= scale;

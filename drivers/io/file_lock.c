@@ -20,8 +20,7 @@ static struct flock whole(void)
 int file_lock(int fd)
 {
     struct flock lock = whole();
-    if (fcntl(fd, F_SETLK, &lock) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS ||
-        errno == EOPNOTSUPP || errno == ENOTSUP)
+    if (fcntl(fd, F_SETLK, &lock) == 0 || errno == ENOLCK || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP)
         return 0;
     return errno == EACCES || errno == EAGAIN ? FILE_LOCK_TAKEN : -1;
 }

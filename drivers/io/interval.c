@@ -32,12 +32,14 @@ static void offer_round(struct choice *best, double h, int must_end)
 {
     static const double digits[] = {10.0, 20.0, 25.0, 50.0};
     double ten = 1.0; /* powers up to 10^22 are exact, and so each time is rounded once */
-    for (int p = 0; p <= 20; ++p, ten *= 10.0)
+    for (int p = 0; p <= 20; ++p) {
         for (int k = 0; k < 8; ++k) {
             const int64_t every = steps_of(k < 4 ? digits[k] * ten : digits[k - 4] / (10.0 * ten), h);
             if (every > 0 && (!must_end || best->steps % every == 0))
                 offer(best, every);
         }
+        ten *= 10.0;
+    }
 }
 
 static void offer_divisors(struct choice *best)

@@ -103,8 +103,10 @@ static int read_frame(hid_t file, const struct record *record, int64_t k, double
                  {"VTKHDF/PointData/velocity", layout->v},
                  {"VTKHDF/PointData/omega", layout->omega},
                  {"VTKHDF/PointData/alpha", layout->alpha}};
-    int failed = read_rows(file, "VTKHDF/Steps/Values", k, 1, 1, &frame[1]);
-    frame[0] = rint(frame[1] / record->h);
+    double t = 0.0;
+    int failed = read_rows(file, "VTKHDF/Steps/Values", k, 1, 1, &t);
+    frame[0] = rint(t / record->h);
+    frame[1] = t;
     for (size_t q = 0; !failed && q < sizeof parts / sizeof parts[0]; ++q)
         if (parts[q].place != 0)
             failed = read_rows(file, parts[q].name, layout->n * k, layout->n, 3, frame + parts[q].place);

@@ -128,7 +128,7 @@ static void say_plan(const struct plan *plan)
         printf("%s%s", k > 0 ? ", " : "", plan->steppers[k]->name);
     printf(" at %lld step%s from h = %s to %s: %lld runs on %d rank%s, after a reference solution\n",
            (long long)plan->h_count, plan->h_count > 1 ? "s" : "", NUMBER(plan->h[0]),
-           NUMBER(plan->h[plan->h_count - 1]), (long long)(plan->steppers_count * plan->h_count), ranks,
+           NUMBER(plan->h[plan->h_count - 1]), (long long)plan->steppers_count * (long long)plan->h_count, ranks,
            ranks > 1 ? "s" : "");
     fflush(stdout);
 }

@@ -123,7 +123,7 @@ static int go(struct course *c, int64_t steps)
 
 #define CAMPELLO(called, share, says)                                                                                  \
     {                                                                                                                  \
-        .name = called, .about = says, .order = 1, .own_width = OWN, .go = go, .takes_forces = 1, .phi = share         \
+        .name = (called), .about = (says), .order = 1, .own_width = OWN, .go = go, .takes_forces = 1, .phi = (share)   \
     }
 
 const struct rival rival_campello =

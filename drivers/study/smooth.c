@@ -178,15 +178,15 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
     if (!(t_end / first_panel <= most_panels))
         return message_set(message, "%s: no reference solution can be had up to t = %g; shorten t_end",
                            s->model->scene->name, t_end);
-    for (double count = ceil(t_end / first_panel);; count *= 2.0) {
-        const double windows = ceil(count / fit), held = ceil(count / windows);
-        if (smooth_resize(s, (int64_t)count, (int64_t)held, t_end) != 0)
+    for (int64_t count = (int64_t)ceil(t_end / first_panel);; count *= 2) {
+        const double windows = ceil((double)count / fit), held = ceil((double)count / windows),
+                     twice = 2.0 * (double)count;
+        if (smooth_resize(s, count, (int64_t)held, t_end) != 0)
             return no_memory(s, message);
         const int failed = one_pass(s, watch, message);
         const int helps = s->interpolation_error < 0.5 * last;
         last = s->interpolation_error;
-        if (failed != 0 || last <= interpolation_tolerance ||
-            (2.0 * count > fit && (!helps || 2.0 * count > most_panels)))
+        if (failed != 0 || last <= interpolation_tolerance || (twice > fit && (!helps || twice > most_panels)))
             return failed;
     }
 }
