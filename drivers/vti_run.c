@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "fields.h"
 #include "number.h"
 #include "output.h"
 #include "progress.h"
@@ -28,6 +29,7 @@ static const char usage[] =
     "  --record EVERY        steps between rows of energies and momenta (default: about 1000 rows)\n"
     "  --frames EVERY        steps between frames of the trajectory (default: about 100 frames)\n"
     "                        the state at the end is always recorded\n"
+    "  --fields force,moment one or both of each body in OUT.h5 and OUT.xdmf too, in every frame\n"
     "  --no-dump             no OUT.dump, the largest of the files\n"
     "  --xdmf                OUT.xdmf for more than 2000 frames too: 5 kB for each, and ParaView reads OUT.h5 itself\n"
     "  --force               replace files that are no results of vti too; what the scene is read from is never "
@@ -96,7 +98,7 @@ static int read_seconds(const char *text, double *seconds, struct message *messa
     return 0;
 }
 
-enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, XDMF, FORCE, LIST };
+enum { H = 256, T_END, STEPPER, SET, RECORD, FRAMES, CHECKPOINT, RESUME, NO_DUMP, XDMF, FORCE, FIELDS, LIST };
 
 static int take(struct arguments *a, int option, char **argv, struct message *message)
 {
@@ -127,6 +129,8 @@ static int take(struct arguments *a, int option, char **argv, struct message *me
     case FORCE:
         a->request.force = 1;
         return 0;
+    case FIELDS:
+        return fields_read(optarg, &a->request.fields, message);
     case LIST:
         a->list = optarg;
         return 0;
@@ -156,10 +160,11 @@ static int read_arguments(int argc, char **argv, struct arguments *a, struct mes
                                             {"no-dump", no_argument, NULL, NO_DUMP},
                                             {"xdmf", no_argument, NULL, XDMF},
                                             {"force", no_argument, NULL, FORCE},
+                                            {"fields", required_argument, NULL, FIELDS},
                                             {"list", required_argument, NULL, LIST},
                                             {"help", no_argument, NULL, 'h'},
                                             {NULL, 0, NULL, 0}};
-    const struct run_request defaults = {NULL, NULL, 0, NULL, 0, 0, 60.0, 0, 1, 0, 0};
+    const struct run_request defaults = {NULL, NULL, 0, NULL, 0, 0, 60.0, 0, 1, 0, 0, 0};
     a->request = defaults;
     a->request.sets = a->sets;
     opterr = 0;

@@ -129,3 +129,14 @@ int frame_bonds(const struct frame_layout *layout, const double *frame, double *
     }
     return VTI_OK;
 }
+
+int frame_loads(struct model *model, const struct frame_layout *layout, const double *frame, double *force,
+                double *moment)
+{
+    vti_bodies bodies = frame_bodies(layout, frame);
+    if (bodies.force.c[0] != NULL)
+        bodies.force = vti_view_packed(force);
+    if (bodies.moment.c[0] != NULL)
+        bodies.moment = vti_view_packed(moment);
+    return model_forces(model, &bodies);
+}

@@ -9,12 +9,13 @@
 #include "verdict.h"
 
 struct record {
-    const struct model *model;
+    struct model *model; /* its list of contacts is made to fit the frame that is written */
     const vti_stepper *stepper;
     double h;
     int64_t complete; /* 1 if the run reached its end */
     struct columns columns;
     struct frame_layout frames;
+    int fields; /* fields.h */
     struct journal *journal;
     struct judgement judgement; /* once it has ended */
 };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fields.h"
 #include "hdf5_sink.h"
 #include "interval.h"
 #include "loop.h"
@@ -22,6 +23,8 @@ static int open_scene(struct run *run, struct message *message)
         tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
+    if (fields_check(r->fields, &run->model, message) != 0)
+        return -1;
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
@@ -152,6 +155,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     run->record.stepper = run->scene.stepper;
     run->record.h = run->scene.h;
     run->record.journal = &run->journal;
+    run->record.fields = request->fields;
     columns_of(&run->model, run->scene.stepper, &run->record.columns);
     if (verdict_create(&run->verdict, &run->model, run->scene.stepper, run->scene.h, &run->record.columns, message) !=
         0)

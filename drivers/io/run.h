@@ -22,6 +22,7 @@ struct run_request {
     int dump;   /* write the LAMMPS dump */
     int xdmf;   /* write the XDMF index of however many frames */
     int force;  /* replace files that are not ours */
+    int fields; /* fields.h */
 };
 
 /** How a run has ended. */

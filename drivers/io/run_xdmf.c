@@ -4,6 +4,7 @@
  * rows of one frame in a dataset of /VTKHDF. */
 #include "run_text.h"
 
+#include "fields.h"
 #include "number.h"
 #include "shape.h"
 
@@ -129,6 +130,10 @@ static int take_frame(void *self, int64_t k, const double *frame)
         attribute(w, "attitude_wxyz", k, 4);
         attribute(w, "director", k, 3);
     }
+    if ((w->record->fields & FIELD_FORCE) != 0)
+        attribute(w, "force", k, 3);
+    if ((w->record->fields & FIELD_MOMENT) != 0)
+        attribute(w, "moment", k, 3);
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "fields.h"
 #include "shape.h"
 
 /* ---- small arrays ------------------------------------------------------------------------------------------------ */
@@ -65,18 +66,22 @@ struct quantity {
     int64_t components;
     /** Makes it from what the frame holds; NULL where the frame holds it. */
     void (*derive)(const struct frame_layout *layout, const double *frame, double *values);
+    int field; /* 0; or the field, which is made for all bodies at once */
 };
 
-enum { QUANTITIES = 6 };
+enum { QUANTITIES = 8 };
 
-static void quantities_of(const struct frame_layout *layout, struct quantity list[QUANTITIES])
+static void quantities_of(const struct record *record, struct quantity list[QUANTITIES])
 {
-    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3, NULL},
-                                             {"omega", layout->omega, 3, NULL},
-                                             {"alpha", layout->alpha, 3, NULL},
-                                             {"attitude_xyzw", layout->alpha, 4, frame_attitudes},
-                                             {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first},
-                                             {"director", layout->alpha, 3, frame_directors}};
+    const struct frame_layout *layout = &record->frames;
+    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3, NULL, 0},
+                                             {"omega", layout->omega, 3, NULL, 0},
+                                             {"alpha", layout->alpha, 3, NULL, 0},
+                                             {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
+                                             {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
+                                             {"director", layout->alpha, 3, frame_directors, 0},
+                                             {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
+                                             {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT}};
     for (int q = 0; q < QUANTITIES; ++q)
         list[q] = all[q];
 }
@@ -99,7 +104,7 @@ static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const str
 {
     const hsize_t points = (hsize_t)record->frames.n * (hsize_t)record->journal->frames.mark.count;
     struct quantity list[QUANTITIES];
-    quantities_of(&record->frames, list);
+    quantities_of(record, list);
     hdf5_dataset(root, "Points", H5T_NATIVE_DOUBLE, 2, (const hsize_t[]){points, 3}, NULL);
     for (int q = 0; q < QUANTITIES; ++q)
         if (list[q].place != 0)
@@ -145,6 +150,8 @@ struct writer {
     const struct record *record;
     struct hdf5_sink *root, *data, *cells;
     double *derived, *times;
+    double *loads; /* forces, then moments */
+    struct message *message;
     double *bonds; /* each quantity of all cells, zeros but for the bonds; NULL without bonds */
 };
 
@@ -160,23 +167,40 @@ static void take_bonds(struct writer *w, int64_t k, const double *frame)
                   w->bonds + q * count);
 }
 
+static const double *values_of(struct writer *w, const struct quantity *q, const double *frame)
+{
+    if (q->field != 0)
+        return w->loads + (q->field == FIELD_MOMENT ? 3 * w->record->frames.n : 0);
+    if (q->derive == NULL)
+        return frame + q->place;
+    q->derive(&w->record->frames, frame, w->derived);
+    return w->derived;
+}
+
+static int take_loads(struct writer *w, const double *frame)
+{
+    const struct record *r = w->record;
+    const int status =
+        r->fields != 0 ? frame_loads(r->model, &r->frames, frame, w->loads, w->loads + 3 * r->frames.n) : VTI_OK;
+    return status == VTI_OK ? 0
+                            : message_set(w->message, "%s: forces at t = %.10g: %s", r->model->scene->name, frame[1],
+                                          model_text(r->model, status));
+}
+
 static int take_frame(void *self, int64_t k, const double *frame)
 {
     struct writer *w = self;
     const struct frame_layout *layout = &w->record->frames;
     const hsize_t n = (hsize_t)layout->n, first = n * (hsize_t)k;
     struct quantity list[QUANTITIES];
-    quantities_of(layout, list);
+    quantities_of(w->record, list);
+    if (take_loads(w, frame) != 0)
+        return -1;
     w->times[k] = frame[1];
     hdf5_rows(w->root, "Points", H5T_NATIVE_DOUBLE, first, n, frame + layout->x);
-    for (int q = 0; q < QUANTITIES; ++q) {
-        if (list[q].place == 0)
-            continue;
-        if (list[q].derive != NULL)
-            list[q].derive(layout, frame, w->derived);
-        hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n,
-                  list[q].derive != NULL ? w->derived : frame + list[q].place);
-    }
+    for (int q = 0; q < QUANTITIES; ++q)
+        if (list[q].place != 0)
+            hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n, values_of(w, &list[q], frame));
     take_bonds(w, k, frame);
     return w->root->failed || w->data->failed || w->cells->failed ? -1 : 0;
 }
@@ -186,7 +210,7 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
     const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
     const hsize_t count = (hsize_t)frames;
     struct quantity list[QUANTITIES];
-    quantities_of(&record->frames, list);
+    quantities_of(record, list);
     struct hdf5_sink s = hdf5_group(root, "Steps");
     hdf5_attribute(&s, "NSteps", H5T_NATIVE_INT64, 1, &frames);
     hdf5_dataset(&s, "Values", H5T_NATIVE_DOUBLE, 1, &count, times);
@@ -227,8 +251,10 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        &cell_data,
                        malloc(sizeof(double) * (size_t)(4 * n + 1)),
                        calloc((size_t)(frames + 1), sizeof(double)),
+                       malloc(sizeof(double) * (size_t)(6 * n + 1)),
+                       message,
                        has_bonds ? calloc((size_t)(BOND_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
-    root.failed |= w.derived == NULL || w.times == NULL || (has_bonds && w.bonds == NULL);
+    root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_bonds && w.bonds == NULL);
     hdf5_text(&root, "Type", "PolyData");
     hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
     sequence(&root, "NumberOfPoints", 1, 1, n, 0);
@@ -243,6 +269,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
         root.failed = 1;
     free(w.derived);
     free(w.times);
+    free(w.loads);
     free(w.bonds);
     hdf5_close(&root, &cell_data);
     hdf5_close(&root, &data);

@@ -218,6 +218,51 @@ def many_frames(base):
               ("no .xdmf" in result.stdout) == (not there), f"{1000 * float(end) + 1:.0f} frames {options}: .xdmf {there}")
 
 
+def loads_kick(base, scene, end, *fields):
+    """Step for step what --fields writes is what the run was kicked with: VTI-2 kicks by h/2 at both ends of its step."""
+    result = run(RUN, f"{SCENES}/{scene}.yaml", "--stepper", "vti2", "--t-end", end, "--frames", "1", "--fields", ",".join(fields),
+                 "-o", f"{base}/loads.h5")
+    check(result.returncode == 0, f"{scene} --fields {','.join(fields)} runs {result.stderr}")
+    frames, bodies = read_vtkhdf(f"{base}/loads.h5"), read_xdmf(f"{base}/loads.xdmf")["bodies over time"]
+    with h5py.File(f"{base}/loads.h5") as file:
+        h = file.attrs["h"]
+    weight = {"force": ("velocity", 1), "moment": ("omega", 0.1)}
+    for field in fields:
+        moved, inertia = weight[field]
+        worst = largest = 0.0
+        for before, after in zip(frames, frames[1:]):
+            kick = h / 2 * (before[field] + after[field]) / inertia
+            worst = max(worst, abs(after[moved] - before[moved] - kick).max() / (1 + abs(after[moved]).max()))
+            largest = max(largest, abs(kick).max())
+        check(worst < 4 * 2.3e-16 and largest > 1e-6,
+              f"{field}: the run's own kicks of up to {largest:.1e}, to {worst:.1e}, {len(frames)} frames")
+    check(same(frames, bodies, fields), "XDMF: the same")
+    return frames
+
+
+def loads_of_pile(frames):
+    """Weight, walls and contacts of all pairs by the equation, K/D (1 - r/D)^{3/2} each, that of a wall with half the diameter."""
+    worst, touching = 0.0, 0
+    for frame in frames[::16]:
+        x = frame["Points"]
+        force = numpy.zeros_like(x) + [0, 0, -9.81]
+        for *normal, offset in ([0, 0, 1, 0], [1, 0, 0, 0], [-1, 0, 0, -4.5], [0, 1, 0, 0], [0, -1, 0, -4.5]):
+            overlap = numpy.maximum(0, 1 - (x @ normal - offset) / 0.5)
+            force += (1e5 / 0.5 * overlap ** 1.5)[:, None] * normal
+        d = x[:, None] - x[None]
+        r = numpy.sqrt((d ** 2).sum(axis=2)) + 9 * numpy.eye(len(x))
+        pull = 1e5 * numpy.maximum(0, 1 - r) ** 1.5 / r
+        touching = max(touching, (pull > 0).sum() // 2)
+        force += (pull[..., None] * d).sum(axis=1)
+        worst = max(worst, abs(force - frame["force"]).max() / abs(force).max())
+    check(worst < 1e-12 and touching > 20, f"pile: forces by the equations to {worst:.1e}, up to {touching} pairs touching")
+
+
+def loads(base):
+    loads_kick(base, "chain", "1/4", "force", "moment")
+    loads_of_pile(loads_kick(base, "pile", "1/4", "force"))
+
+
 def contact_flag(base):
     """Whether bonded bodies touch stands in the file, if the scene has contact at all."""
     def flag(scene, *options):
@@ -238,4 +283,5 @@ with tempfile.TemporaryDirectory() as root:
     even_times(root)
     many_frames(root)
     contact_flag(root)
+    loads(root)
 conclude()

@@ -16,7 +16,7 @@ import h5py
 import numpy
 
 from programs import run
-from run_support import contents, read_csv, read_vtkhdf
+from run_support import contents, read_csv, read_vtkhdf, same
 from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
@@ -239,6 +239,21 @@ def prolonged(base):
     run(RUN, scene("torus"), "--t-end", "0.4", "--record", "7", "--frames", "4", "-o", f"{base}/asked/out.h5")
     check(result.returncode == 0 and "goes on from step 250" in result.stdout and
           contents(f"{base}/longer/out") == contents(f"{base}/asked/out"), "--resume with a later --t-end prolongs the run")
+
+
+def fields(base):
+    """Forces are made as files are written: of a run that was prolonged, too, and off unless asked for, all else being the same."""
+    start = [scene("pile"), "--frames", "8", "--record", "8"]
+    ends = [[*start, "--t-end", end, "-o", f"{base}/{name}/out.h5"] for end, name in (("1/4", "whole"), ("1/8", "two"), ("1/4", "two"))]
+    for arguments, more in zip(ends, ([], [], ["--resume"])):
+        result = run(RUN, *arguments, "--fields", "force", *more)
+        check(result.returncode == 0, f"--fields force {' '.join(more)} {result.stderr}")
+    check("goes on from step 256" in result.stdout and contents(f"{base}/two/out") == contents(f"{base}/whole/out"),
+          "--fields force: prolonged to the same bytes")
+    run(RUN, *start, "--t-end", "1/4", "-o", f"{base}/without/out.h5")
+    frames, plain = read_vtkhdf(f"{base}/whole/out.h5"), read_vtkhdf(f"{base}/without/out.h5")
+    check(set(frames[0]) - set(plain[0]) == {"force"} and same(frames, plain, set(plain[0]) - {"t"}) and
+          contents(f"{base}/whole/out")[".csv"] == contents(f"{base}/without/out")[".csv"], "it adds force and changes nothing")
 
 
 def continued(base):
@@ -470,6 +485,9 @@ def refused(base):
         ("two scenes", [scene("spin"), scene("torus")], ["only one scene"]),
         ("unknown option", [scene("spin"), "--frob"], ["--frob", "--help"]),
         ("option without value", [scene("spin"), "--record"], ["--record", "needs a value"]),
+        ("unknown field", [scene("torus"), "--fields", "force,spin"], ["--fields", "'spin'", "there are force and moment"]),
+        ("no field", [scene("torus"), "--fields", "force,"], ["--fields", "''", "there are force and moment"]),
+        ("field that is not there", [scene("pile"), "--fields", "moment"], ["--fields", "pile", "gives a moment"]),
         ("rows of no step", [scene("spin"), "--record", "0"], ["--record", "'0'", "write 50 or 1e3"]),
         ("rows of too many steps", [scene("spin"), "--record", "1e18"], ["--record", "'1e18'", "too large", "2^53"]),
         ("frames of words", [scene("spin"), "--frames", "many"], ["--frames", "'many'"]),
@@ -492,8 +510,8 @@ def refused(base):
 
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
-          lambda base: kills(base, "torus", "--t-end", "4"), lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, continued, refused_ends, prolonged_from_nothing, broken, refused_resumes,
+          lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"), lambda base: kills(base, "pile", "--t-end", "1/2"),
+          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, fields, continued, refused_ends, prolonged_from_nothing, broken, refused_resumes,
           refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
