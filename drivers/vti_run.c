@@ -31,7 +31,7 @@ static const char usage[] =
     "                        the state at the end is always recorded\n"
     "  --fields force,moment one or both of each body in OUT.h5 and OUT.xdmf too, in every frame\n"
     "  --no-dump             no OUT.dump, the largest of the files\n"
-    "  --xdmf                OUT.xdmf for more than 2000 frames too: 5 kB for each, and ParaView reads OUT.h5 itself\n"
+    "  --xdmf                OUT.xdmf for more than 2000 frames too: 1-8 kB for each; ParaView reads OUT.h5 itself\n"
     "  --force               replace files that are no results of vti too; what the scene is read from is never "
     "replaced\n"
     "  --checkpoint SECONDS  time between checkpoints (default 60)\n"

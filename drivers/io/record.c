@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "shape.h"
+
 static double *memory(int64_t doubles, const struct record *record, struct message *message)
 {
     double *p = malloc(sizeof *p * (size_t)doubles);
@@ -37,4 +39,29 @@ int record_frames(const struct record *record, int (*take)(void *self, int64_t k
         failed = journal_read(record->journal, file, k, 1, frame, message) != 0 || take(self, k, frame) != 0;
     free(frame);
     return failed ? -1 : 0;
+}
+
+struct box {
+    const struct record *record;
+    double *low, *high;
+};
+
+static int widen_box(void *self, int64_t k, const double *frame)
+{
+    struct box *box = self;
+    const struct frame_layout *layout = &box->record->frames;
+    for (int64_t i = 0; i < layout->n; ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double x = frame[layout->x + 3 * i + c], r = 0.5 * shape_diameter(box->record->model, i);
+            const int first = k == 0 && i == 0;
+            box->low[c] = first || x - r < box->low[c] ? x - r : box->low[c];
+            box->high[c] = first || x + r > box->high[c] ? x + r : box->high[c];
+        }
+    return 0;
+}
+
+int record_box(const struct record *record, double low[3], double high[3], struct message *message)
+{
+    struct box box = {record, low, high};
+    return record_frames(record, widen_box, &box, message);
 }

@@ -13,20 +13,6 @@ struct writer {
     double *xyzw;
 };
 
-static int widen_box(void *self, int64_t k, const double *frame)
-{
-    struct writer *w = self;
-    const struct frame_layout *layout = &w->record->frames;
-    for (int64_t i = 0; i < layout->n; ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double x = frame[layout->x + 3 * i + c], r = 0.5 * shape_diameter(w->record->model, i);
-            const int first = k == 0 && i == 0;
-            w->low[c] = first || x - r < w->low[c] ? x - r : w->low[c];
-            w->high[c] = first || x + r > w->high[c] ? x + r : w->high[c];
-        }
-    return 0;
-}
-
 /** A box without volume is none. */
 static void open_box(struct writer *w)
 {
@@ -87,7 +73,7 @@ int run_dump_write(const struct record *record, FILE *file, struct message *mess
     w.xyzw = malloc(sizeof *w.xyzw * (size_t)(4 * record->frames.n + 1));
     if (w.xyzw == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", record->model->scene->name);
-    int failed = record_frames(record, widen_box, &w, message);
+    int failed = record_box(record, w.low, w.high, message);
     open_box(&w);
     if (failed == 0)
         failed = record_frames(record, take_frame, &w, message);

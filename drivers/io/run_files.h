@@ -21,7 +21,7 @@ struct run_files {
 /** Takes the name of the HDF5 file apart. Returns 0, or -1 with one line in *message. */
 int run_files_name(struct run_files *files, const char *output, int dump, struct message *message);
 
-/** The most frames for which OUT.xdmf is written unasked: it takes about 5 kB of text for each, as much as the frame itself in
+/** The most frames for which OUT.xdmf is written unasked: it takes 1 to 8 kB of text for each, as much as the frame itself in
  *  OUT.h5 where bodies are few. */
 enum { RUN_XDMF_FRAMES = 2000 };
 

@@ -116,7 +116,8 @@ void run_say_end(const struct run *run, FILE *file)
             run->output, xdmf ? ", .xdmf" : "", run->files.dump ? ", .dump" : "",
             run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
     if (!xdmf)
-        fprintf(file, "no .xdmf of so many frames, 5 kB for each: ParaView reads %s itself, and --xdmf writes it\n",
+        fprintf(file,
+                "no .xdmf of so many frames, 1 to 8 kB for each: ParaView reads %s itself, and --xdmf writes it\n",
                 run->output);
     fprintf(file, "%s\n", run->judgement.text);
 }

@@ -18,7 +18,7 @@ int run_csv_write(const struct record *record, FILE *file, struct message *messa
 int run_dump_write(const struct record *record, FILE *file, struct message *message);
 
 /** out.xdmf: an index of the trajectory in the HDF5 file called name, in the same folder, for readers that do not
- *  know VTKHDF. */
+ *  know VTKHDF; and the walls, each as a square behind all bodies of all frames. */
 int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message);
 
 #endif

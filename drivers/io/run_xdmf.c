@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Two grids over time, "bodies" and, if there are any, "bonds", that share the points. Every array is a slab of the
- * rows of one frame in a dataset of /VTKHDF. */
+ * rows of one frame in a dataset of /VTKHDF. A third grid, "walls", of all times, has a square for each plane. */
 #include "run_text.h"
+
+#include <math.h>
 
 #include "fields.h"
 #include "number.h"
@@ -145,6 +147,64 @@ static int take_frame(void *self, int64_t k, const double *frame)
     return ferror(w->file) ? -1 : 0;
 }
 
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** A square in the plane n.x = d, in front of the box and as wide as it is long from corner to corner; n sees the corners
+ *  counterclockwise. */
+static void wall_corners(const double plane[4], const double low[3], const double high[3], double corner[4][3])
+{
+    static const double at[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+    const double size[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    const double middle[3] = {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
+    const double reach = size[0] + size[1] + size[2] > 0.0 ? 0.5 * sqrt(vti_dot(size, size)) : 0.5;
+    const double distance = vti_dot(plane, middle) - plane[3];
+    double axis[3] = {0.0, 0.0, 0.0}, u[3], v[3];
+    int least = 0;
+    for (int c = 1; c < 3; ++c)
+        least = fabs(plane[c]) < fabs(plane[least]) ? c : least;
+    axis[least] = 1.0;
+    vti_cross(axis, plane, u);
+    vti_cross(plane, u, v);
+    for (int k = 0; k < 4; ++k)
+        for (int c = 0; c < 3; ++c)
+            corner[k][c] =
+                middle[c] - distance * plane[c] + reach / sqrt(vti_dot(u, u)) * (at[k][0] * u[c] + at[k][1] * v[c]);
+}
+
+static int write_walls(const struct writer *w, struct message *message)
+{
+    const vti_walls *walls = &w->record->model->walls;
+    const long long count = (long long)walls->count;
+    double low[3] = {0.0, 0.0, 0.0}, high[3] = {0.0, 0.0, 0.0};
+    if (record_box(w->record, low, high, message) != 0)
+        return -1;
+    fprintf(w->file,
+            "<Grid Name=\"walls\" GridType=\"Uniform\">\n"
+            "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"%lld\">\n"
+            "<DataItem Dimensions=\"%lld 4\" NumberType=\"Int\" Precision=\"8\" Format=\"XML\">",
+            count, count);
+    for (long long k = 0; k < 4 * count; ++k)
+        fprintf(w->file, "%lld%s", k, k % 4 == 3 ? "\n" : " ");
+    fprintf(w->file,
+            "</DataItem>\n</Topology>\n<Geometry GeometryType=\"XYZ\">\n"
+            "<DataItem Dimensions=\"%lld 3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">",
+            4 * count);
+    for (long long k = 0; k < count; ++k) {
+        double corner[4][3];
+        wall_corners(walls->plane + 4 * k, low, high, corner);
+        for (int c = 0; c < 4; ++c)
+            fprintf(w->file, "%s %s %s\n", NUMBER(corner[c][0]), NUMBER(corner[c][1]), NUMBER(corner[c][2]));
+    }
+    fprintf(w->file,
+            "</DataItem>\n</Geometry>\n<Attribute Name=\"wall\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
+            "<DataItem Dimensions=\"%lld\" NumberType=\"Int\" Precision=\"8\" Format=\"XML\">",
+            count);
+    for (long long k = 0; k < count; ++k)
+        fprintf(w->file, "%lld%s", k, k + 1 < count ? " " : "");
+    fputs("</DataItem>\n</Attribute>\n</Grid>\n", w->file);
+    return ferror(w->file) ? -1 : 0;
+}
+
 int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message)
 {
     struct writer w = {record, file, name, 0};
@@ -156,6 +216,8 @@ int run_xdmf_write(const struct record *record, const char *name, FILE *file, st
         failed = record_frames(record, take_frame, &w, message);
         fputs("</Grid>\n", file);
     }
+    if (failed == 0 && record->model->walls.count > 0)
+        failed = write_walls(&w, message);
     fputs("</Domain>\n</Xdmf>\n", file);
     return failed;
 }

@@ -97,16 +97,18 @@ def xdmf_array(item, folder):
 
 
 def read_xdmf(path):
-    """Frames of each grid over time, by the name of the grid."""
+    """Frames of each grid over time, by the name of the grid; one frame without a time of a grid that does not move."""
     folder, grids = os.path.dirname(path), {}
     for series in ElementTree.parse(path).getroot().find("Domain"):
-        assert series.get("CollectionType") == "Temporal"
+        moves = series.get("GridType") == "Collection"
+        assert not moves or series.get("CollectionType") == "Temporal"
         frames = []
-        for grid in series:
+        for grid in series if moves else [series]:
             topology = grid.find("Topology")
-            cells = xdmf_array(topology.find("DataItem"), folder).reshape(-1, int(topology.get("NodesPerElement")))
+            nodes = 4 if topology.get("TopologyType") == "Quadrilateral" else int(topology.get("NodesPerElement"))
+            cells = xdmf_array(topology.find("DataItem"), folder).reshape(-1, nodes)
             assert len(cells) == int(topology.get("NumberOfElements"))
-            frame = {"t": float(grid.find("Time").get("Value")), "cells": cells, "type": topology.get("TopologyType")}
+            frame = {"t": float(grid.find("Time").get("Value")) if moves else None, "cells": cells, "type": topology.get("TopologyType")}
             frame["Points"] = xdmf_array(grid.find("Geometry").find("DataItem"), folder)
             for attribute in grid.findall("Attribute"):
                 assert attribute.get("Center") in ("Node", "Cell")

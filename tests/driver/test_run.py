@@ -123,6 +123,25 @@ def bond_data(frames, bodies, xdmf, names, rows, stiffness):
           for frame, line in zip(frames, xdmf) for name in ("bond_energy", "bond_stretch")), "XDMF: the same of the bonds")
 
 
+def walls(frames, planes, grid, diameters):
+    """A square for each plane: in it, seen counterclockwise from where the spheres are, and behind all of them at all times."""
+    x = numpy.concatenate([frame["Points"] for frame in frames])
+    radius = numpy.concatenate([frame["diameter"] if diameters else numpy.zeros(len(frame["Points"])) for frame in frames]) / 2
+    corners = grid["Points"][grid["cells"].astype(int)]
+    size = abs(corners).max()
+    good = len(corners) == len(planes) and grid["type"] == "Quadrilateral" and grid["wall"].tolist() == list(range(len(planes)))
+    for plane, corner in zip(planes, corners):
+        sides = numpy.roll(corner, -1, axis=0) - corner
+        lengths = numpy.linalg.norm(sides, axis=1)
+        along = sides / lengths[:, None]
+        good &= bool(abs(corner @ plane[:3] - plane[3]).max() < 1e-14 * size and abs(lengths - lengths[0]).max() < 1e-14 * size)
+        good &= bool(abs(numpy.cross(along, numpy.roll(along, -1, axis=0)) - plane[:3]).max() < 1e-13)
+        # how far spheres are inside of each side
+        good &= all((((x - start) @ numpy.cross(plane[:3], side)) >= radius - 1e-14 * size).all()
+                    for start, side in zip(corner, along))
+    check(good, f"XDMF: a square for each of {len(planes)} walls")
+
+
 def trajectory(stem, names, bonds, diameters):
     frames, dump, xdmf = read_vtkhdf(stem + ".h5"), read_dump(stem + ".dump"), read_xdmf(stem + ".xdmf")
     moving = [name for name, given in (("velocity", "kinetic_translation"), ("omega", "kinetic_rotation"),
@@ -156,6 +175,11 @@ def trajectory(stem, names, bonds, diameters):
     check(same(frames, bodies, ["Points", *data]) and all(
         frame["type"] == "Polyvertex" and frame["cells"].tolist() == [[i] for i in range(n)] for frame in bodies),
         "the XDMF index leads to the same trajectory")
+    with h5py.File(stem + ".h5") as file:
+        planes = file["walls"][...] if "walls" in file else []
+    check(("walls" in xdmf) == (len(planes) > 0) == ("wall" in names), "XDMF: walls if the scene has any")
+    if "walls" in xdmf:
+        walls(frames, planes, xdmf.pop("walls")[0], diameters)
     for lines in xdmf.values():
         check(same(frames, lines, ["Points", *data]) and all(
             frame["type"] == "Polyline" and frame["cells"].tolist() == frames[0]["Lines"] for frame in lines),

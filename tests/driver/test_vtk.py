@@ -49,13 +49,16 @@ def read(path, ending):
         reader.UpdateTimeStep(t)
         data = reader.GetOutputDataObject(0)
         blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())] if data.IsA("vtkMultiBlockDataSet") else [data]
-        data, cells = blocks[0], blocks[-1].GetCellData()
+        data = blocks[0]
         frame = {"t": t, "Points": vtk_to_numpy(data.GetPoints().GetData()).copy()}
         for k in range(data.GetPointData().GetNumberOfArrays()):
             array = data.GetPointData().GetArray(k)
             frame[array.GetName()] = vtk_to_numpy(array).copy()
-        for k in range(cells.GetNumberOfArrays()):
-            frame[cells.GetArrayName(k)] = vtk_to_numpy(cells.GetArray(k)).copy()
+        for block in blocks:
+            cells = block.GetCellData()
+            for k in range(cells.GetNumberOfArrays()):
+                frame[cells.GetArrayName(k)] = vtk_to_numpy(cells.GetArray(k)).copy()
+                frame["in " + cells.GetArrayName(k)] = block.GetCell(0).GetClassName()
         if ending == ".h5":
             ids = vtk_to_numpy(data.GetLines().GetConnectivityArray()) if data.GetNumberOfLines() else numpy.zeros(0, int)
             frame["Lines"] = ids.reshape(-1, 2).tolist()
@@ -78,6 +81,10 @@ for scene, *options in CASES:
         bonds = [{"t": frame["t"], **{name: frame[name][len(frame["Points"]):] for name in BONDS[1:]}} for frame in frames
                  if "bond" in frame]
         check(not bonds or same(bonds, read(f"{folder}/out.xdmf", ".xdmf"), BONDS[1:]), f"{scene}.xdmf: cell data of the bonds")
+        planes = {"torus": 1, "pile": 5}.get(scene, 0)
+        check(all((frame.get("in wall") == "vtkQuad" and frame["wall"].tolist() == list(range(planes))) if planes else
+                  "wall" not in frame for frame in read(f"{folder}/out.xdmf", ".xdmf")),
+              f"{scene}.xdmf: {planes} quads as walls at all times")
         for ending, more in ((".h5", ["Lines", *(name for name in BONDS if name in frames[0])]), (".xdmf", [])):
             check(same(frames, read(f"{folder}/out{ending}", ending), data + more),
                   f"{scene}{ending}: VTK finds the same {len(frames)} frames of {' '.join(data + more)}")
