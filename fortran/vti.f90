@@ -28,8 +28,8 @@ module vti
     public
     private :: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     private :: c_bodies_check_values, c_drift, c_stepper_find, c_stepper_at, c_step_stage, c_step_finish, &
-        c_step_probe, c_step_start, c_step_sync, c_packed_begin, c_packed_finish, c_status_text, c_quantity_text, &
-        c_version, c_strlen
+        c_step_next, c_step_probe, c_step_start, c_step_sync, c_packed_begin, c_packed_finish, c_status_text, &
+        c_quantity_text, c_version, c_vector_units, c_strlen
     private :: blame, handle
 
 contains
@@ -54,6 +54,13 @@ contains
     function vti_version() result(text)
         character(len=:), allocatable :: text
         text = vti_text(c_version())
+    end function
+
+    !> The vector units that its kernels use on this machine: 'AVX-512 and AVX2', 'AVX2' or 'those of the build'. The bits do not
+    !> depend on them.
+    function vti_vector_units() result(text)
+        character(len=:), allocatable :: text
+        text = vti_text(c_vector_units())
     end function
 
     !> Any text of the types of this module, as method%name or effect%name; empty if there is none.

@@ -221,6 +221,11 @@ module vti_c
             type(c_ptr) :: text
         end function
 
+        function c_vector_units() result(text) bind(c, name='vti_vector_units')
+            import :: c_ptr
+            type(c_ptr) :: text
+        end function
+
         function c_strlen(text) result(length) bind(c, name='strlen')
             import :: c_ptr, c_size_t
             type(c_ptr), value :: text

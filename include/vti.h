@@ -29,6 +29,9 @@ extern "C" {
 
 /** VTI_VERSION_STRING of the library that is running. */
 VTI_API const char *vti_version(void);
+/** The vector units that its kernels use on this machine, of kick and drift and of bonds: "AVX-512 and AVX2", "AVX2", or "those of
+ *  the build". The bits do not depend on them. */
+VTI_API const char *vti_vector_units(void);
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
 static const struct bond_kernel (*kernels(void))[4]
 {
 #ifdef VTI_HAS_AVX2
-    if (__builtin_cpu_supports("avx2"))
+    if (vti_serves_avx2())
         return vti_bond_avx2;
 #endif
     return vti_bond_baseline;

@@ -142,6 +142,25 @@ static inline int vti_effect_check(const vti_effect *effect, const vti_bodies *b
     return effect->check != NULL ? effect->check(effect->self, b) : VTI_OK;
 }
 
+/** Whether the kernels for these vector units were compiled, and serve here. */
+static inline int vti_serves_avx2(void)
+{
+#ifdef VTI_HAS_AVX2
+    return __builtin_cpu_supports("avx2") != 0;
+#else
+    return 0;
+#endif
+}
+
+static inline int vti_serves_avx512(void)
+{
+#ifdef VTI_HAS_AVX512
+    return __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+#else
+    return 0;
+#endif
+}
+
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 

@@ -210,11 +210,10 @@ static inline const struct vti_move_kernels *const *kernels(int64_t bodies, int 
     if (carry || bodies <= VTI_FEW)
         return all + sizeof all / sizeof all[0] - 1;
 #ifdef VTI_HAS_AVX512
-    const int has_avx512 = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    first += bodies < vti_move_avx512.least || !has_avx512;
+    first += bodies < vti_move_avx512.least || !vti_serves_avx512();
 #endif
 #ifdef VTI_HAS_AVX2
-    first += *first == &vti_move_avx2 && (bodies < vti_move_avx2.least || !__builtin_cpu_supports("avx2"));
+    first += *first == &vti_move_avx2 && (bodies < vti_move_avx2.least || !vti_serves_avx2());
 #endif
     return first;
 }

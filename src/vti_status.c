@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Texts of statuses and quantities, and the version. */
-#include "vti.h"
+#include "vti_internal.h"
 #include "vti_steppers.h"
 
 /** All names of the table of steppers, as one text. */
@@ -72,6 +72,11 @@ const char *vti_quantity_text(int64_t quantity)
                                           [VTI_QUANTITY_OMEGA_LOW] = "omega_low"};
     const int known = quantity >= 0 && quantity < (int64_t)(sizeof members / sizeof members[0]);
     return members[known ? quantity : VTI_QUANTITY_NONE];
+}
+
+const char *vti_vector_units(void)
+{
+    return vti_serves_avx512() ? "AVX-512 and AVX2" : vti_serves_avx2() ? "AVX2" : "those of the build";
 }
 
 const char *vti_version(void)

@@ -44,6 +44,7 @@ program test_fortran_layout
     count = shim_constants(200_c_int64_t, theirs)
     call compare('constant')
     call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
+    call expect(index('AVX-512 and AVX2, those of the build', vti_vector_units()) > 0, 'units '//vti_vector_units())
     call expect(vti_status_text(VTI_OK) == 'no error', 'text of VTI_OK')
     call expect(index(vti_status_text(99_c_int), 'unknown') == 1, 'text of no status')
     do k = 1, 13

@@ -105,6 +105,7 @@ static void texts(void **state)
     for (int i = 0; i < 4; ++i)
         assert_string_equal(vti_status_text(unknown[i]), vti_status_text(LOWEST - 1));
     assert_string_equal(vti_version(), VTI_VERSION_STRING);
+    assert_non_null(strstr("AVX-512 and AVX2, those of the build", vti_vector_units()));
 }
 
 /** A quantity goes by the name of its member, and they are numbered in the order of the struct. */
