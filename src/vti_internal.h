@@ -120,7 +120,7 @@ static inline int64_t vti_bodies_named(const vti_bodies *b)
 {
     const int64_t shown[] = {b->x.count, b->alpha.count, b->quat.count, b->first + b->count};
     int k = 0;
-    while (shown[k] == 0 && k < 3)
+    while (k < 3 && shown[k] == 0)
         ++k;
     return shown[k];
 }
