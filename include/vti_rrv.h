@@ -118,7 +118,8 @@ static inline double vti_arc(double y, double x)
     return angle[steep][k][0] + (steep ? angle[steep][k][1] - rest : angle[steep][k][1] + rest);
 }
 
-/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in three parts, of which n times the first two is exact. */
+/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in three
+ *  parts, of which n times the first two is exact. */
 static inline void vti_sin_cos(double t, double *sine, double *cosine)
 {
     if (fabs(t) > 1048576.0) {

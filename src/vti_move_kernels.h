@@ -29,7 +29,7 @@ struct stream {
 
 VTI_INLINE struct stream stream_of(const vti_view *v)
 {
-    const int adjacent = v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
+    const int adjacent = vti_has(v) && v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
     const struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
     return s;
 }
