@@ -3,6 +3,7 @@
 #include "progress.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,28 +25,36 @@ static int is_launched(void)
            (S_ISFIFO(info.st_mode) || S_ISSOCK(info.st_mode));
 }
 
-/** Whether a stream of the process that has started this one is a terminal. */
-static int launcher_isatty(int stream)
+/** A stream of the process that has started this one, if that is a terminal; or NULL. */
+static FILE *launchers(int stream)
 {
     char path[64];
     snprintf(path, sizeof path, "/proc/%ld/fd/%d", (long)getppid(), stream);
-    const int fd = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
-    const int yes = fd >= 0 && isatty(fd);
-    if (fd >= 0)
+    const int fd = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0)
+        return NULL;
+    FILE *const file = isatty(fd) ? fdopen(fd, "w") : NULL;
+    if (file == NULL)
         close(fd);
-    return yes;
+    else
+        signal(SIGTTOU, SIG_IGN); /* ranks are in the background, where `stty tostop` would stop who writes */
+    return file;
 }
 
-/** The stream that leads to a terminal, the one that results go to first, so that bar and results come in order; or NULL. */
+/** A stream that leads to a terminal; or NULL. Of a launcher's it is one of our own, past its pipes: see progress.h. */
 static FILE *find_terminal(void)
 {
-    int (*const is_terminal)(int) = is_launched() ? launcher_isatty : isatty;
     const char *told = getenv("VTI_TERMINAL");
+    FILE *found = NULL;
     if (told != NULL && strcmp(told, "0") == 0)
         return NULL;
-    if (is_terminal(STDOUT_FILENO))
-        return stdout;
-    return is_terminal(STDERR_FILENO) || (told != NULL && strcmp(told, "1") == 0) ? stderr : NULL;
+    if (is_launched()) {
+        found = launchers(STDOUT_FILENO);
+        found = found != NULL ? found : launchers(STDERR_FILENO);
+    } else if (isatty(STDOUT_FILENO) || isatty(STDERR_FILENO))
+        found = isatty(STDOUT_FILENO) ? stdout : stderr;
+    const int relayed = told != NULL && strcmp(told, "1") == 0 && getenv("PRTE_LAUNCHED") == NULL;
+    return found != NULL || !relayed ? found : stderr;
 }
 
 /** It is looked for once. */
@@ -57,6 +66,14 @@ static FILE *terminal(void)
         found = find_terminal();
     looked = 1;
     return found;
+}
+
+/** Bar and results reach the terminal by different ways under a launcher: it gets the time to pass on what was first. */
+static void let_pass(void)
+{
+    const struct timespec a_moment = {0, 50000000};
+    if (is_launched())
+        nanosleep(&a_moment, NULL);
 }
 
 /* ---- the bar -------------------------------------------------------------------------------------------------------- */
@@ -79,6 +96,8 @@ void progress_show_what(const char *what, int64_t done, int64_t all, double seco
     const int same = last != NULL && strcmp(what, last) == 0;
     if (terminal() == NULL || all <= 0 || (shown >= 0.0 && same && seconds >= shown && seconds - shown < 0.1))
         return;
+    if (shown < 0.0)
+        let_pass();
     last = what;
     shown = seconds;
     const double share = (double)done / (double)all;
@@ -103,10 +122,7 @@ void progress_clear(void)
     if (shown >= 0.0) {
         fprintf(terminal(), "\r%*s\r", WIDTH + REST - 1, "");
         fflush(terminal());
-        /* the launcher reads this stream and that of messages one after the other: let it take this one first */
-        const struct timespec a_moment = {0, 50000000};
-        if (is_launched())
-            nanosleep(&a_moment, NULL);
+        let_pass();
     }
     shown = -1.0;
 }
