@@ -24,6 +24,7 @@ CHAIN, PENDULUM = (os.path.join(SCENES, name + ".yaml") for name in ("chain", "p
 MAJOR = int(re.search(r"\(Open.*?\) (\d+)", run(MPIRUN, "--version").stdout)[1])
 PASSES_PIECES = PASSES_LAST_WORDS = CAN_BE_QUIET = MAJOR < 5
 HOURS = ("--h", "2^-9:2^-27", "--no-plot")
+SECONDS = ("--h", "2^-4:2^-16", "--no-plot")  # a bar is drawn ten times per second at most
 
 
 class Terminal:
@@ -93,24 +94,25 @@ def has_bar(text, what):
 
 def bars(base):
     for ranks in (1, 2):
-        terminal = Terminal(MPIRUN, "-n", str(ranks), STUDY, "--no-plot", "-o", f"{base}/{ranks}", PENDULUM)
+        terminal = Terminal(MPIRUN, "-n", str(ranks), STUDY, *SECONDS, "-o", f"{base}/{ranks}", PENDULUM)
         code, said = terminal.end(), terminal.said
-        check(code == 0 and has_bar(said, "reference") and has_bar(said, "runs"), f"{ranks} ranks: bars of the reference and the runs")
+        check(code == 0 and has_bar(said, "reference") and has_bar(said, "runs"),
+              f"{ranks} ranks: bars of the reference and the runs, code {code}")
         table = said.replace("\r\n", "\n").split("stepper  ")[-1]
         check("\r" not in table and "fitted order" in table, "... and the table after them")
     with open(f"{base}/said.txt", "w+", encoding="utf-8") as file:
-        terminal = Terminal(*mpirun("--no-plot", "-o", f"{base}/stderr", PENDULUM), stdout=file)
+        terminal = Terminal(*mpirun(*SECONDS, "-o", f"{base}/stderr", PENDULUM), stdout=file)
         code = terminal.end()
         file.seek(0)
         said = file.read()  # "\r" as "\n"
     check(code == 0 and has_bar(terminal.said, "runs") and "[" not in said and "fitted order" in said,
           "stdout in a file: the bar is on stderr")
-    terminal = Terminal(STUDY, "--no-plot", "-o", f"{base}/alone", PENDULUM)
+    terminal = Terminal(STUDY, *SECONDS, "-o", f"{base}/alone", PENDULUM)
     check(terminal.end() == 0 and has_bar(terminal.said, "runs"), "without mpirun: a bar")
     terminal = Terminal(*mpirun("--cost", "--steppers", "vti2", "--evals", "1000", "--repeats", "1", "-o", f"{base}/cost", PENDULUM))
     check(terminal.end() == 0 and all(has_bar(terminal.said, what) for what in ("reference", "times"))
           and "\rerrors [" in terminal.said, "cost: bars")
-    hidden = run("sh", "-c", '"$@" | cat', "sh", *mpirun("--no-plot", "-o", f"{base}/told", PENDULUM),
+    hidden = run("sh", "-c", '"$@" | cat', "sh", *mpirun(*SECONDS, "-o", f"{base}/told", PENDULUM),
                  env=dict(ENVIRONMENT, VTI_TERMINAL="1"), text=False)
     check(hidden.returncode == 0 and bool(has_bar(hidden.stderr.decode(), "runs")) == PASSES_PIECES and b"\r" not in hidden.stdout,
           "VTI_TERMINAL=1 where no terminal can be found")
@@ -201,7 +203,8 @@ def by_dev(base):
         check("after a reference" in process.stdout.readline(), "a study of hours begins")
         process.send_signal(signal.SIGTERM)
         _, said = process.communicate(timeout=PATIENCE)
-    check(process.returncode == 75 and stopped_words(said) and ours(said).count("\n") == 1, f"SIGTERM: code {process.returncode}, {said!r}")
+    check(process.returncode == 75 and stopped_words(said) and ours(said).count("\n") == 1,
+          f"SIGTERM: code {process.returncode}, {said!r}")
 
 
 for topic in (first_line, bars, ctrl_c, signals, by_dev):
