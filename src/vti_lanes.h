@@ -6,7 +6,7 @@
  *
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
- *     lanes_gather   p[0], p[s], p[2 s], ...                                               lanes_scatter   the way back
+ *     lanes_gather   p[0], p[s], p[2 s], ...
  *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
  *     lanes_triples  those of three-vectors at p[0 ... 2], p[s ... s + 2], ...             lanes_untriple  the way back
  *     lanes_quads    those of four numbers at p[0 ... 3], p[s ... s + 3], ...              lanes_unquad    the way back
@@ -254,7 +254,6 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
 }
 
 #define lanes_gather four_gather
-#define lanes_scatter four_scatter
 #define lanes_triples four_triples
 #define lanes_untriple four_untriple
 #define lanes_quads four_quads
@@ -287,12 +286,6 @@ VTI_INLINE int lanes_all(lanes_mask m)
 VTI_INLINE lanes lanes_gather(const double *p, int64_t s)
 {
     return two_fours(four_gather(p, s), four_gather(p + 4 * s, s));
-}
-
-VTI_INLINE void lanes_scatter(double *p, int64_t s, lanes a)
-{
-    four_scatter(p, s, lower(a));
-    four_scatter(p + 4 * s, s, upper(a));
 }
 
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])

@@ -290,7 +290,7 @@ static void name_worst(const struct vti_move *move, const vti_bodies *b, vti_fau
 
 int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault)
 {
-    if (move->law != VTI_LAW_CLOSED || !move->drifts || !vti_has_attitude(b) || !vti_has(&b->omega))
+    if (move->law != VTI_LAW_CLOSED || !vti_has_attitude(b) || !vti_has(&b->omega))
         return VTI_OK;
     int64_t i = b->first;
     const int64_t end = i + b->count;
