@@ -56,7 +56,7 @@ VTI_INLINE void lanes_store(double *p, lanes a)
 VTI_INLINE lanes lanes_of(double x)
 {
     const lanes zero = {0.0};
-    return zero + x;
+    return x - zero; /* and not a sum, which would lose the sign of -0 */
 }
 
 VTI_INLINE lanes lanes_sqrt(lanes a)
