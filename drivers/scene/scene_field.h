@@ -7,6 +7,7 @@
 #define VTI_SCENE_FIELD_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 enum scene_kind {
     SCENE_SECTION, /* holds keys; goes to an int that becomes 1 if the file has the section */
@@ -16,7 +17,7 @@ enum scene_kind {
     SCENE_COUNTS,  /* three whole numbers; goes to an int64_t[3] */
     SCENE_PLANES,  /* list of rows nx, ny, nz, d; goes to a struct scene_planes */
     SCENE_YES_NO,  /* yes or no; goes to an int64_t, 1 or 0 */
-    SCENE_SHEAR,   /* form of the shear energy; goes to an int64_t, a vti_shear */
+    SCENE_WORD,    /* one of the row's words; goes to an int64_t */
     SCENE_PATH,    /* of a file, relative to the scene's; goes to a char[SCENE_PATH_SIZE] */
     SCENE_NAME,    /* letters, digits, _ and -; goes to a char[64] */
     SCENE_STEPPER  /* name of a stepper; goes to a const vti_stepper * */
@@ -32,14 +33,24 @@ enum scene_range { SCENE_ANY, SCENE_POSITIVE, SCENE_NOT_NEGATIVE, SCENE_NOT_ZERO
 enum { SCENE_FIELDS_MAX = 128 };
 #define SCENE_NOWHERE ((size_t)-1)
 
+/** A word that stands for a number; lists end with a word NULL. */
+struct scene_word {
+    const char *word;
+    int64_t value;
+};
+
 struct scene_field {
     const char *path; /* keys joined by dots */
     enum scene_kind kind;
     enum scene_need need;
     enum scene_range range;
-    size_t offset;     /* in struct scene, or SCENE_NOWHERE */
-    const char *about; /* what it is, for messages */
+    size_t offset;                  /* where its value goes, or SCENE_NOWHERE: see scene_field_place */
+    const char *about;              /* what it is, for messages: "stiffness K^pp" */
+    const char *says;               /* one sentence about it, for lists and docs/scenes.md */
+    const struct scene_word *words; /* of SCENE_WORD */
 };
+
+struct scene;
 
 /** Row k of the table; NULL behind its end. A section stands before its keys. */
 const struct scene_field *scene_field_at(int k);
@@ -52,6 +63,9 @@ const char *scene_field_key(const struct scene_field *field, const char *section
 
 /** Writes the keys of a section, separated by ", ", cut off at size. Returns out. */
 char *scene_field_list(const char *section, char *out, size_t size);
+
+/** Where the field's value goes in *scene; NULL if it goes nowhere. */
+void *scene_field_place(const struct scene_field *field, struct scene *scene);
 
 /** Cuts the last key or [index] off a path; "" stays "". */
 void scene_path_up(char *path);

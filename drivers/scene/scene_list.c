@@ -16,7 +16,7 @@ static const char *const kinds[] = {"section",
                                     "three whole numbers",
                                     "list of rows of four numbers",
                                     "yes or no",
-                                    "form of shear",
+                                    "word",
                                     "path",
                                     "name",
                                     "stepper"};
@@ -46,8 +46,8 @@ static void list_keys(FILE *file)
     static const char *const ranges[] = {"", ", above 0", ", not below 0", ", not 0"};
     for (int k = 0; scene_field_at(k) != NULL; ++k) {
         const struct scene_field *f = scene_field_at(k);
-        fprintf(file, "%s\t%s (%s%s%s)\n", f->path, f->about, kinds[f->kind], ranges[f->range],
-                f->need == SCENE_MUST ? ", needed" : "");
+        fprintf(file, "%s\t%s (%s%s%s). %s\n", f->path, f->about, kinds[f->kind], ranges[f->range],
+                f->need == SCENE_MUST ? ", needed" : "", f->says);
     }
 }
 

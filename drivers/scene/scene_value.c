@@ -31,10 +31,10 @@ static const struct word shear_forms[] = {
     {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
 
 static int read_word(const struct scene_reader *reader, const struct scene_field *field, const char *text,
-                     const struct word *words, int64_t *value)
+                     const struct scene_word *words, int64_t *value)
 {
     char shown[QUOTE_SIZE], known[128] = "";
-    for (const struct word *w = words; w->word != NULL; ++w) {
+    for (const struct scene_word *w = words; w->word != NULL; ++w) {
         if (strcmp(w->word, text) == 0) {
             *value = w->value;
             return 0;
@@ -94,9 +94,9 @@ static int read_stepper(const struct scene_reader *reader, const struct scene_fi
 int scene_value_read(const struct scene_reader *reader, const struct scene_field *field, struct scene *scene)
 {
     const void *value = scene_reader_value(reader, field->path);
-    if (value == NULL || field->offset == SCENE_NOWHERE)
+    void *target = scene_field_place(field, scene);
+    if (value == NULL || target == NULL)
         return 0;
-    void *target = (char *)scene + field->offset;
     switch (field->kind) {
     case SCENE_SECTION:
         *(int *)target = 1;
@@ -113,8 +113,8 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
         return scene_number_planes(reader, field, value, target);
     case SCENE_YES_NO:
         return read_word(reader, field, value, yes_no, target);
-    case SCENE_SHEAR:
-        return read_word(reader, field, value, shear_forms, target);
+    case SCENE_WORD:
+        return read_word(reader, field, value, field->words, target);
     case SCENE_PATH:
         return read_path(reader, field, value, target);
     case SCENE_NAME:
