@@ -12,6 +12,7 @@ study | pkg-config:ompi-c command:mpicc   | libopenmpi-dev             | openmpi
 study | command:mpirun                    | openmpi-bin                | openmpi            | open-mpi          | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
 study | pkg-config:libcyaml               | libcyaml-dev libyaml-dev   | libcyaml-devel     | libcyaml          | yaml
+study | pkg-config:popt                  | libpopt-dev                | popt-devel         | popt              | popt
 study | python3:h5py                      | python3-h5py               | python3-h5py       | -                 | h5py
 study | python3:matplotlib                | python3-matplotlib         | python3-matplotlib | python-matplotlib | matplotlib
 tests | command:c++                       | g++                        | gcc-c++            | gcc               | cxx-compiler

@@ -16,7 +16,7 @@ def roff(line):
 def options(block):
     """Lines "  --option ARGUMENT   what it does", and what goes on below."""
     for line in block:
-        head = re.match(r"  (-\S.*?)(?:  +|$)(.*)", line)
+        head = re.match(r" {2,6}(-\S.*?)(?:  +|$)(.*)", line)
         if head:
             yield from (".TP", ".B " + roff(head[1]))
         text = head[2] if head else line.strip()
@@ -32,7 +32,7 @@ def page(version, what, name, text):
     yield from (".fi", ".SH DESCRIPTION")
     for block in (block.splitlines() for block in re.split(r"\n\s*\n", body)):
         yield ".PP"
-        if any(line.startswith("  -") for line in block):
+        if any(re.match(" {2,6}-", line) for line in block):
             yield from options(block)
         elif any(line.startswith(" ") for line in block): # a table of names and what they are
             yield from (".nf", *(roff(line) for line in block), ".fi")

@@ -3,8 +3,7 @@
 #ifndef VTI_VERSION_H
 #define VTI_VERSION_H
 
-/** If --version is among the arguments (before "--"): prints program, version, commit, compiler, flags and vector units, one a
- *  line, if print is not 0, and returns 1. Else returns 0. */
-int version_asked(int argc, char **argv, const char *program, int print);
+/** Prints program, version, commit, compiler, flags and vector units, one a line. */
+void version_print(const char *program);
 
 #endif

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "number.h"
-#include "race.h"
 
 /* ---- comma lists ----------------------------------------------------------------------------------------------------- */
 
@@ -20,33 +19,6 @@ static int next_part(const char **list, char *part, size_t size)
     part[fits ? length : size - 1] = '\0';
     *list = comma != NULL ? comma + 1 : NULL;
     return fits ? 0 : -1;
-}
-
-/* ---- limits --------------------------------------------------------------------------------------------------------- */
-
-/** A whole number from 1 to most, or otherwise if text is NULL. */
-static int read_whole(const char *option, const char *text, double most, int64_t otherwise, int64_t *value,
-                      struct message *message)
-{
-    double number = (double)otherwise;
-    if (text != NULL &&
-        (number_read(text, &number) != 0 || !(number >= 1.0 && number <= most) || rint(number) != number))
-        return message_set(message, "%s: '%s' is not a whole number from 1 to %.10g; write 50 or 1e3", option, text,
-                           most);
-    *value = (int64_t)number;
-    return 0;
-}
-
-int cost_plan_limits(struct cost_plan *plan, const char *evals, const char *repeats, struct message *message)
-{
-    enum { REPEATS = 5 };
-    static const double most_evals = 1e15;
-    int64_t n = 0;
-    if (read_whole("--evals", evals, most_evals, 0, &plan->most_evals, message) != 0 ||
-        read_whole("--repeats", repeats, RACE_REPEATS, REPEATS, &n, message) != 0)
-        return -1;
-    plan->repeats = (int)n;
-    return 0;
 }
 
 /* ---- methods --------------------------------------------------------------------------------------------------------- */

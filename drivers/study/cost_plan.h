@@ -31,9 +31,6 @@ struct cost_plan {
  *  names the known ones. */
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message);
 
-/** Reads --evals and --repeats, each NULL if not given. Returns 0, or -1 with one line in *message. */
-int cost_plan_limits(struct cost_plan *plan, const char *evals, const char *repeats, struct message *message);
-
 /** Adds the scene, which must outlive the plan, with the ends "10,100" or, for NULL, its own. what is where the ends come
  *  from, for messages. Returns 0, or -1 with one line in *message. */
 int cost_plan_add(struct cost_plan *plan, const struct scene *scene, const char *ends, const char *what,

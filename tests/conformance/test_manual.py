@@ -20,7 +20,7 @@ for page in pages:
     lost = [word for word in words if word not in plain.split()]
     check(len(words) > 50 and not lost, f"{page.name} has all {len(words)} words of --help {lost[:5]}")
     named = re.findall(r"^\.B (.*)$", text, re.MULTILINE)
-    options = re.findall(r"^  (-.*?)(?:  |$)", said, re.MULTILINE)
+    options = re.findall(r"^ {2,6}(-.*?)(?:  |$)", said, re.MULTILINE)
     check(len(options) > 2 and [name.replace("\\-", "-") for name in named] == options, f"its options are {', '.join(options)}")
     check(f'"vti {version}"' in text.splitlines()[0], "and it names the version")
     if shutil.which("groff"):
