@@ -17,7 +17,7 @@ static int is_end(const struct option_row *row)
     return row->name == NULL && row->about == NULL;
 }
 
-/* ---- values ------------------------------------------------------------------------------------------------------- */
+/* ---- values ----------------------------------------------------------------------------------------------------- */
 
 static int add(struct option_list *list, const struct option_row *row, const char *text, struct message *message)
 {
@@ -79,7 +79,7 @@ static int take(const struct option_row *row, const char *value, struct message 
     }
 }
 
-/* ---- popt's tables ------------------------------------------------------------------------------------------------ */
+/* ---- popt's tables ---------------------------------------------------------------------------------------------- */
 
 /** A row as popt has it; code is what poptGetNextOpt returns for it. */
 static struct poptOption popt_row(const struct option_row *row, int code)

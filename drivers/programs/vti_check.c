@@ -31,7 +31,7 @@ static const struct option_row rows[] = {
 static const struct options options = {"vti-check", "",
                                        "[options] [--stepper NAME | --rival NAME | --plugin FILE.so:SYMBOL]", rows, 0};
 
-/* ---- what is checked ----------------------------------------------------------------------------------------------- */
+/* ---- what is checked -------------------------------------------------------------------------------------------- */
 
 static int find_method(const char *name, const struct method **method, struct message *message)
 {
