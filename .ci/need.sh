@@ -11,7 +11,7 @@ study | pkg-config:gsl                    | libgsl-dev                 | gsl-dev
 study | pkg-config:ompi-c command:mpicc   | libopenmpi-dev             | openmpi-devel      | open-mpi          | openmpi-mpicc
 study | command:mpirun                    | openmpi-bin                | openmpi            | open-mpi          | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
-study | pkg-config:libcyaml               | libcyaml-dev libyaml-dev   | libcyaml-devel     | libcyaml          | yaml
+study | pkg-config:libfyaml               | libfyaml-dev               | libfyaml-devel     | libfyaml          | libfyaml
 study | pkg-config:popt                  | libpopt-dev                | popt-devel         | popt              | popt
 study | python3:h5py                      | python3-h5py               | python3-h5py       | -                 | h5py
 study | python3:matplotlib                | python3-matplotlib         | python3-matplotlib | python-matplotlib | matplotlib
@@ -67,7 +67,7 @@ need() {
         echo "dev: missing, as commands, pkg-config or python3 know them: $(echo "$rows" | column 1)"
         echo "    dnf install $(echo "$rows" | column 3)"
         echo "    brew install $(echo "$rows" | column 4)            (h5py, mpmath: pip install)"
-        echo "    conda install -c conda-forge $(echo "$rows" | column 5)            (libcyaml: from its sources)"
+        echo "    conda install -c conda-forge $(echo "$rows" | column 5)"
     } >&2
     exit 1
 }

@@ -4,6 +4,10 @@
 #ifndef VTI_NUMBER_H
 #define VTI_NUMBER_H
 
+/** What messages say to write. */
+#define NUMBER_WRITE "write 0.01, 1e-3, 1/64 or 2^-6"
+#define NUMBER_WRITE_COUNT "write 80 or 1e5"
+
 /** Reads one finite number that fills text (blanks around it and around / and ^ are allowed): a decimal number, a
  *  quotient a/b or a power a^b of two decimal numbers. As in mathematics the sign in front belongs to the whole: -2^-2
  *  is -1/4. A number too large for a double, or too small to be told from 0, is refused, and so are hexadecimal

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "scene_words.h"
+#include "quote.h"
 
 static int has(const struct scene_reader *reader, const char *path)
 {

@@ -1,171 +1,379 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * libcyaml reads a source by the schema and tells what does not fit in log lines, innermost part first:
- *
- *     Load: Expecting STRING, got event: SEQUENCE_START
- *     Load: Backtrace:
- *       in sequence entry '2' (line: 2, column: 13)
- *       in mapping field 'omega' (line: 2, column: 10)
- *       in mapping field 'bodies' (line: 2, column: 3)
- *
- * Path and key are taken from them, the place from libyaml (scene_place.h), because libcyaml has none for a key. */
+ * A YAML text (the file, or the value of one --set) into the values of the reader, by the table of keys. */
+#include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene_source.h"
-#include "scene_words.h"
+#include "number.h"
+#include "scene_reader.h"
 
-/* ---- what libcyaml says ------------------------------------------------------------------------------------------ */
+enum { FILE_MAX = 1 << 20, LIST_SIZE = 320 };
 
-struct report {
-    char key[2 * QUOTE_SIZE]; /* that it did not expect */
-    int is_duplicate;
-    char path[PLACE_PATH]; /* inside the source */
+struct load {
+    struct scene_reader *reader;
+    const char *set;  /* the --set argument, NULL: the file */
+    const char *path; /* of what the text holds, "" for the whole scene */
+    struct yaml yaml;
+    struct message problem; /* of yaml */
 };
 
-/** Puts one step in front of the path. */
-static void prepend(struct report *report, const char *key, size_t item)
+__attribute__((format(printf, 4, 5))) static int fail(const struct load *load, const struct place *place,
+                                                      const char *path, const char *format, ...)
 {
-    char rest[PLACE_PATH];
-    memcpy(rest, report->path, sizeof rest);
-    report->path[0] = '\0';
-    if (key != NULL)
-        place_append_key(report->path, key);
-    else
-        place_append_item(report->path, item);
-    place_join(report->path, rest);
+    char text[2 * SCENE_TEXT_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return scene_reader_say(load->reader, load->set, place, path, text);
 }
 
-static const char *behind(const char *line, const char *start)
+/** On to the next part of the text. Returns 0, or -1 if there is none. */
+static int step(struct load *load)
 {
-    const size_t n = strlen(start);
-    return strncmp(line, start, n) == 0 ? line + n : NULL;
+    if (yaml_next(&load->yaml) != YAML_REFUSED)
+        return 0;
+    return scene_reader_say(load->reader, load->set, &load->yaml.place, load->path, load->problem.text);
 }
 
-static void collect(cyaml_log_t level, void *context, const char *format, va_list arguments)
+/* ---- values ------------------------------------------------------------------------------------------------------ */
+
+/** How deep the lists are that a value is written in. */
+static int dimension_of(const struct scene_field *field)
 {
-    struct report *report = context;
-    char line[512];
-    const char *rest;
-    (void)level;
-    vsnprintf(line, sizeof line, format, arguments);
-    line[strcspn(line, "\n")] = '\0'; /* no key has a line break inside: see place_check */
-    if ((rest = behind(line, "Load: Unexpected key: ")) != NULL) {
-        quote(report->key, sizeof report->key, rest);
-    } else if (behind(line, "Load: Mapping field already seen: ") != NULL) {
-        report->is_duplicate = 1;
-    } else if ((rest = behind(line, "  in sequence entry '")) != NULL) {
-        prepend(report, NULL, (size_t)strtoul(rest, NULL, 10) - 1);
-    } else if ((rest = behind(line, "  in mapping field '")) != NULL) {
-        char *end = strstr(line, "' (line: ");
-        if (end != NULL)
-            *end = '\0';
-        prepend(report, rest, 0);
+    return field->kind == SCENE_PLANES ? 2 : field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS ? 1 : 0;
+}
+
+/** What stands there, as one can say it. Goes on to the end of it; returns -1 if it cannot be read so far. */
+static int describe(struct load *load, char found[2 * QUOTE_SIZE])
+{
+    const struct yaml *yaml = &load->yaml;
+    const enum yaml_part part = yaml->part;
+    const int depth = yaml->depth;
+    char shown[QUOTE_SIZE];
+    unsigned long items = 0;
+    if (part == YAML_WORD)
+        snprintf(found, 2 * QUOTE_SIZE, "'%s'", quote(shown, sizeof shown, yaml->word));
+    while (part != YAML_WORD && yaml->depth >= depth) {
+        if (step(load) != 0)
+            return -1;
+        items += yaml->part != YAML_CLOSE && yaml->depth == depth + (yaml->part != YAML_WORD);
+    }
+    if (part == YAML_LIST)
+        snprintf(found, 2 * QUOTE_SIZE, "a list of %lu", items);
+    else if (part == YAML_SECTION)
+        snprintf(found, 2 * QUOTE_SIZE, "a section");
+    return 0;
+}
+
+/** A list of numbers, as one can say it, and an example. */
+static const char *list_words(const struct scene_field *field)
+{
+    return field->kind == SCENE_PLANES   ? "four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"
+           : field->kind == SCENE_COUNTS ? "three whole numbers; write them as in [4, 4, 4]"
+                                         : "three numbers; write them as in [0, 0, 1]";
+}
+
+/** Something else stands where a value, or a list of that dimension in it, belongs. */
+static int fail_shape(struct load *load, const struct scene_field *field, int dimension, const char *path)
+{
+    const struct place place = load->yaml.place;
+    char found[2 * QUOTE_SIZE];
+    if (describe(load, found) != 0)
+        return -1;
+    if (dimension == 2)
+        return fail(load, &place, path, "%s is not a list of planes; write them as in [[1, 0, 0, 0], [0, 1, 0, 0]]",
+                    found);
+    if (dimension == 1)
+        return fail(load, &place, path, "%s is not a list of %s", found, list_words(field));
+    if (field->kind == SCENE_COUNT || field->kind == SCENE_COUNTS)
+        return fail(load, &place, path, "%s is not a whole number; " NUMBER_WRITE_COUNT, found);
+    if (field->kind == SCENE_NUMBER || dimension_of(field) > 0)
+        return fail(load, &place, path, "%s is not a number; " NUMBER_WRITE, found);
+    return fail(load, &place, path, "%s is not a word; write a single word", found);
+}
+
+/** The capacity doubles. */
+static int add_item(struct load *load, struct scene_value *value)
+{
+    const size_t n = (size_t)value->count, size = strlen(load->yaml.word) + 1;
+    struct scene_item *items = value->items;
+    if ((n & (n - 1)) == 0)
+        items = realloc(items, (n == 0 ? 1 : 2 * n) * sizeof *items);
+    if (items == NULL)
+        return fail(load, NULL, "", "out of memory");
+    value->items = items;
+    items[n].place = load->yaml.place;
+    items[n].text = malloc(size);
+    if (items[n].text == NULL)
+        return fail(load, NULL, "", "out of memory");
+    memcpy(items[n].text, load->yaml.word, size);
+    ++value->count;
+    return 0;
+}
+
+/** A list of that dimension; 0 is a single word. */
+static int load_items(struct load *load, const struct scene_field *field, struct scene_value *value, int dimension,
+                      const char *path)
+{
+    const struct place place = load->yaml.place;
+    const unsigned long width = field->kind == SCENE_PLANES ? 4 : 3;
+    if (load->yaml.part != (dimension == 0 ? YAML_WORD : YAML_LIST))
+        return fail_shape(load, field, dimension, path);
+    if (dimension == 0)
+        return add_item(load, value);
+    for (unsigned long n = 0;; ++n) {
+        char item[24], item_path[SCENE_KEYS_SIZE] = "";
+        if (step(load) != 0)
+            return -1;
+        if (load->yaml.part == YAML_CLOSE)
+            return dimension == 2 || n == width
+                       ? 0
+                       : fail(load, &place, path, "%lu values in a list of %s", n, list_words(field));
+        snprintf(item, sizeof item, "[%lu]", n);
+        append(append(item_path, sizeof item_path, path), sizeof item_path, item);
+        if (load_items(load, field, value, dimension - 1, item_path) != 0)
+            return -1;
     }
 }
 
-static cyaml_config_t config_with(struct report *report)
+/* ---- sections ---------------------------------------------------------------------------------------------------- */
+
+static int load_section(struct load *load, const char *section);
+
+static void clear(struct scene_value *value)
 {
-    const cyaml_config_t config = {.log_fn = report != NULL ? collect : NULL,
-                                   .log_ctx = report,
-                                   .mem_fn = cyaml_mem,
-                                   .log_level = CYAML_LOG_ERROR,
-                                   .flags = CYAML_CFG_NO_ALIAS};
-    return config;
+    for (int64_t k = 0; k < value->count; ++k)
+        free(value->items[k].text);
+    free(value->items);
+    memset(value, 0, sizeof *value);
 }
 
-void scene_source_free(const cyaml_schema_value_t *schema, struct scene_slot *slot)
+/** The part at hand as the value of a row of the table. */
+static int load_value(struct load *load, const struct scene_field *field, struct place key)
 {
-    const cyaml_config_t config = config_with(NULL);
-    cyaml_free(&config, schema, slot->value, (unsigned)slot->items);
-    slot->value = NULL;
-    slot->items = 0;
+    struct scene_value *value = scene_reader_at(load->reader, field->path);
+    clear(value);
+    value->given = 1;
+    value->set = load->set;
+    value->key = key;
+    value->place = field->kind == SCENE_SECTION ? key : load->yaml.place;
+    if (field->kind == SCENE_SECTION)
+        return load_section(load, field->path);
+    return load_items(load, field, value, dimension_of(field), field->path);
 }
 
-/* ---- what the user is told --------------------------------------------------------------------------------------- */
-
-/** The path in the scene of a path in the source. */
-static void whole_path(const struct scene_source *source, const char *inside, char path[PLACE_PATH])
+/** section is the innermost one that there is. */
+static int fail_unknown(struct load *load, const char *section, const char *key)
 {
-    memcpy(path, source->path, PLACE_PATH);
-    place_join(path, inside);
+    char list[LIST_SIZE], shown[QUOTE_SIZE], path[SCENE_KEYS_SIZE] = "";
+    append(append(path, sizeof path, section), sizeof path, section[0] != '\0' ? "." : "");
+    quote(shown, sizeof shown, key);
+    append(path, sizeof path, load->set == NULL ? shown : key);
+    return fail(load, &load->yaml.place, path, "unknown key '%s'; known %s%s: %s", shown,
+                section[0] != '\0' ? "in " : "here", section, scene_field_list(section, list, sizeof list));
 }
 
-static int fail_at(const struct scene_source *source, struct report *report, int occurrence, const char *text,
-                   struct message *message)
+/** The row of a key in a section, NULL if there is none. */
+static const struct scene_field *find_key(const char *section, const char *key)
 {
-    char path[PLACE_PATH];
-    struct place place;
-    const int found = place_find(source->text, source->size, report->path, occurrence, &place) == 0;
-    if (occurrence > 1 || report->key[0] != '\0') {
-        place.line = place.key_line;
-        place.column = place.key_column;
+    for (int k = 0; scene_field_at(k) != NULL; ++k) {
+        const char *known = scene_field_key(scene_field_at(k), section);
+        if (known != NULL && strcmp(known, key) == 0)
+            return scene_field_at(k);
     }
-    whole_path(source, report->path, path);
-    return scene_source_fail(source, found ? &place : NULL, path, text, message);
+    return NULL;
 }
 
-static int fail_unknown(const struct scene_source *source, struct report *report, struct message *message)
+/** The part at hand is a key in the section; its value follows. */
+static int load_key(struct load *load, const char *section)
 {
-    char text[SCENE_WORDS_SIZE], section[PLACE_PATH];
-    whole_path(source, report->path, section);
-    scene_words_unknown(section, report->key, text);
-    place_append_key(report->path, report->key);
-    return fail_at(source, report, 1, text, message);
+    const struct place key = load->yaml.place;
+    if (load->yaml.part != YAML_WORD)
+        return fail(load, &key, "", "a list or section stands where a key belongs; write 'key: value'");
+    const struct scene_field *field = find_key(section, load->yaml.word);
+    if (field == NULL)
+        return fail_unknown(load, section, load->yaml.word);
+    const struct scene_value *value = scene_reader_at(load->reader, field->path);
+    if (value->given)
+        return fail(load, &key, field->path, "given a second time, first on line %lu; keep one of them",
+                    (unsigned long)value->key.line);
+    return step(load) != 0 ? -1 : load_value(load, field, key);
 }
 
-static int fail_duplicate(const struct scene_source *source, struct report *report, struct message *message)
+static int load_section(struct load *load, const char *section)
 {
-    char text[SCENE_WORDS_SIZE];
-    struct place first;
-    place_find(source->text, source->size, report->path, 1, &first);
-    snprintf(text, sizeof text, "given a second time, first on line %lu; keep one of them",
-             (unsigned long)first.key_line);
-    return fail_at(source, report, 2, text, message);
+    char list[LIST_SIZE], found[2 * QUOTE_SIZE];
+    const struct place place = load->yaml.place;
+    if (load->yaml.part != YAML_SECTION)
+        return describe(load, found) != 0
+                   ? -1
+                   : fail(load, &place, section, "%s is not a %s; write its keys, each on a line of its own: %s", found,
+                          section[0] == '\0' ? "scene" : "section", scene_field_list(section, list, sizeof list));
+    while (step(load) == 0) {
+        if (load->yaml.part == YAML_CLOSE)
+            return 0;
+        if (load_key(load, section) != 0)
+            return -1;
+    }
+    return -1;
 }
 
-/** A list where a number belongs, two numbers where three do, and the like. */
-static int fail_shape(const struct scene_source *source, struct report *report, cyaml_err_t error,
+/* ---- texts ------------------------------------------------------------------------------------------------------- */
+
+/** A text of comments, or of '---' alone, which libfyaml 0.8 passes over and 0.7 reads as an empty word. */
+static int is_nothing(const struct yaml *yaml, const struct scene_field *field)
+{
+    return yaml->part == YAML_END || (field == NULL && yaml->part == YAML_WORD && yaml->word[0] == '\0');
+}
+
+static int fail_nothing(const struct load *load)
+{
+    const struct place first = {1, 1};
+    return load->set != NULL ? fail(load, NULL, load->path, "no value in it; write one")
+                             : fail(load, &first, "", "no scene in it; write at least bodies, h and t_end");
+}
+
+static int load_scene(struct load *load)
+{
+    load->reader->start = load->yaml.place;
+    return load_section(load, "");
+}
+
+/** The whole text as the value of a row of the table; NULL: as the scene. */
+static int load_text(struct load *load, const char *text, size_t size, const struct scene_field *field)
+{
+    yaml_open(&load->yaml, text, size, &load->problem);
+    int result = step(load);
+    if (result == 0 && is_nothing(&load->yaml, field))
+        result = fail_nothing(load);
+    else if (result == 0)
+        result = field != NULL ? load_value(load, field, load->yaml.place) : load_scene(load);
+    if (result == 0)
+        result = step(load); /* the end, or a second document */
+    yaml_close(&load->yaml);
+    return result;
+}
+
+static int fail_unreadable(const struct load *load, int error)
+{
+    return fail(load, NULL, "", "cannot be read: %s; give the path of a scene file", strerror(error));
+}
+
+/** The whole file, into memory that doubles until the file ends or is too large for a scene. */
+static int read_all(const struct load *load, FILE *file, char **text, size_t *size)
+{
+    for (size_t capacity = 4096;; capacity *= 2) {
+        char *larger = realloc(*text, capacity);
+        if (larger == NULL)
+            return fail_unreadable(load, ENOMEM);
+        *text = larger;
+        errno = 0;
+        *size += fread(larger + *size, 1, capacity - *size, file);
+        if (ferror(file))
+            return fail_unreadable(load, errno);
+        if (*size > FILE_MAX)
+            return fail(load, NULL, "", "is larger than 1 MiB; a scene is short, is this the right file?");
+        if (*size < capacity)
+            return 0;
+    }
+}
+
+static int load_file(struct scene_reader *reader)
+{
+    struct load load = {.reader = reader, .path = ""};
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = fopen(reader->path, "rb");
+    if (file == NULL)
+        return fail_unreadable(&load, errno);
+    int result = read_all(&load, file, &text, &size);
+    fclose(file);
+    if (result == 0)
+        result = load_text(&load, text, size, NULL);
+    free(text);
+    return result;
+}
+
+/* ---- --set ------------------------------------------------------------------------------------------------------- */
+
+/** No such path: named with the innermost section of it that there is. */
+static int fail_unknown_path(struct load *load)
+{
+    char section[SCENE_KEYS_SIZE] = "";
+    const struct scene_field *field;
+    append(section, sizeof section, load->path);
+    do {
+        scene_path_up(section);
+        field = scene_field_find(section);
+    } while (section[0] != '\0' && (field == NULL || field->kind != SCENE_SECTION));
+    const size_t n = strlen(section);
+    return fail_unknown(load, section, load->path + n + (n > 0));
+}
+
+/** The sections around the value are given now. */
+static void give_sections(const struct load *load)
+{
+    char section[SCENE_KEYS_SIZE] = "";
+    append(section, sizeof section, load->path);
+    for (scene_path_up(section); section[0] != '\0'; scene_path_up(section)) {
+        struct scene_value *value = scene_reader_at(load->reader, section);
+        if (value->given && value->set == NULL)
+            continue;
+        value->given = 1;
+        value->set = load->set;
+    }
+}
+
+static int load_set(struct scene_reader *reader, const char *argument)
+{
+    char path[SCENE_KEYS_SIZE], list[LIST_SIZE];
+    struct load load = {.reader = reader, .set = argument, .path = path};
+    const char *equals = strchr(argument, '=');
+    const size_t n = equals != NULL ? (size_t)(equals - argument) : 0;
+    if (n == 0 || n >= sizeof path)
+        return fail(&load, NULL, "", "is not path=value; write h=1e-3 or bodies.omega=[0,0,1], say");
+    memcpy(path, argument, n);
+    path[n] = '\0';
+    const struct scene_field *field = scene_field_find(path);
+    if (field == NULL)
+        return fail_unknown_path(&load);
+    if (field->kind == SCENE_SECTION)
+        return fail(&load, NULL, path, "a section is not set as a whole; set one of its keys: %s",
+                    scene_field_list(path, list, sizeof list));
+    const char *text = equals + 1;
+    if (text[strspn(text, " \t")] == '\0')
+        text = "''"; /* nothing at all is an empty text, as it is in the file */
+    give_sections(&load);
+    return load_text(&load, text, strlen(text), field);
+}
+
+/* ---- the reader -------------------------------------------------------------------------------------------------- */
+
+int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
                       struct message *message)
 {
-    char text[SCENE_WORDS_SIZE], path[PLACE_PATH];
-    struct place place;
-    if (error != CYAML_ERR_INVALID_VALUE && strchr(report->path, '[') != NULL)
-        scene_path_up(report->path); /* too few or too many items: the list, not its last item, is to blame */
-    if (place_find(source->text, source->size, report->path, 1, &place) != 0)
-        return scene_source_fail(source, NULL, report->path, cyaml_strerror(error), message);
-    whole_path(source, report->path, path);
-    scene_words_shape(path, &place, text);
-    return fail_at(source, report, 1, text, message);
+    size_t rows = 0;
+    while (scene_field_at((int)rows) != NULL)
+        ++rows;
+    memset(reader, 0, sizeof *reader);
+    reader->path = path;
+    reader->message = message;
+    reader->values = calloc(rows, sizeof *reader->values);
+    if (reader->values == NULL)
+        return message_set(message, "%s: out of memory", path);
+    int result = load_file(reader);
+    for (int k = 0; k < n && result == 0; ++k)
+        result = load_set(reader, sets[k]);
+    return result;
 }
 
-static int fail(const struct scene_source *source, struct report *report, cyaml_err_t error, struct message *message)
+void scene_reader_close(struct scene_reader *reader)
 {
-    if (report->key[0] != '\0' || error == CYAML_ERR_INVALID_KEY)
-        return fail_unknown(source, report, message);
-    if (report->is_duplicate)
-        return fail_duplicate(source, report, message);
-    if (error == CYAML_ERR_INVALID_VALUE || error == CYAML_ERR_SEQUENCE_ENTRIES_MIN ||
-        error == CYAML_ERR_SEQUENCE_ENTRIES_MAX || error == CYAML_ERR_SEQUENCE_FIXED_COUNT)
-        return fail_shape(source, report, error, message);
-    return fail_at(source, report, 1, cyaml_strerror(error), message);
-}
-
-int scene_source_load(const struct scene_source *source, const cyaml_schema_value_t *schema, struct scene_slot *slot,
-                      struct message *message)
-{
-    struct place place;
-    struct message problem;
-    struct report report = {"", 0, ""};
-    const cyaml_config_t config = config_with(&report);
-    unsigned items = 0;
-    slot->value = NULL;
-    if (place_check(source->text, source->size, &place, &problem) != 0)
-        return scene_source_fail(source, &place, source->path, problem.text, message);
-    const cyaml_err_t error =
-        cyaml_load_data((const uint8_t *)source->text, source->size, &config, schema, &slot->value,
-                        schema->type == CYAML_SEQUENCE ? &items : NULL); /* which libcyaml wants for no other type */
-    slot->items = items;
-    return error == CYAML_OK ? 0 : fail(source, &report, error, message);
+    for (int k = 0; reader->values != NULL && scene_field_at(k) != NULL; ++k)
+        clear(&reader->values[k]);
+    free(reader->values);
 }

@@ -2,87 +2,89 @@
 #include "scene_number.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "number.h"
-#include "scene_words.h"
 
-static int read_component(const struct scene_reader *reader, const char *path, const char *text, double *value)
+/** What the path of an item has behind the field's: "" of a single number, "[1]" of a vector, "[0][3]" of planes. */
+static const char *part_of(const struct scene_field *field, int64_t item, char part[48])
 {
-    if (number_read(text, value) == 0)
-        return 0;
-    char shown[QUOTE_SIZE];
-    return scene_reader_fail(reader, path, "'%s' is not a number; %s", quote(shown, sizeof shown, text),
-                             SCENE_WORDS_NUMBER);
+    if (field->kind == SCENE_PLANES)
+        snprintf(part, 48, "[%lld][%lld]", (long long)(item / 4), (long long)(item % 4));
+    else if (field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS)
+        snprintf(part, 48, "[%lld]", (long long)item);
+    else
+        part[0] = '\0';
+    return part;
 }
 
-static int check_range(const struct scene_reader *reader, const struct scene_field *field, const char *path,
-                       const char *text, double number)
+/** Number k of a value that is given. */
+static int read_number(const struct scene_reader *reader, const struct scene_field *field,
+                       const struct scene_value *value, int64_t k, double *number)
 {
-    char shown[QUOTE_SIZE];
-    quote(shown, sizeof shown, text);
-    if (field->range == SCENE_POSITIVE && !(number > 0.0))
-        return scene_reader_fail(reader, path, "'%s' is not positive; the %s must be > 0", shown, field->about);
-    if (field->range == SCENE_NOT_NEGATIVE && !(number >= 0.0))
-        return scene_reader_fail(reader, path, "'%s' is negative; the %s must be >= 0", shown, field->about);
+    char shown[QUOTE_SIZE], part[48];
+    const char *text = value->items[k].text;
+    if (number_read(text, number) != 0)
+        return scene_reader_fail_item(reader, field, k, part_of(field, k, part), "'%s' is not a number; " NUMBER_WRITE,
+                                      quote(shown, sizeof shown, text));
     return 0;
 }
 
-int scene_number_read(const struct scene_reader *reader, const struct scene_field *field, const char *text,
-                      double *number)
+static int check_range(const struct scene_reader *reader, const struct scene_field *field,
+                       const struct scene_value *value, int64_t k, double number)
 {
-    if (read_component(reader, field->path, text, number) != 0)
+    char shown[QUOTE_SIZE], part[48];
+    quote(shown, sizeof shown, value->items[k].text);
+    part_of(field, k, part);
+    if (field->range == SCENE_POSITIVE && !(number > 0.0))
+        return scene_reader_fail_item(reader, field, k, part, "'%s' is not positive; the %s must be > 0", shown,
+                                      field->about);
+    if (field->range == SCENE_NOT_NEGATIVE && !(number >= 0.0))
+        return scene_reader_fail_item(reader, field, k, part, "'%s' is negative; the %s must be >= 0", shown,
+                                      field->about);
+    return 0;
+}
+
+int scene_number_read(const struct scene_reader *reader, const struct scene_field *field,
+                      const struct scene_value *value, double *number)
+{
+    if (read_number(reader, field, value, 0, number) != 0)
         return -1;
-    return check_range(reader, field, field->path, text, *number);
+    return check_range(reader, field, value, 0, *number);
 }
 
-/** Writes "path[k]" to item. */
-static void item_path(const char *path, size_t k, char item[PLACE_PATH])
+int scene_number_vector(const struct scene_reader *reader, const struct scene_field *field,
+                        const struct scene_value *value, double vector[3])
 {
-    item[0] = '\0';
-    append(item, PLACE_PATH, path);
-    place_append_item(item, k);
-}
-
-int scene_number_vector(const struct scene_reader *reader, const struct scene_field *field, char *const text[3],
-                        double vector[3])
-{
-    for (size_t k = 0; k < 3; ++k) {
-        char path[PLACE_PATH];
-        item_path(field->path, k, path);
-        if (read_component(reader, path, text[k], &vector[k]) != 0)
+    const struct scene_item *items = value->items;
+    for (int k = 0; k < 3; ++k)
+        if (read_number(reader, field, value, k, &vector[k]) != 0)
             return -1;
-    }
     if (field->range == SCENE_NOT_ZERO && vector[0] == 0.0 && vector[1] == 0.0 && vector[2] == 0.0)
         return scene_reader_fail(reader, field->path, "'[%.20s, %.20s, %.20s]' has no length; the %s must not be zero",
-                                 text[0], text[1], text[2], field->about);
+                                 items[0].text, items[1].text, items[2].text, field->about);
     return 0;
 }
 
 /* ---- whole numbers ----------------------------------------------------------------------------------------------- */
 
-int scene_number_count(const struct scene_reader *reader, const struct scene_field *field, const char *path,
-                       const char *text, int64_t *count)
+int scene_number_counts(const struct scene_reader *reader, const struct scene_field *field,
+                        const struct scene_value *value, int64_t *counts)
 {
-    char shown[QUOTE_SIZE];
-    double number;
-    if (number_read(text, &number) != 0 || number != floor(number))
-        return scene_reader_fail(reader, path, "'%s' is not a whole number; %s", quote(shown, sizeof shown, text),
-                                 SCENE_WORDS_COUNT);
-    if (fabs(number) > 0x1p53)
-        return scene_reader_fail(reader, path, "'%s' is too large; give a whole number up to 2^53",
-                                 quote(shown, sizeof shown, text));
-    *count = (int64_t)number;
-    return check_range(reader, field, path, text, number);
-}
-
-int scene_number_counts(const struct scene_reader *reader, const struct scene_field *field, char *const text[3],
-                        int64_t counts[3])
-{
-    for (size_t k = 0; k < 3; ++k) {
-        char path[PLACE_PATH];
-        item_path(field->path, k, path);
-        if (scene_number_count(reader, field, path, text[k], &counts[k]) != 0)
+    for (int64_t k = 0; k < value->count; ++k) {
+        char shown[QUOTE_SIZE], part[48];
+        double number;
+        const char *text = quote(shown, sizeof shown, value->items[k].text);
+        part_of(field, k, part);
+        if (number_read(value->items[k].text, &number) != 0 || number != floor(number))
+            return scene_reader_fail_item(reader, field, k, part, "'%s' is not a whole number; " NUMBER_WRITE_COUNT,
+                                          text);
+        if (fabs(number) > 0x1p53)
+            return scene_reader_fail_item(reader, field, k, part, "'%s' is too large; give a whole number up to 2^53",
+                                          text);
+        if (check_range(reader, field, value, k, number) != 0)
             return -1;
+        counts[k] = (int64_t)number;
     }
     return 0;
 }
@@ -100,34 +102,32 @@ static int make_unit(double plane[4])
     return isfinite(plane[3]) ? 0 : -1;
 }
 
-static int read_plane(const struct scene_reader *reader, const char *path, char *const text[4], double plane[4])
+static int read_plane(const struct scene_reader *reader, const struct scene_field *field,
+                      const struct scene_value *value, int64_t row, double plane[4])
 {
-    for (size_t k = 0; k < 4; ++k) {
-        char number_path[PLACE_PATH];
-        item_path(path, k, number_path);
-        if (read_component(reader, number_path, text[k], &plane[k]) != 0)
+    const struct scene_item *items = &value->items[4 * row];
+    char part[48];
+    for (int k = 0; k < 4; ++k)
+        if (read_number(reader, field, value, 4 * row + k, &plane[k]) != 0)
             return -1;
-    }
     if (make_unit(plane) == 0)
         return 0;
-    return scene_reader_fail(
-        reader, path,
-        "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero or too large", text[0],
-        text[1], text[2], text[3]);
+    snprintf(part, sizeof part, "[%lld]", (long long)row);
+    return scene_reader_fail_item(
+        reader, field, 4 * row, part,
+        "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero or too large",
+        items[0].text, items[1].text, items[2].text, items[3].text);
 }
 
-int scene_number_planes(const struct scene_reader *reader, const struct scene_field *field, char *const *const *rows,
-                        struct scene_planes *planes)
+int scene_number_planes(const struct scene_reader *reader, const struct scene_field *field,
+                        const struct scene_value *value, struct scene_planes *planes)
 {
-    planes->count = scene_reader_items(reader, field->path);
+    planes->count = value->count / 4;
     if (planes->count > SCENE_PLANES_MAX)
         return scene_reader_fail(reader, field->path, "%lld planes; give at most %d", (long long)planes->count,
                                  SCENE_PLANES_MAX);
-    for (int64_t k = 0; k < planes->count; ++k) {
-        char path[PLACE_PATH];
-        item_path(field->path, (size_t)k, path);
-        if (read_plane(reader, path, rows[k], planes->plane[k]) != 0)
+    for (int64_t row = 0; row < planes->count; ++row)
+        if (read_plane(reader, field, value, row, planes->plane[row]) != 0)
             return -1;
-    }
     return 0;
 }

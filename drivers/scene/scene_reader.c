@@ -3,161 +3,78 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "scene_words.h"
+enum { NAME_SIZE = 240 };
 
-/* ---- the file and the --set arguments ---------------------------------------------------------------------------- */
+/* ---- values ------------------------------------------------------------------------------------------------------ */
 
-static int load_file(struct scene_reader *reader, const char *path)
+struct scene_value *scene_reader_at(const struct scene_reader *reader, const char *path)
 {
-    struct scene_source *source = &reader->sources[0];
-    if (scene_source_file(path, source, reader->message) != 0)
-        return -1;
-    reader->sources_count = 1;
-    return scene_source_load(source, &reader->schema.root, &reader->root, reader->message);
-}
-
-static int fail_unknown(const struct scene_source *source, struct message *message)
-{
-    char section[PLACE_PATH], text[SCENE_WORDS_SIZE];
-    const struct scene_field *field;
-    snprintf(section, sizeof section, "%s", source->path);
-    do { /* the innermost section that exists */
-        scene_path_up(section);
-        field = scene_field_find(section);
-    } while (section[0] != '\0' && (field == NULL || field->kind != SCENE_SECTION));
-    const size_t n = strlen(section);
-    scene_words_unknown(section, source->path + n + (n > 0), text);
-    return scene_source_fail(source, NULL, source->path, text, message);
-}
-
-static int fail_section(const struct scene_source *source, struct message *message)
-{
-    char list[SCENE_WORDS_SIZE], text[2 * SCENE_WORDS_SIZE];
-    snprintf(text, sizeof text, "a section is not set as a whole; set one of its keys: %s",
-             scene_field_list(source->path, list, sizeof list));
-    return scene_source_fail(source, NULL, source->path, text, message);
-}
-
-/** Puts the value of --set in the place of the file's, which may lack it and the sections around it. */
-static int load_set(struct scene_reader *reader, const char *argument)
-{
-    struct scene_source *source = &reader->sources[reader->sources_count];
-    if (scene_source_set(argument, source, reader->message) != 0)
-        return -1;
-    ++reader->sources_count;
-    const struct scene_field *field = scene_field_find(source->path);
-    if (field == NULL)
-        return fail_unknown(source, reader->message);
-    if (field->kind == SCENE_SECTION)
-        return fail_section(source, reader->message);
-    const cyaml_schema_value_t *schema = scene_schema_value(&reader->schema, source->path);
-    struct scene_slot *slot = scene_schema_slot(&reader->schema, &reader->root, source->path, 1), loaded;
-    if (slot == NULL)
-        return scene_source_fail(source, NULL, "", "out of memory", reader->message);
-    if (scene_source_load(source, schema, &loaded, reader->message) != 0)
-        return -1;
-    scene_source_free(schema, slot);
-    *slot = loaded;
-    return 0;
-}
-
-int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
-                      struct message *message)
-{
-    memset(reader, 0, sizeof *reader);
-    reader->message = message;
-    scene_schema_build(&reader->schema);
-    reader->sources = calloc((size_t)n + 1, sizeof *reader->sources);
-    if (reader->sources == NULL)
-        return message_set(message, "%s: out of memory", path);
-    int result = load_file(reader, path);
-    for (int k = 0; k < n && result == 0; ++k)
-        result = load_set(reader, sets[k]);
-    return result;
-}
-
-void scene_reader_close(struct scene_reader *reader)
-{
-    scene_source_free(&reader->schema.root, &reader->root);
-    for (int k = 0; k < reader->sources_count; ++k)
-        free(reader->sources[k].text);
-    free(reader->sources);
-}
-
-static const struct scene_slot *find_slot(const struct scene_reader *reader, const char *path)
-{
-    struct scene_slot root = reader->root; /* a copy, for without make nothing is written */
-    return scene_schema_slot(&reader->schema, &root, path, 0);
-}
-
-const void *scene_reader_value(const struct scene_reader *reader, const char *path)
-{
-    const struct scene_slot *slot = find_slot(reader, path);
-    return slot != NULL ? slot->value : NULL;
+    for (int k = 0; scene_field_at(k) != NULL; ++k)
+        if (strcmp(scene_field_at(k)->path, path) == 0)
+            return &reader->values[k];
+    return NULL;
 }
 
 int scene_reader_has(const struct scene_reader *reader, const char *path)
 {
-    return scene_reader_value(reader, path) != NULL;
+    return scene_reader_at(reader, path)->given;
 }
 
-int64_t scene_reader_items(const struct scene_reader *reader, const char *path)
+const char *scene_reader_value(const struct scene_reader *reader, const char *path)
 {
-    const struct scene_slot *slot = find_slot(reader, path);
-    return slot != NULL ? (int64_t)slot->items : 0;
+    return scene_reader_at(reader, path)->items[0].text;
 }
 
-/* ---- places ------------------------------------------------------------------------------------------------------ */
+/* ---- messages ---------------------------------------------------------------------------------------------------- */
 
-/** path is part of whole: the same, or whole goes on with a key or an index. */
-static int is_part(const char *path, const char *whole)
+int scene_reader_say(const struct scene_reader *reader, const char *set, const struct place *place, const char *path,
+                     const char *text)
 {
-    const size_t n = strlen(path);
-    return strncmp(path, whole, n) == 0 && (whole[n] == '\0' || whole[n] == '.' || whole[n] == '[');
+    char name[NAME_SIZE], shown[2 * QUOTE_SIZE], lines[48] = "";
+    const char *colon = path[0] != '\0' ? ": " : "";
+    quote(shown, sizeof shown, path);
+    if (set != NULL)
+        return message_set(reader->message, "--set %s%s%s: %s", quote(name, sizeof name, set), colon, shown, text);
+    if (place != NULL)
+        snprintf(lines, sizeof lines, ":%lu:%lu", (unsigned long)place->line, (unsigned long)place->column);
+    return message_set(reader->message, "%s%s%s%s: %s", quote_tail(name, sizeof name, reader->path), lines, colon,
+                       shown, text);
 }
 
-/** The last --set of the value at path or around it, or (inside) of a value in the section at path. */
-static const struct scene_source *find_set(const struct scene_reader *reader, const char *path, int inside)
+/** The innermost of the value at path and the sections around it that is given; NULL if none is. */
+static const struct scene_value *given_around(const struct scene_reader *reader, const char *path)
 {
-    for (int k = reader->sources_count - 1; k > 0; --k) {
-        const char *set = reader->sources[k].path;
-        if (inside ? is_part(path, set) : is_part(set, path))
-            return &reader->sources[k];
-    }
+    char at[SCENE_KEYS_SIZE] = "";
+    append(at, sizeof at, path);
+    for (; at[0] != '\0'; scene_path_up(at))
+        if (scene_reader_has(reader, at))
+            return scene_reader_at(reader, at);
     return NULL;
-}
-
-/** The source that gives the value at path or, if it is not given, the section around it; its place if that is a file.
- *  */
-static const struct scene_source *find(const struct scene_reader *reader, const char *path, struct place *place)
-{
-    const struct scene_source *file = &reader->sources[0], *set = find_set(reader, path, 0);
-    char at[PLACE_PATH];
-    snprintf(at, sizeof at, "%s", path);
-    while (set == NULL && place_find(file->text, file->size, at, 1, place) != 0) {
-        set = find_set(reader, at, 1);
-        if (at[0] == '\0')
-            break;
-        scene_path_up(at);
-    }
-    if (set == NULL && place->kind == PLACE_SECTION && at[0] != '\0') {
-        place->line = place->key_line;
-        place->column = place->key_column;
-    }
-    return set != NULL ? set : file;
 }
 
 int scene_reader_fail(const struct scene_reader *reader, const char *path, const char *format, ...)
 {
-    char text[SCENE_WORDS_SIZE];
-    struct place place;
+    char text[SCENE_TEXT_SIZE];
+    const struct scene_value *value = given_around(reader, path);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    const struct scene_source *source = find(reader, path, &place);
-    return scene_source_fail(source, &place, path, text, reader->message);
+    return scene_reader_say(reader, value != NULL ? value->set : NULL, value != NULL ? &value->place : &reader->start,
+                            path, text);
+}
+
+int scene_reader_fail_item(const struct scene_reader *reader, const struct scene_field *field, int64_t item,
+                           const char *part, const char *format, ...)
+{
+    char text[SCENE_TEXT_SIZE], path[SCENE_KEYS_SIZE] = "";
+    const struct scene_value *value = scene_reader_at(reader, field->path);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    append(append(path, sizeof path, field->path), sizeof path, part);
+    return scene_reader_say(reader, value->set, &value->items[item].place, path, text);
 }

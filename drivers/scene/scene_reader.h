@@ -1,36 +1,65 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A scene as text: what the file and the --set arguments say, merged, and which of them said it. */
+ * A scene as words: what the file and the --set arguments say, a value for each row of the table of keys, and which of
+ * them said it. Numbers are still words here, because --set may replace one that is wrong. */
 #ifndef VTI_SCENE_READER_H
 #define VTI_SCENE_READER_H
 
-#include "scene_source.h"
+#include <stdint.h>
+
+#include "quote.h"
+#include "scene_field.h"
+#include "scene_yaml.h"
+
+enum { SCENE_KEYS_SIZE = 256, SCENE_TEXT_SIZE = 512 }; /* of a path of keys, and of what a message says about it */
+
+/** One word or number of a value. */
+struct scene_item {
+    char *text;
+    struct place place;
+};
+
+/** What is given for a row of the table. */
+struct scene_value {
+    int given;
+    const char *set; /* the --set argument that gave it, NULL: the file */
+    struct place key, place;
+    int64_t count; /* of items: 1, 3 of a vector, 4 of each plane, 0 of a section */
+    struct scene_item *items;
+};
 
 struct scene_reader {
-    struct scene_schema schema;
-    struct scene_slot root;
-    struct scene_source *sources; /* the file, then the --set arguments */
-    int sources_count;
+    const char *path;           /* of the file */
+    struct place start;         /* of the scene in it */
+    struct scene_value *values; /* in the order of the table */
     struct message *message;
 };
 
-/** Reads the file and the n --set arguments. Returns 0, or -1 with one line in *message, which must live as long as the
- *  reader. In either case scene_reader_close must follow. */
+/** Reads the file and the n --set arguments, which replace or add single values. Returns 0, or -1 with one line in
+ *  *message. path, sets and *message must live as long as the reader. scene_reader_close must follow in any case. */
 int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
                       struct message *message);
 void scene_reader_close(struct scene_reader *reader);
 
-/** The value at a path of the table, NULL if it is not given: of type char for single values, char *const [3] for
- *  vectors, char *const *const [items] for lists of rows; of a section only whether it is NULL counts. */
-const void *scene_reader_value(const struct scene_reader *reader, const char *path);
+/** The value of the row of the table that has this path; NULL if there is no such row. */
+struct scene_value *scene_reader_at(const struct scene_reader *reader, const char *path);
 /** Whether the value or section at a path of the table is given. */
 int scene_reader_has(const struct scene_reader *reader, const char *path);
-/** The length of a list of rows. */
-int64_t scene_reader_items(const struct scene_reader *reader, const char *path);
+/** The text of a single value that is given. */
+const char *scene_reader_value(const struct scene_reader *reader, const char *path);
 
 /** Writes one line about the value at path and returns -1. Its place is that of the value (of the key, if it is a
  *  section); for a value that is not given, of the section that lacks it. */
 int scene_reader_fail(const struct scene_reader *reader, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/** The same about an item of a value that is given; part is what its path has behind the field's, such as "[1]". */
+int scene_reader_fail_item(const struct scene_reader *reader, const struct scene_field *field, int64_t item,
+                           const char *part, const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/** Writes the line "PLACE: PATH: TEXT" and returns -1. PLACE is the --set argument, or the file and the place, if it has
+ *  one. */
+int scene_reader_say(const struct scene_reader *reader, const char *set, const struct place *place, const char *path,
+                     const char *text);
 
 #endif

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "scene_number.h"
-#include "scene_words.h"
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
 
@@ -20,15 +19,7 @@ int scene_value_name(const struct scene_reader *reader, const char *name, const 
     return 0;
 }
 
-/** A word that stands for a number. */
-struct word {
-    const char *word;
-    int64_t value;
-};
-
-static const struct word yes_no[] = {{"yes", 1}, {"no", 0}, {NULL, 0}};
-static const struct word shear_forms[] = {
-    {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
+static const struct scene_word yes_no[] = {{"yes", 1}, {"no", 0}, {NULL, 0}};
 
 static int read_word(const struct scene_reader *reader, const struct scene_field *field, const char *text,
                      const struct scene_word *words, int64_t *value)
@@ -49,7 +40,7 @@ static int read_word(const struct scene_reader *reader, const struct scene_field
 static int read_path(const struct scene_reader *reader, const struct scene_field *field, const char *text,
                      char out[SCENE_PATH_SIZE])
 {
-    const char *scene = reader->sources[0].name, *slash = strrchr(scene, '/');
+    const char *scene = reader->path, *slash = strrchr(scene, '/');
     const size_t folder = text[0] != '/' && slash != NULL ? (size_t)(slash - scene) + 1 : 0, n = strlen(text);
     char shown[QUOTE_SIZE];
     if (n == 0)
@@ -93,9 +84,9 @@ static int read_stepper(const struct scene_reader *reader, const struct scene_fi
 
 int scene_value_read(const struct scene_reader *reader, const struct scene_field *field, struct scene *scene)
 {
-    const void *value = scene_reader_value(reader, field->path);
+    const struct scene_value *value = scene_reader_at(reader, field->path);
     void *target = scene_field_place(field, scene);
-    if (value == NULL || target == NULL)
+    if (!value->given || target == NULL)
         return 0;
     switch (field->kind) {
     case SCENE_SECTION:
@@ -106,21 +97,20 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
     case SCENE_VECTOR:
         return scene_number_vector(reader, field, value, target);
     case SCENE_COUNT:
-        return scene_number_count(reader, field, field->path, value, target);
     case SCENE_COUNTS:
         return scene_number_counts(reader, field, value, target);
     case SCENE_PLANES:
         return scene_number_planes(reader, field, value, target);
     case SCENE_YES_NO:
-        return read_word(reader, field, value, yes_no, target);
+        return read_word(reader, field, value->items[0].text, yes_no, target);
     case SCENE_WORD:
-        return read_word(reader, field, value, field->words, target);
+        return read_word(reader, field, value->items[0].text, field->words, target);
     case SCENE_PATH:
-        return read_path(reader, field, value, target);
+        return read_path(reader, field, value->items[0].text, target);
     case SCENE_NAME:
-        return scene_value_name(reader, value, "", target);
+        return scene_value_name(reader, value->items[0].text, "", target);
     case SCENE_STEPPER:
-        return read_stepper(reader, field, value, target);
+        return read_stepper(reader, field, value->items[0].text, target);
     }
     return 0;
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * From the text of one value to the number, vector or word in struct scene. */
+ * From the words of one value to the number, vector or name in struct scene. */
 #ifndef VTI_SCENE_VALUE_H
 #define VTI_SCENE_VALUE_H
 
 #include "scene.h"
 #include "scene_reader.h"
 
-/** Converts the field's value, checks its range and writes it into *scene at the field's offset; a field that is not
- *  given is left alone. Returns 0, or -1 with one line in the reader's message. */
+/** Converts the field's value, checks its range and writes it to the field's place in *scene; a field that is not given
+ *  is left alone. Returns 0, or -1 with one line in the reader's message. */
 int scene_value_read(const struct scene_reader *reader, const struct scene_field *field, struct scene *scene);
 
 /** The same for the name of the scene; whose says in a message where it comes from, if not from the field. */

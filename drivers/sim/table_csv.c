@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "number.h"
-#include "scene_words.h"
+#include "quote.h"
 
 /** A file that is being read. */
 struct csv {
@@ -111,7 +111,7 @@ static int read_value(const struct csv *csv, int k, const char *field)
     char shown[QUOTE_SIZE], text[4 * QUOTE_SIZE];
     double value;
     const char *refusal =
-        number_read(field, &value) == 0 ? table_refusal(table->kind, k, value) : "is not a number; " SCENE_WORDS_NUMBER;
+        number_read(field, &value) == 0 ? table_refusal(table->kind, k, value) : "is not a number; " NUMBER_WRITE;
     if (refusal == NULL) {
         table->column[k][table->rows] = value;
         return 0;

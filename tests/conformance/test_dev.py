@@ -89,9 +89,9 @@ def needs():
         result = shell("need study tests more", scratch)
         check(result.returncode != 0, "without apt and without anything else ./dev ends")
         lines = result.stdout.splitlines()
-        for start, names in (("dev: missing", ["pkg-config:gsl", "pkg-config:libcyaml", "command:gfortran", "python3:h5py"]),
+        for start, names in (("dev: missing", ["pkg-config:gsl", "pkg-config:libfyaml", "command:gfortran", "python3:h5py"]),
                              ("    dnf install ", ["gsl-devel", "openmpi-devel", "hdf5-devel", "gcc-gfortran"]),
-                             ("    brew install ", ["gsl", "open-mpi", "hdf5", "libcyaml"]),
+                             ("    brew install ", ["gsl", "open-mpi", "hdf5", "libfyaml"]),
                              ("    conda install -c conda-forge ", ["gsl", "openmpi", "hdf5", "gfortran", "h5py"])):
             said = " ".join(line for line in lines if line.startswith(start)).split()
             check(all(name in said for name in names), f"without apt: {' '.join(said)}")

@@ -60,7 +60,7 @@ static void ways_of_writing(void **state)
     static const char *const texts[] = {
         "{name: a, bodies: {inertia: 1/2, alpha: [1, 2, 3], omega: [4, 5, 6]}, h: 1/64, t_end: 1}",
         "--- # head\nname: a\nt_end: '1'\nh: \"1/64\"\nbodies:\n  omega:\n  - 4\n  - 5\n  - 6.0\n  inertia: .5\n"
-        "  alpha: [1,\n    2, 3]\n...\n",
+        "  alpha: [1,\n2, 3\n]\n...\n",
         "name: &n a\nbodies: &b\n    inertia: !!float 0.5\n    alpha: [\"1\", +2, 3e0]\n    omega: [4, 10/2, 6]\n"
         "h: 1 / 64\nt_end: 1\n",
         "\xef\xbb\xbfname: a\r\nbodies:\r\n  inertia: 0.5\r\n  alpha: [1, 2, 3]\r\n  omega: [4, 5, 6]\r\nh: 1/64\r\n"

@@ -160,9 +160,9 @@ static const struct {
     {POINT "wall:\n  stiffness: 1\n  planes: [[1, 0, [0], 0]]\n" TIME,
      "t.yaml:4:19: wall.planes[0][2]: a list of 1" NUMBER},
     {POINT "wall:\n  stiffness: 1\n  planes: [[0, 0, 0, 1]]\n" TIME,
-     "t.yaml:4:12: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero or too large"},
+     "t.yaml:4:13: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero or too large"},
     {POINT "wall:\n  stiffness: 1\n  planes: [[1.7e308, 1.7e308, 0, 0]]\n" TIME,
-     "t.yaml:4:12: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or "
+     "t.yaml:4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or "
      "too "
      "large"},
     {SPIN "wall: {stiffness: 1, planes: [[1, 0, 0, 0]]}\n" TIME,

@@ -57,6 +57,18 @@ static void long_and_wild_paths(void **state)
     assert_memory_equal(message.text, "...\xc3\xa4\xc3\xa4", 7);
 }
 
+/** What libfyaml reads as the end of the text, without a word. */
+static void a_zero_inside(void **state)
+{
+    static const char text[] = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\nh: 1/64\nt_end: 1\n\0h: 2\n";
+    struct scene scene;
+    struct message message;
+    (void)state;
+    write_bytes("t.yaml", text, sizeof text - 1);
+    assert_refused("0 inside", scene_read("t.yaml", NULL, 0, &scene, &message), &message,
+                   "t.yaml:4:1: a control character; give a text file in UTF-8");
+}
+
 /** 100 MB of holes: refused after the first megabyte. */
 static void a_huge_file(void **state)
 {
@@ -69,18 +81,20 @@ static void a_huge_file(void **state)
                    "t.yaml: is larger than 1 MiB; a scene is short, is this the right file?");
 }
 
-/** libyaml takes the square of the depth in time for nested brackets; the reader does not let it. */
+/** A text of a megabyte costs no more than a second, however it is nested: what libfyaml takes the square of the size for is
+ *  refused before. */
 static void deep_and_long_texts(void **state)
 {
     static const struct {
         const char *unit, *line;
     } deep[] = {
         {"[", "t.yaml:1:17: nested too deeply; a scene has sections, keys and lists and no more"},
-        {"{a: ", "t.yaml:1:65: nested too deeply; a scene has sections, keys and lists and no more"},
+        {"{h: ", "t.yaml:1:65: nested too deeply; a scene has sections, keys and lists and no more"},
         {"- ", "t.yaml:1:33: nested too deeply; a scene has sections, keys and lists and no more"},
         {"? ", "t.yaml:1:3: a list or section stands where a key belongs; write 'key: value'"},
         {"h: 1\n", "t.yaml:2:1: h: given a second time, first on line 1; keep one of them"},
         {"z\n", NULL},
+        {"\n", "t.yaml:1002:1: 1000 empty lines; a scene is short, is this the right file?"},
     };
     enum { SIZE = 1 << 20 };
     char *text = malloc(SIZE);
@@ -101,8 +115,8 @@ static void deep_and_long_texts(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(names_of_files), cmocka_unit_test(what_is_no_file),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(names_of_files),      cmocka_unit_test(what_is_no_file),
                                        cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
-                                       cmocka_unit_test(deep_and_long_texts)};
+                                       cmocka_unit_test(a_zero_inside),       cmocka_unit_test(deep_and_long_texts)};
     return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

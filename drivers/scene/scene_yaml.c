@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "scene_yaml.h"
+
+#include <libfyaml.h>
+#include <string.h>
+
+#include "quote.h"
+
+/* ---- the bytes ---------------------------------------------------------------------------------------------------
+ * What libfyaml (0.7, 0.8) does not look at: bytes that are not UTF-8, and 0, end the text for it without a word; and
+ * line breaks in a row take it the square of their number in time. */
+
+enum { BREAKS_MAX = 1000 };
+
+/** How many bytes the UTF-8 character at p takes (RFC 3629: no surrogates, nothing overlong); 0 if it is none. */
+static size_t character_size(const unsigned char *p, size_t left)
+{
+    const unsigned char c = p[0];
+    const size_t n = c < 0x80 ? 1 : c < 0xc2 ? 0 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : c < 0xf5 ? 4 : 0;
+    if (n > left)
+        return 0;
+    for (size_t k = 1; k < n; ++k)
+        if ((p[k] & 0xc0) != 0x80)
+            return 0;
+    if ((c == 0xe0 && p[1] < 0xa0) || (c == 0xed && p[1] > 0x9f) || (c == 0xf0 && p[1] < 0x90) ||
+        (c == 0xf4 && p[1] > 0x8f))
+        return 0;
+    return n;
+}
+
+static int is_break(char c)
+{
+    return c == '\n' || c == '\r';
+}
+
+static int is_control(char c)
+{
+    return ((unsigned char)c < 0x20 && c != '\t') || c == 0x7f;
+}
+
+/** What is wrong with the character at p, NULL if nothing is; *size is that of the character. */
+static const char *wrong_character(const char *p, size_t left, size_t *size)
+{
+    *size = character_size((const unsigned char *)p, left);
+    if (*size == 0)
+        return "bytes that are no characters; give a text file in UTF-8";
+    return is_control(*p) && !is_break(*p) ? "a control character; give a text file in UTF-8" : NULL;
+}
+
+/** What is wrong with the bytes, NULL if nothing is; *place is where. */
+static const char *wrong_bytes(const char *text, size_t size, struct place *place)
+{
+    const char *problem = NULL;
+    int breaks = 0;
+    place->line = place->column = 1;
+    for (size_t k = 0, n; k < size && problem == NULL; k += n) {
+        const char c = text[k];
+        problem = wrong_character(text + k, size - k, &n);
+        if (problem != NULL)
+            break;
+        if (c == '\n' || (c == '\r' && (k + 1 == size || text[k + 1] != '\n'))) {
+            ++place->line;
+            place->column = 1;
+            if (++breaks > BREAKS_MAX)
+                problem = "1000 empty lines; a scene is short, is this the right file?";
+        } else {
+            ++place->column;
+            breaks = c == ' ' || c == '\t' || c == '\r' ? breaks : 0;
+        }
+    }
+    return problem;
+}
+
+/* ---- refusals ---------------------------------------------------------------------------------------------------- */
+
+static int refuse(struct yaml *yaml, const char *problem)
+{
+    message_set(yaml->problem, "%s", problem);
+    yaml->part = YAML_REFUSED;
+    return 1;
+}
+
+/** The first thing that libfyaml has found wrong, its warnings (of directives that it passes over) included. */
+static const struct fy_diag_error *complaint(const struct yaml *yaml)
+{
+    void *start = NULL;
+    return fy_diag_errors_iterate(yaml->diag, &start);
+}
+
+static void refuse_syntax(struct yaml *yaml)
+{
+    const struct fy_diag_error *error = complaint(yaml);
+    char shown[2 * QUOTE_SIZE];
+    if (error != NULL && error->line > 0) {
+        yaml->place.line = (size_t)error->line;
+        yaml->place.column = (size_t)error->column;
+    }
+    message_set(yaml->problem, "not YAML: %s; look at the brackets, quotes and indentation here and just above",
+                quote(shown, sizeof shown, error != NULL ? error->msg : "it cannot be read on from here"));
+    yaml->part = YAML_REFUSED;
+}
+
+/* ---- the parts --------------------------------------------------------------------------------------------------- */
+
+/** Marks of quoted words and of aliases leave out the character in front of them. */
+static void find_place(struct yaml *yaml, struct fy_event *event)
+{
+    const struct fy_mark *start = fy_event_start_mark(event), *end = fy_event_end_mark(event);
+    const enum fy_scalar_style style = fy_token_scalar_style(fy_event_get_token(event));
+    const int inside = event->type == FYET_ALIAS || style == FYSS_SINGLE_QUOTED || style == FYSS_DOUBLE_QUOTED;
+    yaml->place = yaml->end;
+    if (start != NULL) {
+        yaml->place.line = (size_t)start->line + 1;
+        yaml->place.column = (size_t)start->column + (inside ? 0 : 1);
+    }
+    if (end != NULL) {
+        yaml->end.line = (size_t)end->line + 1;
+        yaml->end.column = (size_t)end->column + 1;
+    }
+}
+
+static int take_word(struct yaml *yaml, struct fy_token *token)
+{
+    size_t n = 0;
+    const char *text = token != NULL ? fy_token_get_text(token, &n) : "";
+    yaml->word = token != NULL ? fy_token_get_text0(token) : "";
+    if (text == NULL || yaml->word == NULL)
+        return refuse(yaml, "out of memory");
+    for (size_t k = 0; k < n; ++k)
+        if (is_control(text[k]))
+            return refuse(yaml, "a line break or control character in a value; write it on one line");
+    yaml->part = YAML_WORD;
+    return 1;
+}
+
+static int take_start(struct yaml *yaml, enum yaml_part part)
+{
+    yaml->part = part;
+    if (++yaml->depth > YAML_DEPTH)
+        return refuse(yaml, "nested too deeply; a scene has sections, keys and lists and no more");
+    return 1;
+}
+
+/** Returns 1 if the event is a part, or refused. */
+static int take(struct yaml *yaml, struct fy_event *event)
+{
+    find_place(yaml, event);
+    switch (event->type) {
+    case FYET_DOCUMENT_START:
+        return ++yaml->documents > 1 &&
+               refuse(yaml, "a second document; a scene is one document, without '---' inside");
+    case FYET_ALIAS:
+        return refuse(yaml, "an alias; aliases are not read in scenes, write the value itself");
+    case FYET_SCALAR:
+        return take_word(yaml, fy_event_get_token(event));
+    case FYET_SEQUENCE_START:
+        return take_start(yaml, YAML_LIST);
+    case FYET_MAPPING_START:
+        return take_start(yaml, YAML_SECTION);
+    case FYET_SEQUENCE_END:
+    case FYET_MAPPING_END:
+        --yaml->depth;
+        yaml->part = YAML_CLOSE;
+        return 1;
+    case FYET_STREAM_END:
+        yaml->part = YAML_END;
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+enum yaml_part yaml_next(struct yaml *yaml)
+{
+    while (yaml->part != YAML_REFUSED && yaml->part != YAML_END) {
+        fy_parser_event_free(yaml->parser, yaml->event);
+        yaml->event = fy_parser_parse(yaml->parser);
+        if (yaml->event == NULL || complaint(yaml) != NULL)
+            refuse_syntax(yaml);
+        else if (take(yaml, yaml->event))
+            break;
+    }
+    return yaml->part;
+}
+
+/* ---- start and end ----------------------------------------------------------------------------------------------- */
+
+/** With a list of its own for what is wrong: libfyaml would print it. */
+static int start_parser(struct yaml *yaml, const char *text, size_t size)
+{
+    const struct fy_diag_cfg silent = {.level = FYET_WARNING, .module_mask = ~0U};
+    yaml->diag = fy_diag_create(&silent);
+    if (yaml->diag == NULL)
+        return -1;
+    fy_diag_set_collect_errors(yaml->diag, true);
+    const struct fy_parse_cfg config = {
+        .flags = FYPCF_DEFAULT_VERSION_1_2 | FYPCF_JSON_NONE | FYPCF_SLOPPY_FLOW_INDENTATION, .diag = yaml->diag};
+    yaml->parser = fy_parser_create(&config);
+    return yaml->parser != NULL ? fy_parser_set_string(yaml->parser, text, size) : -1;
+}
+
+void yaml_open(struct yaml *yaml, const char *text, size_t size, struct message *problem)
+{
+    memset(yaml, 0, sizeof *yaml);
+    yaml->problem = problem;
+    yaml->part = YAML_CLOSE; /* of nothing, so far */
+    const char *wrong = wrong_bytes(text, size, &yaml->place);
+    yaml->end.line = yaml->end.column = 1;
+    if (wrong != NULL || start_parser(yaml, text, size) != 0)
+        refuse(yaml, wrong != NULL ? wrong : "out of memory");
+}
+
+void yaml_close(struct yaml *yaml)
+{
+    if (yaml->parser != NULL) {
+        fy_parser_event_free(yaml->parser, yaml->event);
+        fy_parser_destroy(yaml->parser);
+    }
+    fy_diag_destroy(yaml->diag);
+}
