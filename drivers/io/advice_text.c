@@ -17,27 +17,34 @@ static void say_seconds(double seconds, FILE *file)
         fprintf(file, "%7.3g us", 1e6 * seconds);
 }
 
-static void say_offer(const struct offer *o, FILE *file)
+static void say_offer(const struct offer *o, int width, FILE *file)
 {
     if (!isfinite(o->seconds)) {
-        fprintf(file, "  %-14s       too dear to tell\n", o->stepper->name);
+        fprintf(file, "  %-*s       too dear to tell\n", width, o->stepper->name);
         return;
     }
-    fprintf(file, "  %-14s %10.4g %10lld %12lld ", o->stepper->name, o->h, (long long)o->steps,
-            (long long)o->steps * (long long)o->stepper->evals);
+    fprintf(file, "  %-*s %10.4g %10lld %12lld ", width, o->stepper->name, o->h, (long long)o->steps,
+            (long long)o->force_evals);
     say_seconds(o->seconds, file);
-    fprintf(file, " %9.1e %s\n", o->error, o->measured ? "" : "(from coarser runs)");
+    fprintf(file, " %9.1e %s%s\n", o->error, o->measured ? "" : "(from coarser runs)",
+            method_rival(o->stepper) != NULL ? "(a rival, to compare with)" : "");
 }
 
 void advice_say(const struct scene *scene, const struct advice *a, FILE *file)
 {
     const struct offer *best = &a->offers[0];
+    int width = 0;
+    for (int64_t k = 0; k < a->count; ++k) {
+        const int w = methods_width(&a->offers[k].stepper, 1);
+        width = w > width ? w : width;
+    }
     fprintf(file, "%s to t = %g: %s at h = %.6g reaches %.1e (asked for: %g) in", scene->name, a->t_end,
             best->stepper->name, best->h, best->error, a->target);
     say_seconds(best->seconds, file);
-    fprintf(file, "\n\n  %-14s %10s %10s %12s %10s %9s\n", "stepper", "h", "steps", "force evals", "time  ", "error");
+    fprintf(file, "\n\n  %-*s %10s %10s %12s %10s %9s\n", width, "stepper", "h", "steps", "force evals", "time  ",
+            "error");
     for (int64_t k = 0; k < a->count; ++k)
-        say_offer(&a->offers[k], file);
+        say_offer(&a->offers[k], width, file);
     fputc('\n', file);
     stable_say(&a->limits, best->stepper, best->h, file);
     fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
@@ -76,6 +83,8 @@ static void json_number(const char *key, double value, FILE *file)
 static void json_offer(const struct offer *o, FILE *file)
 {
     fprintf(file, "\"stepper\": \"%s\", ", o->stepper->name);
+    if (method_rival(o->stepper) != NULL)
+        fputs("\"kind\": \"rival\", ", file);
     json_number("h", o->steps > 0 ? o->h : NAN, file);
     fputs(", ", file);
     json_number("predicted_error", o->steps > 0 ? o->error : NAN, file);

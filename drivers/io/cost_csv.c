@@ -13,11 +13,11 @@ static void write_runs(const struct cost *cost, int with_times, FILE *file)
             with_times ? "seconds,seconds_spread," : "");
     for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k) {
         const struct cost_ladder *ladder = &cost->ladders[k];
-        const struct method *method = plan->methods[k % plan->methods_count];
+        const vti_stepper *method = plan->methods[k % plan->methods_count];
         for (int64_t r = 0; r < ladder->count; ++r) {
             const struct race_result *run = &ladder->runs[r];
             fprintf(file, "%s,%s,%s,%s,%lld,%lld,", plan->cases[k / plan->methods_count].name, method->name,
-                    method->kind, NUMBER(ladder->h[r]), (long long)run->steps, (long long)run->force_evals);
+                    method_kind(method), NUMBER(ladder->h[r]), (long long)run->steps, (long long)run->force_evals);
             if (with_times)
                 fprintf(file, "%s,%s,", NUMBER(run->seconds), NUMBER(run->seconds_spread));
             fprintf(file, "%s,%s,%s,%s\n", NUMBER(run->attitude_error), NUMBER(run->velocity_error),
@@ -42,10 +42,10 @@ void prices_csv_write(const struct cost *cost, FILE *file)
     fputs("scene,stepper,kind,error,force_evals,seconds\n", file);
     for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k)
         for (int e = 0; e < COST_TARGETS; ++e) {
-            const struct method *method = plan->methods[k % plan->methods_count];
+            const vti_stepper *method = plan->methods[k % plan->methods_count];
             const struct cost_price *price = &cost->prices[k][e];
-            fprintf(file, "%s,%s,%s,%.0e,", plan->cases[k / plan->methods_count].name, method->name, method->kind,
-                    cost_targets[e]);
+            fprintf(file, "%s,%s,%s,%.0e,", plan->cases[k / plan->methods_count].name, method->name,
+                    method_kind(method), cost_targets[e]);
             if (isnan(price->force_evals))
                 fputs(",\n", file);
             else

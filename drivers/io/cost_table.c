@@ -65,8 +65,8 @@ static void write_block(const struct cost *cost, int64_t c, const int64_t *order
         fprintf(file, "%*.0e", CELL, cost_targets[e]);
     fputc('\n', file);
     for (int64_t k = 0; k < cost->plan->methods_count; ++k) {
-        const struct method *method = cost->plan->methods[order[k]];
-        fprintf(file, "%-*s %-5s ", NAME, method->name, method->kind);
+        const vti_stepper *method = cost->plan->methods[order[k]];
+        fprintf(file, "%-*s %-5s ", NAME, method->name, method_kind(method));
         for (int e = 0; e < COST_TARGETS; ++e) {
             const struct cost_price *price = &prices_of(cost, c, order[k])[e];
             if (isnan(price->force_evals))

@@ -13,6 +13,7 @@
 #include "run_identity.h"
 #include "run_restart.h"
 #include "run_signals.h"
+#include "travel.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
@@ -23,6 +24,12 @@ static int open_scene(struct run *run, struct message *message)
         tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
+    run->resumable = method_rival(run->scene.stepper) == NULL;
+    if (r->resume && !run->resumable)
+        return message_set(message,
+                           "--resume: %s keeps what no checkpoint holds, so that no run by it can go on; start it "
+                           "anew without --resume",
+                           run->scene.stepper->name);
     if (fields_check(r->fields, &run->model, message) != 0)
         return -1;
     if (run->steps < 1)

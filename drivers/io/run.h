@@ -47,6 +47,7 @@ struct run {
     struct record record;
     struct verdict verdict;
     int64_t from, steps;
+    int resumable;   /* all that the stepper goes on from is in the bodies: rivals keep more */
     int done;        /* it was complete before: there is nothing to do */
     int restored;    /* it goes on from the files of a complete run */
     int early;       /* the journal is there, of a run that came to no checkpoint */

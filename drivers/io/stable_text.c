@@ -6,7 +6,9 @@
 static void say_bound(const vti_stable *stable, const char *by, const vti_stepper *stepper, double h, FILE *file)
 {
     const double step = 0.5 * stepper->reach * stable->h;
-    if (isinf(step))
+    if (isnan(step))
+        fputs("not known", file);
+    else if (isinf(step))
         fputs("nothing oscillates", file);
     else
         fprintf(file, "%.4g, set by %s", step, by);

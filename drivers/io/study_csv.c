@@ -92,19 +92,21 @@ static void write_verdicts(const struct study *study, FILE *file)
 void study_table_write(const struct study *study, FILE *file)
 {
     const struct plan *plan = study->plan;
-    fprintf(file, "%-14s %9s %9s  %10s %10s %10s %10s %10s\n", "stepper", "h", "steps", "E-error", "q-error",
+    const int width = methods_width(plan->steppers, plan->steppers_count);
+    fprintf(file, "%-*s %9s %9s  %10s %10s %10s %10s %10s\n", width, "stepper", "h", "steps", "E-error", "q-error",
             "H1-error", "attitude", "momentum");
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct outcome *o = &study->outcomes[r];
-        fprintf(file, "%-14s ", study->trials[r].stepper->name);
+        fprintf(file, "%-*s ", width, study->trials[r].stepper->name);
         print_h(study->trials[r].h, file);
         fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps, o->e_error, o->q_error,
                 o->h1_error, o->attitude_error, o->momentum_error);
     }
     write_verdicts(study, file);
-    fprintf(file, "\n%-14s  %18s  %18s  %18s  %18s\n", "fitted order", "E-error", "q-error", "H1-error", "attitude");
+    fprintf(file, "\n%-*s  %18s  %18s  %18s  %18s\n", width, "fitted order", "E-error", "q-error", "H1-error",
+            "attitude");
     for (int64_t s = 0; s < plan->steppers_count; ++s) {
-        fprintf(file, "%-14s", plan->steppers[s]->name);
+        fprintf(file, "%-*s", width, plan->steppers[s]->name);
         for (int m = 0; m < STUDY_MEASURES; ++m)
             print_order(&study->orders[s][m], file);
         fputc('\n', file);

@@ -129,7 +129,7 @@ static void write_orders(struct hdf5_sink *file, const struct study *study)
 
 static void series_column(struct hdf5_sink *s, const char *name, const char *label, const struct outcome *o, int column)
 {
-    double values[TRIAL_SAMPLES];
+    double values[OUTCOME_SAMPLES];
     for (int64_t k = 0; k < o->samples; ++k)
         values[k] = o->series[k][column];
     dataset(s, name, H5T_NATIVE_DOUBLE, o->samples, values);

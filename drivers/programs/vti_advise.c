@@ -7,7 +7,6 @@
 #include "advice_text.h"
 #include "options.h"
 #include "output.h"
-#include "study.h"
 #include "table_hdf5.h"
 
 static struct option_list sets;
@@ -22,7 +21,8 @@ static const struct option_row rows[] = {
         "between a body's attitude and the true one, in radians; where nothing turns, the relative error of\n"
         "the velocities.\n"),
     {"--error", "E", OPTION_NUMBER, &target, 1e-12, 0.1, "1e-4, 1/64 or 2^-7", "the error to reach (default 1e-4)"},
-    {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY, "only these steppers (default: all)"},
+    {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY,
+     "only these steppers (default: all of ours); rivals, what others use, are measured too and never advised"},
     {"--t-end", "T", OPTION_NUMBER, &t_end, 0, 0, "10, 1e3 or 2^7", "end time (default: the scene's)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
      "how long finding the solution may take (default 120)"},
@@ -44,13 +44,14 @@ static void show(const char *stepper, int64_t steps)
 
 static int give_advice(struct scene *scene, struct message *message)
 {
-    static struct plan plan;
+    static const vti_stepper *list[ADVICE_MOST];
+    int64_t listed = 0;
     static struct advice advice;
-    if (steppers != NULL && study_read_steppers(steppers, &plan, message) != 0)
+    if (steppers != NULL && (listed = methods_read("--steppers", steppers, list, ADVICE_MOST, message)) < 0)
         return -1;
     if (t_end == 0.0)
         t_end = scene->t_end;
-    const int failed = advise(scene, target, t_end, budget, plan.steppers, plan.steppers_count, show, &advice, message);
+    const int failed = advise(scene, target, t_end, budget, list, listed, show, &advice, message);
     if (isatty(STDERR_FILENO))
         fputs("\r\033[K", stderr);
     if (failed != 0)
@@ -70,6 +71,7 @@ int main(int argc, char **argv)
     struct message message = {""};
     const char *const *scenes;
     int count;
+    method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
     if (asked == OPTIONS_TOLD)
         return 0;

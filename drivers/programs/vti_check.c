@@ -33,10 +33,10 @@ static const struct options options = {"vti-check", "",
 
 /* ---- what is checked -------------------------------------------------------------------------------------------- */
 
-static int find_method(const char *name, const struct method **method, struct message *message)
+static int find_method(const char *name, const vti_stepper **method, struct message *message)
 {
-    const struct method *m = method_find(name);
-    if (m == NULL || (rival != NULL) != (m->rival != NULL))
+    const vti_stepper *m = method_find(name);
+    if (m == NULL || (rival != NULL) != (method_rival(m) != NULL))
         return message_set(message, "%s: there is no %s of that name; see vti-check --list", name,
                            rival != NULL ? "rival" : "stepper");
     *method = m;
@@ -62,7 +62,7 @@ static int open_plugin(const char *name, vti_check_advance **advance, struct mes
     return 0;
 }
 
-static void look_at(const char *name, vti_check_advance *advance, const struct method *method, vti_check_report *report)
+static void look_at(const char *name, vti_check_advance *advance, const vti_stepper *method, vti_check_report *report)
 {
     (translation ? vti_check_run_translation : vti_check_run)(name, advance, (void *)method, report);
 }
@@ -71,7 +71,7 @@ static int check_one(const char *name, struct message *message)
 {
     vti_check_report report;
     vti_check_advance *advance = method_check_advance;
-    const struct method *method = NULL;
+    const vti_stepper *method = NULL;
     if (plugin != NULL ? open_plugin(name, &advance, message) != 0 : find_method(name, &method, message) != 0)
         return 2;
     look_at(name, advance, method, &report);
@@ -84,7 +84,7 @@ static int check_all(void)
 {
     int faults = 0;
     for (int64_t i = 0; i < method_count(); ++i) {
-        const struct method *m = method_at(i);
+        const vti_stepper *m = method_at(i);
         vti_check_report report;
         look_at(m->name, method_check_advance, m, &report);
         faults += report.faults;
@@ -99,8 +99,8 @@ static int check_all(void)
 static int print_names(void)
 {
     for (int64_t i = 0; i < method_count(); ++i) {
-        const struct method *m = method_at(i);
-        printf("--%-8s %-24s %s\n", m->rival != NULL ? "rival" : "stepper", m->name, m->about);
+        const vti_stepper *m = method_at(i);
+        printf("--%-8s %-24s %s\n", method_rival(m) != NULL ? "rival" : "stepper", m->name, m->about);
     }
     return 0;
 }

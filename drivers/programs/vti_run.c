@@ -10,6 +10,7 @@
 #include "run.h"
 #include "run_say.h"
 #include "scene_list.h"
+#include "travel.h"
 #include "run_signals.h"
 
 enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
@@ -22,7 +23,7 @@ static const struct option_row rows[] = {
     OPTION_PARAGRAPH("Runs a scene and writes OUT.h5 (trajectory as VTKHDF, energies and momenta over time), OUT.csv\n"
                      "(the latter), OUT.xdmf (index of the trajectory) and OUT.dump (LAMMPS text dump, for OVITO).\n"),
     {"-o", "OUT.h5", OPTION_TEXT, &request.output, OPTION_ANY, "where to write (default: the scene's name)"},
-    {"--stepper", "NAME", OPTION_KEY, &sets, OPTION_ANY, "integrator (default: the scene's)"},
+    {"--stepper", "NAME", OPTION_KEY, &sets, OPTION_ANY, "integrator, one of --list steppers (default: the scene's)"},
     {"--h", "H", OPTION_KEY, &sets, OPTION_ANY,
      "step (default: the scene's); numbers may be written 0.01, 1/64 or 2^-6"},
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
@@ -93,6 +94,7 @@ int main(int argc, char **argv)
     struct message message = {""};
     const char *const *scenes;
     int count, code = EXIT_FAILURE;
+    method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
     if (asked == OPTIONS_TOLD)
         return EXIT_SUCCESS;

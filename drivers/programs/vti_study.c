@@ -37,7 +37,8 @@ static const struct option_row rows[] = {
         "against a reference solution and fits the orders of convergence. Writes study.h5, study.csv,\n"
         "timing.csv and pictures.\n"),
     {"-o", "FOLDER", OPTION_TEXT, &output, OPTION_ANY, "output folder (default study-SCENE, or cost)"},
-    {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY, "steppers (default vti1,vti2,vti3)"},
+    {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY,
+     "steppers (default vti1,vti2,vti3); rivals, what others use, by their names too: vti-run --list steppers"},
     {"--h", "STEPS", OPTION_TEXT, &steps, OPTION_ANY,
      "one step, a list, or a ladder by factors of two (default: seven or ten from around the scene's h, 2^-4:2^-13 for "
      "the pendulum); numbers may be written 0.01, 1/64 or 2^-6"},
@@ -60,7 +61,7 @@ static const struct option_row rows[] = {
     {"--cost", NULL, OPTION_ON, &cost, OPTION_ANY, "measure this instead"},
     {"--evals", "MOST", OPTION_WHOLE, &most_evals, 1, 1e15, "50 or 1e3",
      "most force evaluations of a run (default 2^22 over the number of bodies)"},
-    {"--repeats", "N", OPTION_WHOLE, &repeats, 1, RACE_REPEATS, "5", "how often each run is timed (default 5)"},
+    {"--repeats", "N", OPTION_WHOLE, &repeats, 1, COST_REPEATS, "5", "how often each run is timed (default 5)"},
     OPTION_PARAGRAPH(
         "Every run is kept in the folder as soon as it is done. After any end before the last file is\n"
         "written the same command with --resume goes on and gives the same bytes as if nothing had\n"
@@ -138,7 +139,9 @@ static int make_plan(struct scene *scene, struct tables *tables, struct plan *pl
     plan->memory = 1e6 * megabytes;
     if (end_times != NULL && (number_read(end_times, &plan->t_end) != 0 || !(plan->t_end > 0.0)))
         return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", end_times);
-    if (study_read_steppers(steppers != NULL ? steppers : "vti1,vti2,vti3", plan, message) != 0)
+    plan->steppers_count = methods_read("--steppers", steppers != NULL ? steppers : "vti1,vti2,vti3", plan->steppers,
+                                        STUDY_STEPPERS, message);
+    if (plan->steppers_count < 0)
         return -1;
     plan->h_count = steps != NULL ? ladder_read(steps, plan->h, message) : ladder_around(scene, plan->h);
     return plan->h_count > 0 ? 0 : -1;
@@ -206,6 +209,7 @@ int main(int argc, char **argv)
     static char folder[FOLDER_PATH];
     struct message message = {""};
     int rank, wants_plot = 0;
+    method_admit();
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     int failed = run(argc, argv, rank, folder, &wants_plot);

@@ -5,11 +5,11 @@
  *     v+ = v + h/m [phi F + (1 - phi) F+]             x+ = x + h v+
  *     Omega+ = Omega + h/J [phi RM + (1 - phi) RM+]    alpha+ = alpha (+) h Omega+
  *
- * E. M. B. Campello, A description of rotations for DEM models of particle systems, Comput. Part. Mech. 2, 109 (2015). It is of
- * first order for every phi and dissipates for phi < 1: it shrinks phase volumes by 1 + (1 - phi)(h omega)^2 per step (E17); with
- * phi = 1 it is VTI-3. F+ and RM+ are found by fixed-point iteration from F and RM, which
- * contracts by (1 - phi)(h omega)^2 and ends when the loads of all bodies together change by less than a share TOLERANCE of
- * themselves; that is far below the error of the method itself. (+) h Omega+ is done on quaternions. */
+ * E. M. B. Campello, A description of rotations for DEM models of particle systems, Comput. Part. Mech. 2, 109
+ * (2015). It is of first order for every phi and dissipates for phi < 1: it shrinks phase volumes by 1 + (1 - phi)(h
+ * omega)^2 per step (E17); with phi = 1 it is VTI-3. F+ and RM+ are found by fixed-point iteration from F and RM,
+ * which contracts by (1 - phi)(h omega)^2 and ends when the loads of all bodies together change by less than a share
+ * TOLERANCE of themselves; that is far below the error of the method itself. (+) h Omega+ is done on quaternions. */
 #include "quaternion.h"
 #include "verlet.h"
 
@@ -123,7 +123,8 @@ static int go(struct course *c, int64_t steps)
 
 #define CAMPELLO(called, share, says)                                                                                  \
     {                                                                                                                  \
-        .name = (called), .about = (says), .order = 1, .own_width = OWN, .go = go, .takes_forces = 1, .phi = (share)   \
+        .stepper = RIVAL_STEPPER(called, 1, 0.0, 0, NAN, says), .own_width = OWN, .go = go, .takes_forces = 1,         \
+        .phi = (share)                                                                                                 \
     }
 
 const struct rival rival_campello =

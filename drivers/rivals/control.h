@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * GSL's choice of steps for rk8pd in plain arithmetic: GSL's own calls pow, whose last bit depends on the processor's vector units,
- * and with it every step after. */
+ * GSL's choice of steps for rk8pd in plain arithmetic: GSL's own calls pow, whose last bit depends on the
+ * processor's vector units, and with it every step after. */
 #ifndef VTI_CONTROL_H
 #define VTI_CONTROL_H
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Lie group variational integrator on rotation matrices. With F the increment of the attitude and Omega already kicked by h/2,
+ * Lie group variational integrator on rotation matrices. With F the increment of the attitude and Omega already
+ * kicked by h/2,
  *
  *     h S(J Omega) = F J_d - J_d F^T,   R <- F R
  *
@@ -8,11 +9,11 @@
  *
  *     G(f) = u + u x f + (u.f) f - 2 f = 0,   grad G = S(u) + f u^T + (u.f - 2) I
  *
- * and Newton's method solves it. T. Lee, M. Leok, N. H. McClamroch, Lie group variational integrators for the full body problem,
- * Comput. Methods Appl. Mech. Eng. 196, 2907 (2007); for the Cayley form see T. Lee, Computational geometric mechanics and
- * control of rigid bodies, thesis, Univ. of Michigan (2008). The solution for a sphere turns by asin h|Omega|,
- * exists for h|Omega| < 1 only, and is VTI-1, which writes it down in closed form. In the inertial frame moments need not be
- * turned into the body's. */
+ * and Newton's method solves it. T. Lee, M. Leok, N. H. McClamroch, Lie group variational integrators for the full
+ * body problem, Comput. Methods Appl. Mech. Eng. 196, 2907 (2007); for the Cayley form see T. Lee, Computational
+ * geometric mechanics and control of rigid bodies, thesis, Univ. of Michigan (2008). The solution for a sphere turns
+ * by asin h|Omega|, exists for h|Omega| < 1 only, and is VTI-1, which writes it down in closed form. In the inertial
+ * frame moments need not be turned into the body's. */
 #include "quaternion.h"
 #include "verlet.h"
 
@@ -137,10 +138,10 @@ static void show(struct course *c)
 }
 
 const struct rival rival_lgvi = {
-    .name = "lgvi",
-    .about = "Lie group variational integrator on matrices, Newton for its implicit equation: VTI-1's map for spheres "
-             "(Lee, Leok, McClamroch 2007)",
-    .order = 2,
+    .stepper = RIVAL_STEPPER(
+        "lgvi", 2, 0.0, 1, 2.0,
+        "Lie group variational integrator on matrices, Newton for its implicit equation: VTI-1's map for spheres "
+        "(Lee, Leok, McClamroch 2007)"),
     .own_width = MATRIX,
     .prepare = prepare,
     .go = go,

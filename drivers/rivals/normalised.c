@@ -4,11 +4,12 @@
  *
  *     q <- (q + (h/2) Omega q) / |q + (h/2) Omega q|
  *
- * which turns by 2 atan(h|Omega|/2), as the Cayley map does. In velocity Verlet (v += h/2 F/m, x += h v, Omega += h/2 RM/J,
- * q as above, forces, v += h/2 F/m, Omega += h/2 RM/J) it is what MercuryDPM does with a particle's orientation: T. Weinhart
- * et al., Fast, flexible particle simulations - An introduction to MercuryDPM, Comput. Phys. Commun. 249, 107129 (2020), and
- * its reference for Quaternion::updateAngularDisplacement. That is VTI-2 on quaternions. In semi-implicit Euler (velocities
- * first, by a whole step) it is the update of simple DEM codes, and VTI-3 on quaternions. */
+ * which turns by 2 atan(h|Omega|/2), as the Cayley map does. In velocity Verlet (v += h/2 F/m, x += h v, Omega +=
+ * h/2 RM/J, q as above, forces, v += h/2 F/m, Omega += h/2 RM/J) it is what MercuryDPM does with a particle's
+ * orientation: T. Weinhart et al., Fast, flexible particle simulations - An introduction to MercuryDPM, Comput.
+ * Phys. Commun. 249, 107129 (2020), and its reference for Quaternion::updateAngularDisplacement. That is VTI-2 on
+ * quaternions. In semi-implicit Euler (velocities first, by a whole step) it is the update of simple DEM codes, and
+ * VTI-3 on quaternions. */
 #include "quaternion.h"
 #include "verlet.h"
 
@@ -24,19 +25,19 @@ static int euler(struct course *c, int64_t steps)
 }
 
 const struct rival rival_mercury = {
-    .name = "mercury",
-    .about = "velocity Verlet, quaternion along its derivative and normalised: VTI-2's map on quaternions "
-             "(MercuryDPM; Weinhart et al. 2020)",
-    .order = 2,
+    .stepper =
+        RIVAL_STEPPER("mercury", 2, 0.0, 1, 2.0,
+                      "velocity Verlet, quaternion along its derivative and normalised: VTI-2's map on quaternions "
+                      "(MercuryDPM; Weinhart et al. 2020)"),
     .go = verlet,
     .takes_forces = 1,
 };
 
 const struct rival rival_quat_euler = {
-    .name = "quat-euler",
-    .about = "semi-implicit Euler, quaternion along its derivative and normalised: VTI-3's map on quaternions "
-             "(simple DEM codes)",
-    .order = 1,
+    .stepper =
+        RIVAL_STEPPER("quat-euler", 1, 0.0, 1, 2.0,
+                      "semi-implicit Euler, quaternion along its derivative and normalised: VTI-3's map on quaternions "
+                      "(simple DEM codes)"),
     .go = euler,
     .takes_forces = 1,
 };

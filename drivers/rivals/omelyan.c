@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Omelyan's leapfrog: the quaternion's derivative acts on the mean of old and new, q+ = q + (h/2) Omega (q + q+)/2, which has
- * the solution
+ * Omelyan's leapfrog: the quaternion's derivative acts on the mean of old and new, q+ = q + (h/2) Omega (q + q+)/2,
+ * which has the solution
  *
  *     q <- [(1 - s^2/16) + (h/2) Omega] q / (1 + s^2/16),   s = h|Omega|
  *
- * Turns by 4 atan(s/4) and keeps |q| without normalising. I. P. Omelyan, Algorithm for numerical integration of the rigid-body
- * equations of motion, Phys. Rev. E 58, 1169 (1998); A new leapfrog integrator of rotational motion. The revised
- * angular-momentum approach, Mol. Simul. 22, 213 (1999). His iteration for Omega falls away: a sphere has no gyroscopic term. */
+ * Turns by 4 atan(s/4) and keeps |q| without normalising. I. P. Omelyan, Algorithm for numerical integration of the
+ * rigid-body equations of motion, Phys. Rev. E 58, 1169 (1998); A new leapfrog integrator of rotational motion. The
+ * revised angular-momentum approach, Mol. Simul. 22, 213 (1999). His iteration for Omega falls away: a sphere has no
+ * gyroscopic term. */
 #include "quaternion.h"
 #include "verlet.h"
 
@@ -27,10 +28,8 @@ static int leapfrog(struct course *c, int64_t steps)
 }
 
 const struct rival rival_omelyan = {
-    .name = "omelyan",
-    .about = "leapfrog, quaternion by the midpoint rule (Omelyan 1998, 1999)",
-    .order = 2,
-    .lag = 0.5,
+    .stepper =
+        RIVAL_STEPPER("omelyan", 2, 0.5, 1, 2.0, "leapfrog, quaternion by the midpoint rule (Omelyan 1998, 1999)"),
     .go = leapfrog,
     .takes_forces = 1,
 };

@@ -5,7 +5,7 @@
 
 #include "quaternion.h"
 
-/* ---- a state --------------------------------------------------------------------------------------------------------- */
+/* ---- a state ----------------------------------------------------------------------------------------------------- */
 
 /** Where the blocks of a state begin; the first absent ones take no room. */
 struct places {
@@ -72,7 +72,7 @@ void rates_normalise(const struct course *c, double *state)
         quat_unit_of(q + 4 * i, q + 4 * i);
 }
 
-/* ---- its derivative -------------------------------------------------------------------------------------------------- */
+/* ---- its derivative ---------------------------------------------------------------------------------------------- */
 
 /** load/m in place. */
 static void accelerations(double *restrict load, const vti_scalars *per, int64_t n)

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The continuous equations of a course as one state vector, for methods that are made for any ordinary differential equation:
+ * The continuous equations of a course as one state vector, for methods that are made for any ordinary differential
+ * equation:
  *
  *     x' = v,  v' = F/m,  q' = (1/2) Omega q,  Omega' = RM/J
  *
- * A state is blocks of all bodies, of what the model has: x [n][3], v [n][3], q [n][4], Omega [n][3]. Forces are written to
- * where v' and Omega' stand, so nothing is copied. */
+ * A state is blocks of all bodies, of what the model has: x [n][3], v [n][3], q [n][4], Omega [n][3]. Forces are
+ * written to where v' and Omega' stand, so nothing is copied. */
 #ifndef VTI_RATES_H
 #define VTI_RATES_H
 

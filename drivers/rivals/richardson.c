@@ -7,10 +7,10 @@
  *     b = normalise(q + (h/4) Omega q),   b <- normalise(b + (h/4) Omega b)
  *     q <- normalise(2 b - a)
  *
- * The documentation of LAMMPS names it for the quaternions of fix nve/asphere and fix nve/bpm/sphere: A. P. Thompson et al.,
- * LAMMPS - a flexible simulation tool for particle-based materials modeling, Comput. Phys. Commun. 271, 108171 (2022). LAMMPS
- * finds Omega again from the angular momentum at the half step; of a sphere both keep their ratio, so that is left out, as in
- * its form for spheres. */
+ * The documentation of LAMMPS names it for the quaternions of fix nve/asphere and fix nve/bpm/sphere: A. P. Thompson
+ * et al., LAMMPS - a flexible simulation tool for particle-based materials modeling, Comput. Phys. Commun. 271,
+ * 108171 (2022). LAMMPS finds Omega again from the angular momentum at the half step; of a sphere both keep their
+ * ratio, so that is left out, as in its form for spheres. */
 #include "quaternion.h"
 #include "verlet.h"
 
@@ -35,10 +35,10 @@ static int verlet(struct course *c, int64_t steps)
 }
 
 const struct rival rival_lammps = {
-    .name = "lammps-richardson",
-    .about = "velocity Verlet, quaternion by Richardson iteration (LAMMPS fix nve/asphere and nve/bpm/sphere; "
-             "Thompson et al. 2022)",
-    .order = 2,
+    .stepper =
+        RIVAL_STEPPER("lammps-richardson", 2, 0.0, 1, 2.0,
+                      "velocity Verlet, quaternion by Richardson iteration (LAMMPS fix nve/asphere and nve/bpm/sphere; "
+                      "Thompson et al. 2022)"),
     .go = verlet,
     .takes_forces = 1,
 };

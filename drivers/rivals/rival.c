@@ -32,7 +32,7 @@ const struct rival *rival_unlisted(int64_t i)
     return i >= 0 && i < UNLISTED ? unlisted[i] : NULL;
 }
 
-/* ---- a course -------------------------------------------------------------------------------------------------------- */
+/* ---- a course ---------------------------------------------------------------------------------------------------- */
 
 /** 1/m of one value or of n into *next, which moves on. */
 static vti_scalars inverse(const vti_scalars *of, int64_t n, double **next)
@@ -116,20 +116,21 @@ void course_destroy(struct course *c)
 static int start(struct course *c)
 {
     const int status = c->rival->takes_forces ? course_forces(c) : VTI_OK;
-    return status != VTI_OK || c->rival->lag == 0.0 ? status : vti_kick(-c->rival->lag * c->h, &c->bodies);
+    return status != VTI_OK || c->rival->stepper.lag == 0.0 ? status
+                                                            : vti_kick(-c->rival->stepper.lag * c->h, &c->bodies);
 }
 
 static int refused(const struct course *c, int status, struct message *message)
 {
     if (status == VTI_E_TOO_LARGE)
-        return message_set(message, "%s at h = %s: t = %.6g: body %lld has h|Omega| = %.6g; %s", c->rival->name,
+        return message_set(message, "%s at h = %s: t = %.6g: body %lld has h|Omega| = %.6g; %s", c->rival->stepper.name,
                            NUMBER(c->h), (double)c->steps * c->h, (long long)c->fault.body, c->fault.value,
                            vti_status_text(status));
     if (status == RIVAL_E_DIVERGES)
         return message_set(message, "%s at h = %s: t = %.6g: its iteration does not converge; take a smaller h",
-                           c->rival->name, NUMBER(c->h), (double)c->steps * c->h);
-    return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->name, NUMBER(c->h), (double)c->steps * c->h,
-                       model_text(c->model, status));
+                           c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
+    return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->stepper.name, NUMBER(c->h),
+                       (double)c->steps * c->h, model_text(c->model, status));
 }
 
 int course_go(struct course *c, int64_t steps, struct message *message)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Rivals: the integrators that people use instead of ours, for the cost study and for nothing else. Each is written from the
+ * Rivals: the integrators that people use instead of ours, to compare with. Each is written from the
  * literature as a plain loop over packed arrays, and takes its forces from the same effects as our steppers. */
 #ifndef VTI_RIVAL_H
 #define VTI_RIVAL_H
@@ -11,14 +11,19 @@
 
 struct course;
 
+/** evals: of a step; 0 where they vary. reach: as in vti_stepper, NaN where nobody has worked it out. */
+#define RIVAL_STEPPER(NAME, ORDER, LAG, EVALS, REACH, ABOUT)                                                           \
+    {                                                                                                                  \
+        .name = (NAME), .frame = VTI_FRAME_SPACE, .order = (ORDER), .evals = (EVALS), .lag = (LAG), .reach = (REACH),  \
+        .about = (ABOUT)                                                                                               \
+    }
+
 struct rival {
-    const char *name, *about;
-    int64_t order;
-    double lag;        /* velocities live at t - lag h between steps */
-    double phi;        /* Campello's: the share of a kick that is by the forces at the step's start */
-    int64_t own_width; /* doubles per body of its own, besides the quaternion */
-    /** What it needs before the first step, forces excepted; NULL if nothing. Returns 0, or -1 if there is no memory or, with
-     *  a line in *message, for another reason. */
+    vti_stepper stepper; /* what it is listed and named as: it has no coefficients, and the core refuses it */
+    double phi;          /* Campello's: the share of a kick that is by the forces at the step's start */
+    int64_t own_width;   /* doubles per body of its own, besides the quaternion */
+    /** What it needs before the first step, forces excepted; NULL if nothing. Returns 0, or -1 if there is no memory
+     *  or, with a line in *message, for another reason. */
     int (*prepare)(struct course *course, struct message *message);
     /** The next steps of h. Returns VTI_OK or a status; then course->fault may name a body. */
     int (*go)(struct course *course, int64_t steps);
@@ -34,8 +39,8 @@ const struct rival *rival_at(int64_t i);
 /** Members of a family that are found by name and not listed; NULL after the last. */
 const struct rival *rival_unlisted(int64_t i);
 
-/** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what the model
- *  does not have are NULL. x, v, w, f and m are the model's own memory. */
+/** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
+ *  the model does not have are NULL. x, v, w, f and m are the model's own memory. */
 struct course {
     const struct rival *rival;
     struct model *model;

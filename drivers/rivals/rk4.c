@@ -80,9 +80,9 @@ static void show(struct course *c)
 }
 
 const struct rival rival_rk4 = {
-    .name = "rk4",
-    .about = "classical Runge-Kutta on (x, v, q, Omega), quaternion normalised after each step (textbook)",
-    .order = 4,
+    .stepper =
+        RIVAL_STEPPER("rk4", 4, 0.0, 4, 2.8284271247461903,
+                      "classical Runge-Kutta on (x, v, q, Omega), quaternion normalised after each step (textbook)"),
     .own_width = STATES * RATES_WIDTH,
     .prepare = prepare,
     .go = go,

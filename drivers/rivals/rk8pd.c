@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * GSL's rk8pd on y = (x, v, q, Omega): P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comput. Appl.
- * Math. 7, 67 (1981), order 8, thirteen evaluations; M. Galassi et al., GNU Scientific Library Reference Manual, 3rd ed. (2009),
- * "Ordinary Differential Equations".
+ * GSL's rk8pd on y = (x, v, q, Omega): P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J.
+ * Comput. Appl. Math. 7, 67 (1981), order 8, thirteen evaluations; M. Galassi et al., GNU Scientific Library
+ * Reference Manual, 3rd ed. (2009), "Ordinary Differential Equations".
  *
  * "rk8pd" takes steps of h, without a thought for the error estimate that GSL makes beside them.
  *
@@ -10,12 +10,12 @@
  *
  *     epsilon = SHARE (h f)^8,   at least 1e-14,   f = max(omega_max, max |Omega| at t = 0)
  *
- * absolute and relative to each number of the state. omega_max is what vti_stable_step allows for (0 if nothing oscillates; if
- * nothing spins either, f = 1/h). As the estimate grows with the eighth power of the step, the steps chosen are proportional to
- * h: a third of it to all of it on the scenes here. Below epsilon = 1e-14 rounding would be refined, not error: h has no effect
- * there.
- * The last step, cut to end where the caller wants to look, is taken by a copy that is left behind, so that neither the path nor
- * the number of evaluations depends on how often somebody looks. */
+ * absolute and relative to each number of the state. omega_max is what vti_stable_step allows for (0 if nothing
+ * oscillates; if nothing spins either, f = 1/h). As the estimate grows with the eighth power of the step, the steps
+ * chosen are proportional to h: a third of it to all of it on the scenes here. Below epsilon = 1e-14 rounding would
+ * be refined, not error: h has no effect there. The last step, cut to end where the caller wants to look, is taken
+ * by a copy that is left behind, so that neither the path nor the number of evaluations depends on how often
+ * somebody looks. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <stdlib.h>
@@ -38,7 +38,7 @@ struct tool {
     int status;           /* of the last forces */
 };
 
-/* ---- tools ----------------------------------------------------------------------------------------------------------- */
+/* ---- tools ------------------------------------------------------------------------------------------------------- */
 
 static int derivative(double t, const double y[], double dydt[], void *self)
 {
@@ -106,7 +106,7 @@ static int prepare_adaptive(struct course *c, struct message *message)
     return tool->control != NULL && tool->evolve != NULL && tool->cut != NULL ? 0 : -1;
 }
 
-/* ---- steps ----------------------------------------------------------------------------------------------------------- */
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
 
 static int status_of(const struct tool *tool, int gsl_status)
 {
@@ -184,9 +184,9 @@ static void show_adaptive(struct course *c)
 }
 
 const struct rival rival_rk8pd = {
-    .name = "rk8pd",
-    .about = "Runge-Kutta Prince-Dormand of order 8 with fixed steps, quaternion normalised after each (GSL)",
-    .order = ORDER,
+    .stepper =
+        RIVAL_STEPPER("rk8pd", ORDER, 0.0, 13, NAN,
+                      "Runge-Kutta Prince-Dormand of order 8 with fixed steps, quaternion normalised after each (GSL)"),
     .own_width = STATES * RATES_WIDTH,
     .prepare = prepare,
     .go = go,
@@ -195,9 +195,9 @@ const struct rival rival_rk8pd = {
 };
 
 const struct rival rival_rk8pd_adaptive = {
-    .name = "rk8pd-adaptive",
-    .about = "Runge-Kutta Prince-Dormand of order 8 with step size control; its tolerance is proportional to h^8 (GSL)",
-    .order = ORDER,
+    .stepper = RIVAL_STEPPER(
+        "rk8pd-adaptive", ORDER, 0.0, 0, NAN,
+        "Runge-Kutta Prince-Dormand of order 8 with step size control; its tolerance is proportional to h^8 (GSL)"),
     .own_width = STATES * RATES_WIDTH,
     .prepare = prepare_adaptive,
     .go = go_adaptive,

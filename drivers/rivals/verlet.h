@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Verlet's method in its two forms, around a law by which a quaternion is turned. A law is inlined whole into the loop of each
- * rival that names it: no call is left per body. */
+ * Verlet's method in its two forms, around a law by which a quaternion is turned. A law is inlined whole into the
+ * loop of each rival that names it: no call is left per body. */
 #ifndef VTI_VERLET_H
 #define VTI_VERLET_H
 

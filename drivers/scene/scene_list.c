@@ -6,7 +6,7 @@
 #include "quote.h"
 #include "scene.h"
 #include "scene_field.h"
-#include "vti.h"
+#include "scene_stepper.h"
 
 /** In the order of enum scene_kind. */
 static const char *const kinds[] = {"section",
@@ -23,8 +23,8 @@ static const char *const kinds[] = {"section",
 
 static void list_steppers(FILE *file)
 {
-    for (int64_t k = 0; k < vti_stepper_count(); ++k)
-        fprintf(file, "%s\t%s\n", vti_stepper_at(k)->name, vti_stepper_at(k)->about);
+    for (int64_t k = 0; scene_stepper_at(k) != NULL; ++k)
+        fprintf(file, "%s\t%s\n", scene_stepper_at(k)->name, scene_stepper_at(k)->about);
 }
 
 /** The keys at the top that stand for physics: not the bodies, and nothing about time and names. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "scene_number.h"
+#include "scene_stepper.h"
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
 
@@ -57,19 +58,19 @@ static int read_path(const struct scene_reader *reader, const struct scene_field
 static char *list_steppers(char *out, size_t size)
 {
     out[0] = '\0';
-    for (int64_t k = 0; k < vti_stepper_count(); ++k)
-        if (vti_stepper_at(k)->frame == VTI_FRAME_SPACE)
-            append(append(out, size, out[0] != '\0' ? ", " : ""), size, vti_stepper_at(k)->name);
+    for (int64_t k = 0; scene_stepper_at(k) != NULL; ++k)
+        if (scene_stepper_at(k)->frame == VTI_FRAME_SPACE)
+            append(append(out, size, out[0] != '\0' ? ", " : ""), size, scene_stepper_at(k)->name);
     return out;
 }
 
 static int read_stepper(const struct scene_reader *reader, const struct scene_field *field, const char *name,
                         const vti_stepper **stepper)
 {
-    char shown[QUOTE_SIZE], known[256];
+    char shown[QUOTE_SIZE], known[512];
     quote(shown, sizeof shown, name);
     list_steppers(known, sizeof known);
-    const vti_stepper *found = vti_stepper_find(name);
+    const vti_stepper *found = scene_stepper_find(name);
     if (found == NULL)
         return scene_reader_fail(reader, field->path, "'%s' is not a stepper; take one of %s", shown, known);
     if (found->frame != VTI_FRAME_SPACE)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "turning.h"
 
+#include <stddef.h>
+
 static const double pi = 3.14159265358979323846;
 
 /** atan z for 0 <= z <= 1: tan(u/2) = tan u/(1 + sqrt(1 + tan^2 u)) three times, to z < 0.099, and the series to z^15. */
@@ -44,7 +46,7 @@ double turning_angle(int64_t law, double s)
 double turning_error(const vti_stepper *stepper, double s)
 {
     double sum = 0.0;
-    for (int64_t k = 0; k <= stepper->stages; ++k) {
+    for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k) {
         const double part = fabs(stepper->drift[k]) * s;
         sum += fabs(turning_angle(stepper->law, part) - part);
     }

@@ -10,7 +10,8 @@
  *  asin s (closed; s <= 1 is taken for more), 2 atan(s/2) (Cayley), 2 atan2(v, c) of the pair (c, v) of the exact laws. */
 double turning_angle(int64_t law, double s);
 
-/** Sum over the stepper's drifts a_k h of | turning_angle(a_k s) - a_k s |, as a share of s = h|Omega|. 0 for s = 0. */
+/** Sum over the stepper's drifts a_k h of | turning_angle(a_k s) - a_k s |, as a share of s = h|Omega|. 0 for s = 0, and for a
+ *  stepper that is not made of drifts. */
 double turning_error(const vti_stepper *stepper, double s);
 
 /** The largest turning_error that is no cause for a remark. Exact laws are meant to turn by h|Omega|: 1e-3. The angles of

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * How the advice is found. A stepper of order 6 is refined until its runs agree to a fraction of the error asked for: that is
- * the solution. Then every stepper searches its own way to that error (search.c), and the fastest wins. */
+ * How the advice is found. A stepper of order 6 is refined until its runs agree to a fraction of the error asked
+ * for: that is the solution. Then every stepper searches its own way to that error (search.c), and the fastest wins. */
 #include "advise.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 /* the solution is known to this share of the error asked for */
 static const double known_share = 0.03;
 
-/* ---- the solution ---------------------------------------------------------------------------------------------------- */
+/* ---- the solution ------------------------------------------------------------------------------------------------ */
 
 static int unknowable(const struct search *s, const struct pilot *finest, double apart)
 {
@@ -34,8 +34,8 @@ static int too_long(const struct search *s, double seconds)
         s->scene->name, s->advice->target, s->advice->t_end, s->advice->checked->name, seconds, 2.0 * seconds);
 }
 
-/** What refining until the solution is known will take, from how long the finest run took: its steps are doubled as often as
- *  the order tells. */
+/** What refining until the solution is known will take, from how long the finest run took: its steps are doubled as
+ *  often as the order tells. */
 static double seconds_to_go(const struct search *s, double order)
 {
     const double doublings = ceil(plain_log2(s->advice->known / (known_share * s->advice->target)) / fmax(order, 2.0));
@@ -79,12 +79,13 @@ static int find_solution(struct search *s)
     }
 }
 
-/* ---- all of them ------------------------------------------------------------------------------------------------------ */
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 static int by_seconds(const void *a, const void *b)
 {
-    const double x = ((const struct offer *)a)->seconds, y = ((const struct offer *)b)->seconds;
-    return (x > y) - (x < y);
+    const struct offer *p = a, *q = b;
+    const int p_is_rival = method_rival(p->stepper) != NULL, q_is_rival = method_rival(q->stepper) != NULL;
+    return p_is_rival != q_is_rival ? p_is_rival - q_is_rival : (p->seconds > q->seconds) - (p->seconds < q->seconds);
 }
 
 /** The least of several times of the same run, for runs that are over in a blink. */
@@ -114,8 +115,8 @@ static int make_offers(struct search *s)
             return -1;
         if (o->measured && time_again(s, o) != 0)
             return -1;
-        if (o->measured)
-            s->limit = fmin(s->limit, 2.0 * (double)o->steps * (double)o->stepper->evals);
+        if (o->measured && method_rival(o->stepper) == NULL)
+            s->limit = fmin(s->limit, 2.0 * (double)o->force_evals);
     }
     qsort(a->offers, (size_t)a->count, sizeof a->offers[0], by_seconds);
     /* the advice itself is a run that was made */
@@ -151,16 +152,19 @@ static int look_at(struct search *s)
     return failed;
 }
 
-/** Orders of 6 and 8 first: they set the limit for the others. */
+/** Orders of 6 and 8 first: they set the limit for the others. Rivals come last, and set none. */
 static void list_offers(struct advice *a, const vti_stepper *const *steppers, int64_t count)
 {
+    enum { HIGHEST = 8 };
     const int64_t known = count > 0 ? count : vti_stepper_count();
-    for (int64_t order = 8; order > 0; --order)
-        for (int64_t k = 0; k < known && a->count < ADVICE_MOST; ++k) {
-            const vti_stepper *stepper = count > 0 ? steppers[k] : vti_stepper_at(k);
-            if (stepper->order == order && stepper->frame == VTI_FRAME_SPACE)
-                a->offers[a->count++].stepper = stepper;
-        }
+    for (int rival = 0; rival <= 1; ++rival)
+        for (int64_t order = HIGHEST; order > 0; --order)
+            for (int64_t k = 0; k < known && a->count < ADVICE_MOST; ++k) {
+                const vti_stepper *stepper = count > 0 ? steppers[k] : vti_stepper_at(k);
+                if (stepper->order == order && stepper->frame == VTI_FRAME_SPACE &&
+                    (method_rival(stepper) != NULL) == rival)
+                    a->offers[a->count++].stepper = stepper;
+            }
 }
 
 int advise(const struct scene *scene, double target, double t_end, double budget, const vti_stepper *const *steppers,
@@ -181,6 +185,10 @@ int advise(const struct scene *scene, double target, double t_end, double budget
     s.message = message;
     list_offers(advice, steppers, count);
     int failed = look_at(&s);
+    if (failed == 0 && method_rival(advice->offers[0].stepper) != NULL)
+        failed =
+            message_set(message, "--steppers: only rivals, which are never advised; name one of ours too, such as %s",
+                        advice->checked->name);
     if (failed == 0)
         failed = find_solution(&s);
     if (failed == 0)

@@ -11,6 +11,7 @@ enum { ADVICE_MOST = 32 };
 struct offer {
     const vti_stepper *stepper;
     int64_t steps; /* 0: no step was found that it survives */
+    int64_t force_evals;
     double h, error, seconds;
     int measured; /* 1: this very run was made; 0: followed from coarser ones by the stepper's order */
 };
@@ -23,12 +24,13 @@ struct advice {
     const vti_stepper *checked; /* whose runs these were */
     double known;               /* error of the solution that all others are compared with */
     int64_t count;
-    struct offer offers[ADVICE_MOST]; /* by rising seconds; the first is the advice */
+    struct offer offers[ADVICE_MOST]; /* by rising seconds, rivals after ours; the first is the advice */
 };
 
-/** Works out the advice by pilot runs over the whole time, coarse ones where they suffice. Steppers are those of the list, or
- *  all for count 0. say (may be NULL) hears of every run. Returns 0, or -1 with one line in *message, so too if no run comes
- *  near enough to the others to tell its error, or would take more than budget seconds for that. */
+/** Works out the advice by pilot runs over the whole time, coarse ones where they suffice. Steppers are those of the
+ *  list, or all of the core for count 0. Rivals in it are measured too, and are never the advice. say (may be NULL)
+ *  hears of every run. Returns 0, or -1 with one line in *message, so too if no run comes near enough to the others
+ *  to tell its error, or would take more than budget seconds for that. */
 int advise(const struct scene *scene, double target, double t_end, double budget, const vti_stepper *const *steppers,
            int64_t count, void (*say)(const char *stepper, int64_t steps), struct advice *advice,
            struct message *message);

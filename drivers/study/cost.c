@@ -32,7 +32,7 @@ static int anywhere(int failed, MPI_Comm comm)
     return failed;
 }
 
-/* ---- references ------------------------------------------------------------------------------------------------------ */
+/* ---- references -------------------------------------------------------------------------------------------------- */
 
 /** One for every case. Those that are made stay in their places and are destroyed with the others. */
 static int make_references(struct work *w, MPI_Comm comm, struct message *message)
@@ -53,7 +53,7 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
     return 0;
 }
 
-/* ---- errors: one ladder is one task ---------------------------------------------------------------------------------- */
+/* ---- errors: one ladder is one task ------------------------------------------------------------------------------ */
 
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
 {
@@ -118,7 +118,7 @@ static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
     return failed;
 }
 
-/* ---- times ----------------------------------------------------------------------------------------------------------- */
+/* ---- times ------------------------------------------------------------------------------------------------------- */
 
 static int tell(void *self, double share)
 {
@@ -173,7 +173,7 @@ static int time_all(struct work *w, MPI_Comm comm, int rank, struct message *mes
     return failed == -1 ? message_set(message, "out of memory; use fewer scenes") : failed;
 }
 
-/* ---- all together ---------------------------------------------------------------------------------------------------- */
+/* ---- all together ------------------------------------------------------------------------------------------------ */
 
 static void find_prices(struct cost *cost)
 {

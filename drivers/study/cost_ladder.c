@@ -12,7 +12,7 @@ double cost_error(const struct race_result *run, int turns)
 }
 
 /** One run. It is kept, or counted as failed, or it is a first one without meaning. Returns its force evaluations. */
-static int64_t one_rung(const struct cost_case *c, const struct method *method, double h, double worst, int turns,
+static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, double h, double worst, int turns,
                         struct reference *reference, struct cost_ladder *ladder)
 {
     struct race_result *run = &ladder->runs[ladder->count];
@@ -29,7 +29,7 @@ static int64_t one_rung(const struct cost_case *c, const struct method *method, 
     return evals;
 }
 
-static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const struct method *method, int turns,
+static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method, int turns,
                         struct reference *reference, struct cost_ladder *ladder)
 {
     for (int64_t k = 0; k < plan->h_count; ++k)
@@ -69,7 +69,7 @@ static double first_steps(const struct cost_case *c, const struct model *model)
     return fmax(fewest, ceil(c->t_end / (coarser * stable.h)));
 }
 
-void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const struct method *method,
+void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
                      const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
                      void *poll_self, struct cost_ladder *ladder)
 {

@@ -27,7 +27,7 @@ double cost_error(const struct race_result *run, int turns);
  *   - the error, below 1e-6 already, is rounding: over the last factor of four in steps it has not even halved, twice in a row.
  *  Runs at the start whose error is above 1 say nothing and are left out. model is of the case, at t = 0. poll (may be NULL)
  *  is called between runs and ends the ladder if it returns non-zero. */
-void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const struct method *method,
+void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
                      const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
                      void *poll_self, struct cost_ladder *ladder);
 

@@ -7,9 +7,10 @@
 
 #include "number.h"
 
-/* ---- comma lists ----------------------------------------------------------------------------------------------------- */
+/* ---- comma lists ------------------------------------------------------------------------------------------------- */
 
-/** Takes the next part of a list into part; *list moves on, to NULL after the last. Returns 0, or -1 if it is too long. */
+/** Takes the next part of a list into part; *list moves on, to NULL after the last. Returns 0, or -1 if it is too
+ *  long. */
 static int next_part(const char **list, char *part, size_t size)
 {
     const char *comma = strchr(*list, ',');
@@ -21,39 +22,18 @@ static int next_part(const char **list, char *part, size_t size)
     return fits ? 0 : -1;
 }
 
-/* ---- methods --------------------------------------------------------------------------------------------------------- */
-
-static int unknown(const char *name, struct message *message)
-{
-    char known[768] = "";
-    for (int64_t i = 0; i < method_count(); ++i) {
-        strncat(known, i > 0 ? ", " : "", sizeof known - strlen(known) - 1);
-        strncat(known, method_at(i)->name, sizeof known - strlen(known) - 1);
-    }
-    return message_set(message, "--steppers: '%s' is not a method; known are %s", name, known);
-}
+/* ---- methods ----------------------------------------------------------------------------------------------------- */
 
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message)
 {
-    plan->methods_count = 0;
-    for (int64_t i = 0; list == NULL && i < method_count() && i < COST_METHODS; ++i)
-        plan->methods[plan->methods_count++] = method_at(i);
-    while (list != NULL) {
-        char name[64];
-        const int cut = next_part(&list, name, sizeof name);
-        const struct method *method = method_find(name);
-        if (cut != 0 || method == NULL)
-            return unknown(name, message);
-        for (int64_t k = 0; k < plan->methods_count; ++k)
-            if (plan->methods[k] == method)
-                return message_set(message, "--steppers: '%s' appears twice; name every method once", name);
-        /* each at most once, and all that there are fit */
-        plan->methods[plan->methods_count++] = method;
-    }
-    return 0;
+    for (plan->methods_count = 0; list == NULL && method_at(plan->methods_count) != NULL; ++plan->methods_count)
+        plan->methods[plan->methods_count] = method_at(plan->methods_count);
+    if (list != NULL)
+        plan->methods_count = methods_read("--steppers", list, plan->methods, COST_METHODS, message);
+    return plan->methods_count > 0 ? 0 : -1;
 }
 
-/* ---- scenes and their ends ------------------------------------------------------------------------------------------- */
+/* ---- scenes and their ends --------------------------------------------------------------------------------------- */
 
 static int add_case(struct cost_plan *plan, const struct scene *scene, double t_end, int several,
                     struct message *message)
@@ -93,7 +73,7 @@ int cost_plan_add(struct cost_plan *plan, const struct scene *scene, const char 
     return 0;
 }
 
-/* ---- steps ----------------------------------------------------------------------------------------------------------- */
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
 
 int cost_plan_steps(struct cost_plan *plan, const char *list, struct message *message)
 {

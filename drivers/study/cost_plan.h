@@ -4,9 +4,9 @@
 #define VTI_COST_PLAN_H
 
 #include "ladder.h"
-#include "method.h"
+#include "travel.h"
 
-enum { COST_CASES = 32, COST_METHODS = 64 };
+enum { COST_CASES = 32, COST_METHODS = 64, COST_REPEATS = 64 };
 
 /** A scene to one of its ends. */
 struct cost_case {
@@ -18,7 +18,7 @@ struct cost_case {
 struct cost_plan {
     struct cost_case cases[COST_CASES];
     int64_t cases_count;
-    const struct method *methods[COST_METHODS];
+    const vti_stepper *methods[COST_METHODS];
     int64_t methods_count;
     double h[LADDER_MOST]; /* h_count = 0: every method finds its own ladder (cost_ladder.h) */
     int64_t h_count;
@@ -31,12 +31,13 @@ struct cost_plan {
  *  names the known ones. */
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message);
 
-/** Adds the scene, which must outlive the plan, with the ends "10,100" or, for NULL, its own. what is where the ends come
- *  from, for messages. Returns 0, or -1 with one line in *message. */
+/** Adds the scene, which must outlive the plan, with the ends "10,100" or, for NULL, its own. what is where the ends
+ *  come from, for messages. Returns 0, or -1 with one line in *message. */
 int cost_plan_add(struct cost_plan *plan, const struct scene *scene, const char *ends, const char *what,
                   struct message *message);
 
-/** Reads steps as ladder_read does; all must divide all ends, so call it last. Returns 0, or -1 with one line in *message. */
+/** Reads steps as ladder_read does; all must divide all ends, so call it last. Returns 0, or -1 with one line in
+ *  *message. */
 int cost_plan_steps(struct cost_plan *plan, const char *list, struct message *message);
 
 #endif

@@ -28,8 +28,8 @@ struct cost_price {
 
 struct cost_price cost_price_of(const struct cost_ladder *ladder, int turns, double error);
 
-/** By how much each grows when the error is to be ten times smaller: a straight line through the logarithms of the prices of
- *  all targets. NaN with fewer than three prices. */
+/** By how much each grows when the error is to be ten times smaller: a straight line through the logarithms of the
+ *  prices of all targets. NaN with fewer than three prices. */
 struct cost_price cost_price_factor(const struct cost_price prices[COST_TARGETS]);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "control.h"
 
-/* ---- the state as bodies --------------------------------------------------------------------------------------------- */
+/* ---- the state as bodies ----------------------------------------------------------------------------------------- */
 
 int64_t equations_body_width(const struct model *model)
 {
@@ -68,7 +68,7 @@ void equations_start(const struct model *model, double *state)
     }
 }
 
-/* ---- the continuous equations ---------------------------------------------------------------------------------------- */
+/* ---- the continuous equations ------------------------------------------------------------------------------------ */
 
 /** One body's x' = v and v' = F/m. */
 static void translation_rate(const vti_bodies *b, int64_t i, const double force[3], double *rate)
@@ -119,7 +119,7 @@ static int rates(double t, const double state[], double rate[], void *self)
     return GSL_SUCCESS;
 }
 
-/* ---- integration ----------------------------------------------------------------------------------------------------- */
+/* ---- integration ------------------------------------------------------------------------------------------------- */
 
 int equations_create(struct equations *eq, struct model *model, double tolerance)
 {

@@ -20,8 +20,8 @@ struct equations {
     gsl_odeiv2_driver *driver;
 };
 
-/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is. Returns 0, or -1
- *  if there is no memory. */
+/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is. Returns 0,
+ *  or -1 if there is no memory. */
 int equations_create(struct equations *equations, struct model *model, double tolerance);
 void equations_destroy(struct equations *equations);
 

@@ -9,8 +9,8 @@
 #include "plain.h"
 #include "vti_rrv.h"
 
-/** P(|T| < t) for f degrees of freedom (M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.7.3 and 4): with
- *  theta = atan(t/sqrt f), s and c its sine and cosine,
+/** P(|T| < t) for f degrees of freedom (M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 26.7.3 and 4):
+ *  with theta = atan(t/sqrt f), s and c its sine and cosine,
  *
  *      f even:  s (1 + 1/2 c^2 + (1 3)/(2 4) c^4 + ... up to c^(f-2))
  *      f odd:   2/pi [theta + s (c + 2/3 c^3 + (2 4)/(3 5) c^5 + ... up to c^(f-2))] */

@@ -8,9 +8,9 @@
 /** log2(error) = log2_constant + order log2(h), over the finest two thirds of the usable points. */
 struct order {
     double order;
-    /** Half width: the 95 % interval of the slope (Student's t of the residuals) plus the larger change of the slope when
-     *  only the finer or only the coarser half of the points is fitted, since residuals at finite h are curvature and
-     *  rounding rather than noise. */
+    /** Half width: the 95 % interval of the slope (Student's t of the residuals) plus the larger change of the slope
+     *  when only the finer or only the coarser half of the points is fitted, since residuals at finite h are
+     *  curvature and rounding rather than noise. */
     double interval;
     double log2_constant;
     double h_min, h_max; /* of the points fitted */

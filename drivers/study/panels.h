@@ -27,7 +27,8 @@ void panels_destroy(struct panels *panels);
 double panels_time(const struct panels *panels, int64_t p, double tau);
 double *panels_row(const struct panels *panels, int64_t p, int k);
 
-/** Largest of the last two Chebyshev coefficients of any component of panel p: what the interpolant leaves out is smaller. */
+/** Largest of the last two Chebyshev coefficients of any component of panel p: what the interpolant leaves out is
+ *  smaller. */
 double panels_tail(const struct panels *panels, int64_t p);
 
 /** The panel that holds t, in memory or not, and t's place tau in it. */

@@ -1,78 +1,60 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
 #include "pilot.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { LOOKS = 64 }; /* at the bodies of a run */
 
-/** Time of this thread: what a core of its own would take by the clock, whatever else runs here. */
-static double now(void)
+/** A copy at p of a view that is there. */
+static void keep(vti_view *view, double *p, int64_t n, int *finite)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    for (int64_t i = 0; view->c[0] != NULL && i < n; ++i)
+        for (int k = 0; k < 3; ++k) {
+            p[3 * i + k] = view->c[k][i * view->stride];
+            *finite &= isfinite(p[3 * i + k]) != 0;
+        }
+    *view = view->c[0] != NULL ? vti_view_packed(p) : vti_view_none();
+}
+
+static int keep_end(struct pilot *pilot, const vti_bodies *bodies)
+{
+    const int64_t n = bodies->count;
+    int finite = 1;
+    pilot->end = vti_bodies_none(n);
+    pilot->end.v = bodies->v;
+    pilot->end.alpha = bodies->alpha;
+    keep(&pilot->end.v, pilot->memory, n, &finite);
+    keep(&pilot->end.alpha, pilot->memory + 3 * n, n, &finite);
+    return finite ? 0 : message_set(&pilot->message, "the bodies leave the range of numbers");
 }
 
 static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct pilot *pilot = self;
-    (void)step;
     (void)t;
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
-    return 0;
+    return step == pilot->steps ? keep_end(pilot, bodies) : 0;
 }
 
-static void keep(const vti_view *from, double *to, int64_t n, int *finite)
+int pilot_run(const struct scene *scene, const struct trial *trial, struct pilot *pilot, struct message *message)
 {
-    for (int64_t i = 0; i < n; ++i)
-        for (int k = 0; k < 3; ++k) {
-            to[3 * i + k] = from->c[k][i * from->stride];
-            *finite &= isfinite(to[3 * i + k]) != 0;
-        }
-}
-
-static void keep_end(struct pilot *pilot, const vti_bodies *bodies)
-{
-    const int64_t n = bodies->count;
-    int finite = 1;
-    pilot->end = vti_bodies_none(n);
-    if (bodies->v.c[0] != NULL) {
-        pilot->end.v = vti_view_packed(pilot->memory);
-        keep(&bodies->v, pilot->memory, n, &finite);
-    }
-    if (bodies->alpha.c[0] != NULL) {
-        pilot->end.alpha = vti_view_packed(pilot->memory + 3 * n);
-        keep(&bodies->alpha, pilot->memory + 3 * n, n, &finite);
-    }
-    if (!finite && !pilot->failed)
-        message_set(&pilot->message, "the bodies leave the range of numbers");
-    pilot->failed |= !finite;
-}
-
-int pilot_run(const struct scene *scene, const vti_stepper *stepper, int64_t steps, double t_end, struct pilot *pilot,
-              struct message *message)
-{
-    struct model model;
+    struct trial_run run;
+    const struct observer observer = {look, pilot, (trial->steps + LOOKS - 1) / LOOKS, 0};
     memset(pilot, 0, sizeof *pilot);
-    pilot->steps = steps;
-    if (model_create(scene, &model, message) != 0)
+    pilot->steps = trial->steps;
+    if (trial_begin(&run, scene, trial, message) != 0)
         return -1;
-    pilot->memory = calloc((size_t)(6 * model.bodies.count), sizeof *pilot->memory);
-    if (pilot->memory == NULL) {
-        model_destroy(&model);
-        return message_set(message, "%s: out of memory; use fewer bodies", scene->name);
+    pilot->memory = calloc((size_t)(6 * run.model.bodies.count), sizeof *pilot->memory);
+    const int without = pilot->memory == NULL;
+    if (!without) {
+        pilot->failed = trial_go(&run, trial->steps, &observer, 1, &pilot->message) != 0;
+        pilot->seconds = run.seconds;
+        pilot->force_evals = travel_force_evals(&run.travel);
     }
-    const struct observer observer = {look, pilot, (steps + LOOKS - 1) / LOOKS, 0};
-    const double start = now();
-    pilot->failed = loop_run(&model, stepper, t_end / (double)steps, 0, steps, &observer, 1, &pilot->message) != 0;
-    pilot->seconds = now() - start;
-    keep_end(pilot, &model.bodies);
-    model_destroy(&model);
-    return 0;
+    trial_end(&run);
+    return without ? message_set(message, "%s: out of memory; use fewer bodies", scene->name) : 0;
 }
 
 void pilot_destroy(struct pilot *pilot)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Messages: a worker sends DONE (its task and result; task -1 at the start) and receives TASK (the next one, or -1). STOP
- * asks a worker to end the task that it is at; a worker that is asked so from outside tells rank 0 by ASKED. */
+ * Messages: a worker sends DONE (its task and result; task -1 at the start) and receives TASK (the next one, or -1).
+ * STOP asks a worker to end the task that it is at; a worker that is asked so from outside tells rank 0 by ASKED. */
 #define _POSIX_C_SOURCE 200809L
 #include "queue.h"
 
@@ -37,7 +37,7 @@ static int is_asked(const struct state *s)
     return s->queue->asked != NULL && s->queue->asked(s->queue->self);
 }
 
-/* ---- rank 0 -------------------------------------------------------------------------------------------------------- */
+/* ---- rank 0 ------------------------------------------------------------------------------------------------------ */
 
 static int64_t next_task(struct state *s)
 {
@@ -107,7 +107,7 @@ static void work_root(struct state *s, struct report *own)
     }
 }
 
-/* ---- the others ------------------------------------------------------------------------------------------------------ */
+/* ---- the others -------------------------------------------------------------------------------------------------- */
 
 static int poll_worker(void *self, int64_t work)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A dynamic queue of independent tasks over the ranks of a communicator. Rank 0 hands out tasks and works too: it answers the
- * others between the slices of its own task. Plain point-to-point messages, so any transport will do. */
+ * A dynamic queue of independent tasks over the ranks of a communicator. Rank 0 hands out tasks and works too: it
+ * answers the others between the slices of its own task. Plain point-to-point messages, so any transport will do. */
 #ifndef VTI_QUEUE_H
 #define VTI_QUEUE_H
 
@@ -28,8 +28,8 @@ struct queue {
     int (*asked)(void *self);
 };
 
-/** Works the queue off. Collective; returns on all ranks 0, or -1 if done stopped it or memory ran out, or WATCH_ASKED if any
- *  rank was asked to end. */
+/** Works the queue off. Collective; returns on all ranks 0, or -1 if done stopped it or memory ran out, or
+ *  WATCH_ASKED if any rank was asked to end. */
 int queue_run(const struct queue *queue, MPI_Comm comm);
 
 #endif

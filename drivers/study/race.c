@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
 #include "race.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "number.h"
 
@@ -15,7 +13,7 @@ int64_t race_steps(double t_end, double h)
     return steps > 0 ? steps : 1;
 }
 
-/* ---- errors ---------------------------------------------------------------------------------------------------------- */
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
 
 /** What stays as it is, before the first step. */
 struct start {
@@ -72,126 +70,107 @@ static double velocity_error(const vti_bodies *b, const vti_bodies *exact)
     return sqrt(vti_sum_value(&distance) / (n > 0.0 ? n : 1.0));
 }
 
-static int not_finite(const struct travel *travel, double h, struct message *message)
+static int not_finite(const struct trial_run *run, struct message *message)
 {
+    const struct trial *trial = run->trial;
     return message_set(message, "%s at h = %s: at t = %.6g the state is no longer finite; use a smaller step",
-                       travel->method->name, NUMBER(h), (double)travel->steps * h);
+                       trial->stepper->name, NUMBER(trial->h), (double)run->travel.steps * trial->h);
 }
 
 /** All steps, and energy and momenta at as many times. */
-static int go_and_look(struct travel *travel, double h, int64_t looks, struct race_result *r)
+static int go_and_look(struct trial_run *run, int64_t looks, struct race_result *r)
 {
     struct start start;
-    start_look(&start, travel->model);
+    start_look(&start, &run->model);
     for (int64_t k = 1; k <= looks; ++k) {
         const int64_t until = r->steps / looks * k + r->steps % looks * k / looks;
-        if (until == travel->steps)
+        if (until == run->travel.steps)
             continue;
-        if (travel_go(travel, until - travel->steps, &r->message) != 0)
+        if (trial_go(run, until, NULL, 0, &r->message) != 0)
             return -1;
-        const vti_bodies bodies = travel_bodies(travel);
-        if (look(&start, travel->model, &bodies, r) != 0)
-            return not_finite(travel, h, &r->message);
+        const vti_bodies bodies = travel_bodies(&run->travel);
+        if (look(&start, &run->model, &bodies, r) != 0)
+            return not_finite(run, &r->message);
     }
     return 0;
 }
 
-static int at_the_end(struct travel *travel, double h, struct reference *reference, double t_end, struct race_result *r)
+static int at_the_end(struct trial_run *run, struct reference *reference, double t_end, struct race_result *r)
 {
     if (reference_seek(reference, t_end, NULL, &r->message) != 0)
         return -1;
-    const vti_bodies bodies = travel_bodies(travel), exact = reference_at(reference, t_end);
+    const vti_bodies bodies = travel_bodies(&run->travel), exact = reference_at(reference, t_end);
     r->attitude_error = vti_attitude_distance(&bodies, &exact);
     r->velocity_error = velocity_error(&bodies, &exact);
-    r->force_evals = travel_force_evals(travel);
-    return isfinite(r->attitude_error) && isfinite(r->velocity_error) ? 0 : not_finite(travel, h, &r->message);
+    r->force_evals = travel_force_evals(&run->travel);
+    return isfinite(r->attitude_error) && isfinite(r->velocity_error) ? 0 : not_finite(run, &r->message);
 }
 
 /** A fresh run, with looks on the way, and the errors at its end. */
-static int run(const struct scene *scene, const struct method *method, double h, double t_end, int64_t looks,
-               struct reference *reference, struct race_result *r)
+static int one_race(const struct scene *scene, const struct trial *trial, double t_end, int64_t looks,
+                    struct reference *reference, struct race_result *r)
 {
-    struct model model;
-    struct travel travel;
-    if (model_create(scene, &model, &r->message) != 0)
+    struct trial_run run;
+    if (trial_begin(&run, scene, trial, &r->message) != 0)
         return -1;
-    int failed = travel_create(&travel, method, &model, h, &r->message);
-    if (failed == 0) {
-        failed = go_and_look(&travel, h, looks, r);
-        if (failed == 0)
-            failed = at_the_end(&travel, h, reference, t_end, r);
-        travel_destroy(&travel);
-    }
-    model_destroy(&model);
+    int failed = go_and_look(&run, looks, r);
+    if (failed == 0)
+        failed = at_the_end(&run, reference, t_end, r);
+    trial_end(&run);
     return failed;
 }
 
-void race_measure(const struct scene *scene, const struct method *method, double h, double t_end,
+void race_measure(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
                   struct reference *reference, struct race_result *r)
 {
+    const struct trial trial = trial_of(stepper, h, race_steps(t_end, h));
     memset(r, 0, sizeof *r);
     r->seconds = r->seconds_spread = NAN;
-    r->steps = race_steps(t_end, h);
-    r->failed = run(scene, method, h, t_end, RACE_LOOKS, reference, r) != 0;
+    r->steps = trial.steps;
+    r->failed = one_race(scene, &trial, t_end, RACE_LOOKS, reference, r) != 0;
     /* a rival that chooses its own steps has to end one at every look: what counts is the run without */
-    if (!r->failed && method->stepper == NULL)
-        r->failed = run(scene, method, h, t_end, 1, reference, r) != 0;
+    if (!r->failed && method_rival(stepper) != NULL)
+        r->failed = one_race(scene, &trial, t_end, 1, reference, r) != 0;
 }
 
-/* ---- times ----------------------------------------------------------------------------------------------------------- */
-
-/** The processor's time for this thread: what others do on the same core is not charged to the run. */
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+/* ---- times ------------------------------------------------------------------------------------------------------- */
 
 /** Seconds that reading the clock twice takes. */
 static double clock_cost(void)
 {
     double least = INFINITY;
     for (int k = 0; k < 64; ++k) {
-        const double from = now();
-        least = fmin(least, now() - from);
+        const double from = trial_clock();
+        least = fmin(least, trial_clock() - from);
     }
     return least;
 }
 
 /** Seconds of one fresh run, or NaN. */
-static double one_run(const struct scene *scene, const struct method *method, double h, int64_t steps,
-                      struct message *message)
+static double one_run(const struct scene *scene, const struct trial *trial, struct message *message)
 {
-    struct model model;
-    struct travel travel;
-    double seconds = NAN;
-    if (model_create(scene, &model, message) != 0)
+    struct trial_run run;
+    if (trial_begin(&run, scene, trial, message) != 0)
         return NAN;
-    if (travel_create(&travel, method, &model, h, message) == 0) {
-        const double from = now();
-        const int failed = travel_go(&travel, steps, message);
-        seconds = failed == 0 ? now() - from : NAN;
-        travel_destroy(&travel);
-    }
-    model_destroy(&model);
-    return seconds;
+    const int failed = trial_go(&run, trial->steps, NULL, 0, message);
+    trial_end(&run);
+    return failed == 0 ? run.seconds : NAN;
 }
 
-double race_sample(const struct scene *scene, const struct method *method, double h, double t_end,
+double race_sample(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
                    struct message *message)
 {
     static const double long_enough = 1e-3;
     enum { MOST_RUNS = 1024 };
-    const int64_t steps = race_steps(t_end, h);
+    const struct trial trial = trial_of(stepper, h, race_steps(t_end, h));
     const double cost = clock_cost();
-    double seconds = one_run(scene, method, h, steps, message);
+    double seconds = one_run(scene, &trial, message);
     if (!(seconds < long_enough))
         return seconds;
     /* the first run found the caches cold, which is not what a short run is to be charged with */
     int runs = 0;
     for (seconds = 0.0; seconds < long_enough && runs < MOST_RUNS; ++runs)
-        seconds += one_run(scene, method, h, steps, message) - cost;
+        seconds += one_run(scene, &trial, message) - cost;
     return seconds / runs;
 }
 
@@ -207,18 +186,4 @@ void race_settle(double *samples, int n, struct race_result *result)
     const double median = 0.5 * (samples[(n - 1) / 2] + samples[n / 2]);
     result->seconds = samples[0];
     result->seconds_spread = (median - samples[0]) / samples[0];
-}
-
-void race_time(const struct scene *scene, const struct method *method, double h, double t_end, int repeats,
-               struct race_result *result)
-{
-    double samples[RACE_REPEATS] = {0.0};
-    const int n = repeats < 1 ? 1 : repeats < RACE_REPEATS ? repeats : RACE_REPEATS;
-    result->seconds = result->seconds_spread = NAN;
-    for (int k = 0; k < n; ++k) {
-        samples[k] = race_sample(scene, method, h, t_end, &result->message);
-        if (isnan(samples[k]))
-            return;
-    }
-    race_settle(samples, n, result);
 }

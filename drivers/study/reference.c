@@ -17,7 +17,7 @@ struct place {
     const struct watch *watch;
 };
 
-/* ---- sharing ---------------------------------------------------------------------------------------------------------- */
+/* ---- sharing ----------------------------------------------------------------------------------------------------- */
 
 /** MPI counts are int: large arrays travel in pieces. */
 static void broadcast(double *p, int64_t n, MPI_Comm comm)
@@ -124,7 +124,7 @@ void reference_destroy(struct reference *r)
     sampled_destroy(&r->sampled);
 }
 
-/* ---- reading ---------------------------------------------------------------------------------------------------------- */
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 int reference_seek(struct reference *r, double t, const struct watch *watch, struct message *message)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The reference solution of a model, by GSL's rk8pd on the continuous equations, the same on every rank: of few bodies in
- * smooth motion for any time (smooth.h), else at multiples of an interval (sampled.h). */
+ * The reference solution of a model, by GSL's rk8pd on the continuous equations, the same on every rank: of few
+ * bodies in smooth motion for any time (smooth.h), else at multiples of an interval (sampled.h). */
 #ifndef VTI_REFERENCE_H
 #define VTI_REFERENCE_H
 
@@ -24,10 +24,11 @@ int reference_is_smooth(const struct model *model);
 /** The memory that a reference takes on every rank, in bytes, unless somebody says otherwise. */
 #define REFERENCE_BYTES 1e9
 
-/** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm and shares it with all. interval is 0,
- *  or for models that are not smooth an interval of which t_end is a multiple. Panels take up to bytes on every rank: what
- *  does not fit is integrated again when it is read (smooth.h); states at intervals take what they take. watch looks on
- *  on rank 0. Collective. Returns 0 on all ranks, or -1 on all with one line in *message, or WATCH_ASKED on all. */
+/** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm and shares it with all. interval
+ *  is 0, or for models that are not smooth an interval of which t_end is a multiple. Panels take up to bytes on
+ *  every rank: what does not fit is integrated again when it is read (smooth.h); states at intervals take what they
+ *  take. watch looks on on rank 0. Collective. Returns 0 on all ranks, or -1 on all with one line in *message, or
+ *  WATCH_ASKED on all. */
 int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
@@ -35,8 +36,8 @@ void reference_destroy(struct reference *reference);
 /** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or
  *  WATCH_ASKED. Not collective. */
 int reference_seek(struct reference *reference, double t, const struct watch *watch, struct message *message);
-/** The bodies at t, attitudes as quaternions (not normalised). The views point into the reference and hold until the next
- *  call. */
+/** The bodies at t, attitudes as quaternions (not normalised). The views point into the reference and hold until the
+ *  next call. */
 vti_bodies reference_at(struct reference *reference, double t);
 
 /** ||q||^2_{H1(0,t)} = int_0^t |x|^2 + |v|^2 + theta^2 + |Omega|^2, exact to the reference's own error. */

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Steps across a kink cost accuracy and are cut short by the error control; a tolerance nearer to rounding does not help. */
+/* Steps across a kink cost accuracy and are cut short by the error control; a tolerance nearer to rounding does not
+ * help. */
 static const double step_tolerance = 1e-13, looser = 100.0;
 
 int sampled_create(struct sampled *s, struct model *model, double interval, int64_t intervals, struct message *message)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * From its largest stable step on a stepper is run with ever more steps, each number chosen by the order seen so far, until it
- * meets the error from below, or would cost several times what the best has needed; then its order tells the rest. */
+ * From its largest stable step on a stepper is run with ever more steps, each number chosen by the order seen so
+ * far, until it meets the error from below, or would cost several times what the best has needed; then its order
+ * tells the rest. */
 #include "search.h"
 
 #include <math.h>
@@ -19,12 +20,13 @@ int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, stru
 {
     if (s->say != NULL)
         s->say(stepper->name, steps);
-    return pilot_run(s->scene, stepper, steps, s->advice->t_end, pilot, s->message);
+    const struct trial trial = {stepper, s->advice->t_end / (double)steps, steps, s->advice->t_end};
+    return pilot_run(s->scene, &trial, pilot, s->message);
 }
 
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
 {
-    double h = 0.9 * 0.5 * stepper->reach * s->stable_h;
+    double h = 0.9 * 0.5 * (isnan(stepper->reach) ? 2.0 : stepper->reach) * s->stable_h;
     if (stepper->law == VTI_LAW_CLOSED && s->omega0 > 0.0)
         h = fmin(h, 0.9 / s->omega0);
     return (int64_t)fmax(4.0, ceil(fmin(s->advice->t_end / h, 1e15)));
@@ -36,8 +38,13 @@ struct point {
     double error;
 };
 
-/** Order between two points, kept within what can be meant, since coarse runs may not converge yet and kinks leave 2 of any
- *  order; the stepper's own if there is only one. */
+/** Of one step, as the last run has shown it. */
+struct price {
+    double evals, seconds;
+};
+
+/** Order between two points, kept within what can be meant, since coarse runs may not converge yet and kinks leave 2
+ *  of any order; the stepper's own if there is only one. */
 static double order_between(const vti_stepper *stepper, const struct point *coarse, const struct point *fine)
 {
     const double most = (double)stepper->order + 1.0, least = 0.9 * fmin((double)stepper->order, 2.0);
@@ -63,13 +70,14 @@ static int64_t steps_between(const struct point *above, const struct point *belo
     return (int64_t)llrint(fmin(fmax(steps, (double)above->steps + 1.0), (double)below->steps - 1.0));
 }
 
-static void offer_set(const struct search *s, struct offer *o, int64_t steps, double error, double seconds,
+static void offer_set(const struct search *s, struct offer *o, int64_t steps, double error, const struct price *price,
                       int measured)
 {
     o->steps = steps;
+    o->force_evals = llrint(price->evals * (double)steps);
     o->h = s->advice->t_end / (double)steps;
     o->error = error;
-    o->seconds = seconds;
+    o->seconds = price->seconds * (double)steps;
     o->measured = measured;
 }
 
@@ -90,29 +98,29 @@ static int64_t next_try(const struct search *s, const vti_stepper *stepper, cons
     return (int64_t)fmin(fmax((double)steps, 1.2 * (double)above->steps + 1.0), 4.0 * (double)above->steps);
 }
 
-/** Whether a run of so many steps costs too much to be made. Runs that are too coarse to converge tell nothing about finer
- *  ones, so more is spent until one does. */
-static int is_too_dear(const struct search *s, const vti_stepper *stepper, const struct point *finest, int64_t steps,
+/** Whether a run of so many steps costs too much to be made. Runs that are too coarse to converge tell nothing about
+ *  finer ones, so more is spent until one does. */
+static int is_too_dear(const struct search *s, const struct price *price, const struct point *finest, int64_t steps,
                        double limit)
 {
-    const double cost = (double)steps * (double)stepper->evals;
+    const double cost = (double)steps * price->evals;
     return cost > (finest->error < 0.3 ? limit : 4.0 * limit) && isfinite(s->limit);
 }
 
 /** Follows the order from the finest run to where it meets the error. */
 static void follow(const struct search *s, struct offer *o, const struct point *before, const struct point *finest,
-                   double per_step)
+                   const struct price *price)
 {
     const double error = aim * s->advice->target, nominal = (double)o->stepper->order;
     const double seen = order_between(o->stepper, before, finest);
     const int64_t steps = steps_for(finest, fabs(seen - nominal) < 0.7 ? nominal : seen, error);
-    offer_set(s, o, steps, error, per_step * (double)steps, 0);
+    offer_set(s, o, steps, error, price, 0);
 }
 
 int search_stepper(struct search *s, struct offer *o, double limit)
 {
     struct point before = {0, INFINITY}, above = {0, INFINITY}, below = {0, 0.0};
-    double per_step = 0.0;
+    struct price price = {0.0, 0.0};
     int refinements = 0;
     int64_t steps = search_fewest(s, o->stepper);
     for (int k = 0; k < TRIES && steps > 0; ++k) {
@@ -120,22 +128,23 @@ int search_stepper(struct search *s, struct offer *o, double limit)
         if (search_run(s, o->stepper, steps, &pilot) != 0)
             return -1;
         const struct point p = {steps, pilot_error(&pilot, &s->solution)};
-        per_step = pilot.seconds / (double)steps;
+        price.seconds = pilot.seconds / (double)steps;
+        price.evals = o->stepper->evals > 0 ? (double)o->stepper->evals : (double)pilot.force_evals / (double)steps;
         pilot_destroy(&pilot);
         refinements += below.steps > 0;
         if (p.error <= s->advice->target) {
             below = p;
-            offer_set(s, o, steps, p.error, per_step * (double)steps, 1);
+            offer_set(s, o, steps, p.error, &price, 1);
         } else {
             before = above;
             above = p;
         }
         steps = refinements < REFINEMENTS ? next_try(s, o->stepper, &before, &above, &below) : 0;
-        if (below.steps == 0 && is_too_dear(s, o->stepper, &above, steps, limit))
+        if (below.steps == 0 && is_too_dear(s, &price, &above, steps, limit))
             break;
     }
     if (below.steps == 0 && above.error < 0.3)
-        follow(s, o, &before, &above, per_step);
+        follow(s, o, &before, &above, &price);
     else if (below.steps == 0)
         o->seconds = INFINITY;
     return 0;

@@ -19,9 +19,11 @@ struct search {
 
 /** A pilot run. Returns 0, or -1 with one line in *s->message. */
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
-/** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound; at least 4. */
+/** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound; at
+ *  least 4. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
-/** Fills in the offer of o->stepper by runs of up to limit force evaluations, compared with s->solution. Returns likewise. */
+/** Fills in the offer of o->stepper by runs of up to limit force evaluations, compared with s->solution. Returns
+ *  likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);
 
 #endif

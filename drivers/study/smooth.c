@@ -8,8 +8,8 @@
 
 /* The tolerance of a step of rk8pd, and the share of the state that interpolation may add. */
 static const double step_tolerance = 1e-14, interpolation_tolerance = 1e-13;
-/* The first panels. They are halved until the interpolants are good, as long as that helps or takes no memory that is not
- * there. */
+/* The first panels. They are halved until the interpolants are good, as long as that helps or takes no memory that
+ * is not there. */
 static const double first_panel = 0.5;
 static const double most_panels = 0x1p40;
 
@@ -30,7 +30,7 @@ void smooth_destroy(struct smooth *s)
     s->state = s->starts = NULL;
 }
 
-/* ---- windows --------------------------------------------------------------------------------------------------------- */
+/* ---- windows ----------------------------------------------------------------------------------------------------- */
 
 static double *start_of(const struct smooth *s, int64_t window)
 {
@@ -76,7 +76,7 @@ static int64_t end_of(const struct smooth *s, int64_t window)
     return end < s->panels.count ? end : s->panels.count;
 }
 
-/* ---- integration ----------------------------------------------------------------------------------------------------- */
+/* ---- integration ------------------------------------------------------------------------------------------------- */
 
 static int no_memory(const struct smooth *s, struct message *message)
 {
@@ -84,8 +84,8 @@ static int no_memory(const struct smooth *s, struct message *message)
                        s->model->scene->name);
 }
 
-/** Goes to the start of a window, with an integrator that knows nothing of what came before, or the panels would depend on
- *  that. */
+/** Goes to the start of a window, with an integrator that knows nothing of what came before, or the panels would
+ *  depend on that. */
 static int enter(struct smooth *s, int64_t window, struct message *message)
 {
     const double *start = start_of(s, window);
@@ -191,7 +191,7 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
     }
 }
 
-/* ---- reading --------------------------------------------------------------------------------------------------------- */
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 vti_bodies smooth_at(struct smooth *s, double t)
 {
@@ -201,7 +201,7 @@ vti_bodies smooth_at(struct smooth *s, double t)
     return equations_bodies(s->model, s->state);
 }
 
-/* ---- the exact norm ---------------------------------------------------------------------------------------------------- */
+/* ---- the exact norm ---------------------------------------------------------------------------------------------- */
 
 /** The next tau after from, up to to, where component c changes its sign between two nodes, or to. */
 static double next_sign_change(const struct panels *panels, int64_t p, int64_t c, double from, double to)

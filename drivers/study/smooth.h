@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The reference of a model whose motion is smooth and whose bodies are few: Chebyshev panels, readable at any time.
  *
- * As many panels as memory allows are a window. All of a reference that fits into one stay there. Of a longer one the state at
- * the start of each window is kept, and a window is integrated again from there when somebody reads in it: whoever goes
- * through time in order does that once per window, and finds the same bits as anybody else. */
+ * As many panels as memory allows are a window. All of a reference that fits into one stay there. Of a longer one
+ * the state at the start of each window is kept, and a window is integrated again from there when somebody reads in
+ * it: whoever goes through time in order does that once per window, and finds the same bits as anybody else. */
 #ifndef VTI_SMOOTH_H
 #define VTI_SMOOTH_H
 
@@ -32,16 +32,16 @@ void smooth_destroy(struct smooth *smooth);
  *  WATCH_ASKED. */
 int smooth_integrate(struct smooth *smooth, double t_end, double bytes, const struct watch *watch,
                      struct message *message);
-/** Room for count panels on [0, t_end], held of them at once. No window is in memory then. Returns 0, or -1 if there is no
- *  memory. */
+/** Room for count panels on [0, t_end], held of them at once. No window is in memory then. Returns 0, or -1 if there
+ *  is no memory. */
 int smooth_resize(struct smooth *smooth, int64_t count, int64_t held, double t_end);
 
 /** Brings the window of t into memory. Returns as smooth_integrate does. */
 int smooth_seek(struct smooth *smooth, double t, const struct watch *watch, struct message *message);
 /** At a t whose window is in memory. */
 vti_bodies smooth_at(struct smooth *smooth, double t);
-/** Exact ||q||^2_{H1(0,t)}, likewise: Gauss-Legendre on the panels, split where a body passes a half turn, since the integrand
- *  (theta in [0, pi]) has a kink there. */
+/** Exact ||q||^2_{H1(0,t)}, likewise: Gauss-Legendre on the panels, split where a body passes a half turn, since the
+ *  integrand (theta in [0, pi]) has a kink there. */
 double smooth_norm_squared(struct smooth *smooth, double t);
 
 #endif

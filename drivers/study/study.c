@@ -18,53 +18,10 @@ double study_measure(const struct outcome *outcome, int measure)
     return values[measure];
 }
 
-/* ---- the plan ------------------------------------------------------------------------------------------------------ */
+/* ---- the plan ---------------------------------------------------------------------------------------------------- */
 
-/** Appends the names of the steppers that scenes can use. */
-static void list_steppers(char *text, size_t size)
-{
-    text[0] = '\0';
-    for (int64_t i = 0; i < vti_stepper_count(); ++i)
-        if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE) {
-            strncat(text, text[0] != '\0' ? ", " : "", size - strlen(text) - 1);
-            strncat(text, vti_stepper_at(i)->name, size - strlen(text) - 1);
-        }
-}
-
-static const vti_stepper *find_stepper(const char *name, size_t length)
-{
-    for (int64_t i = 0; i < vti_stepper_count(); ++i) {
-        const vti_stepper *s = vti_stepper_at(i);
-        if (s->frame == VTI_FRAME_SPACE && strlen(s->name) == length && strncmp(s->name, name, length) == 0)
-            return s;
-    }
-    return NULL;
-}
-
-int study_read_steppers(const char *list, struct plan *plan, struct message *message)
-{
-    char known[512];
-    list_steppers(known, sizeof known);
-    plan->steppers_count = 0;
-    for (const char *part = list; part != NULL;) {
-        const char *comma = strchr(part, ',');
-        const size_t length = comma != NULL ? (size_t)(comma - part) : strlen(part);
-        const vti_stepper *stepper = find_stepper(part, length);
-        if (stepper == NULL)
-            return message_set(message, "--steppers: '%.*s' is not a stepper; known are %s", (int)length, part, known);
-        for (int64_t k = 0; k < plan->steppers_count; ++k)
-            if (plan->steppers[k] == stepper)
-                return message_set(message, "--steppers: '%s' appears twice; name every stepper once", stepper->name);
-        if (plan->steppers_count == STUDY_STEPPERS)
-            return message_set(message, "--steppers: more than %d; use fewer", STUDY_STEPPERS);
-        plan->steppers[plan->steppers_count++] = stepper;
-        part = comma != NULL ? comma + 1 : NULL;
-    }
-    return 0;
-}
-
-/** Where the reference can be read at any time, runs are compared at every step. Elsewhere at the multiples of the longest step, or
- *  of a multiple of it if the states would not fit into memory, which all steps must divide. */
+/** Where the reference can be read at any time, runs are compared at every step. Elsewhere at the multiples of the
+ *  longest step, or of a multiple of it if the states would not fit into memory, which all steps must divide. */
 static int choose_interval(struct study *study, struct message *message)
 {
     const struct plan *plan = study->plan;
@@ -92,12 +49,9 @@ static int make_trials(struct study *study, struct message *message)
 {
     const struct plan *plan = study->plan;
     for (int64_t r = 0; r < study->runs; ++r) {
+        const double h = plan->h[r % plan->h_count];
         struct trial *trial = &study->trials[r];
-        trial->stepper = plan->steppers[r / plan->h_count];
-        trial->h = plan->h[r % plan->h_count];
-        trial->steps = loop_steps(study->t_end, trial->h);
-        trial->t_end = (double)trial->steps * trial->h;
-        trial->compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
+        *trial = trial_of(plan->steppers[r / plan->h_count], h, loop_steps(study->t_end, h));
         if (trial->steps < 1)
             return message_set(message, "--h: %s is longer than t_end = %s; use a smaller step", NUMBER(trial->h),
                                NUMBER(plan->t_end));
@@ -108,7 +62,7 @@ static int make_trials(struct study *study, struct message *message)
     return 0;
 }
 
-/* ---- the runs as tasks --------------------------------------------------------------------------------------------- */
+/* ---- the runs as tasks ------------------------------------------------------------------------------------------- */
 
 struct work {
     struct study *study;
@@ -123,7 +77,10 @@ struct work {
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
 {
     const struct work *w = self;
-    trial_run(w->study->plan->scene, &w->study->trials[task], w->reference, poll, poll_self, result);
+    const struct study *study = w->study;
+    const struct trial *trial = &study->trials[task];
+    const int64_t compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
+    outcome_of(study->plan->scene, trial, compare_every, w->reference, poll, poll_self, result);
 }
 
 static void show(struct work *w, int64_t extra)
@@ -183,10 +140,10 @@ static void longest_first(const struct study *study, int64_t *order)
     }
 }
 
-/* ---- orders -------------------------------------------------------------------------------------------------------- */
+/* ---- orders ------------------------------------------------------------------------------------------------------ */
 
-/** Below this a measure is rounding, since errors of attitude grow as t sqrt(steps) eps, or no more than the reference is known
- *  to. The q-error is a square root. */
+/** Below this a measure is rounding, since errors of attitude grow as t sqrt(steps) eps, or no more than the
+ *  reference is known to. The q-error is a square root. */
 static double least_error(const struct study *study, int measure, const struct trial *trial)
 {
     const double rounding = 16.0 * DBL_EPSILON * sqrt((double)trial->steps) * fmax(1.0, trial->t_end);
@@ -211,7 +168,7 @@ static void fit_orders(struct study *study)
         }
 }
 
-/* ---- all together -------------------------------------------------------------------------------------------------- */
+/* ---- all together ------------------------------------------------------------------------------------------------ */
 
 static int allocate(struct study *study, int rank)
 {

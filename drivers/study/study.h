@@ -6,9 +6,9 @@
 #include "fit.h"
 #include "ladder.h"
 #include "store.h"
-#include "trial.h"
+#include "outcome.h"
 
-enum { STUDY_STEPPERS = 16, STUDY_MEASURES = 4 };
+enum { STUDY_STEPPERS = 64, STUDY_MEASURES = 4 };
 
 /** What is asked for. */
 struct plan {
@@ -41,9 +41,6 @@ struct study {
     double seconds;                                       /* for all runs, reference excluded */
     int refused; /* a run has failed, and would again: nothing of this study is worth keeping */
 };
-
-/** Lists "vti1,vti2" in plan->steppers. Returns 0, or -1 with one line in *message that names the known ones. */
-int study_read_steppers(const char *list, struct plan *plan, struct message *message);
 
 /** Runs the plan on all ranks of comm. Collective. Returns 0, or -1 on all ranks with one line in *message on rank 0.
  *  Outcomes that the store holds are not computed again; the others come into it. store and watch may be NULL; a study

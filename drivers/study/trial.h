@@ -1,43 +1,41 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * One run of a study: a stepper at one h over one scene, measured against the reference at every step (EQUATIONS 4). */
+ * One run: a stepper at one h over one scene. What is measured on it is up to observers, and to whoever reads its
+ * end: errors at every step (outcome.h), errors at the end and times (race.h), the end alone (pilot.h). */
 #ifndef VTI_TRIAL_H
 #define VTI_TRIAL_H
 
-#include "loop.h"
-#include "reference.h"
-#include "verdict.h"
-
-enum { TRIAL_SAMPLES = 513, TRIAL_COLUMNS = 2 + MODEL_INVARIANTS };
+#include "travel.h"
 
 struct trial {
     const vti_stepper *stepper;
     double h;
     int64_t steps;
-    double t_end;          /* where the run ends: steps h */
-    int64_t compare_every; /* steps from one state that the reference knows to the next */
+    double t_end; /* where it ends */
 };
 
-/** What a run measured. A flat record, so that it can travel and be stored as bytes. */
-struct outcome {
-    int64_t failed; /* 0, or 1 and the reason in message */
-    int64_t steps, force_evals;
-    double e_error;             /* ||E_h - E_0||_{H0}/||E_0||_{H0} (absolute if E_0 = 0) */
-    double q_error;             /* the paper's | ||q_h||^2 - ||q||^2 |^(1/2)/||q|| */
-    double h1_error;            /* ||q_h - q||_{H1}/||q||_{H1} */
-    double attitude_error;      /* largest |log(R_h R^T)| at the end, radians */
-    double momentum_error;      /* largest deviation of a conserved momentum from its initial value */
-    double seconds;             /* of the run with its measurements: not a result */
-    struct judgement judgement; /* on the rows of series; at every step would cost as much as the run */
-    struct message verdict;     /* its line */
-    int64_t samples;            /* rows of series */
-    double series[TRIAL_SAMPLES][TRIAL_COLUMNS]; /* t, E_h - E_0, invariants less their initial values */
-    struct message message;
+static inline struct trial trial_of(const vti_stepper *stepper, double h, int64_t steps)
+{
+    const struct trial trial = {stepper, h, steps, (double)steps * h};
+    return trial;
+}
+
+/** On its way: a fresh model of the scene and the stepper that moves it. */
+struct trial_run {
+    const struct trial *trial;
+    struct model model;
+    struct travel travel;
+    double seconds; /* spent in trial_go */
 };
 
-/** Runs trial on a fresh model of scene. poll (may be NULL) is called with poll_self and the steps taken so far every few
- *  thousand steps, and while a piece of the reference is made; non-zero stops the run, which then has failed for no reason.
- *  Never fails as such: look at outcome->failed. */
-void trial_run(const struct scene *scene, const struct trial *trial, struct reference *reference,
-               int (*poll)(void *self, int64_t step), void *poll_self, struct outcome *outcome);
+/** Returns 0, or -1 with one line in *message and nothing to be ended. The run must not be moved. */
+int trial_begin(struct trial_run *run, const struct scene *scene, const struct trial *trial, struct message *message);
+/** To step until, as travel_show goes. */
+int trial_go(struct trial_run *run, int64_t until, const struct observer *observers, int observers_count,
+             struct message *message);
+void trial_end(struct trial_run *run);
+
+/** Processor time of this thread in seconds: what the clock would say on a core of one's own, whatever else runs
+ *  here. */
+double trial_clock(void);
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/** see is called now and then with the share that is done, 0 to 1; non-zero asks for the end. A NULL watch looks at nothing. */
+/** see is called now and then with the share that is done, 0 to 1; non-zero asks for the end. A NULL watch looks at
+ *  nothing. */
 struct watch {
     int (*see)(void *self, double share);
     void *self;

@@ -30,7 +30,7 @@ static const struct known *known_of(const char *name)
 }
 
 /** sentences: of those of order 1, the second is about rotation. */
-static int wrongly_judged(const struct method *m, int sentences)
+static int wrongly_judged(const vti_stepper *m, int sentences)
 {
     vti_check_report report;
     const struct known *known = known_of(m->name);

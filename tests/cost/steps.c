@@ -4,14 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "method.h"
+#include "travel.h"
 
 static int go(const char *path, const char *name, double h, int64_t steps, struct message *message)
 {
     static struct scene scene;
     static struct model model;
     struct travel travel;
-    const struct method *method = method_find(name);
+    const vti_stepper *method = method_find(name);
     if (method == NULL)
         return message_set(message, "%s: is not a method", name);
     if (scene_read(path, NULL, 0, &scene, message) != 0 || model_create(&scene, &model, message) != 0)

@@ -122,14 +122,25 @@ def known_to_its_share():
         check(0 <= known <= 1.2 * 0.03 * error, f"{name}: asked for {error:g}, the solution is known to {known:g}")
 
 
+def rivals():
+    """They are measured if they are named, and never advised."""
+    done = run(advise, "--json", "--error", "1e-3", "--steppers", "rk4,vti2,lammps-richardson", scene("pendulum"))
+    advice = json.loads(done.stdout)
+    others = {other["stepper"]: other for other in advice["alternatives"]}
+    check(advice["stepper"] == "vti2" and set(others) == {"rk4", "lammps-richardson"} and
+          all(other.get("kind") == "rival" and 1e-4 < other["predicted_error"] < 1e-3 for other in others.values()),
+          f"rivals beside ours: {done.stdout.strip()}")
+
+
 def refusals():
     pendulum = scene("pendulum")
+    refuses("rivals alone", "--steppers", "rk4,spiral", pendulum, says="name one of ours too")
     refuses("no scene", says="no scene is named")
     refuses("two scenes", pendulum, pendulum, says="only one scene")
     refuses("bad error", "--error", "tiny", pendulum, says="--error: 'tiny' is not a number from 1e-12 to 0.1")
     refuses("negative error", "--error", "-1", pendulum, says="--error: '-1'")
     refuses("error out of reach", "--error", "1e-15", pendulum, says="from 1e-12 to 0.1")
-    refuses("unknown stepper", "--steppers", "rk4", pendulum, says="'rk4' is not a stepper")
+    refuses("unknown stepper", "--steppers", "rk5", pendulum, says="'rk5' is not a stepper")
     refuses("unknown option", "--frobnicate", pendulum, says="is not an option")
     refuses("missing file", "nowhere.yaml", says="nowhere.yaml")
     refuses("too long", "--error", "1e-9", "--budget", "5", scene("pile"), says="or allow --budget")
@@ -143,5 +154,6 @@ words()
 h_max_omega()
 h_max_omega_of_the_solution()
 known_to_its_share()
+rivals()
 refusals()
 conclude()

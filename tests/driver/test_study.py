@@ -96,7 +96,7 @@ def refused(base):
         ("one step twice", lambda: [scene, "--h", "1/64,2^-6"], ["--h", "twice"]),
         ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),
         ("bad t_end", lambda: [scene, "--t-end", "-1"], ["--t-end", "'-1'"]),
-        ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk4"], ["--steppers", "'rk4'", "vti1, vti2, vti3"]),
+        ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk5"], ["--steppers", "'rk5'", "vti1, vti2, vti3"]),
         ("unknown option", lambda: [scene, "--frob"], ["--frob", "--help"]),
         ("two scenes", lambda: [scene, scene], ["only one scene"]),
         ("bad override", lambda: [scene, "--set", "pendulum.wait=1"], ["--set", "pendulum.wait"]),
@@ -158,6 +158,20 @@ def one_refusal(what, result, expected, folder):
     check(left == [], f"{what}: leaves nothing behind {left}")
 
 
+def rivals(base):
+    """They stand beside ours in every table, with the orders of the literature; the same bytes on any number of ranks."""
+    steppers = ("exact", 2), ("lammps-richardson", 2), ("yade-leapfrog", 2), ("rk4", 4)
+    for ranks in (1, 3):
+        study(ranks, "--h", "2^-4:2^-9", "--steppers", ",".join(name for name, order in steppers), folder=f"{base}/rivals{ranks}")
+    check(contents(f"{base}/rivals1", ["timing.csv"]) == contents(f"{base}/rivals3", ["timing.csv"]), "rivals: the same on 1 and 3 ranks")
+    with h5py.File(f"{base}/rivals1/study.h5") as file:
+        names, found = [name.decode() for name in file["orders/stepper"][3::4]], file["orders/order"][3::4]
+    for (name, order), stepper, attitude in zip(steppers, names, found):
+        check(name == stepper and abs(attitude - order) < 0.1, f"{name}: attitudes of order {attitude:.3f}")
+    evals = {(row["stepper"], row["steps"]): int(row["force_evals"]) for row in rows(f"{base}/rivals1")}
+    check(evals["rk4", "160"] == 640 and evals["lammps-richardson", "160"] == 160, "their force evaluations are counted")
+
+
 def keeps_what_was_there(base):
     """A study that fails does not touch the files of the one before it."""
     folder = f"{base}/kept"
@@ -178,5 +192,6 @@ with tempfile.TemporaryDirectory() as base:
     whole_steps(base)
     refused(base)
     from_tables(base)
+    rivals(base)
     keeps_what_was_there(base)
 conclude()

@@ -11,9 +11,9 @@ enum { SAMPLES = 10000 };
 static struct journey j;
 
 /** The next method with steps of its own choice left out: h says little about it. */
-static const struct method *method_of_steps(int64_t *k)
+static const vti_stepper *method_of_steps(int64_t *k)
 {
-    const struct method *method = method_at((*k)++);
+    const vti_stepper *method = method_at((*k)++);
     if (method != NULL && strcmp(method->name, "rk8pd-adaptive") == 0)
         method = method_at((*k)++);
     return method;
@@ -30,7 +30,7 @@ static const char *reason(void)
 }
 
 /** The angle of one step of a free spin from R = I, in (-pi, pi], or NaN with the reason in j.message. */
-static double angle_of(const struct scene *scene, const struct method *method, double h, int64_t steps)
+static double angle_of(const struct scene *scene, const vti_stepper *method, double h, int64_t steps)
 {
     double angle = NAN;
     j.scene = *scene;
@@ -51,7 +51,7 @@ static double angle_of(const struct scene *scene, const struct method *method, d
 static void free_spin(void **state)
 {
     (void)state;
-    const struct method *method;
+    const vti_stepper *method;
     struct scene scene;
     read_scene("spin", &scene);
     const double turns[] = {0.99, 1, 1.01, 10};
@@ -71,7 +71,7 @@ static void free_spin(void **state)
 static void through_pi(void **state)
 {
     (void)state;
-    const struct method *method;
+    const vti_stepper *method;
     struct scene scene;
     read_scene("spin", &scene);
     for (int64_t k = 0; (method = method_of_steps(&k)) != NULL;) {
@@ -87,7 +87,7 @@ static void through_pi(void **state)
 static void pendulum(void **state)
 {
     (void)state;
-    const struct method *method;
+    const vti_stepper *method;
     struct scene scene;
     read_scene("pendulum", &scene);
     for (int64_t k = 0; (method = method_of_steps(&k)) != NULL;) {
@@ -110,7 +110,7 @@ static void pendulum(void **state)
             robust("pendulum, 1e5 steps of h = 1/16: mean energy", method->name, "stays within 5e-5");
         else
             robust("pendulum, 1e5 steps of h = 1/16: mean energy", method->name, "%s %.1g", sign, size);
-        if (method->stepper != NULL && method->stepper->reversible)
+        if (method_rival(method) == NULL && method->reversible)
             assert_below(size, 5e-5);
     }
 }
@@ -119,7 +119,7 @@ static void pendulum(void **state)
 static void torsion(void **state)
 {
     (void)state;
-    const struct method *method;
+    const vti_stepper *method;
     struct scene scene;
     read_scene("chain", &scene);
     scene.chain.count = 2;
@@ -157,7 +157,7 @@ static void torsion(void **state)
                    : size < 1e-3 ? "bounded"
                                  : "unbounded",
                    said);
-            if (method->stepper != NULL && s == 0)
+            if (method_rival(method) == NULL && s == 0)
                 assert_below(size, 1e-3);
         }
 }

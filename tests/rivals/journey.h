@@ -6,7 +6,7 @@
 #include "support.h"
 
 #include "equations.h"
-#include "method.h"
+#include "travel.h"
 #include "rival.h"
 
 /** The folder of the scenes, from the command line. */
@@ -35,22 +35,22 @@ static inline void make_model(const struct scene *scene, struct model *model)
         fail_msg("%s", message.text);
 }
 
-static inline const struct method *method_of(const char *name)
+static inline const vti_stepper *method_of(const char *name)
 {
-    const struct method *method = method_find(name);
+    const vti_stepper *method = method_find(name);
     if (method == NULL)
         fail_msg("no method is called %s", name);
     return method;
 }
 
 /** A journey through a model of the scene that has been made already. */
-static inline void set_out(struct journey *j, const struct method *method, double h)
+static inline void set_out(struct journey *j, const vti_stepper *method, double h)
 {
     if (travel_create(&j->travel, method, &j->model, h, &j->message) != 0)
         fail_msg("%s", j->message.text);
 }
 
-static inline void begin(struct journey *j, const struct scene *scene, const struct method *method, double h)
+static inline void begin(struct journey *j, const struct scene *scene, const vti_stepper *method, double h)
 {
     j->scene = *scene;
     make_model(&j->scene, &j->model);

@@ -11,10 +11,10 @@ static const char *const names[] = {"campello-0", "campello", "campello-1"};
 static const double phi[] = {0.0, 0.5, 1.0};
 enum { PHIS = 3, RUNGS = 5 };
 
-/* ---- order ----------------------------------------------------------------------------------------------------------- */
+/* ---- order ------------------------------------------------------------------------------------------------------- */
 
 /** Orders in attitude and velocity on the paper's pendulum at t = 10. */
-static void orders(const struct method *method, double *attitude, double *velocity)
+static void orders(const vti_stepper *method, double *attitude, double *velocity)
 {
     struct scene scene;
     double *state, h[RUNGS], error[2][RUNGS], floor[RUNGS];
@@ -37,10 +37,10 @@ static void orders(const struct method *method, double *attitude, double *veloci
     free(state);
 }
 
-/* ---- dissipation ----------------------------------------------------------------------------------------------------- */
+/* ---- dissipation ------------------------------------------------------------------------------------------------- */
 
 /** Tilt and its rate of a pendulum that hangs, omega = 1, after so many steps from (tilt, rate). */
-static void swing(const struct method *method, double h, int64_t steps, double *tilt, double *rate)
+static void swing(const vti_stepper *method, double h, int64_t steps, double *tilt, double *rate)
 {
     struct scene scene;
     struct journey j;
@@ -58,7 +58,7 @@ static void swing(const struct method *method, double h, int64_t steps, double *
 }
 
 /** What a step multiplies areas of (tilt, rate) by: two motions' area after steps, of swings of 1e-4. */
-static double area_per_step(const struct method *method, double h)
+static double area_per_step(const vti_stepper *method, double h)
 {
     enum { STEPS = 64 };
     const double small = 1e-4;
@@ -69,7 +69,7 @@ static double area_per_step(const struct method *method, double h)
 }
 
 /** Energy of the paper's pendulum at t = 100 with h = 1/64; 0.7471 at t = 0, -1 at the bottom. */
-static double energy_late(const struct method *method)
+static double energy_late(const vti_stepper *method)
 {
     struct scene scene;
     struct journey j;
@@ -82,7 +82,7 @@ static double energy_late(const struct method *method)
     return energy;
 }
 
-/* ---- the tests ------------------------------------------------------------------------------------------------------- */
+/* ---- the tests --------------------------------------------------------------------------------------------------- */
 
 static int is_in_page(const char *row)
 {
@@ -96,15 +96,15 @@ static int is_in_page(const char *row)
     return found;
 }
 
-/** x+ = x + h v+ and v+ = v - h omega^2 [phi x + (1 - phi) x+] has the determinant 1/(1 + (1 - phi)(h omega)^2); swings of
- *  1e-4 are linear to 1e-8. */
+/** x+ = x + h v+ and v+ = v - h omega^2 [phi x + (1 - phi) x+] has the determinant 1/(1 + (1 - phi)(h omega)^2);
+ *  swings of 1e-4 are linear to 1e-8. */
 static void order_and_dissipation(void **state)
 {
     const double h = 1.0 / 16;
     int missing = 0;
     (void)state;
     for (int k = 0; k < PHIS; ++k) {
-        const struct method *method = method_of(names[k]);
+        const vti_stepper *method = method_of(names[k]);
         double attitude, velocity;
         char row[256];
         orders(method, &attitude, &velocity);

@@ -5,7 +5,7 @@
 
 #include "rates.h"
 
-/* ---- Campello -------------------------------------------------------------------------------------------------------- */
+/* ---- Campello ---------------------------------------------------------------------------------------------------- */
 
 /** a+ - a = h rate, to the tolerance. */
 static void assert_advance(const vti_view *before, const vti_view *after, double h, const double *rate, int64_t n,
@@ -74,7 +74,7 @@ static void campello(void **state)
     implicit_step(0);
 }
 
-/* ---- rates ----------------------------------------------------------------------------------------------------------- */
+/* ---- rates ------------------------------------------------------------------------------------------------------- */
 
 /** Where no effect gives a force or a moment, velocities have rates too: 0, whatever stood in memory. */
 static void rates_without_loads(void **state)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Every rival converges with the order that it states, in attitude and in velocity, on the pendulum at t = 10 and on the free
- * chain at t = 1; what it converges to is the study's reference, which shares the forces with the rivals and nothing else. */
+ * Every rival converges with the order that it states, in attitude and in velocity, on the pendulum at t = 10 and on
+ * the free chain at t = 1; what it converges to is the study's reference, which shares the forces with the rivals
+ * and nothing else. */
 #include "journey.h"
 
 #include "fit.h"
@@ -15,14 +16,14 @@ struct ladder {
     int64_t steps[4];
 };
 
-static int64_t rung(const struct ladder *ladder, const struct method *method, int k)
+static int64_t rung(const struct ladder *ladder, const vti_stepper *method, int k)
 {
     const int which = method->order == 1 ? 0 : method->order == 2 ? 1 : method->order == 4 ? 2 : 3;
     return llrint((double)ladder->steps[which] * pow(2.0, 0.5 * k));
 }
 
 /** Errors at the end, of attitude and of velocity. */
-static void errors(const struct scene *scene, const struct method *method, double h, int64_t steps,
+static void errors(const struct scene *scene, const vti_stepper *method, double h, int64_t steps,
                    const vti_bodies *exact, double *attitude, double *velocity)
 {
     struct journey j;
@@ -34,17 +35,17 @@ static void errors(const struct scene *scene, const struct method *method, doubl
     end(&j);
 }
 
-/** Where orders of that number may lie. Where the motion is mostly oscillation the leading terms of both Runge-Kutta methods
- *  are small, and the next ones count until rounding ends the ladder: on the pendulum the fourth order is approached from below,
- *  and the eighth shows as up to a ninth. */
+/** Where orders of that number may lie. Where the motion is mostly oscillation the leading terms of both Runge-Kutta
+ *  methods are small, and the next ones count until rounding ends the ladder: on the pendulum the fourth order is
+ *  approached from below, and the eighth shows as up to a ninth. */
 static void range(double order, double *least, double *most)
 {
     *least = order - (order < 4 ? 0.1 : order < 8 ? 0.25 : 0.5);
     *most = order + (order < 4 ? 0.1 : order < 8 ? 0.25 : 1.5);
 }
 
-static void assert_order(const char *where, const char *of, const struct method *method, double expected,
-                         const double *h, const double *error)
+static void assert_order(const char *where, const char *of, const vti_stepper *method, double expected, const double *h,
+                         const double *error)
 {
     double floor[RUNGS], least, most;
     for (int k = 0; k < RUNGS; ++k)
@@ -59,9 +60,9 @@ static void assert_order(const char *where, const char *of, const struct method 
     assert_below(fit.order, most);
 }
 
-/** A step that begins with a whole kick, as VTI-3's, has the positions and attitudes of Verlet where no force acts at t = 0
- *  (EQUATIONS 2); its velocities lag all the same. */
-static double attitude_order(const struct ladder *ladder, const struct method *method)
+/** A step that begins with a whole kick, as VTI-3's, has the positions and attitudes of Verlet where no force acts
+ *  at t = 0 (EQUATIONS 2); its velocities lag all the same. */
+static double attitude_order(const struct ladder *ladder, const vti_stepper *method)
 {
     const int from_rest = strcmp(ladder->scene, "chain") == 0 && strcmp(method->name, "quat-euler") == 0;
     return from_rest ? 2.0 : (double)method->order;
@@ -75,9 +76,9 @@ static void orders(const struct ladder *ladder)
     read_scene(ladder->scene, &scene);
     const vti_bodies exact = reference_of(&scene, ladder->t_end, &state);
     for (int64_t i = 0; i < method_count(); ++i) {
-        const struct method *method = method_at(i);
+        const vti_stepper *method = method_at(i);
         double h[RUNGS], attitude[RUNGS], velocity[RUNGS];
-        if (method->rival == NULL)
+        if (method_rival(method) == NULL)
             continue;
         for (int k = 0; k < RUNGS; ++k) {
             const int64_t steps = rung(ladder, method, k);

@@ -3,12 +3,15 @@
  * The seam: what methods there are, what a travel counts, refuses and leaves out, and that looking changes nothing. */
 #include "journey.h"
 
-/* ---- the list -------------------------------------------------------------------------------------------------------- */
+#include "scene_stepper.h"
+
+/* ---- the list ---------------------------------------------------------------------------------------------------- */
 
 static void list(void **state)
 {
     int64_t spatial = 0;
     (void)state;
+    method_admit();
     for (int64_t i = 0; i < vti_stepper_count(); ++i)
         spatial += vti_stepper_at(i)->frame == VTI_FRAME_SPACE;
     assert_int_equal(method_count(), spatial + rival_count());
@@ -20,26 +23,29 @@ static void list(void **state)
     assert_null(method_find(NULL));
     assert_null(method_find("vti1-body"));
     for (int64_t i = 0; i < method_count(); ++i) {
-        const struct method *m = method_at(i);
+        const vti_stepper *m = method_at(i);
         assert_ptr_equal(method_find(m->name), m); /* no two of one name */
-        assert_true((m->stepper == NULL) != (m->rival == NULL));
+        assert_int_equal(vti_stepper_find(m->name) == NULL, method_rival(m) != NULL);
+        assert_ptr_equal(scene_stepper_find(m->name), m); /* and scenes may name it */
         assert_true(strlen(m->about) > 0 && strchr(m->about, '\n') == NULL);
         assert_true(m->order > 0);
-        assert_string_equal(m->kind, m->rival != NULL ? "rival" : strncmp(m->name, "vti", 3) == 0 ? "paper" : "ours");
+        assert_string_equal(method_kind(m), method_rival(m) != NULL           ? "rival"
+                                            : strncmp(m->name, "vti", 3) == 0 ? "paper"
+                                                                              : "ours");
     }
     for (int64_t i = 0; rival_unlisted(i) != NULL; ++i) { /* these are found by name alone */
-        const struct method *m = method_of(rival_unlisted(i)->name);
-        assert_ptr_equal(m->rival, rival_unlisted(i));
+        const vti_stepper *m = method_of(rival_unlisted(i)->stepper.name);
+        assert_ptr_equal(method_rival(m), rival_unlisted(i));
         for (int64_t k = 0; k < method_count(); ++k)
             assert_true(method_at(k) != m);
     }
     assert_null(rival_unlisted(-1));
-    assert_string_equal(method_of("exact")->kind, "ours");
-    assert_string_equal(method_of("vti3-leapfrog")->kind, "paper");
-    assert_string_equal(method_of("mercury")->kind, "rival");
+    assert_string_equal(method_kind(method_of("exact")), "ours");
+    assert_string_equal(method_kind(method_of("vti3-leapfrog")), "paper");
+    assert_string_equal(method_kind(method_of("mercury")), "rival");
 }
 
-/* ---- force evaluations ----------------------------------------------------------------------------------------------- */
+/* ---- force evaluations ------------------------------------------------------------------------------------------- */
 
 static int64_t evals_of(const char *name, const char *where, double h, int64_t steps)
 {
@@ -76,7 +82,7 @@ static void force_evals(void **state)
     assert_true(evals_of("rk8pd-adaptive", "chain", 1.0 / 128, 128) > 3 * adaptive / 2);
 }
 
-/* ---- looking --------------------------------------------------------------------------------------------------------- */
+/* ---- looking ----------------------------------------------------------------------------------------------------- */
 
 static void assert_same_view(const vti_view *a, const vti_view *b, int64_t n)
 {
@@ -87,7 +93,7 @@ static void assert_same_view(const vti_view *a, const vti_view *b, int64_t n)
 }
 
 /** A travel in three legs, looked at after each, ends with the bits and the count of one that nobody stopped. */
-static void assert_undisturbed(const struct method *method, const char *where, double h)
+static void assert_undisturbed(const vti_stepper *method, const char *where, double h)
 {
     struct scene scene;
     struct journey whole, legs;
@@ -113,6 +119,56 @@ static void assert_undisturbed(const struct method *method, const char *where, d
     assert_int_equal(travel_force_evals(&whole.travel), travel_force_evals(&legs.travel));
     end(&whole);
     end(&legs);
+}
+
+/* ---- observers --------------------------------------------------------------------------------------------------- */
+
+/** What one of them saw last, and when. */
+struct eye {
+    int64_t calls, step;
+    double t, x, v, alpha, omega, sum; /* x and v of body 1; sum over all calls of the steps */
+};
+
+static int see(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    struct eye *eye = self;
+    const struct eye now = {eye->calls + 1,
+                            step,
+                            t,
+                            b->x.c[0][b->x.stride],
+                            b->v.c[0][b->v.stride],
+                            b->alpha.c[0][b->alpha.stride],
+                            b->omega.c[0][b->omega.stride],
+                            eye->sum + (double)step};
+    *eye = now;
+    return step == 42;
+}
+
+/** Steps 0, 5, 10, ..., and the last; the same state as travel_bodies tells, with the attitude as alpha. */
+static void observed(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        struct scene scene;
+        struct journey j;
+        struct eye eye = {0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        const struct observer observers[] = {{see, &eye, 5, 0}, {see, &(struct eye){0}, 7, 1}};
+        read_scene("chain", &scene);
+        begin(&j, &scene, method_at(i), 1.0 / 512);
+        assert_int_equal(travel_show(&j.travel, 23, observers, 2, &j.message), 0);
+        assert_int_equal(eye.calls, 6);
+        assert_close(eye.sum, 5 + 10 + 15 + 20 + 23, 0.0);
+        assert_close(eye.t, 23.0 / 512, 0.0);
+        const vti_bodies b = travel_bodies(&j.travel);
+        assert_same_bits(&eye.x, &b.x.c[0][b.x.stride], 1);
+        assert_same_bits(&eye.v, &b.v.c[0][b.v.stride], 1);
+        assert_same_bits(&eye.omega, &b.omega.c[0][b.omega.stride], 1);
+        const rotor q = quat_unit(attitude_of(&b, 1));
+        assert_close(eye.alpha, 2.0 * q.x / q.w, 1e-12);
+        assert_int_equal(travel_show(&j.travel, 77, observers, 2, &j.message), 1); /* stopped at step 42 */
+        assert_int_equal(eye.step, 40);
+        end(&j);
+    }
 }
 
 static void looking(void **state)
@@ -147,7 +203,7 @@ static void reading(void **state)
     }
 }
 
-static void assert_units(const struct method *method, const char *where, double h, int64_t steps)
+static void assert_units(const vti_stepper *method, const char *where, double h, int64_t steps)
 {
     struct scene scene;
     struct journey j;
@@ -172,7 +228,7 @@ static void units(void **state)
     }
 }
 
-/* ---- absent physics -------------------------------------------------------------------------------------------------- */
+/* ---- absent physics ---------------------------------------------------------------------------------------------- */
 
 /** Chain without what turns it, or spheres without any effect: nothing has an attitude, and flight is straight. */
 static void no_rotation(void **state)
@@ -254,7 +310,7 @@ static void contacts(void **state)
     }
 }
 
-/* ---- refusals -------------------------------------------------------------------------------------------------------- */
+/* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 /** The first step is refused with that line. */
 static void assert_refused(const char *name, const char *where, double h, const char *line)
@@ -297,7 +353,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(list),        cmocka_unit_test(force_evals),    cmocka_unit_test(looking),
         cmocka_unit_test(reading),     cmocka_unit_test(units),          cmocka_unit_test(no_rotation),
         cmocka_unit_test(free_flight), cmocka_unit_test(no_translation), cmocka_unit_test(contacts),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(refusals),    cmocka_unit_test(observed),
     };
     assert_int_equal(argc, 2);
     scenes = argv[1];

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a rival does in one step, known in closed form: the angle by which a free body turns, and which of our steppers, or of
- * the other rivals, it is on quaternions. */
+ * What a rival does in one step, known in closed form: the angle by which a free body turns, and which of our
+ * steppers, or of the other rivals, it is on quaternions. */
 #include "journey.h"
 
-/* ---- free spin ------------------------------------------------------------------------------------------------------- */
+/* ---- free spin --------------------------------------------------------------------------------------------------- */
 
 /** The angle of one step with s = h|Omega|. */
 static double asin_law(double s)
@@ -116,7 +116,7 @@ static void half_turns(void **state)
     }
 }
 
-/* ---- pairs that are the same ----------------------------------------------------------------------------------------- */
+/* ---- pairs that are the same ------------------------------------------------------------------------------------- */
 
 /** Every body has another mass and inertia than its neighbour. */
 static void make_unequal(struct model *model, double *mass, double *inertia)

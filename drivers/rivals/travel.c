@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "travel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rival.h"
+#include "scene_stepper.h"
+
+/* ---- what there is ----------------------------------------------------------------------------------------------- */
+
+enum { METHODS_MAX = 64 };
+
+static const vti_stepper *methods[METHODS_MAX];
+static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
+
+static void collect(void)
+{
+    for (int64_t i = 0; i < vti_stepper_count() && methods_count < METHODS_MAX; ++i)
+        if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE)
+            methods[methods_count++] = vti_stepper_at(i);
+    for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
+        methods[methods_count++] = &rival_at(i)->stepper;
+    methods_all = methods_count;
+    for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &rival_unlisted(i)->stepper;
+}
+
+static const vti_stepper *rival_stepper_at(int64_t i)
+{
+    return rival_at(i) != NULL ? &rival_at(i)->stepper : NULL;
+}
+
+void method_admit(void)
+{
+    scene_stepper_admit(rival_stepper_at);
+}
+
+int64_t method_count(void)
+{
+    if (methods_count == 0)
+        collect();
+    return methods_count;
+}
+
+const vti_stepper *method_at(int64_t i)
+{
+    return i >= 0 && i < method_count() ? methods[i] : NULL;
+}
+
+const vti_stepper *method_find(const char *name)
+{
+    if (methods_count == 0)
+        collect();
+    for (int64_t i = 0; name != NULL && i < methods_all; ++i)
+        if (strcmp(name, methods[i]->name) == 0)
+            return methods[i];
+    return NULL;
+}
+
+const struct rival *method_rival(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; rival_at(i) != NULL; ++i)
+        if (stepper == &rival_at(i)->stepper)
+            return rival_at(i);
+    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
+        if (stepper == &rival_unlisted(i)->stepper)
+            return rival_unlisted(i);
+    return NULL;
+}
+
+const char *method_kind(const vti_stepper *stepper)
+{
+    return method_rival(stepper) != NULL ? "rival" : strncmp(stepper->name, "vti", 3) == 0 ? "paper" : "ours";
+}
+
+static int unknown(const char *option, const char *name, size_t length, struct message *message)
+{
+    char known[768] = "";
+    for (int64_t i = 0; i < method_count(); ++i) {
+        strncat(known, i > 0 ? ", " : "", sizeof known - strlen(known) - 1);
+        strncat(known, method_at(i)->name, sizeof known - strlen(known) - 1);
+    }
+    return message_set(message, "%s: '%.*s' is not a stepper; known are %s", option, (int)(length < 100 ? length : 100),
+                       name, known);
+}
+
+int64_t methods_read(const char *option, const char *text, const vti_stepper **list, int64_t most,
+                     struct message *message)
+{
+    int64_t n = 0;
+    for (const char *part = text; part != NULL;) {
+        const char *comma = strchr(part, ',');
+        const size_t length = comma != NULL ? (size_t)(comma - part) : strlen(part);
+        char name[64] = "";
+        memcpy(name, part, length < sizeof name ? length : 0);
+        const vti_stepper *stepper = method_find(name);
+        if (stepper == NULL)
+            return unknown(option, part, length, message);
+        for (int64_t k = 0; k < n; ++k)
+            if (list[k] == stepper)
+                return message_set(message, "%s: '%s' appears twice; name every stepper once", option, name);
+        if (n == most)
+            return message_set(message, "%s: more than %lld; use fewer", option, (long long)most);
+        list[n++] = stepper;
+        part = comma != NULL ? comma + 1 : NULL;
+    }
+    return n;
+}
+
+int methods_width(const vti_stepper *const *list, int64_t n)
+{
+    size_t width = 14;
+    for (int64_t k = 0; k < n; ++k)
+        width = strlen(list[k]->name) > width ? strlen(list[k]->name) : width;
+    return (int)width;
+}
+
+/* ---- on the way -------------------------------------------------------------------------------------------------- */
+
+int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
+                  struct message *message)
+{
+    const struct rival *rival = method_rival(stepper);
+    memset(travel, 0, sizeof *travel);
+    travel->stepper = stepper;
+    travel->model = model;
+    travel->h = h;
+    if (!(h > 0.0) || !isfinite(h))
+        return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
+    if (rival != NULL) {
+        travel->course = course_create(rival, model, h, message);
+        if (travel->course == NULL)
+            return -1;
+    }
+    if (stepper->lag == 0.0)
+        return 0;
+    travel->copies = calloc((size_t)(6 * model->bodies.count), sizeof *travel->copies);
+    if (travel->copies != NULL)
+        return 0;
+    travel_destroy(travel);
+    return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+}
+
+void travel_destroy(struct travel *travel)
+{
+    course_destroy(travel->course);
+    free(travel->copies);
+    memset(travel, 0, sizeof *travel);
+}
+
+int64_t travel_force_evals(const struct travel *travel)
+{
+    if (travel->course != NULL)
+        return travel->course->evals;
+    return travel->steps > 0 ? 1 + travel->steps * travel->stepper->evals : 0;
+}
+
+/** A copy of the view at p, if there is one. */
+static vti_view copied(const vti_view *from, int64_t n, double *p)
+{
+    if (from->c[0] == NULL)
+        return *from;
+    for (int64_t i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            p[3 * i + k] = from->c[k][i * from->stride];
+    return vti_view_packed(p);
+}
+
+/** v and Omega of a lagging stepper are of t - lag h, and its forces of t: kick(lag h). */
+vti_bodies travel_bodies(struct travel *travel)
+{
+    vti_bodies b = travel->course != NULL ? *course_bodies(travel->course) : travel->model->bodies;
+    if (travel->copies == NULL || travel->steps == 0)
+        return b;
+    b.sealed = 0;
+    b.v = copied(&b.v, b.count, travel->copies);
+    b.omega = copied(&b.omega, b.count, travel->copies + 3 * b.count);
+    b.v_low = b.omega_low = vti_view_none();
+    vti_kick(travel->stepper->lag * travel->h, &b);
+    return b;
+}
+
+/* ---- observers of a rival ---------------------------------------------------------------------------------------- */
+
+/** As travel_bodies, with the attitude as alpha, in the model's own memory, which a rival leaves alone. */
+static vti_bodies turned_to_alpha(struct travel *travel)
+{
+    vti_bodies b = travel_bodies(travel);
+    for (int64_t i = 0; b.quat.xyzw[0] != NULL && i < b.count; ++i) {
+        double q[4], alpha[3];
+        for (int k = 0; k < 4; ++k)
+            q[k] = b.quat.xyzw[k][i * b.quat.stride];
+        vti_rrv_from_quat_xyzw(q, alpha);
+        for (int k = 0; k < 3; ++k)
+            travel->model->bodies.alpha.c[k][i * travel->model->bodies.alpha.stride] = alpha[k];
+    }
+    b.alpha = travel->model->bodies.alpha;
+    for (int k = 0; k < 4; ++k)
+        b.quat.xyzw[k] = NULL;
+    b.sealed = 0;
+    return b;
+}
+
+static int is_due(const struct observer *observer, int64_t step, int64_t last)
+{
+    return step % observer->every == 0 || step == last;
+}
+
+static int show(struct travel *travel, int64_t last, const struct observer *observers, int n)
+{
+    const vti_bodies bodies = turned_to_alpha(travel);
+    for (int k = 0; k < n; ++k)
+        if (is_due(&observers[k], travel->steps, last) &&
+            observers[k].see(observers[k].self, travel->steps, (double)travel->steps * travel->h, &bodies) != 0)
+            return 1;
+    return 0;
+}
+
+/** Steps to where somebody looks next. */
+static int64_t steps_to_look(int64_t step, int64_t last, const struct observer *observers, int n)
+{
+    int64_t next = last - step;
+    for (int k = 0; k < n; ++k) {
+        const int64_t left = observers[k].every - step % observers[k].every;
+        next = left < next ? left : next;
+    }
+    return next;
+}
+
+static int course_show(struct travel *travel, int64_t last, const struct observer *observers, int n,
+                       struct message *message)
+{
+    int stopped = n > 0 && show(travel, last, observers, n);
+    while (!stopped && travel->steps < last) {
+        const int64_t steps = steps_to_look(travel->steps, last, observers, n);
+        if (course_go(travel->course, steps, message) != 0)
+            return -1;
+        travel->steps += steps;
+        stopped = n > 0 && show(travel, last, observers, n);
+    }
+    return stopped;
+}
+
+int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
+                struct message *message)
+{
+    const int64_t last = travel->steps + steps;
+    if (steps < 0 || (steps == 0 && observers_count == 0))
+        return 0;
+    if (travel->course != NULL)
+        return course_show(travel, last, observers, observers_count, message);
+    const int result =
+        loop_run(travel->model, travel->stepper, travel->h, travel->steps, last, observers, observers_count, message);
+    travel->steps = result == 0 ? last : travel->steps;
+    return result;
+}
+
+int travel_go(struct travel *travel, int64_t steps, struct message *message)
+{
+    return travel_show(travel, steps, NULL, 0, message);
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The seam through which all programs run a stepper, of the core or a rival: what there is, and one of them on its way
+ * through a model. */
+#ifndef VTI_TRAVEL_H
+#define VTI_TRAVEL_H
+
+#include "loop.h"
+
+struct rival;  /* rival.h */
+struct course; /* rival.h */
+
+/** Lets scenes name rivals as their stepper. To be called before the first scene is read. */
+void method_admit(void);
+
+/** Every stepper of the core whose angular velocity is spatial, then every rival. Not to be called first by two
+ *  threads. */
+int64_t method_count(void);
+/** NULL outside 0 <= i < method_count(). */
+const vti_stepper *method_at(int64_t i);
+/** Also those that are not listed. NULL if there is none. */
+const vti_stepper *method_find(const char *name);
+/** NULL for a stepper of the core. */
+const struct rival *method_rival(const vti_stepper *stepper);
+/** As in files: "ours", "paper", "rival". */
+const char *method_kind(const vti_stepper *stepper);
+
+/** Lists "exact,rk4" of an option in list[most]. Returns how many, or -1 with one line in *message that names the
+ *  known ones. */
+int64_t methods_read(const char *option, const char *text, const vti_stepper **list, int64_t most,
+                     struct message *message);
+
+/** Of the longest name in letters, at least 14: a column of a table. */
+int methods_width(const vti_stepper *const *list, int64_t n);
+
+/** A stepper on its way through a model: it owns what the stepper needs beside the model. */
+struct travel {
+    const vti_stepper *stepper;
+    struct model *model;
+    double h;
+    int64_t steps;         /* taken so far */
+    struct course *course; /* of a rival, else NULL */
+    double *copies;        /* of velocities, for steppers that lag; else NULL */
+};
+
+/** Prepares *stepper to take *model, at t = 0, by steps of h. The model must outlive the travel and be left alone by
+ *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
+int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
+                  struct message *message);
+
+/** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0.
+ *  Of a rival observers see attitudes as alpha, and position and velocity of the same time even if they ask for the
+ *  bodies as they are kept. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such as: step too
+ *  large), after which there is nothing left to do but travel_destroy. */
+int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
+                struct message *message);
+/** The same without observers, in a tight loop. */
+int travel_go(struct travel *travel, int64_t steps, struct message *message);
+
+/** The bodies, with x, v, attitude (alpha or a unit quaternion) and omega all of the time steps h: velocities of a
+ *  lagging stepper are brought there on copies. The views hold until the next travel_go. */
+vti_bodies travel_bodies(struct travel *travel);
+
+/** Force evaluations of a run to here without a stop, the first at t = 0 included: what a stop costs (a stepper
+ *  takes the forces again when it goes on) is not counted. */
+int64_t travel_force_evals(const struct travel *travel);
+
+void travel_destroy(struct travel *travel);
+
+#endif

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "outcome.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- measuring --------------------------------------------------------------------------------------------------- */
+
+/** Everything that is summed up along a run. */
+struct measures {
+    struct model *model;
+    struct reference *reference;
+    struct outcome *outcome;
+    struct columns columns;
+    struct verdict verdict;
+    struct watch watch; /* while the reference is brought to where the run is */
+    double h, t_end;
+    double energy0, invariants0[MODEL_INVARIANTS];
+    struct invariant invariant[MODEL_INVARIANTS];
+    int64_t invariants, sample_every, compare_every;
+    vti_integral energy_squared; /* (E_h - E_0)^2 */
+    vti_integral norm_squared;   /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
+    vti_integral error_squared;  /* the same of q_h - q */
+};
+
+static int measures_begin(struct measures *m, struct model *model, struct reference *reference,
+                          const struct trial *trial, int64_t compare_every, struct outcome *outcome)
+{
+    memset(m, 0, sizeof *m);
+    m->model = model;
+    m->reference = reference;
+    m->outcome = outcome;
+    m->h = trial->h;
+    m->t_end = trial->t_end;
+    m->compare_every = compare_every;
+    m->energy0 = model_energy(model, &model->bodies);
+    m->invariants = model_invariants(model, m->invariant);
+    model_invariant_values(model, &model->bodies, m->invariants0);
+    m->sample_every = (trial->steps + OUTCOME_SAMPLES - 2) / (OUTCOME_SAMPLES - 1);
+    m->sample_every = m->sample_every > 0 ? m->sample_every : 1;
+    columns_of(model, trial->stepper, &m->columns);
+    return verdict_create(&m->verdict, model, trial->stepper, trial->h, &m->columns, &outcome->message);
+}
+
+static void sample(struct measures *m, double t, double energy_error, const double *deviations)
+{
+    double *row = m->outcome->series[m->outcome->samples++];
+    row[0] = t;
+    row[1] = energy_error;
+    memcpy(row + 2, deviations, sizeof m->invariants0);
+}
+
+/** The error against the reference, where that is known. */
+static int compare(struct measures *m, int64_t step, double t, const vti_bodies *bodies)
+{
+    if (reference_seek(m->reference, t, &m->watch, &m->outcome->message) != 0)
+        return -1;
+    const vti_bodies exact = reference_at(m->reference, t);
+    vti_integral_add(&m->error_squared, (double)m->compare_every * m->h, vti_h1_distance(bodies, &exact));
+    if (step == m->outcome->steps)
+        m->outcome->attitude_error = vti_attitude_distance(bodies, &exact);
+    return 0;
+}
+
+static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct measures *m = self;
+    const double energy_error = model_energy(m->model, bodies) - m->energy0;
+    vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
+    vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
+    if (step % m->compare_every == 0 && compare(m, step, t, bodies) != 0)
+        return 1;
+
+    double deviation[MODEL_INVARIANTS] = {0.0};
+    model_invariant_values(m->model, bodies, deviation);
+    for (int64_t k = 0; k < m->invariants; ++k) {
+        deviation[k] -= m->invariants0[k];
+        double *worst = &m->outcome->momentum_error; /* once NaN, it stays */
+        if (m->invariant[k].is_momentum && !isnan(*worst) && !(fabs(deviation[k]) <= *worst))
+            *worst = fabs(deviation[k]);
+    }
+    if (step % m->sample_every == 0)
+        sample(m, t, energy_error, deviation);
+    if (step % m->sample_every == 0 || step == m->outcome->steps) {
+        double row[COLUMNS];
+        verdict_row(&m->verdict, t, bodies, row);
+    }
+    verdict_step(&m->verdict, bodies);
+    return 0;
+}
+
+static void measures_end(struct measures *m)
+{
+    struct outcome *o = m->outcome;
+    const double norm_squared = reference_norm_squared(m->reference, m->t_end);
+    const double energy_norm = (m->energy0 != 0.0 ? fabs(m->energy0) : 1.0) * sqrt(m->t_end);
+    o->e_error = sqrt(vti_integral_value(&m->energy_squared)) / energy_norm;
+    o->q_error = sqrt(fabs(vti_integral_value(&m->norm_squared) - norm_squared) / norm_squared);
+    o->h1_error = sqrt(vti_integral_value(&m->error_squared) / norm_squared);
+    o->judgement = verdict_judge(&m->verdict, 0, &o->verdict);
+}
+
+/* ---- running ----------------------------------------------------------------------------------------------------- */
+
+struct poller {
+    int (*poll)(void *self, int64_t step);
+    void *self;
+    int64_t step;
+};
+
+static int poll_see(void *self, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct poller *p = self;
+    (void)t;
+    (void)bodies;
+    p->step = step;
+    return p->poll(p->self, step);
+}
+
+static int poll_on_the_way(void *self, double share)
+{
+    const struct poller *p = self;
+    (void)share;
+    return p->poll != NULL && p->poll(p->self, p->step);
+}
+
+void outcome_of(const struct scene *scene, const struct trial *trial, int64_t compare_every,
+                struct reference *reference, int (*poll)(void *self, int64_t step), void *poll_self,
+                struct outcome *outcome)
+{
+    enum { POLL_EVERY = 2048 };
+    struct trial_run run;
+    struct measures measures;
+    struct poller poller = {poll, poll_self, 0};
+    const struct observer observers[] = {{measure, &measures, 1, 0}, {poll_see, &poller, POLL_EVERY, 0}};
+
+    memset(outcome, 0, sizeof *outcome);
+    outcome->steps = trial->steps;
+    outcome->failed = trial_begin(&run, scene, trial, &outcome->message) != 0;
+    if (outcome->failed)
+        return;
+    outcome->failed = measures_begin(&measures, &run.model, reference, trial, compare_every, outcome) != 0;
+    measures.watch = (struct watch){poll_on_the_way, &poller};
+    if (!outcome->failed)
+        outcome->failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
+    if (!outcome->failed)
+        measures_end(&measures);
+    outcome->seconds = run.seconds;
+    outcome->force_evals =
+        trial->stepper->evals > 0 ? trial->steps * trial->stepper->evals : travel_force_evals(&run.travel);
+    verdict_destroy(&measures.verdict);
+    trial_end(&run);
+}
