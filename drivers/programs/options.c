@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "commit.h"
 #include "number.h"
-#include "version.h"
+#include "vti.h"
 
 enum { ROWS = 48, HELP = ROWS + 1, VERSION };
 
@@ -79,6 +80,19 @@ static int take(const struct option_row *row, const char *value, struct message 
     }
 }
 
+/* ---- --version -------------------------------------------------------------------------------------------------- */
+
+static void print_version(const char *program)
+{
+#if defined(__clang__)
+    static const char compiler[] = __VERSION__;
+#else
+    static const char compiler[] = "gcc " __VERSION__;
+#endif
+    printf("%s %s\ncommit: %s\ncompiler: %s\nflags: %s\nvector units: %s; the bits do not depend on them\n", program,
+           vti_version(), VTI_COMMIT, compiler, VTI_FLAGS, vti_vector_units());
+}
+
 /* ---- popt's tables ---------------------------------------------------------------------------------------------- */
 
 /** A row as popt has it; code is what poptGetNextOpt returns for it. */
@@ -144,7 +158,7 @@ enum options_end options_read(const struct options *options, int argc, char **ar
     while ((code = poptGetNextOpt(context)) > 0)
         if (code == VERSION) {
             if (print)
-                version_print(options->program);
+                print_version(options->program);
             return OPTIONS_TOLD;
         } else if (code == HELP)
             help = 1;
