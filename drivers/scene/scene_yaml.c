@@ -119,9 +119,34 @@ static void find_place(struct yaml *yaml, struct fy_event *event)
     }
 }
 
-static int take_word(struct yaml *yaml, struct fy_token *token)
+/** libfyaml 0.7 reads some words wrongly that go over several lines ("- |", then "  # a"). */
+static int is_on_one_line(struct fy_event *event)
 {
+    const struct fy_mark *start = fy_event_start_mark(event), *end = fy_event_end_mark(event);
+    const enum fy_scalar_style style = fy_token_scalar_style(fy_event_get_token(event));
+    return start == NULL || (style != FYSS_LITERAL && style != FYSS_FOLDED && start->line == end->line);
+}
+
+/** Of a word in single quotes: '' twice in a row, of which libfyaml 0.7 makes three quotes. */
+static int has_wrong_quotes(const struct yaml *yaml, struct fy_event *event)
+{
+    const struct fy_mark *start = fy_event_start_mark(event), *end = fy_event_end_mark(event);
+    if (fy_token_scalar_style(fy_event_get_token(event)) != FYSS_SINGLE_QUOTED)
+        return 0;
+    for (size_t k = start->input_pos; k + 4 <= end->input_pos; ++k)
+        if (memcmp(yaml->text + k, "''''", 4) == 0)
+            return 1;
+    return 0;
+}
+
+static int take_word(struct yaml *yaml, struct fy_event *event)
+{
+    struct fy_token *token = fy_event_get_token(event);
     size_t n = 0;
+    if (!is_on_one_line(event))
+        return refuse(yaml, "a line break or control character in a value; write it on one line");
+    if (has_wrong_quotes(yaml, event))
+        return refuse(yaml, "quotes side by side in a value; write it without them");
     const char *text = token != NULL ? fy_token_get_text(token, &n) : "";
     yaml->word = token != NULL ? fy_token_get_text0(token) : "";
     if (text == NULL || yaml->word == NULL)
@@ -152,7 +177,7 @@ static int take(struct yaml *yaml, struct fy_event *event)
     case FYET_ALIAS:
         return refuse(yaml, "an alias; aliases are not read in scenes, write the value itself");
     case FYET_SCALAR:
-        return take_word(yaml, fy_event_get_token(event));
+        return take_word(yaml, event);
     case FYET_SEQUENCE_START:
         return take_start(yaml, YAML_LIST);
     case FYET_MAPPING_START:
@@ -203,6 +228,7 @@ void yaml_open(struct yaml *yaml, const char *text, size_t size, struct message 
 {
     memset(yaml, 0, sizeof *yaml);
     yaml->problem = problem;
+    yaml->text = text;
     yaml->part = YAML_CLOSE; /* of nothing, so far */
     const char *wrong = wrong_bytes(text, size, &yaml->place);
     yaml->end.line = yaml->end.column = 1;

@@ -34,6 +34,7 @@ struct yaml {
     struct place place;      /* where it starts; for an empty value, the end of what stands before it */
     const char *word;        /* of a YAML_WORD, until the next part; no control characters but tabs */
     struct message *problem; /* one clause: what is wrong and what to do */
+    const char *text;
     struct place end;
     int depth, documents;
     struct fy_parser *parser;

@@ -41,6 +41,13 @@ static const struct {
      "t.yaml:4:7: a line break or control character in a value; write it on one line"},
     {SPIN TIME "name: |\n  two\n  lines\n",
      "t.yaml:5:1: a line break or control character in a value; write it on one line"},
+    {SPIN TIME "name: two\n  lines\n",
+     "t.yaml:4:7: a line break or control character in a value; write it on one line"},
+    {SPIN TIME "name: 'two\n  lines'\n",
+     "t.yaml:4:7: a line break or control character in a value; write it on one line"},
+    {SPIN TIME "name: |-\n  # a\n", "t.yaml:5:1: a line break or control character in a value; write it on one line"},
+    {SPIN TIME "name: 'it''s'\n", "t.yaml:4:7: name: 'it's' cannot name files; write 1 to 63 letters, digits, _ or -"},
+    {SPIN TIME "name: 'a''''b'\n", "t.yaml:4:7: quotes side by side in a value; write it without them"},
     {SPIN TIME "\"a\\0b\": 1\n", "t.yaml:4:1: a line break or control character in a value; write it on one line"},
     {SPIN TIME "steper: vti2\n", "t.yaml:4:1: steper: unknown key 'steper'; known here: " ROOT_KEYS},
     {SPIN TIME
