@@ -1,9 +1,99 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "cost_files.h"
+#define _POSIX_C_SOURCE 200809L
+#include "study_files.h"
 
-#include "cost_csv.h"
+#include <math.h>
+#include <string.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
 #include "folder.h"
-#include "machine.h"
+#include "number.h"
+
+/** The model's name as Linux tells it, or that of the architecture. */
+static void write_cpu(const char *otherwise, FILE *file)
+{
+    char line[512];
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    const char *name = NULL;
+    while (info != NULL && name == NULL && fgets(line, sizeof line, info) != NULL)
+        if (strncmp(line, "model name", 10) == 0 && strchr(line, ':') != NULL) {
+            name = strchr(line, ':') + 1;
+            line[strcspn(line, "\n")] = '\0';
+            name += strspn(name, " \t");
+        }
+    fprintf(file, "cpu: %s\n", name != NULL ? name : otherwise);
+    if (info != NULL)
+        fclose(info);
+}
+
+/** Lines "key: value" of the machine and the build that times were taken with. */
+static void machine_write(FILE *file)
+{
+    struct utsname system;
+    if (uname(&system) != 0)
+        memset(&system, 0, sizeof system);
+    write_cpu(system.machine, file);
+    fprintf(file, "cores: %ld\n", sysconf(_SC_NPROCESSORS_ONLN));
+    fprintf(file, "system: %s %s %s\n", system.sysname, system.release, system.machine);
+#if defined(__clang__)
+    fprintf(file, "compiler: %s\n", __VERSION__);
+#else
+    fprintf(file, "compiler: gcc %s\n", __VERSION__);
+#endif
+    fprintf(file, "flags: %s\n", VTI_FLAGS);
+}
+
+static void write_runs(const struct cost *cost, int with_times, FILE *file)
+{
+    const struct cost_plan *plan = cost->plan;
+    fprintf(file,
+            "scene,stepper,kind,h,steps,force_evals,%sattitude_error,velocity_error,energy_error,momentum_error\n",
+            with_times ? "seconds,seconds_spread," : "");
+    for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k) {
+        const struct cost_ladder *ladder = &cost->ladders[k];
+        const vti_stepper *method = plan->methods[k % plan->methods_count];
+        for (int64_t r = 0; r < ladder->count; ++r) {
+            const struct race_result *run = &ladder->runs[r];
+            fprintf(file, "%s,%s,%s,%s,%lld,%lld,", plan->cases[k / plan->methods_count].name, method->name,
+                    method_kind(method), NUMBER(ladder->h[r]), (long long)run->steps, (long long)run->force_evals);
+            if (with_times)
+                fprintf(file, "%s,%s,", NUMBER(run->seconds), NUMBER(run->seconds_spread));
+            fprintf(file, "%s,%s,%s,%s\n", NUMBER(run->attitude_error), NUMBER(run->velocity_error),
+                    NUMBER(run->energy_error), NUMBER(run->momentum_error));
+        }
+    }
+}
+
+/** Every run with its times. */
+static void cost_csv_write(const struct cost *cost, FILE *file)
+{
+    write_runs(cost, 1, file);
+}
+
+/** Every run without them: nothing in it depends on clocks or ranks. */
+static void errors_csv_write(const struct cost *cost, FILE *file)
+{
+    write_runs(cost, 0, file);
+}
+
+/** What each error costs with each method; empty where it is not reached. */
+static void prices_csv_write(const struct cost *cost, FILE *file)
+{
+    const struct cost_plan *plan = cost->plan;
+    fputs("scene,stepper,kind,error,force_evals,seconds\n", file);
+    for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k)
+        for (int e = 0; e < COST_TARGETS; ++e) {
+            const vti_stepper *method = plan->methods[k % plan->methods_count];
+            const struct cost_price *price = &cost->prices[k][e];
+            fprintf(file, "%s,%s,%s,%.0e,", plan->cases[k / plan->methods_count].name, method->name,
+                    method_kind(method), cost_targets[e]);
+            if (isnan(price->force_evals))
+                fputs(",\n", file);
+            else
+                fprintf(file, "%s,%s\n", NUMBER(price->force_evals), NUMBER(price->seconds));
+        }
+}
 
 static void write_machine(const struct cost *cost, FILE *file)
 {

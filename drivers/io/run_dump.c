@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "run_text.h"
+#include "run_formats.h"
 
 #include <stdlib.h>
 

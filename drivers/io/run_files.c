@@ -5,8 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "run_hdf5.h"
-#include "run_text.h"
+#include "run_formats.h"
 
 enum { HDF5, CSV, XDMF, DUMP, KINDS };
 

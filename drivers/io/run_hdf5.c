@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "run_hdf5.h"
+#include "run_formats.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "checkpoint.h"
 #include "hdf5_sink.h"
-#include "vtkhdf.h"
 
 struct writer {
     const struct columns *columns;

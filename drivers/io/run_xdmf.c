@@ -2,7 +2,7 @@
  *
  * Two grids over time, "bodies" and, if there are any, "bonds", that share the points. Every array is a slab of the
  * rows of one frame in a dataset of /VTKHDF. A third grid, "walls", of all times, has a square for each plane. */
-#include "run_text.h"
+#include "run_formats.h"
 
 #include <math.h>
 

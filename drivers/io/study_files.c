@@ -2,8 +2,6 @@
 #include "study_files.h"
 
 #include "folder.h"
-#include "study_csv.h"
-#include "study_hdf5.h"
 
 static int write_hdf5(const struct study *study, const char *folder, const char *name, struct message *message)
 {

@@ -1,18 +1,46 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The files of a study, together. */
+ * The files of a study and of a cost study. */
 #ifndef VTI_STUDY_FILES_H
 #define VTI_STUDY_FILES_H
 
+#include <stdio.h>
+
+#include "cost.h"
 #include "overwrite.h"
 #include "study.h"
+
+/* ---- a study ---------------------------------------------------------------------------------------------------- */
 
 enum { STUDY_FILES = 3 };
 
 /** Names and marks of the files in folder. */
 void study_files_list(const char *folder, struct output files[STUDY_FILES]);
 
-/** Writes study.h5, study.csv and timing.csv into folder: all under temporary names first, then all under their real ones, so that
- *  a failure leaves what was there before. Returns 0, or -1 with one line in *message. */
+/** Writes study.h5, study.csv and timing.csv into folder: all under temporary names first, then all under their real
+ *  ones, so that a failure leaves what was there before. Returns 0, or -1 with one line in *message. */
 int study_files_write(const struct study *study, const char *folder, struct message *message);
+
+/** study.h5. Root attributes: scene, t_end, energy0, norm_squared (||q||^2_H1 of the exact solution), the two errors
+ *  of the reference, vti_version. /runs: a dataset per column of study.csv. /orders: a dataset per column, a row per
+ *  stepper and measure. /series/NNNNNN: for run NNNNNN t, energy_error (E_h - E_0) and every invariant less its
+ *  initial value. The bytes depend on the results only. Writes the file at path. Returns 0, or -1 with one line in
+ *  *message. */
+int study_hdf5_write(const struct study *study, const char *path, struct message *message);
+/** study.csv: one row per run in task order, 17 digits; nothing in it depends on clocks or ranks. */
+void study_csv_write(const struct study *study, FILE *file);
+/** timing.csv: seconds of every run with its measurements, and the rank that did it. */
+void timing_csv_write(const struct study *study, FILE *file);
+
+/* ---- a cost study ----------------------------------------------------------------------------------------------- */
+
+enum { COST_FILES = 4 };
+
+/** Names and marks of the files in folder. */
+void cost_files_list(const char *folder, struct output files[COST_FILES]);
+
+/** Writes cost.csv, errors.csv, prices.csv and machine.txt into folder: all under temporary names first, then all
+ *  under their real ones, so that a failure leaves what was there before. Rows are ordered by case, method and
+ *  falling h; runs that failed have none. Returns 0, or -1 with one line in *message. */
+int cost_files_write(const struct cost *cost, const char *folder, struct message *message);
 
 #endif

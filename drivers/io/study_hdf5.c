@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "study_hdf5.h"
+#include "study_files.h"
 
 #include <stddef.h>
 #include <stdio.h>

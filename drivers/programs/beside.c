@@ -4,7 +4,10 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include "folder.h"
 
 /** path = folder of the running program / relative / name, if that can be read. */
 static int find(const char *relative, const char *name, char path[BESIDE_PATH])
@@ -25,7 +28,20 @@ int beside_scene(const char *name, char path[BESIDE_PATH])
     return find("../scenes/", name, path) == 0 || find("../share/vti/scenes/", name, path) == 0 ? 0 : -1;
 }
 
-int beside_program(const char *name, char path[BESIDE_PATH])
+int pictures_draw(const char *folder, const char *name, struct message *message)
 {
-    return find("", name, path);
+    char program[BESIDE_PATH], file[FOLDER_PATH];
+    if (find("", "vti-plot", program) != 0)
+        return message_set(message, "vti-plot was not found beside this program; use --no-plot");
+    if (folder_path(folder, name, 0, file, message) != 0)
+        return -1;
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(program, program, file, (char *)NULL);
+        _exit(127);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0)
+        return message_set(message, "%s: no pictures were drawn; see the lines above, or use --no-plot", file);
+    return 0;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The scenes of a cost study, as they are named on the command line: SCENE.yaml, or SCENE.yaml@10,100 with their ends. */
+ * The scenes of a cost study, as they are named on the command line: SCENE.yaml, or SCENE.yaml@10,100 with their
+ * ends. */
 #ifndef VTI_COST_SCENES_H
 #define VTI_COST_SCENES_H
 
@@ -14,8 +15,8 @@ struct cost_scenes {
     struct tables tables[COST_CASES];
 };
 
-/** Reads n scenes, with the overrides sets, and adds them to the plan; t_end (may be NULL) holds the ends of those without
- *  "@", as --t-end has them. Returns 0, or -1 with one line in *message; cost_scenes_destroy in either case. */
+/** Reads n scenes, with the overrides sets, and adds them to the plan; t_end (may be NULL) holds the ends of those
+ *  without "@", as --t-end has them. Returns 0, or -1 with one line in *message; cost_scenes_destroy in either case. */
 int cost_scenes_read(const char *const *names, int n, const char *const *sets, int sets_count, const char *t_end,
                      struct cost_scenes *scenes, struct cost_plan *plan, struct message *message);
 void cost_scenes_destroy(struct cost_scenes *scenes);

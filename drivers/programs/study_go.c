@@ -4,17 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cost_files.h"
-#include "cost_table.h"
 #include "hdf5_sink.h"
 #include "number.h"
-#include "progress.h"
+#include "terminal.h"
 #include "run_signals.h"
-#include "study_csv.h"
 #include "study_files.h"
 #include "study_identity.h"
 
-/* ---- all ranks --------------------------------------------------------------------------------------------------- */
+/* ---- all ranks -------------------------------------------------------------------------------------------------- */
 
 int study_agree(int failed, int rank, const struct message *message)
 {
@@ -32,7 +29,7 @@ int study_agree(int failed, int rank, const struct message *message)
     return -1;
 }
 
-/* ---- the journal, which rank 0 has -------------------------------------------------------------------------------- */
+/* ---- the journal, which rank 0 has ------------------------------------------------------------------------------ */
 
 static int check_files(const struct study_place *place, const struct output *files, int count, struct message *message)
 {
@@ -76,7 +73,7 @@ static int not_written(const struct task_journal *journal, const struct message 
                        problem->text, journal->path);
 }
 
-/* ---- the person at the terminal ----------------------------------------------------------------------------------- */
+/* ---- the person at the terminal --------------------------------------------------------------------------------- */
 
 static int is_asked(void)
 {
@@ -117,7 +114,7 @@ static int count_ranks(void)
     return ranks;
 }
 
-/* ---- convergence -------------------------------------------------------------------------------------------------- */
+/* ---- convergence ------------------------------------------------------------------------------------------------ */
 
 /** The first line: what will be done. */
 static void say_plan(const struct plan *plan)
@@ -190,7 +187,7 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     return failed;
 }
 
-/* ---- cost --------------------------------------------------------------------------------------------------------- */
+/* ---- cost ------------------------------------------------------------------------------------------------------- */
 
 static void say_cost_plan(const struct cost_plan *plan)
 {

@@ -10,8 +10,7 @@
 #include "folder.h"
 #include "number.h"
 #include "options.h"
-#include "output.h"
-#include "pictures.h"
+#include "terminal.h"
 #include "study_go.h"
 #include "table_hdf5.h"
 

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #define _POSIX_C_SOURCE 200809L
-#include "progress.h"
+#include "terminal.h"
 
+#include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,13 +13,57 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "sync.h"
+
+int output_end(struct message *message)
+{
+    if (sync_end(stdout, fflush) == 0)
+        return 0;
+    return message_set(message, "standard output: cannot be written: %s; send it to another place", strerror(errno));
+}
+
+static void say_bound(const vti_stable *stable, const char *by, const vti_stepper *stepper, double h, FILE *file)
+{
+    const double step = 0.5 * stepper->reach * stable->h;
+    if (isnan(step))
+        fputs("not known", file);
+    else if (isinf(step))
+        fputs("nothing oscillates", file);
+    else
+        fprintf(file, "%.4g, set by %s", step, by);
+    if (isfinite(step) && h > 0.0)
+        fprintf(file, "; h is %.3g of it", h / step);
+    fputc('\n', file);
+}
+
+void stable_say(const struct model_limits *l, const vti_stepper *stepper, double h, FILE *file)
+{
+    fprintf(file, "stable step of %s at rest: ", stepper->name);
+    say_bound(&l->rest, l->rest_by, stepper, h, file);
+    if (!(l->at.strain > 0.0 || l->at.overlap > 0.0))
+        return;
+    fputs("with ", file);
+    if (l->at.strain > 0.0)
+        fprintf(file, "bonds strained by up to %.2g", l->at.strain);
+    if (l->at.overlap > 0.0)
+        fprintf(file, "%scontacts overlapped by up to %.2g", l->at.strain > 0.0 ? " and " : "", l->at.overlap);
+    fputs(", as far as the energy that bodies have takes them: ", file);
+    say_bound(&l->within, l->within_by, stepper, h, file);
+}
+
+double stable_least(const struct model_limits *l, const vti_stepper *stepper)
+{
+    return 0.5 * stepper->reach * fmin(l->rest.h, l->within.h);
+}
+
 enum { WIDTH = 40, REST = 40 /* what stands beside the bar, at most */ };
 
 static double shown = -1.0;
 
-/* ---- where the terminal is ------------------------------------------------------------------------------------------ */
+/* ---- where the terminal is -------------------------------------------------------------------------------------- */
 
-/** Whether this is a rank that a launcher reads by pipes. A program that is started without one has most of the variables too. */
+/** Whether this is a rank that a launcher reads by pipes. A program that is started without one has most of the
+ *  variables too. */
 static int is_launched(void)
 {
     struct stat info;
@@ -68,7 +114,8 @@ static FILE *terminal(void)
     return found;
 }
 
-/** Bar and results reach the terminal by different ways under a launcher: it gets the time to pass on what was first. */
+/** Bar and results reach the terminal by different ways under a launcher: it gets the time to pass on what was
+ *  first. */
 static void let_pass(void)
 {
     const struct timespec a_moment = {0, 50000000};
@@ -76,7 +123,7 @@ static void let_pass(void)
         nanosleep(&a_moment, NULL);
 }
 
-/* ---- the bar -------------------------------------------------------------------------------------------------------- */
+/* ---- the bar ---------------------------------------------------------------------------------------------------- */
 
 /** "12 s left", "25 min left", "3.5 h left" */
 static void say_left(double seconds, FILE *file)

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What a program shows at its terminal: a progress bar with the time left, the bounds on the step in words. */
+#ifndef VTI_TERMINAL_H
+#define VTI_TERMINAL_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "message.h"
+#include "model.h"
+
+/* ---- the bar ---------------------------------------------------------------------------------------------------- */
+
+/** Redraws the bar when something has changed that one can see. done of all are weights; seconds have passed. It
+ *  goes to the standard output if that is a terminal, else to the standard error if that is one.
+ *
+ *  A launcher of MPI gives its ranks pipes (Open MPI: a terminal of its own making as the standard output, wherever
+ *  its own goes), and passes on what comes out of them; Open MPI 5 only whole lines, and of a line that is not ended
+ *  on the standard error it may make one of the standard output. So there the bar goes to the launcher's own
+ *  terminal, which /proc leads to. Where that cannot be, VTI_TERMINAL=1 in the environment says that the standard
+ *  error leads to a terminal; under mpirun of Open MPI 5 it says nothing. */
+void progress_show(int64_t done, int64_t all, double seconds);
+/** The same with a word in front of it: what is being done. */
+void progress_show_what(const char *what, int64_t done, int64_t all, double seconds);
+/** Wipes the bar. */
+void progress_clear(void);
+
+/* ---- the bounds on the step ------------------------------------------------------------------------------------- */
+
+/** A line for the bound at rest and one for that of what energies allow, if it is another; h beside them, if it is >
+ *  0. */
+void stable_say(const struct model_limits *limits, const vti_stepper *stepper, double h, FILE *file);
+/** The smaller bound for a stepper, whose reach may be other than 2. */
+double stable_least(const struct model_limits *limits, const vti_stepper *stepper);
+
+/* ---- the end ---------------------------------------------------------------------------------------------------- */
+
+/** At the end of a program: whether all that it said has got there. Returns 0, or -1 with one line in *message. */
+int output_end(struct message *message);
+
+#endif
