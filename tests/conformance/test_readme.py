@@ -63,6 +63,15 @@ def linking():
     return text
 
 
+def versions():
+    """One version in all places that name it."""
+    places = {"include/vti.h": r'VTI_VERSION_STRING "(.*)"', "CITATION.cff": r"(?m)^version: (.*)$",
+              "CHANGELOG.md": r"(?m)^## (\S+)", "docs/linking.md": r"(?m)^revision = v(.*)$"}
+    found = {name: re.search(pattern, (project / name).read_text(encoding="utf-8"))[1] for name, pattern in places.items()}
+    check(len(set(found.values())) == 1, f"one version: {found}")
+
+
+versions()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")

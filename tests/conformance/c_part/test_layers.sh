@@ -6,7 +6,8 @@
 #     L2  drivers/scene, then sim    L0 and libc; no GSL, HDF5 or MPI
 #     L3  drivers/rivals             what is below, and GSL
 #         drivers/study, drivers/io  what is below, the kit, and each other
-#     L4  drivers/*.c                L3 and below; of the libraries MPI at most, which main has to initialise
+#         drivers/keep           likewise
+#     L4  drivers/programs       L3 and below; of the libraries MPI at most, which main has to initialise, and popt
 # The core neither allocates nor prints nor ends the program.
 #     test_layers.sh SOURCE_DIRECTORY
 set -eu
@@ -79,11 +80,16 @@ from "$(own_headers drivers/check/*.[ch])" include drivers/check
 from "$(own_headers drivers/scene/*.[ch])" include drivers/scene
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/sim
 from "$(own_headers drivers/rivals/*.[ch])" include drivers/scene drivers/sim drivers/rivals
-for layer in study io; do
-    from "$(own_headers drivers/$layer/*.[ch])" include drivers/check drivers/scene drivers/sim drivers/rivals drivers/study drivers/io
+below="drivers/check drivers/scene drivers/sim drivers/rivals drivers/study drivers/io drivers/keep"
+# shellcheck disable=SC2086  # several folders
+for room in study io keep; do
+    [ ! -d drivers/$room ] || from "$(own_headers drivers/$room/*.[ch])" include $below
 done
-without "$(system_headers drivers/*.c)" 'gsl/|hdf5|H5'
-from "$(own_headers drivers/*.c)" include drivers/scene drivers/sim drivers/study drivers/io
+without "$(system_headers drivers/programs/*.[ch])" 'gsl/|hdf5|H5'
+# shellcheck disable=SC2086  # several folders
+from "$(own_headers drivers/programs/*.[ch])" include $below drivers/programs
+stray=$(ls drivers/*.[ch] 2>/dev/null || true)
+[ -z "$stray" ] || complain "sources outside the rooms of drivers/: $stray"
 
 # the core's private header stays in src
 private=$(grep -rlE '#[[:space:]]*include[[:space:]]*["<].*vti_internal\.h' --include='*.[ch]' include drivers examples fortran tests \
