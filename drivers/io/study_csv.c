@@ -5,7 +5,7 @@
 
 #include "number.h"
 
-/** ",good,0.001,...\n" */
+/** ",good,0.001,..." */
 static void write_judgement(const struct judgement *judgement, FILE *file)
 {
     fprintf(file, ",%s", verdict_word(judgement->verdict));
@@ -20,33 +20,54 @@ static void write_judgement(const struct judgement *judgement, FILE *file)
         else
             fprintf(file, ",%s", NUMBER(number));
     }
-    fputc('\n', file);
 }
 
-void study_csv_write(const struct study *study, FILE *file)
+void study_csv_header(FILE *file)
 {
     fputs("scene,stepper,h,t_end,steps,force_evals,e_error,q_error,h1_error,attitude_error,momentum_error", file);
     for (int k = 0; k < VERDICT_NUMBERS; ++k)
         fprintf(file, ",%s", verdict_numbers[k].name);
+}
+
+void study_csv_row(const char *scene, const struct trial *trial, int64_t force_evals, const double error[],
+                   const struct judgement *judgement, FILE *file)
+{
+    fprintf(file, "%s,%s,%s,%s,%lld,%lld", scene, trial->stepper->name, NUMBER(trial->h), NUMBER(trial->t_end),
+            (long long)trial->steps, (long long)force_evals);
+    for (int m = 0; m < STUDY_MEASURES + 1; ++m)
+        fprintf(file, ",%s", NUMBER(error[m]));
+    write_judgement(judgement, file);
+}
+
+void study_csv_write(const struct study *study, FILE *file)
+{
+    study_csv_header(file);
     fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
-        const struct trial *trial = &study->trials[r];
         const struct outcome *o = &study->outcomes[r];
-        fprintf(file, "%s,%s,%s,%s,%lld,%lld,%s,%s,%s,%s,%s", study->plan->scene->name, trial->stepper->name,
-                NUMBER(trial->h), NUMBER(trial->t_end), (long long)o->steps, (long long)o->force_evals,
-                NUMBER(o->e_error), NUMBER(o->q_error), NUMBER(o->h1_error), NUMBER(o->attitude_error),
-                NUMBER(o->momentum_error));
-        write_judgement(&o->judgement, file);
+        const double error[] = {o->e_error, o->q_error, o->h1_error, o->attitude_error, o->momentum_error};
+        study_csv_row(study->plan->scene->name, &study->trials[r], o->force_evals, error, &o->judgement, file);
+        fputc('\n', file);
     }
+}
+
+void timing_csv_header(FILE *file)
+{
+    fputs("scene,stepper,h,seconds,ns_per_step,rank", file);
+}
+
+void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file)
+{
+    fprintf(file, "%s,%s,%s,%.9g,%.6g,%d", scene, trial->stepper->name, NUMBER(trial->h), seconds,
+            1e9 * seconds / (double)trial->steps, rank);
 }
 
 void timing_csv_write(const struct study *study, FILE *file)
 {
-    fputs("scene,stepper,h,seconds,ns_per_step,rank\n", file);
+    timing_csv_header(file);
+    fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
-        const struct trial *trial = &study->trials[r];
-        const double seconds = study->outcomes[r].seconds;
-        fprintf(file, "%s,%s,%s,%.9g,%.6g,%d\n", study->plan->scene->name, trial->stepper->name, NUMBER(trial->h),
-                seconds, 1e9 * seconds / (double)trial->steps, study->ranks[r]);
+        timing_csv_row(study->plan->scene->name, &study->trials[r], study->outcomes[r].seconds, study->ranks[r], file);
+        fputc('\n', file);
     }
 }

@@ -31,6 +31,14 @@ void study_csv_write(const struct study *study, FILE *file);
 /** timing.csv: seconds of every run with its measurements, and the rank that did it. */
 void timing_csv_write(const struct study *study, FILE *file);
 
+/** Of both the first line and a row of one run, for files with more columns behind; error: as study_measures names
+ *  them, then the momentum error. */
+void study_csv_header(FILE *file);
+void study_csv_row(const char *scene, const struct trial *trial, int64_t force_evals, const double error[],
+                   const struct judgement *judgement, FILE *file);
+void timing_csv_header(FILE *file);
+void timing_csv_row(const char *scene, const struct trial *trial, double seconds, int rank, FILE *file);
+
 /* ---- a cost study ----------------------------------------------------------------------------------------------- */
 
 enum { COST_FILES = 4 };

@@ -10,7 +10,7 @@
 
 enum { NAME = 64 };
 
-/* ---- texts of one length ------------------------------------------------------------------------------------------- */
+/* ---- texts of one length ----------------------------------------------------------------------------------------- */
 
 /** Fixed-length, null-padded. */
 static hid_t text_type(size_t length)
@@ -27,7 +27,7 @@ static void dataset(struct hdf5_sink *s, const char *name, hid_t type, int64_t n
     hdf5_dataset(s, name, type, 1, &count, data);
 }
 
-/* ---- columns: one member of every struct of an array ------------------------------------------------------------------- */
+/* ---- columns: one member of every struct of an array ------------------------------------------------------------- */
 
 /** A member of 8 bytes: where it is in its struct, and what. */
 struct column {
@@ -125,7 +125,7 @@ static void write_orders(struct hdf5_sink *file, const struct study *study)
     hdf5_close(file, &s);
 }
 
-/* ---- /series ------------------------------------------------------------------------------------------------------------- */
+/* ---- /series ----------------------------------------------------------------------------------------------------- */
 
 static void series_column(struct hdf5_sink *s, const char *name, const char *label, const struct outcome *o, int column)
 {
@@ -158,7 +158,7 @@ static void write_series(struct hdf5_sink *file, const struct study *study)
     hdf5_close(file, &all);
 }
 
-/* ---- the file ------------------------------------------------------------------------------------------------------------ */
+/* ---- the file ---------------------------------------------------------------------------------------------------- */
 
 int study_hdf5_write(const struct study *study, const char *path, struct message *message)
 {

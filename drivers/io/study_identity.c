@@ -74,6 +74,29 @@ struct task_identity study_identity(const struct plan *plan)
     return identity;
 }
 
+/** Of the scenes at their first points, and of what is swept. */
+struct task_identity survey_identity(const struct survey_plan *plan)
+{
+    struct task_identity identity = start(survey_points(plan), (size_t)survey_bytes(plan));
+    for (int k = 0; k < plan->scenes_count; ++k) {
+        const struct plan *each = &plan->each[k];
+        add_scene(&identity, &plan->first[k]);
+        add(&identity, TASK_STEPS, each->h, sizeof *each->h * (size_t)each->h_count);
+        add(&identity, TASK_ENDS, &each->t_end, sizeof each->t_end);
+    }
+    for (int64_t k = 0; k < plan->each[0].steppers_count; ++k)
+        add_name(&identity, TASK_METHODS, plan->each[0].steppers[k]->name);
+    for (int k = 0; k < plan->sweep->count; ++k) {
+        const struct sweep_axis *axis = &plan->sweep->axis[k];
+        add_name(&identity, TASK_SCENES, axis->key);
+        add_name(&identity, TASK_SCENES, axis->list != NULL ? axis->list : "");
+        add(&identity, TASK_SCENES, &axis->from, sizeof axis->from);
+        add(&identity, TASK_SCENES, &axis->step, sizeof axis->step);
+    }
+    add(&identity, TASK_LIMITS, &plan->each[0].memory, sizeof plan->each[0].memory);
+    return identity;
+}
+
 struct task_identity cost_identity(const struct cost_plan *plan)
 {
     struct task_identity identity = start(plan->cases_count * plan->methods_count, sizeof(struct cost_ladder));

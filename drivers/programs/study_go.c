@@ -10,6 +10,7 @@
 #include "run_signals.h"
 #include "study_files.h"
 #include "study_identity.h"
+#include "survey_files.h"
 
 /* ---- all ranks -------------------------------------------------------------------------------------------------- */
 
@@ -187,7 +188,65 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     return failed;
 }
 
-/* ---- cost ------------------------------------------------------------------------------------------------------- */
+/* ---- surveys ----------------------------------------------------------------------------------------------------- */
+
+static void say_survey_plan(const struct survey_plan *plan)
+{
+    const int ranks = count_ranks();
+    for (int k = 0; k < plan->scenes_count; ++k)
+        printf("%s%s", k > 0 ? ", " : "", plan->first[k].name);
+    for (int k = 0; k < plan->sweep->count; ++k)
+        printf("%s%lld values of %s", k > 0 ? " x " : ": ", (long long)plan->sweep->axis[k].count,
+               plan->sweep->axis[k].key);
+    printf(": %lld points, each with a reference solution, and %lld runs on %d rank%s\n",
+           (long long)survey_points(plan), (long long)survey_runs(plan), ranks, ranks > 1 ? "s" : "");
+    fflush(stdout);
+}
+
+static int say_survey(const struct survey *survey, const struct survey_counts *counts, const char *folder,
+                      struct message *message)
+{
+    if (survey_table_write(survey, stdout, message) != 0)
+        return -1;
+    printf("\nverdict: of %lld runs %lld are good, %lld doubtful, %lld bad", (long long)survey->runs,
+           (long long)counts->verdict[VERDICT_GOOD], (long long)counts->verdict[VERDICT_DOUBTFUL],
+           (long long)counts->verdict[VERDICT_BAD]);
+    if (counts->failed > 0)
+        printf(", and %lld failed: study.csv says why", (long long)counts->failed);
+    printf("\n%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)survey->runs,
+           survey->seconds, folder);
+    return 0;
+}
+
+int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
+{
+    struct survey survey;
+    struct survey_counts counts = {{0}, 0};
+    struct task_journal journal;
+    struct message message = {""}, problem = {""};
+    const struct task_identity identity = survey_identity(plan);
+    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
+    struct output files[STUDY_FILES];
+    study_files_list(place->folder, files);
+    if (open_journal(&journal, place, "study.journal", files, STUDY_FILES, &identity, rank) != 0)
+        return -1;
+    const struct store store = task_journal_store(&journal);
+    if (rank == 0)
+        say_survey_plan(plan);
+    int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
+    progress_clear();
+    if (failed == 0 && rank == 0 &&
+        (check_files(place, files, STUDY_FILES, &problem) != 0 ||
+         survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
+         say_survey(&survey, &counts, place->folder, &problem) != 0))
+        failed = not_written(&journal, &problem, &message);
+    failed = end_study(failed, &journal, failed == 0, rank, &message);
+    int bad = counts.verdict[VERDICT_BAD] > 0 || counts.failed > 0;
+    MPI_Bcast(&bad, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return failed == 0 ? bad : failed;
+}
+
+/* ---- cost -------------------------------------------------------------------------------------------------------- */
 
 static void say_cost_plan(const struct cost_plan *plan)
 {

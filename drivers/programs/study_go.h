@@ -7,7 +7,7 @@
 
 #include "cost.h"
 #include "overwrite.h"
-#include "study.h"
+#include "survey.h"
 
 /** Where it goes and whether one that was interrupted there goes on. */
 struct study_place {
@@ -26,10 +26,15 @@ int study_agree(int failed, int rank, const struct message *message);
  *  on some run is bad, or when one line has been said about it WATCH_ASKED if it was ended so, or -1 if something
  *  failed. */
 int study_go(const struct plan *plan, const struct study_place *place, int rank);
+int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank);
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank);
 
 /** For people: errors of every run, then the fitted orders. */
 void study_table_write(const struct study *study, FILE *file);
+/** Mean and spread of errors and orders of the first groups. Returns 0, or -1 with one line in *message. */
+int survey_table_write(const struct survey *survey, FILE *file, struct message *message);
+/** Nine letters: 1/64 where h is the inverse of a whole number, a decimal number elsewhere. */
+void study_print_h(double h, FILE *file);
 /** The price list of every case, and what the next digit costs. */
 void cost_table_write(const struct cost *cost, FILE *file);
 

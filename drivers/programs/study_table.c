@@ -6,7 +6,7 @@
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
 
 /** 1/64 where h is the inverse of a whole number, a decimal number elsewhere. */
-static void print_h(double h, FILE *file)
+void study_print_h(double h, FILE *file)
 {
     char text[32];
     const double inverse = rint(1.0 / h);
@@ -35,7 +35,7 @@ static void write_verdicts(const struct study *study, FILE *file)
     for (int64_t r = 0; r < study->runs; ++r)
         if (study->outcomes[r].judgement.verdict != VERDICT_GOOD) {
             fprintf(file, "%s at h =", study->trials[r].stepper->name);
-            print_h(study->trials[r].h, file);
+            study_print_h(study->trials[r].h, file);
             fprintf(file, ": %s\n", study->outcomes[r].verdict.text);
         }
     fprintf(file, "verdict: of %lld runs %lld are good, %lld doubtful, %lld bad\n", (long long)study->runs,
@@ -51,7 +51,7 @@ void study_table_write(const struct study *study, FILE *file)
     for (int64_t r = 0; r < study->runs; ++r) {
         const struct outcome *o = &study->outcomes[r];
         fprintf(file, "%-*s ", width, study->trials[r].stepper->name);
-        print_h(study->trials[r].h, file);
+        study_print_h(study->trials[r].h, file);
         fprintf(file, " %9lld  %10.3e %10.3e %10.3e %10.3e %10.2e\n", (long long)o->steps, o->e_error, o->q_error,
                 o->h1_error, o->attitude_error, o->momentum_error);
     }

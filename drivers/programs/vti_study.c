@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "beside.h"
 #include "cost_scenes.h"
@@ -22,7 +23,7 @@ struct study_inputs {
     int count;
 };
 
-static struct option_list sets;
+static struct option_list sets, sweeps;
 static const char *steppers, *steps, *end_times, *output;
 static int64_t most_evals, repeats;
 static double megabytes = REFERENCE_BYTES / 1e6;
@@ -44,6 +45,10 @@ static const struct option_row rows[] = {
     {"--t-end", "T", OPTION_TEXT, &end_times, OPTION_ANY,
      "end time (default: the scene's). A run takes the whole steps that fit into it"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
+    {"--sweep", "PATH=VALUES", OPTION_EACH, &sweeps, OPTION_ANY,
+     "the study at each of many values of the scene: a range 1:1000 or 0:1:1/8 (ends included) or a list 100,200; may "
+     "be repeated, and then every value goes with every other. Means and spreads are over the first one. Several "
+     "scenes may be named"},
     {"--resume", NULL, OPTION_ON, &resume, OPTION_ANY,
      "go on with a study that was interrupted, if there is one in the folder, else start"},
     {"--memory", "MB", OPTION_NUMBER, &megabytes, 0, 0, "500 or 1e4 megabytes",
@@ -70,24 +75,29 @@ static const struct option_row rows[] = {
         "message on; what is done is kept there too.\n"
         "\n"
         "study.csv has the verdict on every run: good, doubtful or bad, and the numbers behind it. Where\n"
-        "one is bad, all files are written and the code is 3."),
+        "one is bad, all files are written and the code is 3. A run that fails ends a study; of a sweep it\n"
+        "is a row with the reason, and the code is 3 too."),
     {0}};
 
 static const struct options options = {
     "vti-study", "mpirun -n RANKS ",
-    "[options] [SCENE.yaml]\n       mpirun -n RANKS vti-study --cost [options] [SCENE.yaml[@T,...]]...", rows, -1};
+    "[options] [SCENE.yaml]\n       mpirun -n RANKS vti-study --sweep PATH=VALUES [options] [SCENE.yaml]...\n       "
+    "mpirun -n RANKS vti-study --cost [options] [SCENE.yaml[@T,...]]...",
+    rows, -1};
 
 /** The command line. What is asked for beyond its options must go together. */
 static enum options_end read_arguments(int argc, char **argv, int rank, struct message *message)
 {
     const enum options_end asked = options_read(&options, argc, argv, rank == 0, &scenes, &scenes_count, message);
+    if (asked == OPTIONS_GO && cost && sweeps.count > 0) {
+        message_set(message, "--sweep: does not go with --cost; leave one of them out");
+        return OPTIONS_WRONG;
+    }
     if (asked != OPTIONS_GO || cost)
         return asked;
     if (most_evals > 0 || repeats > 0)
         message_set(message, "%s: goes with --cost only; see vti-study --help",
                     most_evals > 0 ? "--evals" : "--repeats");
-    else if (scenes_count > 1)
-        message_set(message, "%s: only one scene can be studied at a time; remove it", scenes[1]);
     else
         return OPTIONS_GO;
     return OPTIONS_WRONG;
@@ -128,22 +138,92 @@ static int default_scene(struct message *message)
     return 0;
 }
 
-static int make_plan(struct scene *scene, struct tables *tables, struct plan *plan, struct message *message)
+static int read_tables_too(const char *path, const char *const *overrides, int n, struct scene *scene,
+                           struct tables *tables, struct message *message)
 {
-    if (default_scene(message) != 0 || scene_read(scenes[0], sets.text, sets.count, scene, message) != 0 ||
-        tables_read(scene, tables, message) != 0)
-        return -1;
-    plan->scene = scene;
-    plan->t_end = scene->t_end;
+    return scene_read(path, overrides, n, scene, message) != 0 ? -1 : tables_read(scene, tables, message);
+}
+
+/** What is the same for all scenes. */
+static int read_plan(struct plan *plan, struct message *message)
+{
     plan->memory = 1e6 * megabytes;
     if (end_times != NULL && (number_read(end_times, &plan->t_end) != 0 || !(plan->t_end > 0.0)))
         return message_set(message, "--t-end: '%s' is not a positive number; write 10, 1e3 or 2^7", end_times);
     plan->steppers_count = methods_read("--steppers", steppers != NULL ? steppers : "vti1,vti2,vti3", plan->steppers,
                                         STUDY_STEPPERS, message);
-    if (plan->steppers_count < 0)
+    if (plan->steppers_count > 0 && steps != NULL)
+        plan->h_count = ladder_read(steps, plan->h, message);
+    return plan->steppers_count > 0 && plan->h_count >= 0 ? 0 : -1;
+}
+
+static int make_plan(struct scene *scene, struct tables *tables, struct plan *plan, struct message *message)
+{
+    if (default_scene(message) != 0 || read_tables_too(scenes[0], sets.text, sets.count, scene, tables, message) != 0 ||
+        read_plan(plan, message) != 0)
         return -1;
-    plan->h_count = steps != NULL ? ladder_read(steps, plan->h, message) : ladder_around(scene, plan->h);
-    return plan->h_count > 0 ? 0 : -1;
+    plan->scene = scene;
+    if (end_times == NULL)
+        plan->t_end = scene->t_end;
+    if (steps == NULL)
+        plan->h_count = ladder_around(scene, plan->h);
+    return 0;
+}
+
+static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struct study_inputs *inputs,
+                            struct message *message)
+{
+    static struct scene read[SURVEY_SCENES]; /* with their tables to the end of the program */
+    static struct tables tables[SURVEY_SCENES];
+    static struct plan common;
+    if (default_scene(message) != 0 || read_plan(&common, message) != 0)
+        return -1;
+    if (scenes_count > SURVEY_SCENES)
+        return message_set(message, "%s: more than %d scenes; use fewer at a time", scenes[SURVEY_SCENES],
+                           SURVEY_SCENES);
+    for (int k = 0; k < sweeps.count; ++k)
+        if (sweep_add(sweep, sweeps.text[k], message) != 0)
+            return -1;
+    for (int k = 0; k < sweep->count; ++k)
+        if (end_times != NULL && strcmp(sweep->axis[k].key, "t_end") == 0)
+            return message_set(message, "--t-end: t_end is swept already; leave one of them out");
+    *plan = (struct survey_plan){.scenes = scenes,
+                                 .scenes_count = scenes_count,
+                                 .sets = sets.text,
+                                 .first = read,
+                                 .sets_count = sets.count,
+                                 .sweep = sweep,
+                                 .read = read_tables_too,
+                                 .forget = tables_destroy};
+    for (int k = 0; k < scenes_count; ++k) {
+        plan->each[k] = common;
+        if (survey_read_first(plan, k, &read[k], &tables[k], message) != 0)
+            return -1;
+        if (steps == NULL)
+            plan->each[k].h_count = ladder_around(&read[k], plan->each[k].h);
+        add_inputs(scenes[k], &read[k], inputs);
+    }
+    return survey_check(plan, message);
+}
+
+/** Collective. */
+static int run_survey(int rank, char folder[FOLDER_PATH], int *wants_plot)
+{
+    static struct survey_plan plan;
+    static struct sweep sweep;
+    static struct study_inputs inputs;
+    struct message message = {""};
+    int failed = study_agree(make_survey_plan(&plan, &sweep, &inputs, &message), rank, &message);
+    if (failed != 0)
+        return failed;
+    if (output != NULL)
+        snprintf(folder, FOLDER_PATH, "%s", output);
+    else
+        snprintf(folder, FOLDER_PATH, "sweep-%s", plan.first[0].name);
+    const struct study_place place = {folder, resume, force, inputs.input, inputs.count};
+    failed = survey_go(&plan, &place, rank);
+    *wants_plot = rank == 0 && plot;
+    return failed;
 }
 
 static int make_cost_plan(struct cost_scenes *read, struct cost_plan *plan, struct message *message)
@@ -187,6 +267,8 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
         return 0;
     if (asked == OPTIONS_GO && cost)
         return run_cost(rank);
+    if (asked == OPTIONS_GO && (sweeps.count > 0 || scenes_count > 1))
+        return run_survey(rank, folder, wants_plot);
     int failed = asked == OPTIONS_GO ? make_plan(&scene, &tables, &plan, &message) : -1;
     failed = study_agree(failed, rank, &message);
     if (failed == 0) {

@@ -17,7 +17,9 @@ struct work {
     const struct store *store;
     struct message *message;
     double start;
-    int64_t done, all; /* ladders that the store does not hold */
+    int64_t *order;    /* [all]: the ladders that the store does not hold, in the order of their going */
+    int64_t done, all; /* of these */
+    int64_t taken;
     int rank;
 };
 
@@ -72,16 +74,20 @@ static int task_done(void *self, int64_t task, int rank, const void *result)
     return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
 }
 
-/** Takes what the store has and lists the other tasks in order. Returns how many. */
-static int64_t recall(struct work *w, int64_t n, int64_t *order)
+/** Takes what the store has and lists the other tasks in order. */
+static void recall(struct work *w, int64_t n)
 {
     int rank;
-    int64_t left = 0;
     for (int64_t task = n - 1; task >= 0; --task)
         if (w->store == NULL || !w->store->recall(w->store->self, task, &rank, &w->cost->ladders[task]))
-            order[left++] = task;
-    w->all = left;
-    return left;
+            w->order[w->all++] = task;
+}
+
+/** Rank 0: the next one. */
+static int64_t next_task(void *self)
+{
+    struct work *w = self;
+    return w->all > w->taken ? w->order[w->taken++] : -1;
 }
 
 static void task_progress(void *self, int64_t task, int64_t work)
@@ -101,18 +107,17 @@ static int is_asked(void *self)
 static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
 {
     const int64_t n = ladders_of(w->plan);
-    int64_t *order = calloc((size_t)n, sizeof *order);
-    if (anywhere(order == NULL ? -1 : 0, comm) != 0 || order == NULL) {
-        free(order);
+    w->order = calloc((size_t)n, sizeof *w->order);
+    if (anywhere(w->order == NULL ? -1 : 0, comm) != 0 || w->order == NULL) {
+        free(w->order);
         return message_set(message, "out of memory; use fewer scenes");
     }
     w->start = MPI_Wtime();
     message->text[0] = '\0';
-    const int64_t left = recall(w, n, order);
-    const struct queue queue = {w,        left,      order,         sizeof(struct cost_ladder),
-                                run_task, task_done, task_progress, is_asked};
+    recall(w, n);
+    const struct queue queue = {w, sizeof(struct cost_ladder), next_task, run_task, task_done, task_progress, is_asked};
     const int failed = queue_run(&queue, comm);
-    free(order);
+    free(w->order);
     if (failed == -1 && message->text[0] == '\0')
         message_set(message, "out of memory; use fewer scenes");
     return failed;
@@ -214,7 +219,7 @@ int cost_run(const struct cost_plan *plan, MPI_Comm comm, const struct study_wat
              struct cost *cost, struct message *message)
 {
     int rank;
-    struct work w = {plan, cost, NULL, NULL, watch, store, message, 0.0, 0, 0, 0};
+    struct work w = {plan, cost, NULL, NULL, watch, store, message, 0.0, NULL, 0, 0, 0, 0};
     const double start = MPI_Wtime();
     memset(cost, 0, sizeof *cost);
     cost->plan = plan;

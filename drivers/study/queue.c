@@ -23,7 +23,6 @@ struct state {
     struct report *report;
     int report_bytes;
     /* rank 0 */
-    int64_t handed_out;
     int workers; /* that have not been sent home */
     char *home;  /* [ranks] 1 for those that have */
     int stopped; /* 0, or what queue_run returns */
@@ -41,7 +40,7 @@ static int is_asked(const struct state *s)
 
 static int64_t next_task(struct state *s)
 {
-    return s->stopped || s->handed_out == s->queue->tasks ? -1 : s->queue->order[s->handed_out++];
+    return s->stopped ? -1 : s->queue->next(s->queue->self);
 }
 
 /** Nothing more is taken or handed out; rank, which has nothing to do just now, need not be told. */
@@ -144,7 +143,7 @@ static void work_other(struct state *s)
 int queue_run(const struct queue *queue, MPI_Comm comm)
 {
     int rank;
-    struct state s = {queue, comm, 0, NULL, 0, 0, 0, NULL, 0, -1, 0};
+    struct state s = {queue, comm, 0, NULL, 0, 0, NULL, 0, -1, 0};
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &s.ranks);
     s.workers = s.ranks - 1;

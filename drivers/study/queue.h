@@ -15,9 +15,9 @@ typedef int (*queue_poll)(void *poll_self, int64_t work);
 
 struct queue {
     void *self;
-    int64_t tasks;
-    const int64_t *order; /* [tasks]: tasks in the order in which they are handed out */
-    int64_t bytes;        /* of one result */
+    int64_t bytes; /* of one result */
+    /** Rank 0: the next task to be handed out, -1 if there is none. */
+    int64_t (*next)(void *self);
     /** Any rank: does the task and writes its result. */
     void (*run)(void *self, int64_t task, queue_poll poll, void *poll_self, void *result);
     /** Rank 0: takes a result. Non-zero stops the queue: tasks under way are asked to end, no more are handed out. */

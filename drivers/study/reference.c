@@ -96,6 +96,24 @@ static int see_pass(void *self, double share)
     return study_asked(stage->watch);
 }
 
+static int create(struct model *model, double t_end, double interval, double bytes, const struct place *place,
+                  struct reference *r, struct message *message)
+{
+    memset(r, 0, sizeof *r);
+    r->interval = interval;
+    const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, place, &r->smooth, message)
+                                       : create_sampled(model, t_end, interval, place, &r->sampled, message);
+    if (failed != 0) {
+        reference_destroy(r);
+        return failed;
+    }
+    r->energy_error = interval == 0.0 ? r->smooth.energy_error : r->sampled.energy_error;
+    r->uncertainty = interval == 0.0 ? r->smooth.interpolation_error : r->sampled.spread;
+    broadcast(&r->energy_error, 1, place->comm);
+    broadcast(&r->uncertainty, 1, place->comm);
+    return 0;
+}
+
 int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *r, struct message *message)
 {
@@ -103,19 +121,14 @@ int reference_create(struct model *model, double t_end, double interval, double 
     const struct watch on_pass = {see_pass, &stage};
     struct place place = {comm, 0, &on_pass};
     MPI_Comm_rank(comm, &place.rank);
-    memset(r, 0, sizeof *r);
-    r->interval = interval;
-    const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, &place, &r->smooth, message)
-                                       : create_sampled(model, t_end, interval, &place, &r->sampled, message);
-    if (failed != 0) {
-        reference_destroy(r);
-        return failed;
-    }
-    r->energy_error = interval == 0.0 ? r->smooth.energy_error : r->sampled.energy_error;
-    r->uncertainty = interval == 0.0 ? r->smooth.interpolation_error : r->sampled.spread;
-    broadcast(&r->energy_error, 1, comm);
-    broadcast(&r->uncertainty, 1, comm);
-    return 0;
+    return create(model, t_end, interval, bytes, &place, r, message);
+}
+
+int reference_alone(struct model *model, double t_end, double interval, double bytes, const struct watch *watch,
+                    struct reference *r, struct message *message)
+{
+    const struct place place = {MPI_COMM_SELF, 0, watch};
+    return create(model, t_end, interval, bytes, &place, r, message);
 }
 
 void reference_destroy(struct reference *r)

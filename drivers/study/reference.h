@@ -31,6 +31,9 @@ int reference_is_smooth(const struct model *model);
  *  WATCH_ASKED on all. */
 int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
+/** The same, with the same bits, by this rank for itself. */
+int reference_alone(struct model *model, double t_end, double interval, double bytes, const struct watch *watch,
+                    struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
 
 /** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or

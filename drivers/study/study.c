@@ -62,6 +62,14 @@ static int make_trials(struct study *study, struct message *message)
     return 0;
 }
 
+static void one_run(const struct study *study, int64_t r, struct reference *reference, queue_poll poll, void *poll_self,
+                    struct outcome *outcome)
+{
+    const struct trial *trial = &study->trials[r];
+    const int64_t compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
+    outcome_of(study->plan->scene, trial, compare_every, reference, poll, poll_self, outcome);
+}
+
 /* ---- the runs as tasks ------------------------------------------------------------------------------------------- */
 
 struct work {
@@ -71,16 +79,14 @@ struct work {
     const struct store *store;
     struct message *message;
     double start;
-    int64_t steps_all, steps_done; /* of the runs that the store does not hold */
+    int64_t *order, left, taken;   /* [left]: the runs that the store does not hold, in the order of their going */
+    int64_t steps_all, steps_done; /* of these */
 };
 
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
 {
     const struct work *w = self;
-    const struct study *study = w->study;
-    const struct trial *trial = &study->trials[task];
-    const int64_t compare_every = study->interval > 0.0 ? llrint(study->interval / trial->h) : 1;
-    outcome_of(study->plan->scene, trial, compare_every, w->reference, poll, poll_self, result);
+    one_run(w->study, task, w->reference, poll, poll_self, result);
 }
 
 static void show(struct work *w, int64_t extra)
@@ -103,19 +109,24 @@ static int task_done(void *self, int64_t task, int rank, const void *result)
     return w->store != NULL ? w->store->keep(w->store->self, task, rank, result, w->message) : 0;
 }
 
-/** Takes what the store has and leaves the other tasks in order. Returns how many. */
-static int64_t recall(struct work *w, int64_t *order)
+/** Takes what the store has and leaves the other tasks in order. */
+static void recall(struct work *w)
 {
-    int64_t left = 0;
     for (int64_t k = 0; k < w->study->runs; ++k) {
-        const int64_t task = order[k];
+        const int64_t task = w->order[k];
         if (w->store != NULL &&
             w->store->recall(w->store->self, task, &w->study->ranks[task], &w->study->outcomes[task]))
             continue;
         w->steps_all += w->study->trials[task].steps;
-        order[left++] = task;
+        w->order[w->left++] = task;
     }
-    return left;
+}
+
+/** Rank 0: the next one. */
+static int64_t next_task(void *self)
+{
+    struct work *w = self;
+    return w->left > w->taken ? w->order[w->taken++] : -1;
 }
 
 static void task_progress(void *self, int64_t task, int64_t steps)
@@ -142,12 +153,11 @@ static void longest_first(const struct study *study, int64_t *order)
 
 /* ---- orders ------------------------------------------------------------------------------------------------------ */
 
-/** Below this a measure is rounding, since errors of attitude grow as t sqrt(steps) eps, or no more than the
- *  reference is known to. The q-error is a square root. */
-static double least_error(const struct study *study, int measure, const struct trial *trial)
+/** Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. */
+double study_floor(int measure, int64_t steps, double t_end, double uncertainty)
 {
-    const double rounding = 16.0 * DBL_EPSILON * sqrt((double)trial->steps) * fmax(1.0, trial->t_end);
-    const double known = fmax(rounding, 10.0 * study->reference_uncertainty);
+    const double rounding = 16.0 * DBL_EPSILON * sqrt((double)steps) * fmax(1.0, t_end);
+    const double known = fmax(rounding, 10.0 * uncertainty);
     if (strcmp(study_measures[measure], "e_error") == 0)
         return rounding;
     return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(known) : known;
@@ -162,7 +172,8 @@ static void fit_orders(struct study *study)
             for (int64_t k = 0; k < plan->h_count; ++k) {
                 const int64_t run = s * plan->h_count + k;
                 error[k] = study_measure(&study->outcomes[run], m);
-                floor[k] = least_error(study, m, &study->trials[run]);
+                floor[k] =
+                    study_floor(m, study->trials[run].steps, study->trials[run].t_end, study->reference_uncertainty);
             }
             study->orders[s][m] = fit_order(plan->h, error, floor, plan->h_count);
         }
@@ -187,26 +198,46 @@ static int allocate(struct study *study, int rank)
 static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, const struct study_watch *watch,
                    const struct store *store, struct message *message)
 {
-    struct work work = {study, reference, watch, store, message, MPI_Wtime(), 0, 0};
-    int64_t *order = calloc((size_t)study->runs, sizeof *order);
-    const int without = order == NULL;
+    struct work work = {study, reference, watch, store, message, MPI_Wtime(), NULL, 0, 0, 0, 0};
+    work.order = calloc((size_t)study->runs, sizeof *work.order);
+    const int without = work.order == NULL;
     int failed = without;
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
     if (failed || without) {
-        free(order);
+        free(work.order);
         return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);
     }
-    longest_first(study, order);
+    longest_first(study, work.order);
     message->text[0] = '\0';
-    const int64_t left = recall(&work, order);
-    const struct queue queue = {&work,    left,      order,         sizeof(struct outcome),
-                                run_task, task_done, task_progress, is_asked};
+    recall(&work);
+    const struct queue queue = {&work, sizeof(struct outcome), next_task, run_task, task_done, task_progress, is_asked};
     failed = queue_run(&queue, comm);
-    free(order);
+    free(work.order);
     study->seconds = MPI_Wtime() - work.start;
     if (failed == -1 && message->text[0] == '\0')
         message_set(message, "out of memory; use fewer runs");
     return failed;
+}
+
+/** All that comes before the reference. */
+static int prepare(const struct plan *plan, int rank, struct study *study, struct message *message)
+{
+    memset(study, 0, sizeof *study);
+    study->plan = plan;
+    study->runs = plan->steppers_count * plan->h_count;
+    if (!allocate(study, rank))
+        return message_set(message, "out of memory for %lld runs", (long long)study->runs);
+    if (model_create(plan->scene, &study->model, message) != 0 || choose_interval(study, message) != 0)
+        return -1;
+    return make_trials(study, message);
+}
+
+static void note_reference(struct study *study, struct reference *reference)
+{
+    study->energy0 = model_energy(&study->model, &study->model.bodies);
+    study->norm_squared = reference_norm_squared(reference, study->t_end);
+    study->reference_energy_error = reference->energy_error;
+    study->reference_uncertainty = reference->uncertainty;
 }
 
 int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
@@ -215,34 +246,62 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
     int rank;
     struct reference reference;
     MPI_Comm_rank(comm, &rank);
-    memset(study, 0, sizeof *study);
-    study->plan = plan;
-    study->runs = plan->steppers_count * plan->h_count;
-    int failed =
-        allocate(study, rank) ? 0 : message_set(message, "out of memory for %lld runs", (long long)study->runs);
-    if (failed == 0)
-        failed = model_create(plan->scene, &study->model, message);
-    if (failed == 0)
-        failed = choose_interval(study, message);
-    if (failed == 0)
-        failed = make_trials(study, message);
+    int failed = prepare(plan, rank, study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     if (failed == 0)
         failed = reference_create(&study->model, study->t_end, study->interval, plan->memory, comm, watch, &reference,
                                   message);
     if (failed != 0)
         return failed;
-    if (rank == 0) {
-        study->energy0 = model_energy(&study->model, &study->model.bodies);
-        study->norm_squared = reference_norm_squared(&reference, study->t_end);
-        study->reference_energy_error = reference.energy_error;
-        study->reference_uncertainty = reference.uncertainty;
-    }
+    if (rank == 0)
+        note_reference(study, &reference);
     failed = run_all(study, &reference, comm, watch, store, message);
     reference_destroy(&reference);
     if (failed == 0 && rank == 0)
         fit_orders(study);
     return failed;
+}
+
+/* ---- by one rank ------------------------------------------------------------------------------------------------- */
+
+int study_check(const struct plan *plan, struct message *message)
+{
+    struct study study;
+    const int failed = prepare(plan, 1, &study, message);
+    study_destroy(&study);
+    return failed;
+}
+
+struct alone {
+    queue_poll poll;
+    void *self;
+};
+
+static int see_alone(void *self, double share)
+{
+    const struct alone *alone = self;
+    (void)share;
+    return alone->poll(alone->self, 0);
+}
+
+int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), void *poll_self, struct study *study,
+                struct message *message)
+{
+    struct alone alone = {poll, poll_self};
+    const struct watch watch = {see_alone, &alone};
+    struct reference reference;
+    int failed = prepare(plan, 0, study, message);
+    if (failed == 0)
+        failed =
+            reference_alone(&study->model, study->t_end, study->interval, plan->memory, &watch, &reference, message);
+    if (failed != 0)
+        return failed;
+    note_reference(study, &reference);
+    for (int64_t r = 0; r < study->runs; ++r)
+        one_run(study, r, &reference, poll, poll_self, &study->outcomes[r]);
+    reference_destroy(&reference);
+    fit_orders(study);
+    return 0;
 }
 
 void study_destroy(struct study *study)

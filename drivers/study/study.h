@@ -25,6 +25,9 @@ struct plan {
 extern const char *const study_measures[STUDY_MEASURES];
 double study_measure(const struct outcome *outcome, int measure);
 
+/** Below this a measure is rounding, or no more than the reference is known to. */
+double study_floor(int measure, int64_t steps, double t_end, double uncertainty);
+
 /** What came out; filled in on rank 0, empty elsewhere. Row r is stepper r / h_count at h r % h_count. */
 struct study {
     const struct plan *plan;
@@ -47,6 +50,14 @@ struct study {
  *  that watch has asked to end returns WATCH_ASKED on all ranks, without a message. */
 int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,
               struct study *study, struct message *message);
+/** The same runs with the same bits, one after the other by this rank for itself, as one of many such studies: a run
+ *  that fails does not end it. poll is called often with poll_self; non-zero ends the study, whose results then mean
+ *  nothing. Returns 0, or -1 with one line in *message, or WATCH_ASKED. study_destroy is due after any of them. */
+int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), void *poll_self, struct study *study,
+                struct message *message);
+/** Whether the plan's scene makes a model and its steps suit each other. Returns 0, or -1 with one line in *message. */
+int study_check(const struct plan *plan, struct message *message);
+
 void study_destroy(struct study *study);
 
 #endif

@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "survey.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "queue.h"
+#include "table.h"
+
+/* ---- points ------------------------------------------------------------------------------------------------------ */
+
+static int64_t runs_of(const struct plan *plan)
+{
+    return plan->steppers_count * plan->h_count;
+}
+
+int survey_scene(const struct survey_plan *plan, int64_t p)
+{
+    return (int)(p / sweep_points(plan->sweep));
+}
+
+const struct plan *survey_plan_of(const struct survey_plan *plan, int64_t p)
+{
+    return &plan->each[survey_scene(plan, p)];
+}
+
+char *survey_value(const struct survey_plan *plan, int64_t p, int axis, char *out, size_t size)
+{
+    const int64_t place = p % sweep_points(plan->sweep);
+    return sweep_value(&plan->sweep->axis[axis], sweep_index(plan->sweep, place, axis), out, size);
+}
+
+int64_t survey_points(const struct survey_plan *plan)
+{
+    return plan->scenes_count * sweep_points(plan->sweep);
+}
+
+int64_t survey_runs(const struct survey_plan *plan)
+{
+    int64_t n = 0;
+    for (int k = 0; k < plan->scenes_count; ++k)
+        n += sweep_points(plan->sweep) * runs_of(&plan->each[k]);
+    return n;
+}
+
+/** Points of a group: values of the first axis. */
+static int64_t group_size(const struct survey_plan *plan)
+{
+    return plan->sweep->count > 0 ? plan->sweep->axis[0].count : 1;
+}
+
+int64_t survey_groups(const struct survey_plan *plan)
+{
+    return survey_points(plan) / group_size(plan);
+}
+
+int64_t survey_bytes(const struct survey_plan *plan)
+{
+    int64_t most = 0;
+    for (int k = 0; k < plan->scenes_count; ++k)
+        most = runs_of(&plan->each[k]) > most ? runs_of(&plan->each[k]) : most;
+    return (int64_t)sizeof(struct survey_point) + most * (int64_t)sizeof(struct survey_run);
+}
+
+/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+
+/** The scene of a place of the sweep, which is to be forgotten after. What --set says of a value comes from a sweep
+ *  if that is its key. */
+static int read_scene(const struct survey_plan *plan, int k, int64_t place, struct scene *scene, struct tables *tables,
+                      struct message *message)
+{
+    static char swept[SWEEP_AXES][SWEEP_TEXT];
+    const char **overrides = calloc((size_t)plan->sets_count + SWEEP_AXES, sizeof *overrides);
+    if (overrides == NULL)
+        return message_set(message, "out of memory");
+    for (int i = 0; i < plan->sets_count; ++i)
+        overrides[i] = plan->sets[i];
+    sweep_overrides(plan->sweep, place, swept);
+    for (int i = 0; i < plan->sweep->count; ++i)
+        overrides[plan->sets_count + i] = swept[i];
+    const int failed =
+        plan->read(plan->scenes[k], overrides, plan->sets_count + plan->sweep->count, scene, tables, message);
+    free((void *)overrides);
+    return failed;
+}
+
+/** The plan of a scene as it was read. */
+static struct plan plan_of(const struct survey_plan *plan, int k, const struct scene *scene)
+{
+    struct plan each = plan->each[k];
+    each.scene = scene;
+    each.t_end = each.t_end > 0.0 ? each.t_end : scene->t_end;
+    return each;
+}
+
+/** A message that blames --set for what a sweep has set. */
+static int blame_sweep(const struct survey_plan *plan, struct message *message)
+{
+    static const char set[] = "--set ";
+    const struct message said = *message;
+    const char *at = strstr(said.text, set);
+    for (int i = 0; at != NULL && i < plan->sweep->count; ++i) {
+        const char *key = plan->sweep->axis[i].key;
+        if (strncmp(at + strlen(set), key, strlen(key)) == 0)
+            return message_set(message, "%.*s--sweep %s", (int)(at - said.text), said.text, at + strlen(set));
+    }
+    return -1;
+}
+
+int survey_read_first(const struct survey_plan *plan, int k, struct scene *scene, struct tables *tables,
+                      struct message *message)
+{
+    return read_scene(plan, k, 0, scene, tables, message) != 0 ? blame_sweep(plan, message) : 0;
+}
+
+static int check_place(const struct survey_plan *plan, int k, int64_t place, struct message *message)
+{
+    static struct scene scene;
+    static struct tables tables;
+    if (read_scene(plan, k, place, &scene, &tables, message) != 0)
+        return blame_sweep(plan, message);
+    const struct plan each = plan_of(plan, k, &scene);
+    const int failed = study_check(&each, message);
+    plan->forget(&tables);
+    return failed;
+}
+
+int survey_check(const struct survey_plan *plan, struct message *message)
+{
+    const struct sweep *sweep = plan->sweep;
+    if (survey_runs(plan) > SWEEP_MOST)
+        return message_set(
+            message, "--sweep: more than %d runs: steppers x steps x values x scenes; use fewer, or several studies",
+            SWEEP_MOST);
+    for (int k = 0; k < plan->scenes_count; ++k) {
+        int64_t stride = 1;
+        if (check_place(plan, k, 0, message) != 0)
+            return -1;
+        for (int i = 0; i < k; ++i)
+            if (strcmp(plan->first[i].name, plan->first[k].name) == 0)
+                return message_set(message, "%s: two scenes have the name %s; give them different names",
+                                   plan->scenes[k], plan->first[k].name);
+        for (int i = 0; i < sweep->count; stride *= sweep->axis[i++].count)
+            for (int64_t v = sweep->axis[i].list != NULL ? 1 : sweep->axis[i].count - 1; v < sweep->axis[i].count; ++v)
+                if (v > 0 && check_place(plan, k, v * stride, message) != 0)
+                    return -1;
+    }
+    return 0;
+}
+
+/* ---- one point --------------------------------------------------------------------------------------------------- */
+
+static void fail_run(struct survey_run *run, const char *reason)
+{
+    const struct judgement none = {VERDICT_BAD, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0};
+    run->failed = 1;
+    run->judgement = none;
+    snprintf(run->reason, sizeof run->reason, "%.*s", SURVEY_REASON - 1, reason);
+    for (int m = 0; m < SURVEY_ERRORS; ++m)
+        run->error[m] = NAN;
+}
+
+static void fail_point(struct survey_point *point, const struct plan *plan, const char *reason)
+{
+    point->energy0 = point->norm_squared = point->reference_energy_error = point->reference_uncertainty = NAN;
+    for (int64_t r = 0; r < runs_of(plan); ++r)
+        fail_run(&point->run[r], reason);
+}
+
+static void take_run(const struct study *study, int64_t r, struct survey_run *run)
+{
+    const struct outcome *outcome = &study->outcomes[r];
+    run->steps = study->trials[r].steps;
+    run->t_end = study->trials[r].t_end;
+    run->force_evals = outcome->force_evals;
+    run->seconds = outcome->seconds;
+    run->judgement = outcome->judgement;
+    for (int m = 0; m < STUDY_MEASURES; ++m)
+        run->error[m] = study_measure(outcome, m);
+    run->error[STUDY_MEASURES] = outcome->momentum_error;
+    if (outcome->failed)
+        fail_run(run, outcome->message.text);
+}
+
+static void take_study(const struct study *study, struct survey_point *point)
+{
+    point->energy0 = study->energy0;
+    point->norm_squared = study->norm_squared;
+    point->reference_energy_error = study->reference_energy_error;
+    point->reference_uncertainty = study->reference_uncertainty;
+    for (int64_t r = 0; r < study->runs; ++r)
+        take_run(study, r, &point->run[r]);
+}
+
+static void run_point(const struct survey_plan *plan, int64_t p, queue_poll poll, void *poll_self,
+                      struct survey_point *point)
+{
+    static struct scene scene;
+    static struct tables tables;
+    struct study study;
+    struct message message = {""};
+    const int k = survey_scene(plan, p);
+    memset(point, 0, (size_t)survey_bytes(plan));
+    if (read_scene(plan, k, p % sweep_points(plan->sweep), &scene, &tables, &message) != 0) {
+        fail_point(point, &plan->each[k], message.text);
+        return;
+    }
+    const struct plan each = plan_of(plan, k, &scene);
+    if (study_alone(&each, poll, poll_self, &study, &message) == 0)
+        take_study(&study, point);
+    else
+        fail_point(point, &each, message.text);
+    study_destroy(&study);
+    plan->forget(&tables);
+}
+
+/* ---- points as tasks --------------------------------------------------------------------------------------------- */
+
+struct work {
+    const struct survey_plan *plan;
+    const struct study_watch *watch;
+    const struct store *store;
+    struct message *message;
+    struct survey_point *scratch; /* one that the store holds */
+    double start;
+    int64_t next, points, there, done; /* there: in the store before */
+};
+
+static void show(const struct work *w)
+{
+    study_show(w->watch, "points", w->done, w->points - w->there, MPI_Wtime() - w->start);
+}
+
+static int64_t next_point(void *self)
+{
+    struct work *w = self;
+    int rank;
+    while (w->next < w->points && w->store->recall(w->store->self, w->next, &rank, w->scratch)) {
+        ++w->next;
+        ++w->there;
+    }
+    return w->next < w->points ? w->next++ : -1;
+}
+
+static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
+{
+    const struct work *w = self;
+    run_point(w->plan, task, poll, poll_self, result);
+}
+
+static int task_done(void *self, int64_t task, int rank, const void *result)
+{
+    struct work *w = self;
+    ++w->done;
+    show(w);
+    return w->store->keep(w->store->self, task, rank, result, w->message);
+}
+
+static void task_progress(void *self, int64_t task, int64_t work)
+{
+    (void)task;
+    (void)work;
+    show(self);
+}
+
+static int is_asked(void *self)
+{
+    const struct work *w = self;
+    return study_asked(w->watch);
+}
+
+int survey_run(const struct survey_plan *plan, MPI_Comm comm, const struct study_watch *watch,
+               const struct store *store, struct survey *survey, struct message *message)
+{
+    struct work work = {plan, watch, store, message, NULL, MPI_Wtime(), 0, survey_points(plan), 0, 0};
+    const struct survey made = {plan, store, work.points, survey_runs(plan), 0.0};
+    const struct queue queue = {&work, survey_bytes(plan), next_point, run_task, task_done, task_progress, is_asked};
+    work.scratch = malloc((size_t)survey_bytes(plan));
+    int failed = work.scratch == NULL ? -1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
+    message->text[0] = '\0';
+    *survey = made;
+    if (failed == 0)
+        failed = queue_run(&queue, comm);
+    if (failed == -1 && message->text[0] == '\0')
+        message_set(message, "out of memory; use fewer steppers and steps");
+    survey->seconds = MPI_Wtime() - work.start;
+    free(work.scratch);
+    return failed;
+}
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
+
+int survey_each(const struct survey *survey,
+                int (*take)(void *self, int64_t p, int rank, const struct survey_point *point), void *self,
+                struct message *message)
+{
+    struct survey_point *point = malloc((size_t)survey_bytes(survey->plan));
+    int failed = point == NULL ? message_set(message, "out of memory; use fewer steppers and steps") : 0;
+    for (int64_t p = 0; failed == 0 && p < survey->points; ++p) {
+        int rank;
+        if (!survey->store->recall(survey->store->self, p, &rank, point))
+            failed = message_set(message, "the results of point %lld cannot be read again", (long long)p);
+        else
+            failed = take(self, p, rank, point) != 0 ? -1 : 0;
+    }
+    free(point);
+    return failed;
+}
+
+struct order survey_order(const struct plan *plan, const struct survey_point *point, int64_t stepper, int measure)
+{
+    double error[LADDER_MOST], floor[LADDER_MOST];
+    for (int64_t k = 0; k < plan->h_count; ++k) {
+        const struct survey_run *run = &point->run[stepper * plan->h_count + k];
+        error[k] = run->error[measure];
+        floor[k] = study_floor(measure, run->steps, run->t_end, point->reference_uncertainty);
+    }
+    return fit_order(plan->h, error, floor, plan->h_count);
+}
+
+int survey_group_add(const struct survey_plan *plan, struct survey_group *group, int64_t p,
+                     const struct survey_point *point)
+{
+    const struct plan *each = survey_plan_of(plan, p);
+    const int64_t size = group_size(plan);
+    if (p % size == 0) {
+        memset(group, 0, sizeof *group);
+        group->number = p / size;
+        group->first = p;
+    }
+    for (int64_t r = 0; r < runs_of(each); ++r) {
+        group->failed[r] += point->run[r].failed;
+        for (int m = 0; m < SURVEY_ERRORS; ++m)
+            ensemble_add(&group->error[r][m], point->run[r].error[m]);
+    }
+    for (int64_t s = 0; s < each->steppers_count; ++s)
+        for (int m = 0; m < STUDY_MEASURES; ++m)
+            ensemble_add(&group->order[s][m], survey_order(each, point, s, m).order);
+    return p % size == size - 1;
+}

@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-study --sweep: each point has the bytes of a study of its own, any number of ranks gives the same, means and spreads
+are those of the rows, what fails is a row, what is wrong is said before the start, an interrupted sweep goes on, and
+memory does not grow with the points.      test_sweep.py VTI_STUDY MPIRUN SCENES"""
+import csv
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy
+
+from programs import ENVIRONMENT, contents, one_line, run
+from tally import check, conclude
+
+STUDY, MPIRUN, SCENES = sys.argv[1:4]
+PENDULUM, SPIN, CHAIN, PILE = (os.path.join(SCENES, f"{name}.yaml") for name in ("pendulum", "spin", "chain", "pile"))
+ERRORS = ("e_error", "q_error", "h1_error", "attitude_error", "momentum_error")
+
+
+def study(ranks, *arguments, folder=None, **options):
+    into = [] if folder is None else ["-o", folder]
+    return run(MPIRUN, "-n", str(ranks), STUDY, "--no-plot", *arguments, *into, **options)
+
+
+def rows(folder):
+    with open(os.path.join(folder, "study.csv"), newline="", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+def lines(folder):
+    with open(os.path.join(folder, "study.csv"), encoding="ascii") as file:
+        return file.read().splitlines()
+
+
+def points(base):
+    """Two keys, the first fastest, rivals among the steppers: rows, and those of each point by itself."""
+    common = ["--h", "2^-4:2^-8", "--t-end", "2", "--steppers", "vti1,vti2,lammps-richardson"]
+    swept = ["--sweep", "pendulum.weight=0.5:1.5:1/4", "--sweep", "bodies.inertia=1,2"]
+    for ranks in (1, 2, 3):
+        result = study(ranks, PENDULUM, *common, *swept, folder=f"{base}/sweep{ranks}")
+        check(result.returncode == 0, f"a sweep on {ranks} ranks {result.stderr}")
+    of = [contents(f"{base}/sweep{ranks}", ["timing.csv"]) for ranks in (1, 2, 3)]
+    check(of[0] == of[1] == of[2] and len(of[0]) == 2, "the same bytes on 1, 2 and 3 ranks")
+    head, *body = lines(f"{base}/sweep1")
+    check(head.endswith("bonds_turned,pendulum.weight,bodies.inertia,failure") and len(body) == 5 * 2 * 15, "a row for each run")
+    for k, (inertia, weight) in enumerate((i, w) for i in ("1", "2") for w in ("0.5", "0.75", "1", "1.25", "1.5")):
+        run(STUDY, "--no-plot", PENDULUM, *common, "--set", f"bodies.inertia={inertia}", "--set", f"pendulum.weight={weight}",
+            "-o", f"{base}/one")
+        mine, alone = body[15 * k:15 * (k + 1)], lines(f"{base}/one")[1:]
+        check(mine == [f"{line},{weight},{inertia}," for line in alone], f"weight {weight}, inertia {inertia}: the rows of its own study")
+    with h5py.File(f"{base}/sweep1/study.h5") as file, h5py.File(f"{base}/one/study.h5") as one:
+        last = slice(-3 * 4, None)
+        check(numpy.array_equal(file["orders/order"][last], one["orders/order"], equal_nan=True), "... and their orders")
+        check(file["points/norm_squared"][-1] == one.attrs["norm_squared"], "... and its reference")
+        means(file, rows(f"{base}/sweep1"))
+
+
+def means(file, table):
+    """As written, over the five weights at each inertia."""
+    check(file.attrs["ensemble"] == b"pendulum.weight" and list(file["sweep/pendulum.weight/value"]) == [0.5, 0.75, 1, 1.25, 1.5]
+          and list(file["sweep/bodies.inertia/value"]) == [1, 2], "what was swept")
+    check(list(file["points/pendulum.weight"]) == [0, 1, 2, 3, 4] * 2 and list(file["points/bodies.inertia"]) == [0] * 5 + [1] * 5,
+          "which value each point has")
+    check([name.decode() for name in file["steppers/name"]] == ["vti1", "vti2", "lammps-richardson"], "the steppers by number")
+    ensemble = {name: file["ensemble"][name][...] for name in file["ensemble"]}
+    check(len(ensemble["h"]) == 2 * 15 and set(ensemble["runs"]) == {5} and set(ensemble["failed"]) == {0}, "ten groups' rows")
+    off = 0.0
+    for k in range(30):
+        mine = [row for row in table[75 * (k // 15):75 * (k // 15 + 1)]][k % 15::15]
+        for error in ERRORS:
+            values = numpy.array([float(row[error]) for row in mine])
+            off = max(off, abs(ensemble[f"mean_{error}"][k] / values.mean() - 1),
+                      abs(ensemble[f"spread_{error}"][k] / values.std(ddof=1) - 1))
+    check(off < 1e-12, f"means and spreads are those of the rows, to {off:.0e}")
+    orders = file["orders/order"][...].reshape(2, 5, 12)
+    check(numpy.allclose(file["ensemble_orders/mean_order"][...].reshape(2, 12), orders.mean(axis=1), rtol=1e-13) and
+          numpy.allclose(file["ensemble_orders/spread_order"][...].reshape(2, 12), orders.std(axis=1, ddof=1), rtol=1e-9),
+          "... and of orders")
+
+
+def scenes(base):
+    """Several scenes, each with a ladder of its own; contacts; texts as values; the end time."""
+    result = study(2, PENDULUM, PILE, "--h", "1/1000,1/2000", "--t-end", "1/10", "--steppers", "vti2", folder=f"{base}/scenes")
+    check([row["scene"] for row in rows(f"{base}/scenes")] == ["pendulum"] * 2 + ["pile"] * 2, f"two scenes {result.stderr}")
+    study(1, PILE, "--h", "1/1000,1/2000", "--t-end", "1/10", "--steppers", "vti2", folder=f"{base}/pile")
+    check(lines(f"{base}/scenes")[3:] == [line + "," for line in lines(f"{base}/pile")[1:]], "... with the rows of their own studies")
+    study(1, SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 1, 0]", "--sweep", "t_end=1,2", "--h", "1/8", "--steppers", "vti2",
+          folder=f"{base}/texts")
+    found = [(row["bodies.omega"], row["t_end"]) for row in rows(f"{base}/texts")]
+    with open(f"{base}/texts/study.csv", newline="", encoding="ascii") as file:
+        head, *body = csv.reader(file)
+    ends = [(line[head.index("t_end")], line[head.index("bodies.omega")], line[-2]) for line in body]
+    check(ends == [("1", "[0, 0, 1]", "1"), ("1", "[0, 1, 0]", "1"), ("2", "[0, 0, 1]", "2"), ("2", "[0, 1, 0]", "2")],
+          f"vectors and end times {ends} {found}")
+
+
+def failures(base):
+    """VTI-1 cannot turn that far; and no scene has a mass below 0."""
+    for ranks in (1, 3):
+        result = study(ranks, SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 0, 5]", "--steppers", "vti1,vti2", "--h", "1/4,1/8",
+                       "--t-end", "1", folder=f"{base}/failed{ranks}")
+        check(result.returncode in (1, 3) and "1 failed" in result.stdout, f"a failed run is told: {result.returncode}")
+    table = rows(f"{base}/failed1")
+    check(contents(f"{base}/failed1", ["timing.csv"]) == contents(f"{base}/failed3", ["timing.csv"]), "... the same on 3 ranks")
+    failed = [row for row in table if row["failure"]]
+    check(len(table) == 8 and len(failed) == 1 and "vti1 at h = 0.25" in failed[0]["failure"] and failed[0]["verdict"] == "bad"
+          and failed[0]["h1_error"] == "nan", "... it is a row with its reason")
+    check(run(STUDY, "--no-plot", SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 0, 5]", "--steppers", "vti1", "--h", "1/4",
+              "--t-end", "1", "-o", f"{base}/code").returncode == 3, "... and the code is 3")
+    with h5py.File(f"{base}/failed1/study.h5") as file:
+        check(list(file["failures/run"]) == [4] and b"vti1 at h = 0.25" in file["failures/reason"][0] and
+              list(file["ensemble/failed"]) == [1, 0, 0, 0] and list(file["ensemble/runs"]) == [1, 2, 2, 2], "... and counted")
+    result = study(1, CHAIN, "--sweep", "bodies.mass=-1:1", "--h", "1/64", "--t-end", "1", folder=f"{base}/none")
+    check(one_line(result, "--sweep bodies.mass=-1"), f"an end of a range is looked at first: {result.stderr.strip()}")
+    study(1, CHAIN, "--sweep", "bodies.chain.spacing=1:2:1/2", "--h", "1/64", "--t-end", "1/4",
+          "--steppers", "vti2", folder=f"{base}/good")
+    check(all(not row["failure"] for row in rows(f"{base}/good")) and len(rows(f"{base}/good")) == 3, "values that suit")
+
+
+def refused(base):
+    cases = [("pendulum.wait=1:3", ["--sweep pendulum.wait=1", "unknown key 'wait'"]),
+             ("pendulum.weight=1:x", ["--sweep pendulum.weight=1:x", "'x' is not a number"]),
+             ("pendulum.weight=1,two", ["--sweep pendulum.weight=two", "'two'"]),
+             ("pendulum.weight=3:1", ["the range is empty"]), ("pendulum.weight=1:3:0", ["the range is empty", "steps of 0"]),
+             ("pendulum.weight=1,,2", ["a value is empty"]), ("pendulum.weight", ["is not KEY=VALUES"]),
+             ("pendulum.weight=1:400000", ["more than 1000000 runs"]), ("pendulum.weight=1:1e300", ["more than 1000000 runs"]),
+             ("pendulum.weight=1:-2:-1", ["--sweep pendulum.weight=-2"]), ("h=1,2", ["use --h"]), ("stepper=vti1", ["use --steppers"]),
+             ("name=a,b", ["name is not swept"])]
+    for text, words in cases:
+        result = run(STUDY, PENDULUM, "--h", "1/4", "--sweep", text, "-o", f"{base}/refused")
+        check(one_line(result, *words) and not os.path.exists(f"{base}/refused"), f"{text}: {result.stderr.strip()[:160]}")
+    result = study(3, PENDULUM, "--sweep", "pendulum.wait=1:3", folder=f"{base}/refused")
+    check(one_line(result, *cases[0][1]) and not os.path.exists(f"{base}/refused"), "one of three ranks says it")
+    for what, arguments, words in (("twice", ["--sweep", "t_end=1,2", "--sweep", "t_end=3"], ["swept twice"]),
+                                   ("end time twice", ["--sweep", "t_end=1,2", "--t-end", "1"], ["--t-end"]),
+                                   ("with --cost", ["--cost", "--sweep", "t_end=1,2"], ["--sweep", "--cost"]),
+                                   ("one name", [PENDULUM], ["two scenes have the name pendulum"]),
+                                   ("h", ["--sweep", "pendulum.weight=1,2", "--h", "100"], ["--h", "longer than t_end"])):
+        result = run(STUDY, PENDULUM, *arguments, "-o", f"{base}/refused")
+        check(one_line(result, *words) and not os.path.exists(f"{base}/refused"), f"{what}: {result.stderr.strip()[:160]}")
+
+
+def interrupted(base):
+    """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed."""
+    arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/128", "--h", "2^-9:2^-11", "--t-end", "20", "--steppers", "vti2"]
+    study(2, *arguments, folder=f"{base}/whole")
+    for ending in (signal.SIGKILL, signal.SIGTERM):
+        child = subprocess.Popen([STUDY, "--no-plot", *arguments, "--resume", "-o", f"{base}/legs"], env=ENVIRONMENT,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(1.5)
+        child.send_signal(ending)
+        child.communicate(timeout=60)
+        check(child.returncode in (75, -signal.SIGKILL), f"it ends by {ending.name} with {child.returncode}")
+    other = study(1, *arguments[:2], "pendulum.weight=1:2:1/64", *arguments[3:], "--resume", folder=f"{base}/legs")
+    check(one_line(other, "study.journal", "another study"), f"another sweep is refused: {other.stderr.strip()[:200]}")
+    result = study(3, *arguments, "--resume", folder=f"{base}/legs")
+    check(result.returncode == 0 and "goes on: " in result.stdout, f"it goes on {result.stdout[:100]} {result.stderr}")
+    check(contents(f"{base}/legs", ["timing.csv"]) == contents(f"{base}/whole", ["timing.csv"]), "... to the same bytes")
+
+
+def memory(base):
+    """The most that the program takes, in kB, with ten times the points. A struct of a run is 360 bytes."""
+    def most(points):
+        shutil.rmtree(f"{base}/memory", ignore_errors=True)
+        code = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL); "
+                "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
+        return int(run(sys.executable, "-c", code, STUDY, "--no-plot", SPIN, "--sweep", f"bodies.inertia=1:{points}", "--h", "1/4",
+                       "--t-end", "1/4", "--steppers", "vti1,vti2", "-o", f"{base}/memory").stdout)
+    few, many = most(2500), most(7500)
+    check(many - few < 500, f"{few} kB for 5000 runs, {many} kB for 15000")
+
+
+for topic in (points, scenes, failures, refused, interrupted, memory):
+    with tempfile.TemporaryDirectory() as root:
+        topic(root)
+conclude()
