@@ -22,7 +22,7 @@ INPUTS = "Tables that a scene reads"
 
 
 def system(kg, m, s):
-    return {"1": 1.0, "kg": kg, "m": m, "s": s, "N": kg * m / s ** 2, "J": kg * m ** 2 / s ** 2}
+    return {"1": 1.0, "kg": kg, "m": m, "s": s, "N": kg * m / s ** 2, "J": kg * m ** 2 / s ** 2, "kg m^2": kg * m ** 2}
 
 
 USUAL, OTHER = system(1.0, 1.0, 1.0), system(2.0 ** 2, 2.0 ** 6, 2.0 ** -4)
@@ -63,7 +63,7 @@ def rule(section, kind, name):
     rows = PAGE[section][kind]
     if name in rows:
         return name
-    return next((row for row in rows if fnmatch.fnmatchcase(name, row.replace("NNNNNN", "[0-9]" * 6))), None)
+    return next((row for row in rows if fnmatch.fnmatchcase(name, row.replace("NNNNNN", "[0-9]" * 6).replace("KEY", "*.*"))), None)
 
 
 # ---- what the programs write ----------------------------------------------------------------------------------------------
@@ -101,7 +101,7 @@ def pendulum(base, u):
     path = os.path.join(base, "pendulum.yaml")
     with open(path, "w", encoding="ascii") as file:
         file.write(f"""name: pendulum
-bodies: {{inertia: {u['kg'] * u['m'] ** 2!r}, alpha: [0, 4, 0], omega: [{0.25 / u['s']!r}, 0, {0.25 / u['s']!r}]}}
+bodies: {{inertia: {u['kg m^2']!r}, alpha: [0, 4, 0], omega: [{0.25 / u['s']!r}, 0, {0.25 / u['s']!r}]}}
 pendulum: {{weight: {u['N']!r}, rho0: [0, 0, {u['m']!r}]}}
 h: {u['s'] / 64!r}
 t_end: {u['s'] * 2!r}
@@ -111,18 +111,21 @@ t_end: {u['s'] * 2!r}
 
 def outputs(base, u):
     """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are conserved."""
-    s = u["s"]
+    steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",
                         "--no-plot", "-o", f"{base}/study-{name}"))
     for name in ("all", "pendulum"):
-        made.append(run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", "vti2,exact", "--h",
-                        ",".join(repr(s / n) for n in (64, 128, 256)), "--no-plot", "-o", f"{base}/study-{name}"))
-    made.append(run(MPIRUN, "-n", "1", STUDY, "--cost", f"{base}/all.yaml", "--steppers", "vti2,rk4", "--h",
-                    f"{s / 64!r},{s / 128!r}", "--repeats", "1", "-o", f"{base}/cost"))
+        made.append(run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", "vti2,exact", "--h", steps, "--no-plot",
+                        "-o", f"{base}/study-{name}"))
+    made.append(run(MPIRUN, "-n", "1", STUDY, "--cost", f"{base}/all.yaml", "--steppers", "vti2,rk4", "--h", steps,
+                    "--repeats", "1", "-o", f"{base}/cost"))
     failed = [result.stderr for result in made if result.returncode != 0]
+    made.append(run(MPIRUN, "-n", "1", STUDY, f"{base}/pendulum.yaml", "--steppers", "vti2,exact", "--h", steps, "--no-plot",
+                    "--sweep", f"pendulum.weight={u['N']!r},{2 * u['N']!r}",
+                    "--sweep", f"bodies.inertia={u['kg m^2']!r},{2 * u['kg m^2']!r}", "-o", f"{base}/sweep"))
     check(not failed, f"all is computed where kg, m, s are {u['kg']}, {u['m']}, {u['s']} {failed}")
 
 
@@ -173,6 +176,10 @@ def written(base, u):
         found += [(f"`{file}`", "column", columns_of(f"{base}/study-{name}/{file}")) for file in ("study.csv", "timing.csv")]
     for file in ("cost.csv", "errors.csv"):
         found += [("`cost.csv` and `errors.csv`", "column", columns_of(f"{base}/cost/{file}"))]
+    more = {name: values for file in ("study.csv", "timing.csv") for name, values in columns_of(f"{base}/sweep/{file}").items()
+            if name not in PAGE[f"`{file}`"]["column"]}
+    attributes, datasets = hdf5_of(f"{base}/sweep/study.h5")
+    found += [("Sweeps", "column", more), ("Sweeps", "attribute", attributes), ("Sweeps", "dataset", datasets)]
     found += [("`prices.csv`", "column", columns_of(f"{base}/cost/prices.csv"))]
     with open(f"{base}/cost/machine.txt", encoding="utf-8") as file:
         found += [("`machine.txt`", "line", {line.split(":")[0]: None for line in file})]
@@ -202,7 +209,8 @@ def shapes(found):
             continue
         length = {name: len(next((v for n, v in content.items() if re.fullmatch(pattern, n)), ())) for name, pattern in (
             ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("walls", "/walls"),
-            ("runs", "/runs/h"), ("fits", "/orders/order"))}
+            ("runs", "/runs/h"), ("fits", "/orders/order"), ("scenes", "/scenes/name"), ("steppers", "/steppers/name"),
+            ("points", "/points/scene"), ("groups", "/ensemble/point"), ("group_fits", "/ensemble_orders/point"))}
         length["bonds"] = len(content.get("/VTKHDF/Lines/Offsets", (0,))) - 1
         wrong = []
         for name, values in content.items():
