@@ -8,9 +8,9 @@
 
 /* ---- the bytes ---------------------------------------------------------------------------------------------------
  * What libfyaml (0.7, 0.8) does not look at: bytes that are not UTF-8, and 0, end the text for it without a word; and
- * line breaks in a row take it the square of their number in time. */
+ * line breaks in a row, a long directive and a long tag take it the square of their length in time. */
 
-enum { BREAKS_MAX = 1000 };
+enum { RUN_MAX = 1000 };
 
 /** How many bytes the UTF-8 character at p takes (RFC 3629: no surrogates, nothing overlong); 0 if it is none. */
 static size_t character_size(const unsigned char *p, size_t left)
@@ -38,36 +38,44 @@ static int is_control(char c)
     return ((unsigned char)c < 0x20 && c != '\t') || c == 0x7f;
 }
 
-/** What is wrong with the character at p, NULL if nothing is; *size is that of the character. */
-static const char *wrong_character(const char *p, size_t left, size_t *size)
+/** Where a text has been read to. */
+struct scan {
+    struct place place;
+    int breaks; /* line breaks in a row */
+    int marked; /* characters since a % that starts this line, or since a ! in it */
+};
+
+/** On behind the character c, which next follows. Returns what is wrong, NULL if nothing is. */
+static const char *pass(struct scan *scan, char c, char next)
 {
-    *size = character_size((const unsigned char *)p, left);
-    if (*size == 0)
-        return "bytes that are no characters; give a text file in UTF-8";
-    return is_control(*p) && !is_break(*p) ? "a control character; give a text file in UTF-8" : NULL;
+    const int starts_line = scan->place.column == 1;
+    if (c == '\n' || (c == '\r' && next != '\n')) {
+        const struct scan line = {{scan->place.line + 1, 1}, scan->breaks + 1, 0};
+        *scan = line;
+        return scan->breaks > RUN_MAX ? "1000 empty lines; a scene is short, is this the right file?" : NULL;
+    }
+    ++scan->place.column;
+    if (c != ' ' && c != '\t' && c != '\r')
+        scan->breaks = 0;
+    scan->marked += scan->marked > 0 || c == '!' || (c == '%' && starts_line);
+    return scan->marked > RUN_MAX ? "a directive or tag of 1000 characters; a scene needs none, remove it" : NULL;
 }
 
 /** What is wrong with the bytes, NULL if nothing is; *place is where. */
 static const char *wrong_bytes(const char *text, size_t size, struct place *place)
 {
+    struct scan scan = {{1, 1}, 0, 0};
     const char *problem = NULL;
-    int breaks = 0;
-    place->line = place->column = 1;
     for (size_t k = 0, n; k < size && problem == NULL; k += n) {
-        const char c = text[k];
-        problem = wrong_character(text + k, size - k, &n);
-        if (problem != NULL)
-            break;
-        if (c == '\n' || (c == '\r' && (k + 1 == size || text[k + 1] != '\n'))) {
-            ++place->line;
-            place->column = 1;
-            if (++breaks > BREAKS_MAX)
-                problem = "1000 empty lines; a scene is short, is this the right file?";
-        } else {
-            ++place->column;
-            breaks = c == ' ' || c == '\t' || c == '\r' ? breaks : 0;
-        }
+        n = character_size((const unsigned char *)text + k, size - k);
+        if (n == 0)
+            problem = "bytes that are no characters; give a text file in UTF-8";
+        else if (is_control(text[k]) && !is_break(text[k]))
+            problem = "a control character; give a text file in UTF-8";
+        else
+            problem = pass(&scan, text[k], k + 1 < size ? text[k + 1] : '\0');
     }
+    *place = scan.place;
     return problem;
 }
 
