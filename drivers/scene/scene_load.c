@@ -258,42 +258,30 @@ static int load_text(struct load *load, const char *text, size_t size, const str
     return result;
 }
 
-static int fail_unreadable(const struct load *load, int error)
+/** The whole file into text, which takes a byte more than a scene may have. */
+static int read_file(const struct load *load, char *text, size_t *size)
 {
-    return fail(load, NULL, "", "cannot be read: %s; give the path of a scene file", strerror(error));
-}
-
-/** The whole file, into memory that doubles until the file ends or is too large for a scene. */
-static int read_all(const struct load *load, FILE *file, char **text, size_t *size)
-{
-    for (size_t capacity = 4096;; capacity *= 2) {
-        char *larger = realloc(*text, capacity);
-        if (larger == NULL)
-            return fail_unreadable(load, ENOMEM);
-        *text = larger;
-        errno = 0;
-        *size += fread(larger + *size, 1, capacity - *size, file);
-        if (ferror(file))
-            return fail_unreadable(load, errno);
-        if (*size > FILE_MAX)
-            return fail(load, NULL, "", "is larger than 1 MiB; a scene is short, is this the right file?");
-        if (*size < capacity)
-            return 0;
-    }
+    errno = 0;
+    FILE *file = fopen(load->reader->path, "rb");
+    *size = file != NULL ? fread(text, 1, FILE_MAX + 1, file) : 0;
+    const int failed = file == NULL || ferror(file), error = errno;
+    if (file != NULL)
+        fclose(file);
+    if (failed)
+        return fail(load, NULL, "", "cannot be read: %s; give the path of a scene file", strerror(error));
+    if (*size > FILE_MAX)
+        return fail(load, NULL, "", "is larger than 1 MiB; a scene is short, is this the right file?");
+    return 0;
 }
 
 static int load_file(struct scene_reader *reader)
 {
     struct load load = {.reader = reader, .path = ""};
-    char *text = NULL;
     size_t size = 0;
-    FILE *file = fopen(reader->path, "rb");
-    if (file == NULL)
-        return fail_unreadable(&load, errno);
-    int result = read_all(&load, file, &text, &size);
-    fclose(file);
-    if (result == 0)
-        result = load_text(&load, text, size, NULL);
+    char *text = malloc(FILE_MAX + 1);
+    if (text == NULL)
+        return fail(&load, NULL, "", "out of memory");
+    const int result = read_file(&load, text, &size) == 0 ? load_text(&load, text, size, NULL) : -1;
     free(text);
     return result;
 }
