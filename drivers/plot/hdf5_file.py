@@ -9,13 +9,13 @@ import numpy as np
 
 from .trouble import Trouble
 
-STUDY, RUN = "study", "run"
-WRITER = {STUDY: "vti-study", RUN: "vti-run"}
-GROUPS = {STUDY: ("runs", "orders", "series"), RUN: ("energies", "VTKHDF")}
+SWEEP, STUDY, RUN = "sweep", "study", "run"
+WRITER = {SWEEP: "vti-study", STUDY: "vti-study", RUN: "vti-run"}
+GROUPS = {SWEEP: ("ensemble", "sweep"), STUDY: ("runs", "orders", "series"), RUN: ("energies", "VTKHDF")}
 
 
 def kind(path):
-    """STUDY or RUN, by what the file holds: a file may be called anything."""
+    """SWEEP, STUDY or RUN, by what the file holds: a file may be called anything."""
     with opened(path) as file:
         found = [kind for kind, groups in GROUPS.items() if any(group in file for group in groups)]
     if not found:

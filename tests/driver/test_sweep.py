@@ -123,6 +123,19 @@ def failures(base):
     check(all(not row["failure"] for row in rows(f"{base}/good")) and len(rows(f"{base}/good")) == 3, "values that suit")
 
 
+def pictures(base):
+    """Mean and spread of the groups, a note of what failed, and the same bytes again."""
+    command = [STUDY, SPIN, "--sweep", "bodies.omega=[0, 0, 1],[0, 0, 5],[1, 2, 0]", "--sweep", "bodies.inertia=1:6", "--h", "1/4:1/16",
+               "--t-end", "1", "--steppers", "vti1,rk4", "-o", f"{base}/drawn"]
+    drawn = []
+    for _ in range(2):
+        result = run(*command)
+        check(result.returncode == 3 and "ensemble.png" in result.stdout and "1 run failed" in result.stdout and
+              "2 more groups not drawn" in result.stdout, f"a sweep is drawn {result.stdout[-200:]} {result.stderr}")
+        drawn.append(contents(f"{base}/drawn").get("ensemble.png"))
+    check(drawn[0] == drawn[1] and drawn[0][:4] == b"\x89PNG", "... twice the same")
+
+
 def refused(base):
     cases = [("pendulum.wait=1:3", ["--sweep pendulum.wait=1", "unknown key 'wait'"]),
              ("pendulum.weight=1:x", ["--sweep pendulum.weight=1:x", "'x' is not a number"]),
@@ -176,7 +189,7 @@ def memory(base):
     check(many - few < 500, f"{few} kB for 5000 runs, {many} kB for 15000")
 
 
-for topic in (points, scenes, failures, refused, interrupted, memory):
+for topic in (points, scenes, failures, pictures, refused, interrupted, memory):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
