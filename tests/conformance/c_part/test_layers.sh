@@ -5,8 +5,8 @@
 #     L1  drivers/check              L0 and libc: the conformance kit, for hosts
 #     L2  drivers/scene, then sim    L0 and libc; no GSL, HDF5 or MPI
 #     L3  drivers/rivals             what is below, and GSL
-#         drivers/study, drivers/io  what is below, the kit, and each other
-#         drivers/keep           likewise
+#         then reference, study, cost  what is below, and the kit
+#         drivers/io, drivers/keep     what is below, and each other
 #     L4  drivers/programs       L3 and below; of the libraries MPI at most, which main has to initialise, and popt
 # The core neither allocates nor prints nor ends the program.
 #     test_layers.sh SOURCE_DIRECTORY
@@ -80,9 +80,15 @@ from "$(own_headers drivers/check/*.[ch])" include drivers/check
 from "$(own_headers drivers/scene/*.[ch])" include drivers/scene
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/sim
 from "$(own_headers drivers/rivals/*.[ch])" include drivers/scene drivers/sim drivers/rivals
-below="drivers/check drivers/scene drivers/sim drivers/rivals drivers/study drivers/io drivers/keep"
+below="drivers/check drivers/scene drivers/sim drivers/rivals"
 # shellcheck disable=SC2086  # several folders
-for room in study io keep; do
+for room in reference study cost; do
+    below="$below drivers/$room"
+    from "$(own_headers drivers/$room/*.[ch])" include $below
+done
+below="$below drivers/io drivers/keep"
+# shellcheck disable=SC2086  # several folders
+for room in io keep; do
     [ ! -d drivers/$room ] || from "$(own_headers drivers/$room/*.[ch])" include $below
 done
 without "$(system_headers drivers/programs/*.[ch])" 'gsl/|hdf5|H5'
