@@ -12,6 +12,7 @@
 #include "quote.h"
 #include "state.h"
 #include "sync.h"
+#include "table.h"
 
 /* The file: this, the state, and the digest of both. */
 struct head {
@@ -120,6 +121,15 @@ static const char *other_numbers(const char *table, const char *what, char *text
     return text;
 }
 
+/** The same for the first table of an effect. */
+static const char *other_table(const struct scene *scene, char *text, size_t size)
+{
+    int k = 1;
+    while (k + 1 < TABLES && tables_path(scene, k)[0] == '\0')
+        ++k;
+    return other_numbers(tables_path(scene, k), tables_kind(k) != NULL ? tables_kind(k)->rows : "tables", text, size);
+}
+
 static int check_identity(const struct identity *have, const struct identity *want, const struct scene *scene,
                           const char *path, struct message *message)
 {
@@ -136,8 +146,8 @@ static int check_identity(const struct identity *have, const struct identity *wa
         other = "--set, --h or --stepper differ";
     else if (have->bodies != want->bodies)
         other = other_numbers(scene->table, "bodies", text, sizeof text);
-    else if (have->bonds != want->bonds)
-        other = other_numbers(scene->binder.table, "bonds", text, sizeof text);
+    else if (have->tables != want->tables)
+        other = other_table(scene, text, sizeof text);
     if (other == NULL)
         return 0;
     return message_set(message,

@@ -15,7 +15,7 @@ struct identity {
     uint64_t scene;     /* digest of the text of the scene file */
     uint64_t overrides; /* of the values from --set, --h and --stepper, in their order */
     uint64_t bodies;    /* of their numbers at t = 0, wherever the scene has them from */
-    uint64_t bonds;     /* likewise */
+    uint64_t tables;    /* those of effects */
 };
 
 struct checkpoint {

@@ -90,46 +90,6 @@ vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)
     return b;
 }
 
-/** The list of bond k alone. */
-static vti_bonds one_bond(const vti_bonds *bonds, int64_t k)
-{
-    vti_bonds one = *bonds;
-    one.count = 1;
-    one.pair += 2 * k;
-    one.rest += 4 * k;
-    one.moment.p += one.moment.p != NULL ? k * one.moment.stride : 0;
-    one.axial.p += one.axial.p != NULL ? k * one.axial.stride : 0;
-    one.shear.p += one.shear.p != NULL ? k * one.shear.stride : 0;
-    return one;
-}
-
-static double stretch_of(const vti_bonds *one, const vti_view *x)
-{
-    double d[3];
-    for (int c = 0; c < 3; ++c)
-        d[c] = x->c[c][(one->pair[0] - one->base) * x->stride] - x->c[c][(one->pair[1] - one->base) * x->stride];
-    return sqrt(vti_dot(d, d)) / one->rest[3] - 1.0;
-}
-
-int frame_bonds(const struct frame_layout *layout, const double *frame, double *energy, double *stretch)
-{
-    const vti_bodies bodies = frame_bodies(layout, frame);
-    for (int64_t k = 0; k < layout->model->bonds.count; ++k) {
-        const vti_bonds one = one_bond(&layout->model->bonds, k);
-        const vti_effect effect = vti_bonds_effect(&one);
-        const int status = effect.check(effect.self, &bodies);
-        double energies[VTI_TERMS];
-        if (status != VTI_OK)
-            return status;
-        effect.energy(effect.self, &bodies, energies);
-        energy[k] = 0.0;
-        for (int64_t term = 0; term < effect.terms; ++term)
-            energy[k] += energies[term];
-        stretch[k] = stretch_of(&one, &bodies.x);
-    }
-    return VTI_OK;
-}
-
 int frame_loads(struct model *model, const struct frame_layout *layout, const double *frame, double *force,
                 double *moment)
 {

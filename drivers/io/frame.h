@@ -27,8 +27,6 @@ void frame_directors(const struct frame_layout *layout, const double *frame, dou
 
 /** The model's bodies, with the state of the frame, which is only read. */
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame);
-/** Of each bond of the model: its energy, the sum over its terms, and its stretch r/L0 - 1. Returns VTI_OK or a status. */
-int frame_bonds(const struct frame_layout *layout, const double *frame, double *energy, double *stretch);
 /** Forces and moments [n][3] of all effects, as the model gives them; of what it gives none, nothing is written. Contacts are found
  *  anew, and sums over them depend on positions alone. Returns VTI_OK or a status that model_text explains. */
 int frame_loads(struct model *model, const struct frame_layout *layout, const double *frame, double *force,

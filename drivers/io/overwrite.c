@@ -133,6 +133,19 @@ static int check_there(const struct output *o, int force, struct message *messag
                        path);
 }
 
+int inputs_of(const char *path, const struct scene *scene, struct input *list)
+{
+    const struct input file = {path, "the scene"};
+    int n = 0;
+    list[n++] = file;
+    for (int k = 0; k < TABLES; ++k)
+        if (tables_path(scene, k)[0] != '\0') {
+            const struct input table = {tables_path(scene, k), tables_kind(k)->file};
+            list[n++] = table;
+        }
+    return n;
+}
+
 int overwrite_check(const struct output *outputs, int outputs_count, const struct input *inputs, int inputs_count,
                     int force, struct message *message)
 {

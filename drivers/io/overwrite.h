@@ -3,7 +3,7 @@
 #ifndef VTI_OVERWRITE_H
 #define VTI_OVERWRITE_H
 
-#include "message.h"
+#include "table.h"
 
 /** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by the attribute
  *  vti_version of their root. */
@@ -24,6 +24,11 @@ struct output {
 struct input {
     const char *path, *what;
 };
+
+/** The file of a scene, and the tables that it names. */
+enum { INPUTS_OF_SCENE = 1 + TABLES };
+/** Writes them to list[INPUTS_OF_SCENE] and returns how many there are. */
+int inputs_of(const char *path, const struct scene *scene, struct input *list);
 
 /** Whether the file at path, links followed, is a result of ours; so is an empty one, in which nothing can be lost. */
 int mark_is_ours(const char *path, const struct mark *mark);

@@ -51,16 +51,12 @@ static int open_files(struct run *run, struct message *message)
     const int asked = run->request->output != NULL;
     snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
              asked ? "" : ".h5");
-    const struct input inputs[] = {{run->request->scene, "the scene"},
-                                   {run->scene.table, "the scene's table of bodies"},
-                                   {run->scene.binder.table, "the scene's table of bonds"}};
-    memcpy(run->inputs, inputs, sizeof inputs);
     if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 || name_journal(run, message) != 0)
         return -1;
     run->files.force = run->request->force;
     run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;
-    run->files.inputs_count = sizeof inputs / sizeof inputs[0];
+    run->files.inputs_count = inputs_of(run->request->scene, &run->scene, run->inputs);
     if (run_files_check(&run->files, message) != 0)
         return -1;
     const int there = journal_look(&run->journal, message);

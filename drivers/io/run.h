@@ -39,7 +39,7 @@ struct run {
     struct scene scene;
     struct tables tables;
     struct model model;
-    struct input inputs[3]; /* the scene and its tables */
+    struct input inputs[INPUTS_OF_SCENE]; /* the scene and its tables */
     struct run_files files;
     char output[FOLDER_PATH]; /* path of the HDF5 file */
     struct journal journal;

@@ -11,18 +11,18 @@
 /* Each returns 0, or -1 with one line in *message; errors of a FILE the caller finds in ferror. */
 
 /** out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off), and
- *  contact.bonded (1 if bonded bodies touch too) if the scene has contact. /VTKHDF: the trajectory (below).
+ *  what the scene says yes or no to for its effects, such as contact.bonded. /VTKHDF: the trajectory (below).
  *  /energies: a dataset per column of out.csv, and their order in its attribute "columns". /walls: planes n.x = d as
- *  rows nx, ny, nz, d, if the scene has any. /restart: what a complete run goes on from (run_restart.h), as the
+ *  rows nx, ny, nz, d, of the effect that has any. /restart: what a complete run goes on from (run_restart.h), as the
  *  bytes of its last checkpoint. The bytes of the file depend on the scene, the options and the results only. */
 int run_hdf5_write(const struct record *record, const char *path, struct message *message);
 
 /** The trajectory as /VTKHDF, PolyData over time by the VTKHDF format (2.0, ParaView 5.12 and later): points are the
- *  bodies' centres, vertices the bodies, lines the bonds. Point data: velocity, omega, alpha, attitude_xyzw,
+ *  bodies' centres, vertices the bodies, lines those of effects. Point data: velocity, omega, alpha, attitude_xyzw,
  *  attitude_wxyz, director, of what the scene has; force and moment, if they are asked for; diameter, if it has one;
- *  body, the index. Cell data, if there are bonds: bond_energy, the sum over the bond's terms, and bond_stretch,
- *  r/L0 - 1, first of the bodies' vertices, where both are 0, then of the bonds' lines; bond, the index, -1 of a
- *  vertex. Bodies, bonds, diameters and indices are written once, all else once per frame, frame after frame. Leaves
+ *  body, the index. Cell data, if there are lines: what effects say of theirs (effects/kind.h, struct effect_lines),
+ *  first of the bodies' vertices, where all are 0, then of the lines; the index of each, -1 of all other cells.
+ *  Bodies, lines, diameters and indices are written once, all else once per frame, frame after frame. Leaves
  *  *message alone if it was the file that failed. */
 int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct message *message);
 
@@ -35,7 +35,7 @@ int run_csv_write(const struct record *record, FILE *file, struct message *messa
 int run_dump_write(const struct record *record, FILE *file, struct message *message);
 
 /** out.xdmf: an index of the trajectory in the HDF5 file called name, in the same folder, for readers that do not
- *  know VTKHDF; and the walls, each as a square behind all bodies of all frames. */
+ *  know VTKHDF; and the planes of effects, each as a square behind all bodies of all frames. */
 int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "run_formats.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,19 +56,30 @@ static int energies_write(const struct record *record, struct hdf5_sink *file, s
     return file->failed ? -1 : 0;
 }
 
-/** /walls, [planes][4], if the scene has any. */
-static void walls_write(const vti_walls *walls, struct hdf5_sink *file)
+/** Planes of effects, each as a dataset [planes][4], "walls". */
+static void planes_write(const struct model *model, struct hdf5_sink *file)
 {
-    const hsize_t dims[2] = {(hsize_t)walls->count, 4};
-    if (walls->count > 0)
-        hdf5_dataset(file, "walls", H5T_NATIVE_DOUBLE, 2, dims, walls->plane);
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect_planes *planes = model->rooms[k].kind->planes;
+        const double *plane = NULL;
+        const hsize_t dims[2] = {planes != NULL ? (hsize_t)planes->get(&model->rooms[k], &plane) : 0, 4};
+        char name[32];
+        snprintf(name, sizeof name, "%ss", planes != NULL ? planes->name : "");
+        if (dims[0] > 0)
+            hdf5_dataset(file, name, H5T_NATIVE_DOUBLE, 2, dims, plane);
+    }
 }
 
-/** contact.bonded, if the scene has contact: whether bonds keep their bodies from touching. */
-static void contact_write(const struct scene *scene, struct hdf5_sink *file)
+/** What the scene says yes or no to, of the effects that it has, 1 or 0 by the key's path: "contact.bonded". */
+static void choices_write(const struct scene *scene, struct hdf5_sink *file)
 {
-    if (scene->has_contact)
-        hdf5_attribute(file, "contact.bonded", H5T_NATIVE_INT64, 1, &scene->contact.bonded);
+    for (int e = 0; e < EFFECT_COUNT; ++e) {
+        const struct effect_kind *kind = kinds_at(e);
+        const char *settings = kinds_settings_of(kind, &scene->settings);
+        for (int f = 0; f < kind->fields_count && scene->has[e]; ++f)
+            if (kind->fields[f].kind == SCENE_YES_NO)
+                hdf5_attribute(file, kind->fields[f].path, H5T_NATIVE_INT64, 1, settings + kind->fields[f].offset);
+    }
 }
 
 /** What the verdict is, and the numbers behind it. */
@@ -106,8 +118,8 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
         verdict_write(&record->judgement, &file);
-        walls_write(&record->model->walls, &file);
-        contact_write(record->model->scene, &file);
+        planes_write(record->model, &file);
+        choices_write(record->model->scene, &file);
     }
     const int failed = file.failed || vtkhdf_write(record, &file, message) != 0 ||
                        energies_write(record, &file, message) != 0 || restart_write(record, &file, message) != 0;

@@ -8,6 +8,7 @@
 #include "digest.h"
 #include "shape.h"
 #include "state.h"
+#include "table.h"
 
 static int digest_file(const char *path, uint64_t *digest, struct message *message)
 {
@@ -59,19 +60,17 @@ static int digest_bodies(const struct model *model, uint64_t *digest)
     return 0;
 }
 
-static uint64_t digest_bonds(const struct model *model)
+/** Of all tables of effects. */
+static uint64_t digest_tables(const struct tables *tables)
 {
-    const vti_bonds *bonds = &model->bonds;
     uint64_t digest = DIGEST_START;
-    for (int64_t k = 0; k < shape_bonds(model); ++k) {
-        int64_t pair[2];
-        shape_bond(model, k, pair);
-        digest = digest_integer(digest, (uint64_t)pair[0]);
-        digest = digest_integer(digest, (uint64_t)pair[1]);
-        digest = digest_number(digest, scalar(&bonds->moment, k));
-        digest = digest_number(digest, scalar(&bonds->axial, k));
-        digest = digest_number(digest, scalar(&bonds->shear, k));
-    }
+    for (int e = 0; tables != NULL && e < EFFECT_COUNT; ++e)
+        for (int c = 0; c < TABLE_COLUMNS; ++c) {
+            const struct table *t = &tables->effect[e];
+            digest = table_has(t, c) ? digest_integer(digest, (uint64_t)c) : digest;
+            for (int64_t r = 0; table_has(t, c) && r < t->rows; ++r)
+                digest = digest_number(digest, t->column[c][r]);
+        }
     return digest;
 }
 
@@ -84,7 +83,7 @@ int run_identity(const char *path, const char *const *overrides, int n, const st
     for (int k = 0; k < n; ++k)
         if (!is_end_time(overrides[k]))
             identity->overrides = digest_add(identity->overrides, overrides[k], strlen(overrides[k]) + 1);
-    identity->bonds = digest_bonds(model);
+    identity->tables = digest_tables(model->scene->tables);
     if (digest_bodies(model, &identity->bodies) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", path);
     return digest_file(path, &identity->scene, message);

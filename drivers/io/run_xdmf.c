@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Two grids over time, "bodies" and, if there are any, "bonds", that share the points. Every array is a slab of the
- * rows of one frame in a dataset of /VTKHDF. A third grid, "walls", of all times, has a square for each plane. */
+ * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every array is
+ * a slab of the rows of one frame in a dataset of /VTKHDF. Another grid for the planes of an effect, "walls", of all times, has
+ * a square for each. */
 #include "run_formats.h"
 
 #include <math.h>
@@ -13,8 +14,8 @@
 struct writer {
     const struct record *record;
     FILE *file;
-    const char *name; /* of the HDF5 file */
-    int bonds;        /* the grid is that of the bonds */
+    const char *name;                /* of the HDF5 file */
+    const struct shape_group *group; /* the grid is that of these lines; NULL: of the bodies */
 };
 
 static void escaped(FILE *file, const char *text)
@@ -53,24 +54,25 @@ static void slab(const struct writer *w, const char *path, int64_t k, int64_t co
     fputs("</DataItem>\n", w->file);
 }
 
-/** The bonds of frame k in a dataset of numbers of all cells: bodies before bonds, frame after frame. */
-static void slab_of_bonds(const struct writer *w, const char *path, int64_t k)
+/** The lines of frame k in a dataset of numbers of all cells: bodies before lines, frame after frame. */
+static void slab_of_lines(const struct writer *w, const char *path, int64_t k)
 {
-    const long long n = (long long)w->record->frames.n, bonds = (long long)shape_bonds(w->record->model);
+    const long long n = (long long)w->record->frames.n, all = n + (long long)shape_lines(w->record->model);
     fprintf(w->file,
             "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld\">\n"
             "<DataItem Dimensions=\"3 1\" NumberType=\"Int\" Format=\"XML\">%lld 1 %lld</DataItem>\n",
-            bonds, (n + bonds) * (long long)k + n, bonds);
-    whole(w, path, (n + bonds) * (long long)w->record->journal->frames.mark.count, 1, "Float");
+            (long long)w->group->count, all * (long long)k + n + (long long)w->group->first,
+            (long long)w->group->count);
+    whole(w, path, all * (long long)w->record->journal->frames.mark.count, 1, "Float");
     fputs("</DataItem>\n", w->file);
 }
 
-static void bond_attribute(const struct writer *w, const char *name, int64_t k)
+static void line_attribute(const struct writer *w, const char *name, int64_t k)
 {
     char path[64];
     snprintf(path, sizeof path, "CellData/%s", name);
     fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Cell\">\n", name);
-    slab_of_bonds(w, path, k);
+    slab_of_lines(w, path, k);
     fputs("</Attribute>\n", w->file);
 }
 
@@ -95,30 +97,40 @@ static void fixed_attribute(const struct writer *w, const char *name, const char
 
 static void topology(const struct writer *w)
 {
-    const int64_t n = w->record->frames.n, bonds = shape_bonds(w->record->model);
-    if (w->bonds)
+    const long long n = (long long)w->record->frames.n, count = w->group != NULL ? (long long)w->group->count : n;
+    if (w->group != NULL)
         fprintf(w->file, "<Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"%lld\">\n",
-                (long long)bonds);
+                count);
     else
         fprintf(w->file, "<Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" NumberOfElements=\"%lld\">\n",
-                (long long)n);
-    /* a slab of everything: only where the topology is no plain dataset does ParaView's reader read each frame's
-     * geometry without complaint */
-    const long long points = w->bonds ? 2 * bonds : n;
+                count);
+    /* a slab even where it is everything: only where the topology is no plain dataset does ParaView's reader read each
+     * frame's geometry without complaint */
+    const long long size = w->group != NULL ? 2 : 1, first = w->group != NULL ? 2 * (long long)w->group->first : 0;
     fprintf(w->file,
             "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld\">\n"
-            "<DataItem Dimensions=\"3 1\" NumberType=\"Int\" Format=\"XML\">0 1 %lld</DataItem>\n",
-            points, points);
-    whole(w, w->bonds ? "Lines/Connectivity" : "Vertices/Connectivity", points, 1, "Int");
+            "<DataItem Dimensions=\"3 1\" NumberType=\"Int\" Format=\"XML\">%lld 1 %lld</DataItem>\n",
+            size * count, first, size * count);
+    if (w->group != NULL)
+        whole(w, "Lines/Connectivity", 2 * shape_lines(w->record->model), 1, "Int");
+    else
+        whole(w, "Vertices/Connectivity", n, 1, "Int");
     fputs("</DataItem>\n</Topology>\n", w->file);
+}
+
+/** The lines of the group, or the bodies: "bonds", "bodies". */
+static void write_name(const struct writer *w)
+{
+    fprintf(w->file, "<Grid Name=\"%s%s", w->group != NULL ? w->group->effect->kind->lines->name : "bodies",
+            w->group != NULL ? "s" : "");
 }
 
 static int take_frame(void *self, int64_t k, const double *frame)
 {
     const struct writer *w = self;
     const struct frame_layout *layout = &w->record->frames;
-    fprintf(w->file, "<Grid Name=\"%s\" GridType=\"Uniform\">\n<Time Value=\"%s\"/>\n", w->bonds ? "bonds" : "bodies",
-            NUMBER(frame[1]));
+    write_name(w);
+    fprintf(w->file, "\" GridType=\"Uniform\">\n<Time Value=\"%s\"/>\n", NUMBER(frame[1]));
     topology(w);
     fputs("<Geometry GeometryType=\"XYZ\">\n", w->file);
     slab(w, "Points", k, 3);
@@ -139,19 +151,17 @@ static int take_frame(void *self, int64_t k, const double *frame)
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");
-    if (w->bonds) {
-        bond_attribute(w, "bond_energy", k);
-        bond_attribute(w, "bond_stretch", k);
-    }
+    for (int q = 0; w->group != NULL && q < w->group->effect->kind->lines->quantities; ++q)
+        line_attribute(w, w->group->effect->kind->lines->quantity[q], k);
     fputs("</Grid>\n", w->file);
     return ferror(w->file) ? -1 : 0;
 }
 
-/* ---- walls ------------------------------------------------------------------------------------------------------- */
+/* ---- planes ------------------------------------------------------------------------------------------------------ */
 
 /** A square in the plane n.x = d, in front of the box and as wide as it is long from corner to corner; n sees the corners
  *  counterclockwise. */
-static void wall_corners(const double plane[4], const double low[3], const double high[3], double corner[4][3])
+static void corners_of(const double plane[4], const double low[3], const double high[3], double corner[4][3])
 {
     static const double at[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
     const double size[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
@@ -171,18 +181,19 @@ static void wall_corners(const double plane[4], const double low[3], const doubl
                 middle[c] - distance * plane[c] + reach / sqrt(vti_dot(u, u)) * (at[k][0] * u[c] + at[k][1] * v[c]);
 }
 
-static int write_walls(const struct writer *w, struct message *message)
+static int write_planes(const struct writer *w, const struct effect *effect, struct message *message)
 {
-    const vti_walls *walls = &w->record->model->walls;
-    const long long count = (long long)walls->count;
+    const char *name = effect->kind->planes->name;
+    const double *plane;
+    const long long count = (long long)effect->kind->planes->get(effect, &plane);
     double low[3] = {0.0, 0.0, 0.0}, high[3] = {0.0, 0.0, 0.0};
     if (record_box(w->record, low, high, message) != 0)
         return -1;
     fprintf(w->file,
-            "<Grid Name=\"walls\" GridType=\"Uniform\">\n"
+            "<Grid Name=\"%ss\" GridType=\"Uniform\">\n"
             "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"%lld\">\n"
             "<DataItem Dimensions=\"%lld 4\" NumberType=\"Int\" Precision=\"8\" Format=\"XML\">",
-            count, count);
+            name, count, count);
     for (long long k = 0; k < 4 * count; ++k)
         fprintf(w->file, "%lld%s", k, k % 4 == 3 ? "\n" : " ");
     fprintf(w->file,
@@ -191,33 +202,44 @@ static int write_walls(const struct writer *w, struct message *message)
             4 * count);
     for (long long k = 0; k < count; ++k) {
         double corner[4][3];
-        wall_corners(walls->plane + 4 * k, low, high, corner);
+        corners_of(plane + 4 * k, low, high, corner);
         for (int c = 0; c < 4; ++c)
             fprintf(w->file, "%s %s %s\n", NUMBER(corner[c][0]), NUMBER(corner[c][1]), NUMBER(corner[c][2]));
     }
     fprintf(w->file,
-            "</DataItem>\n</Geometry>\n<Attribute Name=\"wall\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
+            "</DataItem>\n</Geometry>\n<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
             "<DataItem Dimensions=\"%lld\" NumberType=\"Int\" Precision=\"8\" Format=\"XML\">",
-            count);
+            name, count);
     for (long long k = 0; k < count; ++k)
         fprintf(w->file, "%lld%s", k, k + 1 < count ? " " : "");
     fputs("</DataItem>\n</Attribute>\n</Grid>\n", w->file);
     return ferror(w->file) ? -1 : 0;
 }
 
+static int write_over_time(struct writer *w, struct message *message)
+{
+    write_name(w);
+    fputs(" over time\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", w->file);
+    const int failed = record_frames(w->record, take_frame, w, message);
+    fputs("</Grid>\n", w->file);
+    return failed;
+}
+
 int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message)
 {
-    struct writer w = {record, file, name, 0};
-    int failed = 0;
+    const struct model *model = record->model;
+    struct writer w = {record, file, name, NULL};
+    struct shape_group list[MODEL_EFFECTS];
+    const int groups = shape_groups(model, list);
     fputs("<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n", file);
-    for (; failed == 0 && w.bonds <= (shape_bonds(record->model) > 0); ++w.bonds) {
-        fprintf(file, "<Grid Name=\"%s\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
-                w.bonds ? "bonds over time" : "bodies over time");
-        failed = record_frames(record, take_frame, &w, message);
-        fputs("</Grid>\n", file);
+    int failed = write_over_time(&w, message);
+    for (int g = 0; g < groups && failed == 0; ++g) {
+        w.group = &list[g];
+        failed = write_over_time(&w, message);
     }
-    if (failed == 0 && record->model->walls.count > 0)
-        failed = write_walls(&w, message);
+    for (int64_t k = 0; k < model->rooms_count && failed == 0; ++k)
+        if (model->rooms[k].kind->planes != NULL)
+            failed = write_planes(&w, &model->rooms[k], message);
     fputs("</Domain>\n</Xdmf>\n", file);
     return failed;
 }

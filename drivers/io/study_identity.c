@@ -41,12 +41,16 @@ static void add_scene(struct task_identity *identity, const struct scene *scene)
     copy.tables = NULL;
     copy.stepper = NULL;
     copy.h = copy.t_end = 0.0;
-    forget_place(copy.table, sizeof copy.table);
-    forget_place(copy.binder.table, sizeof copy.binder.table);
+    for (int k = 0; k < TABLES; ++k) {
+        char *path = (char *)tables_path(&copy, k); /* in the copy, or "" */
+        if (path[0] != '\0')
+            forget_place(path, SCENE_PATH_SIZE);
+    }
     add(identity, TASK_SCENES, &copy, sizeof copy);
     if (scene->tables != NULL) {
         add_table(identity, TASK_BODIES, &scene->tables->bodies);
-        add_table(identity, TASK_BONDS, &scene->tables->bonds);
+        for (int e = 0; e < EFFECT_COUNT; ++e)
+            add_table(identity, TASK_TABLES, &scene->tables->effect[e]);
     }
 }
 

@@ -10,24 +10,12 @@
 #include "quote.h"
 #include "table_csv.h"
 
-static const char *group_of(const struct table *table)
-{
-    return table->kind == TABLE_BODIES ? "/bodies" : "/bonds";
-}
-
-/** Writes "FILE: TEXT". */
-static int fail(const struct table *table, const char *text, struct message *message)
-{
-    char path[240];
-    return message_set(message, "%s: %s", quote_tail(path, sizeof path, table->path), text);
-}
-
 /** Writes "FILE: GROUP/COLUMN: TEXT". */
 static int fail_column(const struct table *table, const char *column, const char *problem, struct message *message)
 {
     char shown[QUOTE_SIZE], text[512];
-    snprintf(text, sizeof text, "%s/%s: %s", group_of(table), quote(shown, sizeof shown, column), problem);
-    return fail(table, text, message);
+    snprintf(text, sizeof text, "/%s/%s: %s", table->kind->rows, quote(shown, sizeof shown, column), problem);
+    return table_fail_whole(table, message, text);
 }
 
 /* ---- one column ------------------------------------------------------------------------------------------------------- */
@@ -89,11 +77,11 @@ static int read_group(struct table *table, hid_t group, struct message *message)
     char first[QUOTE_SIZE] = "";
     H5G_info_t info;
     if (H5Gget_info(group, &info) < 0)
-        return fail(table, "is damaged; make it anew", message);
+        return table_fail_whole(table, message, "is damaged; make it anew");
     for (hsize_t k = 0; k < info.nlinks; ++k) {
         char name[QUOTE_SIZE] = "";
         if (H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, name, sizeof name, H5P_DEFAULT) < 0)
-            return fail(table, "is damaged; make it anew", message);
+            return table_fail_whole(table, message, "is damaged; make it anew");
         const hid_t set = H5Dopen2(group, name, H5P_DEFAULT);
         if (set < 0)
             return fail_column(table, name, "is not a list of numbers; give a dataset of one dimension", message);
@@ -111,18 +99,18 @@ static int read_file(struct table *table, hid_t file, struct message *message)
 {
     char text[96];
     if (file < 0)
-        return fail(table, "is not a whole HDF5 file; give one, or a table in CSV", message);
-    const hid_t group = H5Gopen2(file, group_of(table), H5P_DEFAULT);
+        return table_fail_whole(table, message, "is not a whole HDF5 file; give one, or a table in CSV");
+    const hid_t group = H5Gopen2(file, table->kind->rows, H5P_DEFAULT);
     if (group < 0) {
-        snprintf(text, sizeof text, "no group %s; put a dataset for each column into it", group_of(table));
-        return fail(table, text, message);
+        snprintf(text, sizeof text, "no group /%s; put a dataset for each column into it", table->kind->rows);
+        return table_fail_whole(table, message, text);
     }
     const int result = read_group(table, group, message);
     H5Gclose(group);
     return result;
 }
 
-int table_hdf5_read(const char *path, enum table_kind kind, struct table *table, struct message *message)
+int table_hdf5_read(const char *path, const struct table_kind *kind, struct table *table, struct message *message)
 {
     char text[128];
     int result;
@@ -130,7 +118,7 @@ int table_hdf5_read(const char *path, enum table_kind kind, struct table *table,
     FILE *probe = fopen(path, "rb"); /* HDF5 does not say why it cannot open a file */
     if (probe == NULL) {
         snprintf(text, sizeof text, "cannot be read: %s; give the path of a table", strerror(errno));
-        return fail(table, text, message);
+        return table_fail_whole(table, message, text);
     }
     fclose(probe);
     H5E_BEGIN_TRY /* we have words of our own */
@@ -148,29 +136,16 @@ int table_hdf5_read(const char *path, enum table_kind kind, struct table *table,
 
 /* ---- the tables of a scene -------------------------------------------------------------------------------------------- */
 
-static int read_one(const char *path, enum table_kind kind, struct table *table, struct message *message)
+static int read_either(const char *path, const struct table_kind *kind, struct table *table, struct message *message)
 {
-    table_start(table, kind, path);
-    if (path[0] == '\0')
-        return 0;
-    return table_is_hdf5(path) ? table_hdf5_read(path, kind, table, message)
-                               : table_csv_read(path, kind, table, message);
+    return (table_is_hdf5(path) ? table_hdf5_read : table_csv_read)(path, kind, table, message);
 }
 
 int tables_read(struct scene *scene, struct tables *tables, struct message *message)
 {
-    table_start(&tables->bonds, TABLE_BONDS, "");
-    int result = read_one(scene->table, TABLE_BODIES, &tables->bodies, message);
-    if (result == 0)
-        result = read_one(scene->binder.table, TABLE_BONDS, &tables->bonds, message);
+    const int result = tables_read_by(read_either, scene, tables, message);
     if (result != 0)
         tables_destroy(tables);
     scene->tables = result == 0 ? tables : NULL;
     return result;
-}
-
-void tables_destroy(struct tables *tables)
-{
-    table_destroy(&tables->bodies);
-    table_destroy(&tables->bonds);
 }

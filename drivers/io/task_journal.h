@@ -10,7 +10,7 @@
 #include "store.h"
 
 /** What a study is, by digests; it goes on only as the same study. */
-enum task_part { TASK_SCENES, TASK_BODIES, TASK_BONDS, TASK_METHODS, TASK_STEPS, TASK_ENDS, TASK_LIMITS, TASK_PARTS };
+enum task_part { TASK_SCENES, TASK_BODIES, TASK_TABLES, TASK_METHODS, TASK_STEPS, TASK_ENDS, TASK_LIMITS, TASK_PARTS };
 
 struct task_identity {
     char version[16]; /* of vti */

@@ -2,6 +2,7 @@
 #include "run_formats.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "fields.h"
 #include "shape.h"
@@ -45,13 +46,13 @@ static void cells(struct hdf5_sink *root, const char *name, int64_t count, int64
 
 static void all_cells(struct hdf5_sink *root, const struct record *record)
 {
-    const int64_t bonds = shape_bonds(record->model);
-    int64_t *pairs = calloc((size_t)(2 * bonds + 1), sizeof *pairs);
+    const int64_t lines = shape_lines(record->model);
+    int64_t *pairs = calloc((size_t)(2 * lines + 1), sizeof *pairs);
     root->failed |= pairs == NULL;
-    for (int64_t k = 0; pairs != NULL && k < bonds; ++k)
-        shape_bond(record->model, k, pairs + 2 * k);
+    for (int64_t k = 0; pairs != NULL && k < lines; ++k)
+        shape_line(record->model, k, pairs + 2 * k);
     cells(root, "Vertices", record->frames.n, 1, NULL);
-    cells(root, "Lines", bonds, 2, pairs);
+    cells(root, "Lines", lines, 2, pairs);
     cells(root, "Polygons", 0, 1, NULL);
     cells(root, "Strips", 0, 1, NULL);
     free(pairs);
@@ -112,36 +113,37 @@ static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const str
                          (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
 }
 
-/* ---- cell data --------------------------------------------------------------------------------------------------- */
-
-enum { BOND_QUANTITIES = 2 };
-
-static const char *const bond_quantities[BOND_QUANTITIES] = {"bond_energy", "bond_stretch"};
+/* ---- cell data: numbers of the lines of effects, group by group ------------------------------------------------- */
 
 static int64_t cells_of(const struct record *record)
 {
-    return record->frames.n + shape_bonds(record->model);
+    return record->frames.n + shape_lines(record->model);
 }
 
-/** The index of each bond, behind those of the vertices. */
-static void bond_indices(struct hdf5_sink *data, const struct record *record)
+/** The index of each line of the group, -1 of all other cells. */
+static void line_indices(struct hdf5_sink *data, const struct record *record, const struct shape_group *group)
 {
-    const int64_t n = record->frames.n, count = cells_of(record);
+    const int64_t first = record->frames.n + group->first, count = cells_of(record);
     int64_t *values = malloc(sizeof *values * (size_t)(count + 1));
     data->failed |= values == NULL;
     for (int64_t k = 0; values != NULL && k < count; ++k)
-        values[k] = k < n ? -1 : k - n;
+        values[k] = k < first || k >= first + group->count ? -1 : k - first;
     if (values != NULL)
-        integers(data, "bond", count, values);
+        integers(data, group->effect->kind->lines->name, count, values);
     free(values);
 }
 
 static void empty_cell_data(struct hdf5_sink *data, const struct record *record)
 {
     const hsize_t values = (hsize_t)cells_of(record) * (hsize_t)record->journal->frames.mark.count;
-    for (int q = 0; q < BOND_QUANTITIES; ++q)
-        hdf5_dataset(data, bond_quantities[q], H5T_NATIVE_DOUBLE, 1, &values, NULL);
-    bond_indices(data, record);
+    struct shape_group list[MODEL_EFFECTS];
+    const int groups = shape_groups(record->model, list);
+    for (int g = 0; g < groups; ++g) {
+        const struct effect_lines *lines = list[g].effect->kind->lines;
+        for (int q = 0; q < lines->quantities; ++q)
+            hdf5_dataset(data, lines->quantity[q], H5T_NATIVE_DOUBLE, 1, &values, NULL);
+        line_indices(data, record, &list[g]);
+    }
 }
 
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
@@ -152,19 +154,30 @@ struct writer {
     double *derived, *times;
     double *loads; /* forces, then moments */
     struct message *message;
-    double *bonds; /* each quantity of all cells, zeros but for the bonds; NULL without bonds */
+    double *lines; /* the quantities of one group for all cells, zeros but for its lines; NULL without lines */
 };
 
-static void take_bonds(struct writer *w, int64_t k, const double *frame)
+static void take_group(struct writer *w, const struct shape_group *group, int64_t k, const vti_bodies *bodies)
 {
-    const struct frame_layout *layout = &w->record->frames;
+    const struct effect_lines *lines = group->effect->kind->lines;
     const int64_t count = cells_of(w->record);
-    if (w->bonds == NULL)
-        return;
-    w->cells->failed |= frame_bonds(layout, frame, w->bonds + layout->n, w->bonds + count + layout->n) != VTI_OK;
-    for (int q = 0; q < BOND_QUANTITIES; ++q)
-        hdf5_rows(w->cells, bond_quantities[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
-                  w->bonds + q * count);
+    double *value[EFFECT_QUANTITIES];
+    memset(w->lines, 0, sizeof *w->lines * (size_t)(lines->quantities * count));
+    for (int q = 0; q < lines->quantities; ++q)
+        value[q] = w->lines + q * count + w->record->frames.n + group->first;
+    w->cells->failed |= lines->values(group->effect, bodies, value) != VTI_OK;
+    for (int q = 0; q < lines->quantities; ++q)
+        hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
+                  w->lines + q * count);
+}
+
+static void take_lines(struct writer *w, int64_t k, const double *frame)
+{
+    const vti_bodies bodies = frame_bodies(&w->record->frames, frame);
+    struct shape_group list[MODEL_EFFECTS];
+    const int groups = shape_groups(w->record->model, list);
+    for (int g = 0; g < groups; ++g)
+        take_group(w, &list[g], k, &bodies);
 }
 
 static const double *values_of(struct writer *w, const struct quantity *q, const double *frame)
@@ -201,7 +214,7 @@ static int take_frame(void *self, int64_t k, const double *frame)
     for (int q = 0; q < QUANTITIES; ++q)
         if (list[q].place != 0)
             hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n, values_of(w, &list[q], frame));
-    take_bonds(w, k, frame);
+    take_lines(w, k, frame);
     return w->root->failed || w->data->failed || w->cells->failed ? -1 : 0;
 }
 
@@ -229,11 +242,16 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
         sequence(&offsets, "diameter", frames, 1, 0, 0);
     sequence(&offsets, "body", frames, 1, 0, 0);
     hdf5_close(&s, &offsets);
-    if (shape_bonds(record->model) > 0) {
+    struct shape_group groups[MODEL_EFFECTS];
+    const int count_of_groups = shape_groups(record->model, groups);
+    if (count_of_groups > 0) {
         offsets = hdf5_group(&s, "CellDataOffsets");
-        for (int q = 0; q < BOND_QUANTITIES; ++q)
-            sequence(&offsets, bond_quantities[q], frames, 1, 0, cells_of(record));
-        sequence(&offsets, "bond", frames, 1, 0, 0);
+        for (int g = 0; g < count_of_groups; ++g) {
+            const struct effect_lines *lines = groups[g].effect->kind->lines;
+            for (int q = 0; q < lines->quantities; ++q)
+                sequence(&offsets, lines->quantity[q], frames, 1, 0, cells_of(record));
+            sequence(&offsets, lines->name, frames, 1, 0, 0);
+        }
         hdf5_close(&s, &offsets);
     }
     hdf5_close(root, &s);
@@ -244,7 +262,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
     const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
     struct hdf5_sink root = hdf5_group(file, "VTKHDF"), data = hdf5_group(&root, "PointData"),
                      cell_data = hdf5_group(&root, "CellData");
-    const int has_bonds = shape_bonds(record->model) > 0;
+    const int has_lines = shape_lines(record->model) > 0;
     struct writer w = {record,
                        &root,
                        &data,
@@ -253,15 +271,15 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        calloc((size_t)(frames + 1), sizeof(double)),
                        malloc(sizeof(double) * (size_t)(6 * n + 1)),
                        message,
-                       has_bonds ? calloc((size_t)(BOND_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
-    root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_bonds && w.bonds == NULL);
+                       has_lines ? calloc((size_t)(EFFECT_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
+    root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_lines && w.lines == NULL);
     hdf5_text(&root, "Type", "PolyData");
     hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
     sequence(&root, "NumberOfPoints", 1, 1, n, 0);
     all_cells(&root, record);
     empty_data(&root, &data, record);
     fixed_data(&data, record);
-    if (has_bonds)
+    if (has_lines)
         empty_cell_data(&cell_data, record);
     if (!root.failed && !data.failed && !cell_data.failed && record_frames(record, take_frame, &w, message) == 0)
         write_steps(&root, record, w.times);
@@ -270,7 +288,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
     free(w.derived);
     free(w.times);
     free(w.loads);
-    free(w.bonds);
+    free(w.lines);
     hdf5_close(&root, &cell_data);
     hdf5_close(&root, &data);
     hdf5_close(file, &root);

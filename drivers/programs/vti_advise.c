@@ -88,12 +88,13 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
 {
     const struct offer *best = &a->offers[0];
     const double nominal = (double)a->checked->order;
-    if ((scene->has_contact || scene->has_wall) && a->order < nominal - 1.0)
+    const char *kink = scene_kink(scene);
+    if (kink != NULL && a->order < nominal - 1.0)
         fprintf(
             file,
             "warning: the forces of this scene are not smooth enough for high order: %s, of order %.0f, shows order "
-            "%.1f; the stiffness of a contact sets in with a kink\n",
-            a->checked->name, nominal, a->order);
+            "%.1f; %s\n",
+            a->checked->name, nominal, a->order, kink);
     if (best->h > 0.95 * stable_least(&a->limits, best->stepper))
         fprintf(file,
                 "warning: h = %.4g is near the stable step %.4g: what is off by less than the error may still grow\n",

@@ -90,12 +90,17 @@ static void say_effects(const struct run *run, FILE *file)
         fprintf(file, "%s%s", e > 0 ? ", " : "", effect->name);
         for (int64_t j = 0; effect->terms > 1 && j < effect->terms; ++j)
             fprintf(file, "%s%s%s", j > 0 ? ", " : " (", effect->term[j], j + 1 == effect->terms ? ")" : "");
-        pairs |= strcmp(effect->name, "contact") == 0;
     }
     if (m->effects_count == 0)
         fputs("none", file);
-    if (shape_bonds(m) > 0)
-        fprintf(file, "; %lld bonds", (long long)shape_bonds(m));
+    for (int64_t e = 0; e < m->rooms_count; ++e) {
+        const struct effect_kind *kind = m->rooms[e].kind;
+        char text[80] = "";
+        if (kind->say != NULL)
+            kind->say(&m->rooms[e], text, sizeof text);
+        fprintf(file, "%s%s", text[0] != '\0' ? "; " : "", text);
+        pairs |= kind->find_pairs != NULL;
+    }
     fprintf(file, "; %s\n", pairs ? "pairs in contact are searched for" : "no pairs are searched for");
 }
 

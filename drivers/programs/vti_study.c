@@ -19,7 +19,7 @@ enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
 
 /** What the program reads. */
 struct study_inputs {
-    struct input input[3 * COST_CASES];
+    struct input input[INPUTS_OF_SCENE * COST_CASES];
     int count;
 };
 
@@ -106,21 +106,11 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
 /** From four times the scene's h down by factors of two, or from h itself where a larger one might not be stable. */
 static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
 {
-    const int stiff = scene->has_binder || scene->has_contact || scene->has_wall;
+    const int stiff = scene_has_trait(scene, EFFECT_STIFF);
     const int64_t n = stiff ? 7 : 10;
     for (int64_t k = 0; k < n; ++k)
         h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));
     return n;
-}
-
-/** The file of a scene and its tables. */
-static void add_inputs(const char *path, const struct scene *scene, struct study_inputs *inputs)
-{
-    const struct input three[] = {{path, "the scene"},
-                                  {scene->table, "the scene's table of bodies"},
-                                  {scene->binder.table, "the scene's table of bonds"}};
-    for (int k = 0; k < 3; ++k)
-        inputs->input[inputs->count++] = three[k];
 }
 
 /** The shipped pendulum where no scene is named. */
@@ -201,7 +191,7 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
             return -1;
         if (steps == NULL)
             plan->each[k].h_count = ladder_around(&read[k], plan->each[k].h);
-        add_inputs(scenes[k], &read[k], inputs);
+        inputs->count += inputs_of(scenes[k], &read[k], inputs->input + inputs->count);
     }
     return survey_check(plan, message);
 }
@@ -247,7 +237,7 @@ static int run_cost(int rank)
     struct message message = {""};
     int failed = study_agree(make_cost_plan(&read, &plan, &message), rank, &message);
     for (int k = 0; k < read.count; ++k)
-        add_inputs(read.paths[k], &read.scenes[k], &inputs);
+        inputs.count += inputs_of(read.paths[k], &read.scenes[k], inputs.input + inputs.count);
     const struct study_place place = {output != NULL ? output : "cost", resume, force, inputs.input, inputs.count};
     if (failed == 0)
         failed = cost_go(&plan, &place, rank);
@@ -276,7 +266,7 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
             snprintf(folder, FOLDER_PATH, "%s", output);
         else
             snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
-        add_inputs(scenes[0], &scene, &inputs);
+        inputs.count = inputs_of(scenes[0], &scene, inputs.input);
         const struct study_place place = {folder, resume, force, inputs.input, inputs.count};
         failed = study_go(&plan, &place, rank);
         *wants_plot = rank == 0 && plot;

@@ -7,7 +7,7 @@
 int reference_is_smooth(const struct model *model)
 {
     enum { FEW = 256 }; /* doubles in a state: as many are interpolated at every step of every run */
-    return !model->scene->has_contact && !model->scene->has_wall && equations_width(model) <= FEW;
+    return scene_kink(model->scene) == NULL && equations_width(model) <= FEW;
 }
 
 /** Where a reference is made. */

@@ -51,7 +51,7 @@ static int take_name_of_file(const struct scene_reader *reader, const char *path
 static int read_scene(const struct scene_reader *reader, const char *path, struct scene *scene)
 {
     scene->chain.direction[0] = 1.0;
-    scene->binder.shear_form = VTI_SHEAR_OBJECTIVE;
+    kinds_defaults(&scene->settings);
     scene->stepper = vti_stepper_find("vti2");
     if (read_values(reader, scene) != 0 || check_missing(reader) != 0 || scene_check(reader, scene) != 0)
         return -1;
@@ -63,6 +63,8 @@ int scene_read(const char *path, const char *const *overrides, int n, struct sce
     struct scene_reader reader;
     memset(scene, 0, sizeof *scene);
     message->text[0] = '\0';
+    if (kinds_check(message) != 0)
+        return -1;
     int result = scene_reader_open(&reader, path, overrides, n, message);
     if (result == 0)
         result = read_scene(&reader, path, scene);

@@ -6,6 +6,7 @@
 #ifndef VTI_SCENE_H
 #define VTI_SCENE_H
 
+#include "kinds.h"
 #include "message.h"
 #include "vti.h"
 
@@ -41,26 +42,9 @@ struct scene_random {
     double v, omega;
 };
 
-/** Stiffnesses of all bonds; 0 is a term that the file does not name. */
-struct scene_binder {
-    char table[SCENE_PATH_SIZE]; /* of the bonds, "" for the neighbours of the arrangement */
-    double moment, axial, shear;
-    int64_t shear_form; /* vti_shear */
-};
-
-struct scene_contact {
-    double stiffness;
-    int64_t bonded; /* 1: also between bodies that are bonded */
-};
-
 struct scene_planes {
     int64_t count;
     double plane[SCENE_PLANES_MAX][4]; /* n (made unit), d: the plane n.x = d */
-};
-
-struct scene_wall {
-    double stiffness;
-    struct scene_planes planes;
 };
 
 struct tables; /* sim/table.h */
@@ -83,12 +67,8 @@ struct scene {
     int has_v, has_alpha, has_omega; /* the file gives them */
     struct scene_random random;
 
-    int has_binder, has_contact, has_wall, has_gravity, has_pendulum;
-    struct scene_binder binder;
-    struct scene_contact contact;
-    struct scene_wall wall;
-    vti_gravity gravity;
-    vti_pendulum pendulum;
+    int has[EFFECT_COUNT];          /* which effects it calls for, by their numbers (effects/kinds.h) */
+    union effect_settings settings; /* what it says of them: kinds_settings_of */
 
     /* What the tables hold, if somebody has read them already; NULL: model_create reads them, which must then be CSV.
      * Set by the caller after scene_read, and still the caller's. */
@@ -107,5 +87,11 @@ int scene_read(const char *path, const char *const *overrides, int n, struct sce
 
 /** How many bodies the scene has; 0 if only its table knows. */
 int64_t scene_bodies(const struct scene *scene);
+/** The key that gives the positions: "bodies.ring" and so on. */
+const char *scene_positions_key(const struct scene *scene);
+/** Whether one of its effects has the trait (effect_trait of effects/kind.h). */
+int scene_has_trait(const struct scene *scene, int trait);
+/** Why its forces are not smooth, NULL if they are. */
+const char *scene_kink(const struct scene *scene);
 
 #endif

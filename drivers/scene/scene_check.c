@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "kind.h"
 #include "quote.h"
 
 static int has(const struct scene_reader *reader, const char *path)
@@ -32,6 +33,11 @@ static int check_arrangement(const struct scene_reader *reader, struct scene *sc
         scene->arrangement = (enum scene_arrangement)k;
     }
     return 0;
+}
+
+const char *scene_positions_key(const struct scene *scene)
+{
+    return arrangements[scene->arrangement];
 }
 
 static int check_count(const struct scene_reader *reader, const char *path, int64_t count)
@@ -115,10 +121,12 @@ static int check_motion(const struct scene_reader *reader, struct scene *scene)
     scene->has_v = has(reader, "bodies.v");
     scene->has_alpha = has(reader, "bodies.alpha");
     scene->has_omega = has(reader, "bodies.omega");
-    scene->has_gravity = has(reader, "gravity");
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        scene->has[k] = has(reader, kinds_at(k)->key);
     scene->translates = is_formula(scene) || has(reader, "bodies.x");
-    scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0 || scene->binder.moment != 0.0 ||
-                   scene->binder.shear != 0.0 || scene->has_pendulum;
+    scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        scene->turns |= scene->has[k] && (kinds_gives(kinds_at(k), &scene->settings, NULL) & EFFECT_MOMENT) != 0;
     if (!scene->translates && !scene->turns && scene->arrangement != SCENE_IN_TABLE)
         return scene_reader_fail(reader, "bodies",
                                  "nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega");
@@ -144,46 +152,42 @@ static int check_properties(const struct scene_reader *reader, const struct scen
     if (check_needed(reader, scene->translates, "bodies.mass", "bodies that translate") != 0 ||
         check_needed(reader, scene->turns && !is_sphere, "bodies.inertia", "bodies that turn") != 0)
         return -1;
-    return check_needed(reader, (scene->has_contact || scene->has_wall) && !has_diameter, "bodies.diameter",
+    return check_needed(reader, scene_has_trait(scene, EFFECT_SPHERES) && !has_diameter, "bodies.diameter",
                         "spheres in contact");
 }
 
 /* ---- effects ----------------------------------------------------------------------------------------------------- */
 
-static int check_binder(const struct scene_reader *reader, const struct scene *scene)
+int scene_has_trait(const struct scene *scene, int trait)
 {
-    if (!scene->has_binder)
-        return 0;
-    if (scene->arrangement == SCENE_IN_TABLE && scene->binder.table[0] == '\0')
-        return scene_reader_fail(reader, "binder", "bodies of a table have no neighbours; give table, a file of bonds");
-    if (scene->arrangement != SCENE_IN_TABLE && scene_bodies(scene) < 2)
-        return scene_reader_fail(reader, "binder",
-                                 "a single body has no bonds; give bodies.ring, chain, lattice or table");
-    if (scene->binder.table[0] == '\0' && scene->binder.moment == 0.0 && scene->binder.axial == 0.0 &&
-        scene->binder.shear == 0.0)
-        return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (scene->has[k] && (kinds_at(k)->traits & trait) != 0)
+            return 1;
     return 0;
 }
 
-static int check_translating(const struct scene_reader *reader, const struct scene *scene, int given, const char *path)
+const char *scene_kink(const struct scene *scene)
 {
-    if (!given || scene->translates || scene->arrangement == SCENE_IN_TABLE)
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (scene->has[k] && kinds_at(k)->kink != NULL)
+            return kinds_at(k)->kink;
+    return NULL;
+}
+
+static int check_effect(const struct scene_reader *reader, const struct scene *scene, const struct effect_kind *kind)
+{
+    if (kind->check != NULL && kind->check(reader, scene, kinds_settings_of(kind, &scene->settings)) != 0)
+        return -1;
+    if ((kind->traits & EFFECT_TRANSLATING) == 0 || scene->translates || scene->arrangement == SCENE_IN_TABLE)
         return 0;
-    return scene_reader_fail(reader, path, "acts on bodies that translate; give " POSITIONS);
+    return scene_reader_fail(reader, kind->key, "acts on bodies that translate; give " POSITIONS);
 }
 
 static int check_effects(const struct scene_reader *reader, const struct scene *scene)
 {
-    if (check_binder(reader, scene) != 0 || check_translating(reader, scene, scene->has_contact, "contact") != 0 ||
-        check_translating(reader, scene, scene->has_wall, "wall") != 0 ||
-        check_translating(reader, scene, scene->has_gravity, "gravity") != 0)
-        return -1;
-    if (scene->has_wall && scene->wall.planes.count == 0)
-        return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
-    if (scene->has_pendulum && scene->translates)
-        return scene_reader_fail(reader, "pendulum",
-                                 "hangs bodies on fixed pivots, where they turn and cannot translate; remove it or %s",
-                                 arrangements[scene->arrangement]);
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (scene->has[k] && check_effect(reader, scene, kinds_at(k)) != 0)
+            return -1;
     return 0;
 }
 

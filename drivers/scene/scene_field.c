@@ -3,15 +3,14 @@
 
 #include <string.h>
 
+#include "kind.h"
 #include "quote.h"
 #include "scene.h"
 
 #define AT(member) offsetof(struct scene, member)
 
-static const struct scene_word shear_forms[] = {
-    {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
-
-static const struct scene_field fields[] = {
+/** Before and behind those of the effects. */
+static const struct scene_field head[] = {
     {"name", SCENE_NAME, SCENE_MAY, SCENE_ANY, AT(name), "name of the scene in files",
      "Outputs are called after it; without it, after the scene's file.", NULL},
 
@@ -70,53 +69,9 @@ static const struct scene_field fields[] = {
      "Velocity: each component lies in [-v, v).", NULL},
     {"bodies.random.omega", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(random.omega),
      "largest component of random omega", "Angular velocity: each component lies in [-omega, omega).", NULL},
+};
 
-    {"binder", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_binder), "bonds",
-     "Elastic bonds between neighbours, or between the bodies of a table; at least one of moment, axial and shear.",
-     NULL},
-    {"binder.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(binder.table), "file of bonds",
-     "CSV or HDF5, relative to the scene's folder: a row for each bond, bodies i and j from 0, and moment, axial and "
-     "shear as far as they differ.",
-     NULL},
-    {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(binder.moment), "stiffness K^m",
-     "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
-    {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(binder.axial), "stiffness K^a",
-     "Energy: stretching costs K^a/2 (r/L0 - 1)^2.", NULL},
-    {"binder.shear", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "shear of bonds",
-     "Turning of the bond against its bodies.", NULL},
-    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(binder.shear), "stiffness K^s",
-     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form.", NULL},
-    {"binder.shear.form", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(binder.shear_form), "form of the shear energy",
-     "objective: unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in the "
-     "paper, not objective.",
-     shear_forms},
-
-    {"contact", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_contact), "contact of the spheres",
-     "Hertzian contact between spheres that overlap; pairs are searched for.", NULL},
-    {"contact.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(contact.stiffness), "stiffness K^pp",
-     "Energy: an overlap costs 2/5 K^pp (1 - r/D)^(5/2), D being the mean diameter.", NULL},
-    {"contact.bonded", SCENE_YES_NO, SCENE_MAY, SCENE_ANY, AT(contact.bonded), "contact inside bonds",
-     "yes: bodies of a common bond touch too; no (default): they do not.", NULL},
-
-    {"wall", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_wall), "rigid planes",
-     "Rigid planes that keep bodies on one side.", NULL},
-    {"wall.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(wall.stiffness), "stiffness K^pw",
-     "Energy: an overlap costs 2/5 K^pw (1 - g/(D/2))^(5/2), g being the distance of the centre.", NULL},
-    {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, AT(wall.planes), "planes nx x + ny y + nz z = d",
-     "Rows nx, ny, nz, d; bodies stay where n.x > d; n need not be of unit length.", NULL},
-
-    {"gravity", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(gravity), "acceleration g",
-     "A uniform field that acts on bodies that translate.", NULL},
-
-    {"pendulum", SCENE_SECTION, SCENE_MAY, SCENE_ANY, AT(has_pendulum), "pivot and weight",
-     "Each body hangs by its arm from a pivot that does not move, in a field along +z; bodies turn and cannot "
-     "translate.",
-     NULL},
-    {"pendulum.weight", SCENE_NUMBER, SCENE_MUST, SCENE_NOT_NEGATIVE, AT(pendulum.weight), "weight m g",
-     "Force: the mass times the acceleration of the field.", NULL},
-    {"pendulum.rho0", SCENE_VECTOR, SCENE_MUST, SCENE_NOT_ZERO, AT(pendulum.rho0), "arm in the body's frame",
-     "Length and direction at alpha = 0, from the pivot to where the weight acts.", NULL},
-
+static const struct scene_field tail[] = {
     {"stepper", SCENE_STEPPER, SCENE_MAY, SCENE_ANY, AT(stepper), "integrator",
      "vti2 without it; vti-run --list steppers names them all.", NULL},
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
@@ -124,19 +79,26 @@ static const struct scene_field fields[] = {
      "Time, counted from t = 0; the run ends at the last multiple of h that is not later.", NULL},
 };
 
-enum { FIELDS = sizeof fields / sizeof fields[0] };
-typedef char table_fits[(int)FIELDS <= (int)SCENE_FIELDS_MAX ? 1 : -1];
+enum { HEAD = sizeof head / sizeof head[0], TAIL = sizeof tail / sizeof tail[0] };
 
 const struct scene_field *scene_field_at(int k)
 {
-    return k >= 0 && k < FIELDS ? &fields[k] : NULL;
+    if (k >= 0 && k < HEAD)
+        return &head[k];
+    k -= HEAD;
+    for (int e = 0; k >= 0 && e < EFFECT_COUNT; ++e) {
+        if (k < kinds_at(e)->fields_count)
+            return &kinds_at(e)->fields[k];
+        k -= kinds_at(e)->fields_count;
+    }
+    return k >= 0 && k < TAIL ? &tail[k] : NULL;
 }
 
 const struct scene_field *scene_field_find(const char *path)
 {
-    for (int k = 0; k < FIELDS; ++k)
-        if (strcmp(fields[k].path, path) == 0)
-            return &fields[k];
+    for (int k = 0; scene_field_at(k) != NULL; ++k)
+        if (strcmp(scene_field_at(k)->path, path) == 0)
+            return scene_field_at(k);
     return NULL;
 }
 
@@ -155,8 +117,8 @@ const char *scene_field_key(const struct scene_field *field, const char *section
 char *scene_field_list(const char *section, char *out, size_t size)
 {
     out[0] = '\0';
-    for (int k = 0; k < FIELDS; ++k) {
-        const char *key = scene_field_key(&fields[k], section);
+    for (int k = 0; scene_field_at(k) != NULL; ++k) {
+        const char *key = scene_field_key(scene_field_at(k), section);
         if (key != NULL)
             append(append(out, size, out[0] != '\0' ? ", " : ""), size, key);
     }
@@ -165,7 +127,10 @@ char *scene_field_list(const char *section, char *out, size_t size)
 
 void *scene_field_place(const struct scene_field *field, struct scene *scene)
 {
-    return field->offset != SCENE_NOWHERE ? (char *)scene + field->offset : NULL;
+    const struct effect_kind *kind = kinds_find(field->path);
+    if (field->offset == SCENE_NOWHERE)
+        return NULL;
+    return (char *)(kind != NULL ? kinds_settings(kind, &scene->settings) : scene) + field->offset;
 }
 
 void scene_path_up(char *path)

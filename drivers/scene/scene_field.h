@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The one table of what a scene file may hold: the path of every key, its kind, and where its value goes in struct
- * scene. Reading, --set, the conversion, the range checks and the lists of known keys in messages are all made from it,
- * so that a new key is one row, and a new section a row for itself and one for each of its keys. */
+ * scene; the rows of effects are theirs (effects/kind.h). Reading, --set, the conversion, the range checks and the lists of
+ * known keys in messages are all made from it, so that a new key is one row, and a new section a row for itself and one for
+ * each of its keys. */
 #ifndef VTI_SCENE_FIELD_H
 #define VTI_SCENE_FIELD_H
 
@@ -10,7 +11,7 @@
 #include <stdint.h>
 
 enum scene_kind {
-    SCENE_SECTION, /* holds keys; goes to an int that becomes 1 if the file has the section */
+    SCENE_SECTION, /* holds keys; goes nowhere */
     SCENE_NUMBER,  /* goes to a double */
     SCENE_VECTOR,  /* three numbers; goes to a double[3] */
     SCENE_COUNT,   /* whole number; goes to an int64_t */
@@ -44,7 +45,7 @@ struct scene_field {
     enum scene_kind kind;
     enum scene_need need;
     enum scene_range range;
-    size_t offset;                  /* where its value goes, or SCENE_NOWHERE: see scene_field_place */
+    size_t offset;                  /* in struct scene, or in the settings of its effect; SCENE_NOWHERE */
     const char *about;              /* what it is, for messages: "stiffness K^pp" */
     const char *says;               /* one sentence about it, for lists and docs/scenes.md */
     const struct scene_word *words; /* of SCENE_WORD */

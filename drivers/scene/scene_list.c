@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "kind.h"
 #include "quote.h"
 #include "scene.h"
 #include "scene_field.h"
@@ -27,18 +28,10 @@ static void list_steppers(FILE *file)
         fprintf(file, "%s\t%s\n", scene_stepper_at(k)->name, scene_stepper_at(k)->about);
 }
 
-/** The keys at the top that stand for physics: not the bodies, and nothing about time and names. */
-static int is_effect(const struct scene_field *field)
-{
-    return strchr(field->path, '.') == NULL && strcmp(field->path, "bodies") != 0 &&
-           (field->kind == SCENE_SECTION || field->kind == SCENE_VECTOR);
-}
-
 static void list_effects(FILE *file)
 {
-    for (int k = 0; scene_field_at(k) != NULL; ++k)
-        if (is_effect(scene_field_at(k)))
-            fprintf(file, "%s\t%s\n", scene_field_at(k)->path, scene_field_at(k)->about);
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        fprintf(file, "%s\t%s\n", kinds_at(k)->key, kinds_at(k)->fields[0].about);
 }
 
 static void list_keys(FILE *file)

@@ -28,29 +28,12 @@ static void add(struct columns *c, const char *name, int source, int effect)
     c->source[c->count++] = source;
 }
 
-/** Columns of the terms called name, or, without a name, of those that the order does not know. */
-static void add_terms(struct columns *c, const char *const *order, size_t orders, const char *name)
-{
-    int source = TERMS;
-    for (int64_t e = 0; e < c->model->effects_count; ++e)
-        for (int64_t j = 0; j < c->model->effects[e].terms; ++j, ++source) {
-            const char *term = c->model->effects[e].term[j];
-            int known = 0;
-            for (size_t k = 0; k < orders; ++k)
-                known |= strcmp(term, order[k]) == 0;
-            if (name != NULL ? strcmp(term, name) == 0 : !known)
-                add(c, term, source, (int)e);
-        }
-}
-
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *c)
 {
-    static const char *const order[] = {"binder_moment", "binder_axial", "binder_shear", "contact",
-                                        "wall",          "gravity",      "pendulum"};
     static const char *const momentum[] = {"momentum_x", "momentum_y", "momentum_z"};
     static const char *const spin[] = {"spin_x", "spin_y", "spin_z"};
     static const char *const angular[] = {"angular_x", "angular_y", "angular_z"};
-    const size_t orders = sizeof order / sizeof order[0];
+    int source = TERMS;
     const int translates = model->bodies.v.c[0] != NULL, turns = model->bodies.omega.c[0] != NULL;
     memset(c, 0, sizeof *c);
     c->model = model;
@@ -59,9 +42,9 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
         add(c, "kinetic_translation", TRANSLATION, -1);
     if (turns)
         add(c, "kinetic_rotation", ROTATION, -1);
-    for (size_t k = 0; k < orders; ++k)
-        add_terms(c, order, orders, order[k]);
-    add_terms(c, order, orders, NULL);
+    for (int64_t e = 0; e < model->effects_count; ++e)
+        for (int64_t j = 0; j < model->effects[e].terms; ++j, ++source)
+            add(c, model->effects[e].term[j], source, (int)e);
     c->total = c->count;
     add(c, "total", TOTAL, -1);
     c->modified = modified_exists(stepper) ? c->count : -1;

@@ -9,10 +9,6 @@ static const struct invariant momenta[MOMENTA] = {
     {"angular_x", "$L_x$", 1},  {"angular_y", "$L_y$", 1},  {"angular_z", "$L_z$", 1},
     {"spin_x", "$S_x$", 1},     {"spin_y", "$S_y$", 1},     {"spin_z", "$S_z$", 1},
 };
-/* the sphere's spin about its arm, and the arm's length (EQUATIONS 3) */
-static const struct invariant arm_dot_omega = {"arm_dot_omega", "$R\\rho_0\\cdot\\Omega$", 1};
-static const struct invariant arm_length = {"arm_length", "$|R\\rho_0|$", 0};
-
 static int is_broken(const struct model *model, int k)
 {
     for (int64_t e = 0; e < model->effects_count; ++e)
@@ -37,9 +33,12 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
     for (int k = 0; k < MOMENTA; ++k)
         if (conserves(model, k))
             list[n++] = momenta[k];
-    if (model->scene->has_pendulum) {
-        list[n++] = arm_dot_omega;
-        list[n++] = arm_length;
+    for (int64_t e = 0; e < model->rooms_count; ++e) {
+        const struct effect_invariants *own = model->rooms[e].kind->invariants;
+        if (own == NULL || n + own->count > MODEL_INVARIANTS)
+            continue;
+        for (int k = 0; k < own->count; ++k)
+            list[n++] = own->list[k];
     }
     return n;
 }
@@ -55,10 +54,11 @@ void model_invariant_values(const struct model *model, const vti_bodies *bodies,
     for (int k = 0; k < MOMENTA; ++k)
         if (conserves(model, k))
             values[n++] = all[k];
-    if (model->scene->has_pendulum) {
-        double arm[3];
-        vti_pendulum_arm(&model->scene->pendulum, bodies, 0, arm);
-        values[n++] = arm[0] * bodies->omega.c[0][0] + arm[1] * bodies->omega.c[1][0] + arm[2] * bodies->omega.c[2][0];
-        values[n++] = vti_norm(arm);
+    for (int64_t e = 0; e < model->rooms_count; ++e) {
+        const struct effect_invariants *own = model->rooms[e].kind->invariants;
+        if (own == NULL || n + own->count > MODEL_INVARIANTS)
+            continue;
+        own->values(&model->rooms[e], bodies, values + n);
+        n += own->count;
     }
 }

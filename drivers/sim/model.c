@@ -9,11 +9,31 @@
 
 /* ---- from the scene --------------------------------------------------------------------------------------------------- */
 
+/** An effect of the scene, with memory of its own. */
+static int add_effect(struct model *model, const struct effect_kind *kind, const struct tables *tables,
+                      struct message *message)
+{
+    struct effect *e = &model->rooms[model->rooms_count];
+    vti_effect *made = &model->effects[model->effects_count];
+    e->settings = kinds_settings_of(kind, &model->scene->settings);
+    e->self = calloc(1, kind->self > 0 ? kind->self : 1);
+    if (e->self == NULL)
+        return message_set(message, "%s: out of memory", model->scene->name);
+    e->kind = kind;
+    ++model->rooms_count;
+    if (kind->make(e, model, &tables->effect[kind->number], made, message) != 0)
+        return -1;
+    ++model->effects_count;
+    return kinds_check_made(kind, made, message);
+}
+
 static int make(struct model *model, const struct tables *tables, struct message *message)
 {
-    if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0 ||
-        model_add_effects(model, tables, message) != 0)
+    if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0)
         return -1;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (model->scene->has[k] && add_effect(model, kinds_at(k), tables, message) != 0)
+            return -1;
     /* once and for all: what checks the views again at every step would cost a lone body more than its step */
     int status = vti_bodies_seal(&model->bodies);
     if (status == VTI_OK)
@@ -29,11 +49,10 @@ int model_create(const struct scene *scene, struct model *model, struct message 
     model->scene = scene;
     int result = 0;
     if (scene->tables == NULL)
-        result = model_read_tables(scene, &own, message);
+        result = tables_read_by(model_read_table, scene, &own, message);
     if (result == 0)
         result = make(model, scene->tables != NULL ? scene->tables : &own, message);
-    table_destroy(&own.bodies);
-    table_destroy(&own.bonds);
+    tables_destroy(&own);
     if (result != 0)
         model_destroy(model);
     return result;
@@ -41,10 +60,13 @@ int model_create(const struct scene *scene, struct model *model, struct message 
 
 void model_destroy(struct model *model)
 {
-    neighbours_destroy(&model->neighbours);
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        if (e->kind->destroy != NULL)
+            e->kind->destroy(e);
+        free(e->self);
+    }
     free(model->memory);
-    free(model->bond_memory);
-    free(model->bond_pairs);
     memset(model, 0, sizeof *model);
 }
 
@@ -52,12 +74,12 @@ void model_destroy(struct model *model)
 
 int model_find_pairs(struct model *model, const vti_bodies *bodies)
 {
-    if (!model->scene->has_contact)
-        return VTI_OK;
-    const int result = neighbours_update(&model->neighbours, &bodies->x, &model->trouble);
-    model->contacts.count = model->neighbours.count;
-    model->contacts.pair = model->neighbours.pair;
-    return result < 0 ? MODEL_E_PAIRS : VTI_OK;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        if (e->kind->find_pairs != NULL && e->kind->find_pairs(e, bodies, &model->trouble) != 0)
+            return MODEL_E_PAIRS;
+    }
+    return VTI_OK;
 }
 
 int model_forces(struct model *model, const vti_bodies *bodies)

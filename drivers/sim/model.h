@@ -7,16 +7,16 @@
 
 #include <stddef.h>
 
-#include "neighbours.h"
+#include "kind.h"
 #include "scene.h"
 
 enum { MODEL_EFFECTS = 8, MODEL_INVARIANTS = 8 };
 
-/** Among the statuses of the core: the pairs in contact could not be found; model->trouble says why. */
+/** Among the statuses of the core: the pairs of an effect could not be found; model->trouble says why. */
 enum { MODEL_E_PAIRS = -1000 };
 
-/** Effects stand in the order binder, contact, wall, gravity, pendulum, of those that there are. The model points into
- *  itself and must not be moved or copied. */
+/** Effects stand in the order of effects/kinds.h, of those that there are. The model points into itself and must not be moved or
+ *  copied. */
 struct model {
     const struct scene *scene; /* must outlive the model */
     int translates, turns;     /* as views say: x and v, alpha and omega */
@@ -24,16 +24,11 @@ struct model {
     vti_scalars diameter; /* p = NULL if neither scene nor table gives any */
     vti_effect effects[MODEL_EFFECTS];
     int64_t effects_count;
-
-    vti_bonds bonds;              /* count 0 without binder */
-    vti_contacts contacts;        /* its list is that of neighbours, as of the last update */
-    vti_walls walls;              /* count 0 without wall */
-    struct neighbours neighbours; /* all zeros without contact */
+    struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */
+    int64_t rooms_count;                /* 0 where effects are not those of a scene */
 
     double mass, inertia, sphere; /* of all bodies, where no table says more; sphere is the diameter */
     double *memory;               /* of the bodies */
-    double *bond_memory;          /* rest vectors and stiffnesses */
-    int64_t *bond_pairs;
     struct message trouble;
 };
 
@@ -41,24 +36,22 @@ struct model {
 int model_create(const struct scene *scene, struct model *model, struct message *message);
 void model_destroy(struct model *model);
 
-/** Brings the list of contacts up to the bodies' positions, if the scene has contacts; bodies may be any with the model's
+/** Brings the lists of pairs up to the bodies' positions, of effects that have one; bodies may be any with the model's
  *  views, or a quaternion view for alpha. Returns VTI_OK or MODEL_E_PAIRS. The effects' energies are right for the bodies
  *  of the last call; model_forces and model_energy make it themselves. */
 int model_find_pairs(struct model *model, const vti_bodies *bodies);
 
 /** Forces and moments of all effects at the bodies' positions. Returns VTI_OK or a status that model_text explains. */
 int model_forces(struct model *model, const vti_bodies *bodies);
-/** Kinetic energies and all energies of the effects; NaN if the contacts cannot be found. */
+/** Kinetic energies and all energies of the effects; NaN if the pairs cannot be found. */
 double model_energy(struct model *model, const vti_bodies *bodies);
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 
 /** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a pile, is
  *  not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the motion of the whole
- *  if there is no wall, and the work of gravity on a body's way to the first plane below it, for the body of which the sum is
- *  largest. overlap: that at which a contact has taken up e, 2/5 K o^{5/2} = e; 0 without contact and wall, at most 1. strain:
- *  that at which a bond has taken up e and what is in it now, K/2 s^2, at most 1; 0 without bonds along which there is a stiffness.
- *  meet: whether the scene has contact, so that any two of its bodies may meet. */
+ *  if there are no planes, and the work of the field on a body's way to the first plane below it, for the body of which the sum is
+ *  largest. What e does is what the effects say (effect_kind.deform). */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
 /** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they have, of the
  *  last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in model_find_pairs. Costs about

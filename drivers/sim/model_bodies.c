@@ -15,12 +15,11 @@ static double *take(double **block, int64_t n)
     return p;
 }
 
-struct loads model_loads(const struct scene *scene, const struct tables *tables)
+int model_loads(const struct scene *scene, const struct tables *tables)
 {
-    const int shear = model_has_term(scene, tables, BOND_SHEAR);
-    const struct loads loads = {model_has_term(scene, tables, BOND_AXIAL) || shear || scene->has_contact ||
-                                    scene->has_wall || scene->has_gravity,
-                                model_has_term(scene, tables, BOND_MOMENT) || shear || scene->has_pendulum};
+    int loads = 0;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        loads |= scene->has[k] ? kinds_gives(kinds_at(k), &scene->settings, &tables->effect[k]) : 0;
     return loads;
 }
 
@@ -34,10 +33,10 @@ static int derives_inertia(const struct model *model, const struct table *bodies
 /** Doubles per body. */
 static int64_t body_width(const struct model *model, const struct tables *tables)
 {
-    const struct loads loads = model_loads(model->scene, tables);
+    const int loads = model_loads(model->scene, tables);
     int64_t width = derives_inertia(model, &tables->bodies);
-    width += model->translates ? 6 + 3 * loads.force : 0;
-    width += model->turns ? 6 + 3 * loads.moment : 0;
+    width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
+    width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
     for (int k = BODY_MASS; k <= BODY_DIAMETER; ++k)
         width += table_has(&tables->bodies, k);
     return width;
@@ -67,7 +66,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
 {
     const struct scene *s = model->scene;
     const struct table *t = &tables->bodies;
-    const struct loads loads = model_loads(s, tables);
+    const int loads = model_loads(s, tables);
     vti_bodies *b = &model->bodies;
     const int64_t n = b->count;
     if (model->translates) {
@@ -77,7 +76,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
         add_random(v, n, s->random.seed, 0, s->random.v);
         b->x = vti_view_packed(x);
         b->v = vti_view_packed(v);
-        if (loads.force)
+        if ((loads & EFFECT_FORCE) != 0)
             b->force = vti_view_packed(take(block, 3 * n));
     }
     if (model->turns) {
@@ -85,7 +84,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
         add_random(omega, n, s->random.seed, 3, s->random.omega);
         b->alpha = vti_view_packed(alpha);
         b->omega = vti_view_packed(omega);
-        if (loads.moment)
+        if ((loads & EFFECT_MOMENT) != 0)
             b->moment = vti_view_packed(take(block, 3 * n));
     }
 }

@@ -2,10 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "model.h"
-#include "plain.h"
 
 /* ---- how far bodies get from rest ------------------------------------------------------------------------------------- */
 
@@ -20,26 +18,57 @@ static double scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
-/** How far body i falls along g until its surface meets the first plane in its way; 0 if none is. */
-static double fall(const struct model *model, const vti_bodies *bodies, int64_t i)
+/** How many planes the effect has, [count][4] in *plane. */
+static int64_t planes_of(const struct effect *e, const double **plane)
 {
-    const double *g = model->scene->gravity.g, length = vti_norm(g);
-    const double radius = 0.5 * scalar(&model->diameter, i);
+    return e->kind->planes != NULL ? e->kind->planes->get(e, plane) : 0;
+}
+
+static int has_planes(const struct model *model)
+{
+    const double *plane;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (planes_of(&model->rooms[k], &plane) > 0)
+            return 1;
+    return 0;
+}
+
+/** The acceleration of all fields. */
+static void fields_of(const struct model *model, double g[3])
+{
+    g[0] = g[1] = g[2] = 0.0;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
+        const double *more = e->kind->field != NULL ? e->kind->field(e) : g;
+        for (int c = 0; c < 3 && more != g; ++c)
+            g[c] += more[c];
+    }
+}
+
+/** How far body i falls along g until its surface meets the first plane in its way; 0 if none is. */
+static double fall(const struct model *model, const vti_bodies *bodies, int64_t i, const double g[3])
+{
+    const double length = vti_norm(g), radius = 0.5 * scalar(&model->diameter, i);
     double least = INFINITY, centre[3];
     load(&bodies->x, i, centre);
-    for (int64_t w = 0; w < model->walls.count; ++w) {
-        const double *plane = model->walls.plane + 4 * w, towards = -vti_dot(plane, g) / length;
-        if (towards > 0.0)
-            least = fmin(least, fmax(vti_dot(plane, centre) - plane[3] - radius, 0.0) / towards);
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const double *plane = NULL;
+        const int64_t count = planes_of(&model->rooms[k], &plane);
+        for (int64_t w = 0; w < count; ++w, plane += 4) {
+            const double towards = -vti_dot(plane, g) / length;
+            if (towards > 0.0)
+                least = fmin(least, fmax(vti_dot(plane, centre) - plane[3] - radius, 0.0) / towards);
+        }
     }
     return isfinite(least) ? least : 0.0;
 }
 
-/** The velocity of the centre of mass, which deforms nothing unless it meets a wall. */
+/** The velocity of the centre of mass, which deforms nothing unless it meets a plane. */
 static void velocity_of_whole(const struct model *model, const vti_bodies *b, double whole[3])
 {
     double mass = 0.0, momentum[3] = {0.0, 0.0, 0.0};
-    for (int64_t i = 0; i < b->count && model->translates && !model->scene->has_wall; ++i) {
+    const int counts = model->translates && !has_planes(model);
+    for (int64_t i = 0; i < b->count && counts; ++i) {
         double v[3];
         load(&b->v, i, v);
         mass += scalar(&b->mass, i);
@@ -53,54 +82,28 @@ static void velocity_of_whole(const struct model *model, const vti_bodies *b, do
 /** The energy that two bodies bring to where they meet, at most. */
 static double energy_to_meet(const struct model *model, const vti_bodies *b)
 {
-    const struct scene *s = model->scene;
-    double most = 0.0, whole[3];
+    double most = 0.0, whole[3], g[3];
     velocity_of_whole(model, b, whole);
+    fields_of(model, g);
+    const int falls = vti_norm(g) > 0.0 && has_planes(model);
     for (int64_t i = 0; i < b->count && model->translates; ++i) {
         const double mass = scalar(&b->mass, i);
         double v[3];
         load(&b->v, i, v);
         for (int k = 0; k < 3; ++k)
             v[k] -= whole[k];
-        const double work = s->has_gravity && s->has_wall ? mass * vti_norm(s->gravity.g) * fall(model, b, i) : 0.0;
-        most = fmax(most, mass * vti_dot(v, v) + work);
+        most = fmax(most, mass * vti_dot(v, v) + (falls ? mass * vti_norm(g) * fall(model, b, i, g) : 0.0));
     }
     return most;
-}
-
-static double overlap_of(const struct model *model, double energy)
-{
-    const struct scene *s = model->scene;
-    double stiffness = INFINITY;
-    if (s->has_contact)
-        stiffness = s->contact.stiffness;
-    if (s->has_wall)
-        stiffness = fmin(stiffness, s->wall.stiffness);
-    return fmin(plain_power(2.5 * energy / stiffness, 0.4), 1.0);
-}
-
-static double strain_of(const struct model *model, const vti_bodies *b, double energy)
-{
-    const vti_bonds *p = &model->bonds;
-    double most = 0.0;
-    for (int64_t k = 0; p->axial.p != NULL && k < p->count; ++k) {
-        double d[3], xj[3];
-        load(&b->x, p->pair[2 * k], d);
-        load(&b->x, p->pair[2 * k + 1], xj);
-        for (int c = 0; c < 3; ++c)
-            d[c] -= xj[c];
-        const double now = vti_norm(d) / p->rest[4 * k + 3] - 1.0, stiffness = scalar(&p->axial, k);
-        if (stiffness > 0.0)
-            most = fmax(most, now * now + 2.0 * energy / stiffness);
-    }
-    /* what rounding makes of positions is no strain */
-    return most > 1e-20 ? fmin(sqrt(most), 1.0) : 0.0;
 }
 
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies)
 {
     const double energy = energy_to_meet(model, bodies);
-    const vti_deformation at = {overlap_of(model, energy), strain_of(model, bodies, energy), model->scene->has_contact};
+    vti_deformation at = {0.0, 0.0, 0};
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->deform != NULL)
+            model->rooms[k].kind->deform(&model->rooms[k], bodies, energy, &at);
     return at;
 }
 
@@ -120,22 +123,13 @@ int model_stable_step(const struct model *model, const vti_bodies *bodies, const
 void model_limit_text(const struct model *model, const vti_deformation *at, const vti_stable *stable, char *text,
                       size_t size)
 {
-    const long long element = stable->element, i = stable->i, j = stable->j;
-    if (stable->effect < 0) {
+    const int64_t k = stable->effect;
+    if (k < 0)
         snprintf(text, size, "nothing oscillates");
-        return;
-    }
-    const char *name = model->effects[stable->effect].name;
-    if (strcmp(name, "binder") == 0)
-        snprintf(text, size, "bond %lld of bodies %lld and %lld", element, i, j);
-    else if (strcmp(name, "contact") == 0 && at != NULL && at->meet)
-        snprintf(text, size, "contacts that may come to body %lld", i);
-    else if (strcmp(name, "contact") == 0)
-        snprintf(text, size, "contact of bodies %lld and %lld", i, j);
-    else if (strcmp(name, "wall") == 0)
-        snprintf(text, size, "wall %lld at body %lld", element, i);
+    else if (k < model->rooms_count && model->rooms[k].kind->limit != NULL)
+        model->rooms[k].kind->limit(at, stable, text, size);
     else
-        snprintf(text, size, "%s at body %lld", name, i);
+        snprintf(text, size, "%s at body %lld", model->effects[k].name, (long long)stable->i);
 }
 
 int model_find_limits(const struct model *model, struct model_limits *l, struct message *message)

@@ -7,38 +7,76 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kind.h"
 #include "quote.h"
 
-enum range { ANY, POSITIVE, NOT_NEGATIVE, INDEX };
+static int check_bodies(const struct table *t, struct message *message);
 
-struct column {
-    const char *name;
-    enum range range;
-};
+static const struct table_column bodies[] = {{"x", TABLE_ANY},
+                                             {"y", TABLE_ANY},
+                                             {"z", TABLE_ANY},
+                                             {"vx", TABLE_ANY},
+                                             {"vy", TABLE_ANY},
+                                             {"vz", TABLE_ANY},
+                                             {"alpha_x", TABLE_ANY},
+                                             {"alpha_y", TABLE_ANY},
+                                             {"alpha_z", TABLE_ANY},
+                                             {"omega_x", TABLE_ANY},
+                                             {"omega_y", TABLE_ANY},
+                                             {"omega_z", TABLE_ANY},
+                                             {"mass", TABLE_POSITIVE},
+                                             {"inertia", TABLE_POSITIVE},
+                                             {"diameter", TABLE_POSITIVE}};
 
-static const struct column bodies[] = {
-    {"x", ANY},       {"y", ANY},       {"z", ANY},         {"vx", ANY},           {"vy", ANY},
-    {"vz", ANY},      {"alpha_x", ANY}, {"alpha_y", ANY},   {"alpha_z", ANY},      {"omega_x", ANY},
-    {"omega_y", ANY}, {"omega_z", ANY}, {"mass", POSITIVE}, {"inertia", POSITIVE}, {"diameter", POSITIVE}};
-static const struct column bonds[] = {
-    {"i", INDEX}, {"j", INDEX}, {"moment", NOT_NEGATIVE}, {"axial", NOT_NEGATIVE}, {"shear", NOT_NEGATIVE}};
+const struct table_kind table_bodies = {"bodies", "the scene's table of bodies", bodies,
+                                        sizeof bodies / sizeof bodies[0], check_bodies};
 
-/* ---- columns ---------------------------------------------------------------------------------------------------------- */
+/* ---- the tables of a scene --------------------------------------------------------------------------------------- */
 
-static const struct column *columns(enum table_kind kind, int *count)
+const char *tables_path(const struct scene *scene, int k)
 {
-    *count = (int)(kind == TABLE_BODIES ? sizeof bodies / sizeof *bodies : sizeof bonds / sizeof *bonds);
-    return kind == TABLE_BODIES ? bodies : bonds;
+    const struct effect_kind *kind = kinds_at(k - 1);
+    const char *path = k == 0 ? scene->table : "";
+    for (int f = 0; kind != NULL && f < kind->fields_count; ++f)
+        if (kind->fields[f].kind == SCENE_PATH)
+            path = (const char *)kinds_settings_of(kind, &scene->settings) + kind->fields[f].offset;
+    return path;
 }
 
-const char *table_column(enum table_kind kind, int k)
+const struct table_kind *tables_kind(int k)
 {
-    int count;
-    const struct column *all = columns(kind, &count);
-    return k < count ? all[k].name : NULL;
+    return k == 0 ? &table_bodies : kinds_at(k - 1)->table;
 }
 
-int table_find(enum table_kind kind, const char *name)
+struct table *tables_at(struct tables *tables, int k)
+{
+    return k == 0 ? &tables->bodies : &tables->effect[k - 1];
+}
+
+int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message)
+{
+    int result = 0;
+    memset(tables, 0, sizeof *tables);
+    for (int k = 0; k < TABLES && result == 0; ++k)
+        if (tables_path(scene, k)[0] != '\0')
+            result = read(tables_path(scene, k), tables_kind(k), tables_at(tables, k), message);
+    return result;
+}
+
+void tables_destroy(struct tables *tables)
+{
+    for (int k = 0; k < TABLES; ++k)
+        table_destroy(tables_at(tables, k));
+}
+
+/* ---- columns ----------------------------------------------------------------------------------------------------- */
+
+const char *table_column(const struct table_kind *kind, int k)
+{
+    return k < kind->columns ? kind->column[k].name : NULL;
+}
+
+int table_find(const struct table_kind *kind, const char *name)
 {
     for (int k = 0; table_column(kind, k) != NULL; ++k)
         if (strcmp(table_column(kind, k), name) == 0)
@@ -46,7 +84,7 @@ int table_find(enum table_kind kind, const char *name)
     return -1;
 }
 
-char *table_list(enum table_kind kind, char *out, size_t size)
+char *table_list(const struct table_kind *kind, char *out, size_t size)
 {
     out[0] = '\0';
     for (int k = 0; table_column(kind, k) != NULL; ++k)
@@ -62,7 +100,7 @@ int table_is_hdf5(const char *path)
 
 /* ---- memory ----------------------------------------------------------------------------------------------------------- */
 
-void table_start(struct table *table, enum table_kind kind, const char *path)
+void table_start(struct table *table, const struct table_kind *kind, const char *path)
 {
     memset(table, 0, sizeof *table);
     table->kind = kind;
@@ -104,17 +142,16 @@ void table_destroy(struct table *table)
 
 /* ---- checks ----------------------------------------------------------------------------------------------------------- */
 
-const char *table_refusal(enum table_kind kind, int k, double value)
+const char *table_refusal(const struct table_kind *kind, int k, double value)
 {
-    int count;
-    const enum range range = columns(kind, &count)[k].range;
+    const enum table_range range = kind->column[k].range;
     if (!isfinite(value))
         return "is not finite; give a number";
-    if (range == POSITIVE && !(value > 0.0))
+    if (range == TABLE_POSITIVE && !(value > 0.0))
         return "is not positive; it must be > 0";
-    if (range == NOT_NEGATIVE && !(value >= 0.0))
+    if (range == TABLE_NOT_NEGATIVE && !(value >= 0.0))
         return "is negative; it must be >= 0";
-    if (range == INDEX && (!(value >= 0.0) || value != floor(value) || value > 0x1p53))
+    if (range == TABLE_INDEX && (!(value >= 0.0) || value != floor(value) || value > 0x1p53))
         return "is not a body; bodies are counted 0, 1, 2 and so on";
     return NULL;
 }
@@ -132,11 +169,17 @@ int table_fail(const struct table *table, int64_t row, struct message *message, 
     return message_set(message, "%s: row %lld: %s", path, (long long)row, text);
 }
 
-static int fail_columns(const struct table *table, struct message *message, const char *problem)
+int table_fail_whole(const struct table *table, struct message *message, const char *text)
+{
+    char path[240];
+    return message_set(message, "%s: %s", quote_tail(path, sizeof path, table->path), text);
+}
+
+int table_fail_columns(const struct table *table, struct message *message, const char *text)
 {
     char path[240];
     return message_set(message, "%s%s: %s", quote_tail(path, sizeof path, table->path), table->has_lines ? ":1" : "",
-                       problem);
+                       text);
 }
 
 static int check_bodies(const struct table *t, struct message *message)
@@ -148,24 +191,18 @@ static int check_bodies(const struct table *t, struct message *message)
                 continue;
             snprintf(text, sizeof text, "no column %s; give %s, %s and %s or none of them", bodies[k + c].name,
                      bodies[k].name, bodies[k + 1].name, bodies[k + 2].name);
-            return fail_columns(t, message, text);
+            return table_fail_columns(t, message, text);
         }
     if (table_has(t, BODY_V) && !table_has(t, BODY_X))
-        return fail_columns(t, message, "no columns x, y, z; bodies with vx, vy, vz need them");
+        return table_fail_columns(t, message, "no columns x, y, z; bodies with vx, vy, vz need them");
     return 0;
 }
 
 int table_check(const struct table *table, struct message *message)
 {
-    if (table->rows == 0)
-        return fail_columns(table, message,
-                            table->kind == TABLE_BODIES ? "no bodies; give a row for each"
-                                                        : "no bonds; give a row for each");
-    if (table->kind == TABLE_BODIES)
-        return check_bodies(table, message);
-    for (int k = BOND_I; k <= BOND_J; ++k)
-        if (!table_has(table, k))
-            return fail_columns(table, message,
-                                k == BOND_I ? "no column i; bonds need i and j" : "no column j; bonds need i and j");
-    return 0;
+    char text[128];
+    if (table->rows > 0)
+        return table->kind->check(table, message);
+    snprintf(text, sizeof text, "no %s; give a row for each", table->kind->rows);
+    return table_fail_columns(table, message, text);
 }

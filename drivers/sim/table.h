@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Tables of bodies and of bonds: columns of numbers with the names below, one row per body or bond. Files are read into
- * them by table_csv.h here, and by io/table_hdf5.h. */
+ * Tables of bodies, and of what effects want to know body by body or pair by pair: columns of numbers, a row for each. Files are
+ * read into them by table_csv.h here, and by io/table_hdf5.h. */
 #ifndef VTI_TABLE_H
 #define VTI_TABLE_H
 
@@ -10,7 +10,27 @@
 
 #include "scene.h"
 
-enum table_kind { TABLE_BODIES, TABLE_BONDS };
+struct table;
+
+/** What numbers a column may hold; TABLE_INDEX: whole ones from 0. */
+enum table_range { TABLE_ANY, TABLE_POSITIVE, TABLE_NOT_NEGATIVE, TABLE_INDEX };
+
+struct table_column {
+    const char *name;
+    enum table_range range;
+};
+
+/** What a table is of. */
+struct table_kind {
+    const char *rows; /* what they are, "bodies"; also the group in an HDF5 file */
+    const char *file; /* what the file is, "the scene's table of bodies" */
+    const struct table_column *column;
+    int columns; /* at most TABLE_COLUMNS */
+    /** Whether the columns that there are go together. Returns 0, or -1 with one line in *message. */
+    int (*check)(const struct table *table, struct message *message);
+};
+
+extern const struct table_kind table_bodies;
 
 /** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, mass, inertia, diameter. */
 enum {
@@ -25,11 +45,8 @@ enum {
     TABLE_COLUMNS
 };
 
-/** Columns of bonds: i j (bodies, from 0), and moment axial shear (stiffnesses). */
-enum { BOND_I, BOND_J, BOND_MOMENT, BOND_AXIAL, BOND_SHEAR };
-
 struct table {
-    enum table_kind kind;
+    const struct table_kind *kind;
     char path[SCENE_PATH_SIZE];
     int has_lines; /* row k stands on line k + 2, behind a line of names */
     int64_t rows, capacity;
@@ -38,21 +55,34 @@ struct table {
 
 /** The tables that a scene names; a table that it does not name has no rows and no columns. */
 struct tables {
-    struct table bodies, bonds;
+    struct table bodies, effect[EFFECT_COUNT];
 };
 
+/** Table k of the scene, k < TABLES: that of the bodies, then those of the effects. Its path is "" if the scene names none. */
+enum { TABLES = 1 + EFFECT_COUNT };
+const char *tables_path(const struct scene *scene, int k);
+/** What it is of; NULL for an effect that has no table. */
+const struct table_kind *tables_kind(int k);
+struct table *tables_at(struct tables *tables, int k);
+
+/** Reads one table from a file: table_csv_read and the like. */
+typedef int table_reader(const char *path, const struct table_kind *kind, struct table *table, struct message *message);
+/** Reads all tables of the scene. Returns 0, or -1 with one line in *message; tables_destroy must follow in either case. */
+int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message);
+void tables_destroy(struct tables *tables);
+
 /** The name of column k, NULL behind the last. */
-const char *table_column(enum table_kind kind, int k);
+const char *table_column(const struct table_kind *kind, int k);
 /** Which column has the name, -1 if there is none. */
-int table_find(enum table_kind kind, const char *name);
+int table_find(const struct table_kind *kind, const char *name);
 /** "x, y, z, ...", cut off at size. Returns out. */
-char *table_list(enum table_kind kind, char *out, size_t size);
+char *table_list(const struct table_kind *kind, char *out, size_t size);
 
 /** The file's name says that it is HDF5, by .h5 or .hdf5; any other is CSV. */
 int table_is_hdf5(const char *path);
 
 /** An empty table without columns. */
-void table_start(struct table *table, enum table_kind kind, const char *path);
+void table_start(struct table *table, const struct table_kind *kind, const char *path);
 /** Gives the table column k. Returns 0, or -1 without memory. */
 int table_add(struct table *table, int k);
 /** Makes room for at least that many rows in every column there is. Returns likewise. */
@@ -60,14 +90,19 @@ int table_reserve(struct table *table, int64_t rows);
 void table_destroy(struct table *table);
 
 /** Why value cannot stand in column k, as one clause with its remedy; NULL if it can. */
-const char *table_refusal(enum table_kind kind, int k, double value);
+const char *table_refusal(const struct table_kind *kind, int k, double value);
 /** Whether the columns that there are go together and hold any row. Returns 0, or -1 with one line in *message. */
 int table_check(const struct table *table, struct message *message);
 
+/** Writes the line "FILE: TEXT" about the table as a whole and returns -1. */
+int table_fail_whole(const struct table *table, struct message *message, const char *text);
+/** The same about its columns: "FILE:1: TEXT" where names have a line. */
+int table_fail_columns(const struct table *table, struct message *message, const char *text);
 /** Writes the line "FILE:LINE: TEXT" (or "FILE: row K: TEXT") about a row and returns -1. */
 int table_fail(const struct table *table, int64_t row, struct message *message, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/** The table has column k. */
 static inline int table_has(const struct table *table, int k)
 {
     return table->column[k] != NULL;

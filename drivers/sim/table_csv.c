@@ -154,7 +154,7 @@ static int read_all(struct csv *csv, FILE *file)
     return more < 0 ? -1 : table_check(csv->table, csv->message);
 }
 
-int table_csv_read(const char *path, enum table_kind kind, struct table *table, struct message *message)
+int table_csv_read(const char *path, const struct table_kind *kind, struct table *table, struct message *message)
 {
     struct csv csv = {.table = table, .message = message};
     char text[128];

@@ -9,6 +9,6 @@
 
 /** Reads the file at path, table_check included. Returns 0, or -1 with one line in *message such as "bodies.csv:7:12: mass:
  *  'nan' is not a number; ..." and *table destroyed. */
-int table_csv_read(const char *path, enum table_kind kind, struct table *table, struct message *message);
+int table_csv_read(const char *path, const struct table_kind *kind, struct table *table, struct message *message);
 
 #endif

@@ -40,11 +40,29 @@ static double smallest_diameter(const struct model *model)
 {
     double least = INFINITY;
     const vti_scalars *d = &model->diameter;
-    if (d->p == NULL || !model->translates || !(model->scene->has_contact || model->scene->has_wall))
+    if (d->p == NULL || !model->translates || !scene_has_trait(model->scene, EFFECT_SPHERES))
         return 0.0;
     for (int64_t i = 0; i < model->bodies.count; ++i)
         least = fmin(least, d->p[i * d->stride]);
     return least;
+}
+
+/** The next effect from *k that follows something along a run; NULL behind the last. */
+static struct effect *next_watch(const struct model *model, int64_t *k)
+{
+    while (*k < model->rooms_count)
+        if (model->rooms[(*k)++].kind->watch != NULL)
+            return (struct effect *)&model->rooms[*k - 1];
+    return NULL;
+}
+
+static int start_watches(struct model *model)
+{
+    int64_t k = 0;
+    for (struct effect *e; (e = next_watch(model, &k)) != NULL;)
+        if (e->kind->watch->start(e) != 0)
+            return -1;
+    return 0;
 }
 
 int verdict_create(struct verdict *v, struct model *model, const vti_stepper *stepper, double h,
@@ -64,7 +82,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     for (int64_t i = 0; model->translates && i < model->bodies.count; ++i)
         vti_sum_add(&mass, model->bodies.mass.p[i * model->bodies.mass.stride]);
     v->mass = vti_sum_value(&mass);
-    if (modified_create(&v->modified, model, stepper, h) != 0 || bond_turns_create(&v->bonds, model) != 0)
+    if (modified_create(&v->modified, model, stepper, h) != 0 || start_watches(model) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     return 0;
 }
@@ -72,7 +90,6 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
 void verdict_destroy(struct verdict *v)
 {
     modified_destroy(&v->modified);
-    bond_turns_destroy(&v->bonds);
 }
 
 /* ---- rows ---------------------------------------------------------------------------------------------------------- */
@@ -189,13 +206,17 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     if (v->diameter > 0.0)
         f->travel = larger(f->travel, travel(v, bodies));
     f->rotation = larger(f->rotation, vti_max_turn(v->h, bodies));
-    bond_turns_gate(&v->bonds, bodies, inner);
+    int64_t k = 0;
+    for (struct effect *watched; (watched = next_watch(v->model, &k)) != NULL;)
+        watched->kind->watch->row(watched, bodies, inner);
     f->rows += 1.0;
 }
 
 void verdict_step(struct verdict *v, const vti_bodies *bodies)
 {
-    bond_turns_follow(&v->bonds, bodies);
+    int64_t k = 0;
+    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
+        e->kind->watch->step(e, bodies);
 }
 
 /* ---- the judgement -------------------------------------------------------------------------------------------------- */
@@ -271,7 +292,9 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
     j.rotation = f->rotation;
     j.angle_error = turning_error(v->stepper, f->rotation);
     j.stable_step = f->stable;
-    j.bonds_turned = (int64_t)v->bonds.turned;
+    int64_t k = 0;
+    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
+        j.bonds_turned += e->kind->watch->turned(e);
     j.verdict = grade(v, &j, broken);
     message_set(line, "verdict: %s: ", verdict_word(j.verdict));
     say_energy(v, &j, broken, line);
@@ -301,17 +324,26 @@ enum { FINDINGS = sizeof(struct findings) / sizeof(double) };
 
 int64_t verdict_size(const struct verdict *v)
 {
-    return FINDINGS + bond_turns_size(&v->bonds);
+    int64_t size = FINDINGS, k = 0;
+    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
+        size += e->kind->watch->size(e);
+    return size;
 }
 
 void verdict_get(const struct verdict *v, double *state)
 {
+    int64_t k = 0;
     memcpy(state, &v->found, sizeof v->found);
-    bond_turns_get(&v->bonds, state + FINDINGS);
+    state += FINDINGS;
+    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
+        e->kind->watch->get(e, state);
 }
 
 void verdict_put(struct verdict *v, const double *state)
 {
+    int64_t k = 0;
     memcpy(&v->found, state, sizeof v->found);
-    bond_turns_put(&v->bonds, state + FINDINGS);
+    state += FINDINGS;
+    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
+        e->kind->watch->put(e, state);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, for bonds, at every step.
+ * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, where effects follow something, at every
+ * step.
  *
  * Energy (EQUATIONS 6.9). H is the column total, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S is the
  * largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
@@ -16,7 +17,6 @@
 
 #include <stddef.h>
 
-#include "bond_turns.h"
 #include "columns.h"
 #include "modified.h"
 #include "trend.h"
@@ -69,7 +69,6 @@ struct verdict {
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
     int open[3];              /* 1: something from outside acts along this axis */
     struct modified modified;
-    struct bond_turns bonds;
     struct findings found;
 };
 

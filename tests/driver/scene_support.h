@@ -10,6 +10,7 @@
 
 #include "quote.h"
 #include "scene.h"
+#include "settings.h"
 
 enum { TEXT_SIZE = 8192 };
 

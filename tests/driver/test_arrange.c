@@ -29,8 +29,9 @@ static void the_torus(void **state)
     assert_int_equal(scene_read(torus, NULL, 0, &scene, &message), 0);
     assert_int_equal(model_create(&scene, &model, &message), 0);
     const vti_view *x = &model.bodies.x;
+    const vti_bonds bonds = bonds_of(&model);
     assert_int_equal(model.bodies.count, 80);
-    assert_int_equal(model.bonds.count, 80);
+    assert_int_equal(bonds.count, 80);
     assert_close(model.diameter.p[0], 0.1177794472772058270624, 1e-17);
     assert_int_equal(model.diameter.stride, 0);
     for (int64_t k = 0; k < 80; ++k) {
@@ -38,9 +39,9 @@ static void the_torus(void **state)
         assert_close(at(x, k, 0), 1.5L * (1 + cosl(angle)) + 0.1177794472772058270624L / 2, 4 * EPS);
         assert_close(at(x, k, 1), 1.5L * sinl(angle), 4 * EPS);
         assert_true(at(x, k, 2) == 0.0);
-        assert_pair(&model.bonds, k, k, (k + 1) % 80);
+        assert_pair(&bonds, k, k, (k + 1) % 80);
         /* a difference of coordinates each of which is off by 4 EPS at most */
-        assert_close(model.bonds.rest[4 * k + 3], 0.1177794472772058270624, 2 * sqrt(2.0) * 4 * EPS);
+        assert_close(bonds.rest[4 * k + 3], 0.1177794472772058270624, 2 * sqrt(2.0) * 4 * EPS);
     }
     /* its surface is at x = 0, to the rounding of numbers of size 3, so that its overlap is 0 to the same over D/2 */
     assert_close(at(x, 40, 0) - 0.5 * model.diameter.p[0], 0.0, 2 * EPS);
@@ -62,7 +63,7 @@ static void a_ring_touches_its_neighbours(void **state)
     assert_close(at(x, 1, 1), 2.0 + sqrt(0.75), 2 * EPS);
     assert_true(at(x, 4, 2) == 3.0);
     assert_close(model.bodies.inertia.p[0], 0.2, EPS); /* 2/5 m (D/2)^2 of a solid sphere */
-    assert_int_equal(model.bonds.count, 0);
+    assert_int_equal(bonds_of(&model).count, 0);
     model_destroy(&model);
 }
 
@@ -79,9 +80,10 @@ static void a_chain(void **state)
         assert_close(at(&model.bodies.x, k, 1), 1.0 + 1.2 * (double)k, 8 * EPS);
         assert_close(at(&model.bodies.x, k, 2), 1.0 - 1.6 * (double)k, 8 * EPS);
     }
-    assert_int_equal(model.bonds.count, 3);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_int_equal(bonds.count, 3);
     for (int64_t k = 0; k < 3; ++k)
-        assert_pair(&model.bonds, k, k, k + 1);
+        assert_pair(&bonds, k, k, k + 1);
     assert_true(model.diameter.p[0] == 2.0);
     model_destroy(&model);
     make_model("bodies: {mass: 1, chain: {count: 3, spacing: 0.5}}\n" TIME, &scene, &model);
@@ -100,6 +102,7 @@ static void a_lattice(void **state)
                "binder: {axial: 1}\n" TIME,
                &scene, &model);
     const vti_view *x = &model.bodies.x;
+    const vti_bonds bonds = bonds_of(&model);
     assert_int_equal(model.bodies.count, 24);
     assert_true(at(x, 1, 0) == -0.5 && at(x, 3, 1) == 0.5 && at(x, 12, 2) == 1.5);
     assert_true(at(x, 23, 0) == 0.0 && at(x, 23, 1) == 1.5 && at(x, 23, 2) == 1.5);
@@ -107,8 +110,8 @@ static void a_lattice(void **state)
         for (int64_t j = i + 1; j < 24; ++j)
             if (fabs(at(x, i, 0) - at(x, j, 0)) + fabs(at(x, i, 1) - at(x, j, 1)) + fabs(at(x, i, 2) - at(x, j, 2)) <
                 0.75)
-                assert_pair(&model.bonds, k++, i, j);
-    assert_int_equal(model.bonds.count, k);
+                assert_pair(&bonds, k++, i, j);
+    assert_int_equal(bonds.count, k);
     assert_int_equal(k, 2 * 4 * 2 + 3 * 3 * 2 + 3 * 4);
     model_destroy(&model);
 }

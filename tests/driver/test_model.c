@@ -68,8 +68,8 @@ static void what_is_there(void **state)
         assert_true(scene.translates == model.translates && scene.turns == model.turns); /* no table adds to it */
         assert_effects(&model, cases[k].effects);
         assert_invariants(&model, cases[k].invariants);
-        assert_int_equal(model.bonds.count, strstr(cases[k].effects, "binder") != NULL ? 3 : 0);
-        assert_true((model.neighbours.search != NULL) == (strstr(cases[k].effects, "contact") != NULL));
+        assert_int_equal(bonds_of(&model).count, strstr(cases[k].effects, "binder") != NULL ? 3 : 0);
+        assert_true((acting(&model, "contact") != NULL) == (strstr(cases[k].effects, "contact") != NULL));
         model_destroy(&model);
     }
 }
@@ -81,8 +81,9 @@ static void terms(void **state)
     struct model model;
     (void)state;
     make_model(CHAIN "}\nbinder: {moment: 3, shear: {stiffness: 5, form: quartic}}\n" TIME, &scene, &model);
-    assert_true(model.bonds.moment.p[0] == 3.0 && model.bonds.shear.p[0] == 5.0 && model.bonds.axial.p == NULL);
-    assert_int_equal(model.bonds.shear_form, VTI_SHEAR_QUARTIC);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_true(bonds.moment.p[0] == 3.0 && bonds.shear.p[0] == 5.0 && bonds.axial.p == NULL);
+    assert_int_equal(bonds.shear_form, VTI_SHEAR_QUARTIC);
     assert_int_equal(model.effects[0].terms, 2);
     assert_string_equal(model.effects[0].term[1], "binder_shear");
     model_destroy(&model);
@@ -95,10 +96,11 @@ static void planes_are_made_unit(void **state)
     (void)state;
     make_model(CHAIN "}\nwall: {stiffness: 10, planes: [[0, 0, 2, -6], [3e200, 0, -4e200, 5e200]]}\n" TIME, &scene,
                &model);
+    const vti_walls *walls = acting(&model, "wall");
     const double expected[8] = {0, 0, 1, -3, 0.6, 0, -0.8, 1};
     for (int k = 0; k < 8; ++k)
-        assert_close(model.walls.plane[k], expected[k], EPS);
-    assert_int_equal(model.walls.count, 2);
+        assert_close(walls->plane[k], expected[k], EPS);
+    assert_int_equal(walls->count, 2);
     model_destroy(&model);
 }
 

@@ -32,9 +32,9 @@ static void the_shipped_pendulum(void **state)
     assert_true(s.inertia == 1.0);
     assert_same_bits(s.alpha, alpha, 3);
     assert_same_bits(s.omega, omega, 3);
-    assert_int_equal(s.has_pendulum, 1);
-    assert_true(s.pendulum.weight == 1.0);
-    assert_same_bits(s.pendulum.rho0, rho0, 3);
+    assert_true(calls_for(&s, "pendulum"));
+    assert_true(*number_setting(&s, "pendulum.weight") == 1.0);
+    assert_same_bits(number_setting(&s, "pendulum.rho0"), rho0, 3);
     assert_ptr_equal(s.stepper, vti_stepper_find("vti2"));
     assert_true(s.h == 0.015625 && s.t_end == 10.0);
     /* turned by 135 degrees about y: |alpha|/2 = tan(3 pi/8), to the 16 digits that the file writes */
@@ -50,7 +50,7 @@ static void what_is_left_out_has_a_default(void **state)
     assert_ptr_equal(s.stepper, vti_stepper_find("vti2"));
     assert_int_equal(s.translates, 1);
     assert_int_equal(s.turns, 0);
-    assert_int_equal(s.has_pendulum, 0);
+    assert_false(calls_for(&s, "pendulum"));
     assert_true(s.mass == 2.0 && s.inertia == 0.0 && s.x[2] == 3.0 && s.h == 0.015625);
 }
 
@@ -86,7 +86,7 @@ static void set_replaces_and_adds(void **state)
     read_pendulum(&s, sets, 7);
     assert_true(s.h == 0.125); /* the later one counts */
     assert_same_bits(s.omega, omega, 3);
-    assert_true(s.pendulum.weight == 2.0 && s.inertia == 1.0 && s.mass == 3.0);
+    assert_true(*number_setting(&s, "pendulum.weight") == 2.0 && s.inertia == 1.0 && s.mass == 3.0);
     assert_ptr_equal(s.stepper, vti_stepper_find("vti3"));
     assert_string_equal(s.name, "other");
 }
@@ -97,7 +97,8 @@ static void set_adds_a_section(void **state)
     struct scene s;
     (void)state;
     read_text(&s, "bodies: {inertia: 1, alpha: [1, 2, 3], omega: [4, 5, 6]}\nh: 1/64\nt_end: 1\n", sets, 2);
-    assert_true(s.has_pendulum && s.pendulum.weight == 0.0 && s.pendulum.rho0[0] == 1.0);
+    assert_true(calls_for(&s, "pendulum") && *number_setting(&s, "pendulum.weight") == 0.0 &&
+                *number_setting(&s, "pendulum.rho0") == 1.0);
 }
 
 /** --set mends what the file has wrong: the check comes after it. */

@@ -26,22 +26,25 @@ static void check_effects(const struct scene *s)
 {
     const int64_t bodies = scene_bodies(s);
     const int known = s->arrangement != SCENE_IN_TABLE;
-    if (s->has_binder) {
+    if (calls_for(s, "binder")) {
         assert_true(!known || bodies > 1);
-        assert_true(s->binder.table[0] != '\0' || s->binder.moment > 0.0 || s->binder.axial > 0.0 ||
-                    s->binder.shear > 0.0);
-        assert_in_range(s->binder.shear_form, VTI_SHEAR_OBJECTIVE, VTI_SHEAR_PRINTED);
+        assert_true(*(char *)setting(s, "binder.table") != '\0' || *number_setting(s, "binder.moment") > 0.0 ||
+                    *number_setting(s, "binder.axial") > 0.0 || *number_setting(s, "binder.shear.stiffness") > 0.0);
+        assert_in_range(*(int64_t *)setting(s, "binder.shear.form"), VTI_SHEAR_OBJECTIVE, VTI_SHEAR_PRINTED);
     }
-    assert_true(!known || s->translates || !(s->has_contact || s->has_wall || s->has_gravity));
-    assert_true(!s->has_contact || (positive(s->contact.stiffness) && s->contact.bonded >> 1 == 0));
-    if (s->has_wall) {
-        assert_true(positive(s->wall.stiffness));
-        assert_in_range(s->wall.planes.count, 1, SCENE_PLANES_MAX);
-        for (int64_t k = 0; k < s->wall.planes.count; ++k)
-            assert_true(is_unit(s->wall.planes.plane[k]) && isfinite(s->wall.planes.plane[k][3]));
+    assert_true(!known || s->translates || !scene_has_trait(s, EFFECT_TRANSLATING));
+    assert_true(!calls_for(s, "contact") || (positive(*number_setting(s, "contact.stiffness")) &&
+                                             *(int64_t *)setting(s, "contact.bonded") >> 1 == 0));
+    if (calls_for(s, "wall")) {
+        const struct scene_planes *planes = setting(s, "wall.planes");
+        assert_true(positive(*number_setting(s, "wall.stiffness")));
+        assert_in_range(planes->count, 1, SCENE_PLANES_MAX);
+        for (int64_t k = 0; k < planes->count; ++k)
+            assert_true(is_unit(planes->plane[k]) && isfinite(planes->plane[k][3]));
     }
-    assert_true(!s->has_pendulum || (s->turns && !s->translates && s->pendulum.weight >= 0.0));
-    assert_true(all_finite(s->pendulum.rho0, 3) && all_finite(s->gravity.g, 3));
+    assert_true(!calls_for(s, "pendulum") ||
+                (s->turns && !s->translates && *number_setting(s, "pendulum.weight") >= 0.0));
+    assert_true(all_finite(number_setting(s, "pendulum.rho0"), 3) && all_finite(number_setting(s, "gravity"), 3));
 }
 
 static void check_scene(const struct scene *s)

@@ -152,7 +152,7 @@ static void as_shipped(void **state)
             h = 1.0;
         const double below = run_as_shipped(names[k], 0.95 * h);
         open_at_rest(names[k]);
-        const double limit = model.bonds.count > 0 ? hessian_limit(&model.bodies, model.effects, 1) : INFINITY;
+        const double limit = bonds_of(&model).count > 0 ? hessian_limit(&model.bodies, model.effects, 1) : INFINITY;
         model_destroy(&model);
         print_message("%s as shipped: energy x %.4f at 0.95 of %.5g\n", names[k], below, h);
         assert_below(below, 1.5);

@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "model_support.h"
 
+#include "binder.h"
 #include "table.h"
 #include "table_csv.h"
 
@@ -21,7 +22,7 @@ static void reads(void **state)
     (void)state;
     for (int k = 0; k < 3; ++k) {
         write_text("b.csv", texts[k]);
-        if (table_csv_read("b.csv", TABLE_BODIES, &t, &message) != 0)
+        if (table_csv_read("b.csv", &table_bodies, &t, &message) != 0)
             fail_msg("%s", message.text);
         assert_int_equal(t.rows, 2);
         assert_true(t.column[BODY_X][0] == 1.0 && t.column[BODY_X + 1][1] == 0.5 && t.column[BODY_X + 2][1] == 3.0);
@@ -44,7 +45,7 @@ static void reads_many_rows(void **state)
     for (int k = 0; k < ROWS; ++k)
         fprintf(file, "%d,%d,%.17g\n", k, k + 1, 1.0 / (k + 1));
     assert_int_equal(fclose(file), 0);
-    assert_int_equal(table_csv_read("b.csv", TABLE_BONDS, &t, &message), 0);
+    assert_int_equal(table_csv_read("b.csv", &binder_table, &t, &message), 0);
     assert_int_equal(t.rows, ROWS);
     for (int k = 0; k < ROWS; ++k)
         assert_true(t.column[BOND_I][k] == k && t.column[BOND_J][k] == k + 1 &&
@@ -55,48 +56,48 @@ static void reads_many_rows(void **state)
 /* ---- files that are refused ------------------------------------------------------------------------------------------ */
 
 static const struct {
-    enum table_kind kind;
+    const struct table_kind *kind;
     const char *text, *line;
 } refused[] = {
-    {TABLE_BODIES, "", "b.csv: an empty file; give a line of names and a row a line"},
-    {TABLE_BODIES, "\n", "b.csv:1:1: unknown column ''; known are " BODY_NAMES},
-    {TABLE_BODIES, "x,y,z\n", "b.csv:1: no bodies; give a row for each"},
-    {TABLE_BONDS, "i,j\n", "b.csv:1: no bonds; give a row for each"},
-    {TABLE_BODIES, "x,y,zz\n0,0,0\n", "b.csv:1:5: unknown column 'zz'; known are " BODY_NAMES},
-    {TABLE_BODIES, "x,y,z,\n0,0,0,\n", "b.csv:1:7: unknown column ''; known are " BODY_NAMES},
-    {TABLE_BODIES, "\"x\",y,z\n0,0,0\n", "b.csv:1:1: unknown column '\"x\"'; known are " BODY_NAMES},
-    {TABLE_BODIES, "1,2,3\n", "b.csv:1:1: unknown column '1'; known are " BODY_NAMES},
-    {TABLE_BONDS, "i,j,k\n0,1,2\n", "b.csv:1:5: unknown column 'k'; known are " BOND_NAMES},
-    {TABLE_BODIES, "x,y, x\n0,0,0\n", "b.csv:1:6: x: a second time; keep one of the columns"},
-    {TABLE_BODIES, "x,z\n0,0\n", "b.csv:1: no column y; give x, y and z or none of them"},
-    {TABLE_BODIES, "y,z\n0,0\n", "b.csv:1: no column x; give x, y and z or none of them"},
-    {TABLE_BODIES, "x,y,z,vx\n0,0,0,0\n", "b.csv:1: no column vy; give vx, vy and vz or none of them"},
-    {TABLE_BODIES, "omega_x,omega_y\n0,0\n",
+    {&table_bodies, "", "b.csv: an empty file; give a line of names and a row a line"},
+    {&table_bodies, "\n", "b.csv:1:1: unknown column ''; known are " BODY_NAMES},
+    {&table_bodies, "x,y,z\n", "b.csv:1: no bodies; give a row for each"},
+    {&binder_table, "i,j\n", "b.csv:1: no bonds; give a row for each"},
+    {&table_bodies, "x,y,zz\n0,0,0\n", "b.csv:1:5: unknown column 'zz'; known are " BODY_NAMES},
+    {&table_bodies, "x,y,z,\n0,0,0,\n", "b.csv:1:7: unknown column ''; known are " BODY_NAMES},
+    {&table_bodies, "\"x\",y,z\n0,0,0\n", "b.csv:1:1: unknown column '\"x\"'; known are " BODY_NAMES},
+    {&table_bodies, "1,2,3\n", "b.csv:1:1: unknown column '1'; known are " BODY_NAMES},
+    {&binder_table, "i,j,k\n0,1,2\n", "b.csv:1:5: unknown column 'k'; known are " BOND_NAMES},
+    {&table_bodies, "x,y, x\n0,0,0\n", "b.csv:1:6: x: a second time; keep one of the columns"},
+    {&table_bodies, "x,z\n0,0\n", "b.csv:1: no column y; give x, y and z or none of them"},
+    {&table_bodies, "y,z\n0,0\n", "b.csv:1: no column x; give x, y and z or none of them"},
+    {&table_bodies, "x,y,z,vx\n0,0,0,0\n", "b.csv:1: no column vy; give vx, vy and vz or none of them"},
+    {&table_bodies, "omega_x,omega_y\n0,0\n",
      "b.csv:1: no column omega_z; give omega_x, omega_y and omega_z or none of them"},
-    {TABLE_BODIES, "vx,vy,vz\n0,0,0\n", "b.csv:1: no columns x, y, z; bodies with vx, vy, vz need them"},
-    {TABLE_BONDS, "i,axial\n0,1\n", "b.csv:1: no column j; bonds need i and j"},
-    {TABLE_BONDS, "j,axial\n0,1\n", "b.csv:1: no column i; bonds need i and j"},
-    {TABLE_BODIES, "x,y,z\n0,0\n", "b.csv:2: 2 values in a row of 3 columns; give one for each name in line 1"},
-    {TABLE_BODIES, "x,y,z\n0,0,0\n0,0,0,0\n",
+    {&table_bodies, "vx,vy,vz\n0,0,0\n", "b.csv:1: no columns x, y, z; bodies with vx, vy, vz need them"},
+    {&binder_table, "i,axial\n0,1\n", "b.csv:1: no column j; bonds need i and j"},
+    {&binder_table, "j,axial\n0,1\n", "b.csv:1: no column i; bonds need i and j"},
+    {&table_bodies, "x,y,z\n0,0\n", "b.csv:2: 2 values in a row of 3 columns; give one for each name in line 1"},
+    {&table_bodies, "x,y,z\n0,0,0\n0,0,0,0\n",
      "b.csv:3: 4 values in a row of 3 columns; give one for each name in line 1"},
-    {TABLE_BODIES, "x,y,z\n0 0 0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
-    {TABLE_BODIES, "x,y,z\n0;0;0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
-    {TABLE_BODIES, "x,y,z\n\n0,0,0\n", "b.csv:2: an empty line; remove it"},
-    {TABLE_BODIES, "x,y,z\n0,0,0\n \n", "b.csv:3: an empty line; remove it"},
-    {TABLE_BODIES, "x,y,z\n0,,0\n", "b.csv:2:3: y: ''" NUMBER},
-    {TABLE_BODIES, "x,y,z\n0,0,0\n0, nan,0\n", "b.csv:3:4: y: 'nan'" NUMBER},
-    {TABLE_BODIES, "x,y,z\n0,0,-inf\n", "b.csv:2:5: z: '-inf'" NUMBER},
-    {TABLE_BODIES, "x,y,z\n0,0,1e999\n", "b.csv:2:5: z: '1e999'" NUMBER},
-    {TABLE_BODIES, "x,y,z\n0,two,0\n", "b.csv:2:3: y: 'two'" NUMBER},
-    {TABLE_BODIES, "x,y,z,mass\n0,0,0,0\n", "b.csv:2:7: mass: '0' is not positive; it must be > 0"},
-    {TABLE_BODIES, "x,y,z,mass\n0,0,0,1\n0,0,0,-1\n", "b.csv:3:7: mass: '-1' is not positive; it must be > 0"},
-    {TABLE_BODIES, "inertia\n0\n", "b.csv:2:1: inertia: '0' is not positive; it must be > 0"},
-    {TABLE_BODIES, "diameter\n-0\n", "b.csv:2:1: diameter: '-0' is not positive; it must be > 0"},
-    {TABLE_BONDS, "i,j\n-1,0\n", "b.csv:2:1: i: '-1' is not a body; bodies are counted 0, 1, 2 and so on"},
-    {TABLE_BONDS, "i,j\n0,1.5\n", "b.csv:2:3: j: '1.5' is not a body; bodies are counted 0, 1, 2 and so on"},
-    {TABLE_BONDS, "i,j\n0,1e300\n", "b.csv:2:3: j: '1e300' is not a body; bodies are counted 0, 1, 2 and so on"},
-    {TABLE_BONDS, "i,j,axial\n0,1,-1\n", "b.csv:2:5: axial: '-1' is negative; it must be >= 0"},
-    {TABLE_BONDS, "i,j,shear\n0,1,NaN\n", "b.csv:2:5: shear: 'NaN'" NUMBER},
+    {&table_bodies, "x,y,z\n0 0 0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
+    {&table_bodies, "x,y,z\n0;0;0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
+    {&table_bodies, "x,y,z\n\n0,0,0\n", "b.csv:2: an empty line; remove it"},
+    {&table_bodies, "x,y,z\n0,0,0\n \n", "b.csv:3: an empty line; remove it"},
+    {&table_bodies, "x,y,z\n0,,0\n", "b.csv:2:3: y: ''" NUMBER},
+    {&table_bodies, "x,y,z\n0,0,0\n0, nan,0\n", "b.csv:3:4: y: 'nan'" NUMBER},
+    {&table_bodies, "x,y,z\n0,0,-inf\n", "b.csv:2:5: z: '-inf'" NUMBER},
+    {&table_bodies, "x,y,z\n0,0,1e999\n", "b.csv:2:5: z: '1e999'" NUMBER},
+    {&table_bodies, "x,y,z\n0,two,0\n", "b.csv:2:3: y: 'two'" NUMBER},
+    {&table_bodies, "x,y,z,mass\n0,0,0,0\n", "b.csv:2:7: mass: '0' is not positive; it must be > 0"},
+    {&table_bodies, "x,y,z,mass\n0,0,0,1\n0,0,0,-1\n", "b.csv:3:7: mass: '-1' is not positive; it must be > 0"},
+    {&table_bodies, "inertia\n0\n", "b.csv:2:1: inertia: '0' is not positive; it must be > 0"},
+    {&table_bodies, "diameter\n-0\n", "b.csv:2:1: diameter: '-0' is not positive; it must be > 0"},
+    {&binder_table, "i,j\n-1,0\n", "b.csv:2:1: i: '-1' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {&binder_table, "i,j\n0,1.5\n", "b.csv:2:3: j: '1.5' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {&binder_table, "i,j\n0,1e300\n", "b.csv:2:3: j: '1e300' is not a body; bodies are counted 0, 1, 2 and so on"},
+    {&binder_table, "i,j,axial\n0,1,-1\n", "b.csv:2:5: axial: '-1' is negative; it must be >= 0"},
+    {&binder_table, "i,j,shear\n0,1,NaN\n", "b.csv:2:5: shear: 'NaN'" NUMBER},
 };
 
 static void refusals(void **state)
@@ -117,12 +118,12 @@ static void what_is_no_file(void **state)
     struct table t;
     struct message message;
     (void)state;
-    assert_refused("missing", table_csv_read("none.csv", TABLE_BODIES, &t, &message), &message,
+    assert_refused("missing", table_csv_read("none.csv", &table_bodies, &t, &message), &message,
                    "none.csv: cannot be read: No such file or directory; give the path of a table");
-    assert_refused("directory", table_csv_read(".", TABLE_BODIES, &t, &message), &message,
+    assert_refused("directory", table_csv_read(".", &table_bodies, &t, &message), &message,
                    ".: cannot be read: Is a directory");
     write_bytes("b.csv", "x,y,z\n0,0,\0000\n", 14);
-    assert_refused("a byte 0", table_csv_read("b.csv", TABLE_BODIES, &t, &message), &message,
+    assert_refused("a byte 0", table_csv_read("b.csv", &table_bodies, &t, &message), &message,
                    "b.csv:2:5: a byte 0; give a text file");
 }
 
@@ -214,13 +215,14 @@ static void bodies_and_bonds(void **state)
         assert_close(model.bodies.inertia.p[i], 0.1 * m * d * d, 2 * EPS);
         assert_true(model.bodies.omega.c[1][3 * i] == 1.0);
     }
-    assert_int_equal(model.bonds.count, 2);
-    assert_int_equal(model.bonds.pair[0], 1);
-    assert_true(model.bonds.moment.stride == 1 && model.bonds.moment.p[1] == 20.0);
-    assert_true(model.bonds.axial.stride == 1 && model.bonds.axial.p[0] == 100.0 && model.bonds.axial.p[1] == 0.0);
-    assert_true(model.bonds.shear.stride == 0 && model.bonds.shear.p[0] == 7.0);
-    assert_true(model.bonds.rest[0] == 1.0 && model.bonds.rest[3] == 1.0); /* from 0 to 1 */
-    assert_true(model.bonds.rest[5] == -1.0 && model.bonds.rest[7] == 2.0);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_int_equal(bonds.count, 2);
+    assert_int_equal(bonds.pair[0], 1);
+    assert_true(bonds.moment.stride == 1 && bonds.moment.p[1] == 20.0);
+    assert_true(bonds.axial.stride == 1 && bonds.axial.p[0] == 100.0 && bonds.axial.p[1] == 0.0);
+    assert_true(bonds.shear.stride == 0 && bonds.shear.p[0] == 7.0);
+    assert_true(bonds.rest[0] == 1.0 && bonds.rest[3] == 1.0); /* from 0 to 1 */
+    assert_true(bonds.rest[5] == -1.0 && bonds.rest[7] == 2.0);
     model_destroy(&model);
 }
 
@@ -234,7 +236,7 @@ static void what_tables_add(void **state)
     make_model("bodies: {mass: 1, chain: {count: 3, spacing: 1}}\nbinder: {table: c.csv}\n" TIME, &scene, &model);
     assert_false(scene.turns);
     assert_true(model.turns && model.bodies.moment.c[0] != NULL && model.bodies.force.c[0] == NULL);
-    assert_int_equal(model.bonds.count, 1);
+    assert_int_equal(bonds_of(&model).count, 1);
     model_destroy(&model);
     write_text("b.csv", "alpha_x,alpha_y,alpha_z\n0,0,0\n1,0,0\n");
     make_model("bodies: {table: b.csv, inertia: 1}\npendulum: {weight: 1, rho0: [0, 0, 1]}\n" TIME, &scene, &model);
@@ -251,9 +253,9 @@ static void given_tables(void **state)
     struct message message;
     struct tables tables;
     (void)state;
+    memset(&tables, 0, sizeof tables);
     write_text("b.csv", THREE);
-    assert_int_equal(table_csv_read("b.csv", TABLE_BODIES, &tables.bodies, &message), 0);
-    table_start(&tables.bonds, TABLE_BONDS, "");
+    assert_int_equal(table_csv_read("b.csv", &table_bodies, &tables.bodies, &message), 0);
     write_text("t.yaml", "bodies: {table: b.h5, mass: 1}\n" TIME);
     assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
     scene.tables = &tables;

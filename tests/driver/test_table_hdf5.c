@@ -5,6 +5,8 @@
 
 #include "model_support.h"
 
+#include "binder.h"
+
 #include "table_csv.h"
 #include "table_hdf5.h"
 
@@ -74,11 +76,12 @@ static void reads(void **state)
     assert_int_equal(tables.bodies.rows, 3);
     assert_true(tables.bodies.column[BODY_X][2] == 1.0 && tables.bodies.column[BODY_X + 1][2] == 2.0);
     assert_true(tables.bodies.column[BODY_MASS][1] == 2.0);
-    assert_true(tables.bonds.column[BOND_I][1] == 1.0 && tables.bonds.column[BOND_J][1] == 2.0);
+    assert_true(tables.effect[EFFECT_binder].column[BOND_I][1] == 1.0 &&
+                tables.effect[EFFECT_binder].column[BOND_J][1] == 2.0);
     assert_int_equal(model_create(&scene, &model, &message), 0);
     assert_true(model.translates && !model.turns && model.bodies.mass.p[2] == 3.0);
-    assert_int_equal(model.bonds.count, 2);
-    assert_true(model.bonds.axial.p[0] == 0.5);
+    assert_int_equal(bonds_of(&model).count, 2);
+    assert_true(bonds_of(&model).axial.p[0] == 0.5);
     model_destroy(&model);
     tables_destroy(&tables);
 }
@@ -96,20 +99,20 @@ static void csv_and_none(void **state)
     assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
     assert_int_equal(tables_read(&scene, &tables, &message), 0);
     assert_int_equal(tables.bodies.rows, 1);
-    assert_int_equal(tables.bonds.rows, 0);
+    assert_int_equal(tables.effect[EFFECT_binder].rows, 0);
     tables_destroy(&tables);
     write_text("t.yaml", "bodies: {chain: {count: 2, spacing: 1}, mass: 1}\nbinder: {axial: 1}\n" TIME);
     assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
     assert_int_equal(tables_read(&scene, &tables, &message), 0);
     assert_int_equal(model_create(&scene, &model, &message), 0);
-    assert_int_equal(model.bonds.count, 1);
+    assert_int_equal(bonds_of(&model).count, 1);
     model_destroy(&model);
     tables_destroy(&tables);
 }
 
 /* ---- refusals --------------------------------------------------------------------------------------------------------- */
 
-static void refused(enum table_kind kind, const char *line)
+static void refused(const struct table_kind *kind, const char *line)
 {
     struct table table;
     struct message message;
@@ -119,10 +122,11 @@ static void refused(enum table_kind kind, const char *line)
 }
 
 /** One dataset of two values, in the group. */
-static void refused_set(enum table_kind kind, const char *name, int dimensions, double a, double b, const char *line)
+static void refused_set(const struct table_kind *kind, const char *name, int dimensions, double a, double b,
+                        const char *line)
 {
     const double values[2] = {a, b};
-    const hid_t file = open_file("b.h5"), group = open_group(file, kind == TABLE_BODIES ? "bodies" : "bonds");
+    const hid_t file = open_file("b.h5"), group = open_group(file, kind->rows);
     put(group, name, H5T_IEEE_F64LE, dimensions, 2, values);
     H5Gclose(group);
     H5Fclose(file);
@@ -132,19 +136,19 @@ static void refused_set(enum table_kind kind, const char *name, int dimensions, 
 static void values(void **state)
 {
     (void)state;
-    refused_set(TABLE_BODIES, "radius", 1, 1, 1, "b.h5: /bodies/radius: unknown column; known are " BODY_NAMES);
-    refused_set(TABLE_BONDS, "mass", 1, 1, 1,
+    refused_set(&table_bodies, "radius", 1, 1, 1, "b.h5: /bodies/radius: unknown column; known are " BODY_NAMES);
+    refused_set(&binder_table, "mass", 1, 1, 1,
                 "b.h5: /bonds/mass: unknown column; known are i, j, moment, axial, shear");
-    refused_set(TABLE_BODIES, "x", 2, 1, 1,
+    refused_set(&table_bodies, "x", 2, 1, 1,
                 "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
-    refused_set(TABLE_BODIES, "x", 1, 1, NAN, "b.h5: row 1: x: 'nan' is not finite; give a number");
-    refused_set(TABLE_BODIES, "x", 1, -INFINITY, 1, "b.h5: row 0: x: '-inf' is not finite; give a number");
-    refused_set(TABLE_BODIES, "mass", 1, 1, 0, "b.h5: row 1: mass: '0' is not positive; it must be > 0");
-    refused_set(TABLE_BONDS, "axial", 1, 1, -0.5, "b.h5: row 1: axial: '-0.5' is negative; it must be >= 0");
-    refused_set(TABLE_BONDS, "i", 1, 0.5, 0,
+    refused_set(&table_bodies, "x", 1, 1, NAN, "b.h5: row 1: x: 'nan' is not finite; give a number");
+    refused_set(&table_bodies, "x", 1, -INFINITY, 1, "b.h5: row 0: x: '-inf' is not finite; give a number");
+    refused_set(&table_bodies, "mass", 1, 1, 0, "b.h5: row 1: mass: '0' is not positive; it must be > 0");
+    refused_set(&binder_table, "axial", 1, 1, -0.5, "b.h5: row 1: axial: '-0.5' is negative; it must be >= 0");
+    refused_set(&binder_table, "i", 1, 0.5, 0,
                 "b.h5: row 0: i: '0.5' is not a body; bodies are counted 0, 1, 2 and so on");
-    refused_set(TABLE_BODIES, "y", 1, 1, 1, "b.h5: no column x; give x, y and z or none of them");
-    refused_set(TABLE_BONDS, "i", 1, 1, 1, "b.h5: no column j; bonds need i and j");
+    refused_set(&table_bodies, "y", 1, 1, 1, "b.h5: no column x; give x, y and z or none of them");
+    refused_set(&binder_table, "i", 1, 1, 1, "b.h5: no column j; bonds need i and j");
 }
 
 static void groups(void **state)
@@ -156,24 +160,24 @@ static void groups(void **state)
     hid_t file = open_file("b.h5"), group;
     put(file, "bodies", H5T_IEEE_F64LE, 1, 3, one);
     H5Fclose(file);
-    refused(TABLE_BODIES, "b.h5: no group /bodies; put a dataset for each column into it");
-    refused(TABLE_BONDS, "b.h5: no group /bonds; put a dataset for each column into it");
+    refused(&table_bodies, "b.h5: no group /bodies; put a dataset for each column into it");
+    refused(&binder_table, "b.h5: no group /bonds; put a dataset for each column into it");
     file = open_file("b.h5");
     group = open_group(file, "bodies");
     H5Gclose(open_group(group, "x"));
     H5Gclose(group);
     H5Gclose(open_group(file, "bonds"));
     H5Fclose(file);
-    refused(TABLE_BODIES, "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
-    refused(TABLE_BONDS, "b.h5: no bonds; give a row for each");
+    refused(&table_bodies, "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
+    refused(&binder_table, "b.h5: no bonds; give a row for each");
     file = open_file("b.h5");
     group = open_group(file, "bodies");
     put(group, "x", H5T_IEEE_F64LE, 1, 3, one);
     put(group, "y", H5T_IEEE_F64LE, 1, 2, one);
     H5Gclose(group);
     H5Fclose(file);
-    refused(TABLE_BODIES, "b.h5: /bodies/y: 2 rows, and x has 3; give all columns the same number");
-    assert_refused("missing", table_hdf5_read("none.h5", TABLE_BODIES, &table, &message), &message,
+    refused(&table_bodies, "b.h5: /bodies/y: 2 rows, and x has 3; give all columns the same number");
+    assert_refused("missing", table_hdf5_read("none.h5", &table_bodies, &table, &message), &message,
                    "none.h5: cannot be read: No such file or directory; give the path of a table");
 }
 
@@ -184,7 +188,7 @@ static void damaged_files(void **state)
     struct message message;
     (void)state;
     write_text("b.h5", "x,y,z\n0,0,0\n");
-    refused(TABLE_BODIES, "b.h5: is not a whole HDF5 file; give one, or a table in CSV");
+    refused(&table_bodies, "b.h5: is not a whole HDF5 file; give one, or a table in CSV");
     write_both("b.h5");
     FILE *whole = fopen("b.h5", "rb");
     assert_non_null(whole);
@@ -194,7 +198,7 @@ static void damaged_files(void **state)
     assert_in_range(size, 1000, sizeof bytes - 1);
     for (size_t n = 0; n < size; n += 13) {
         write_bytes("b.h5", bytes, n);
-        assert_int_equal(table_hdf5_read("b.h5", TABLE_BODIES, &table, &message), -1);
+        assert_int_equal(table_hdf5_read("b.h5", &table_bodies, &table, &message), -1);
         assert_one_line(&message);
         assert_memory_equal(message.text, "b.h5: ", 6);
     }

@@ -126,7 +126,7 @@ static void torsion(void **state)
     scene.random.v = scene.random.omega = 0;
     scene.has_v = 0;
     scene.has_alpha = 0;
-    scene.binder.axial = scene.binder.shear = 0;
+    *number_setting(&scene, "binder.axial") = *number_setting(&scene, "binder.shear.stiffness") = 0;
     for (int s = 0; s < 2; ++s)
         for (int64_t k = 0; (method = method_of_steps(&k)) != NULL;) {
             struct message message;

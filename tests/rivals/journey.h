@@ -8,6 +8,7 @@
 #include "equations.h"
 #include "travel.h"
 #include "rival.h"
+#include "settings.h"
 
 /** The folder of the scenes, from the command line. */
 static const char *scenes;

@@ -42,7 +42,8 @@ static void implicit_step(int turns)
     struct journey j;
     read_scene("chain", &scene);
     if (!turns) {
-        scene.binder.moment = scene.binder.shear = scene.random.omega = 0.0;
+        *number_setting(&scene, "binder.moment") = *number_setting(&scene, "binder.shear.stiffness") = 0.0;
+        scene.random.omega = 0.0;
         scene.turns = 0;
     }
     begin(&j, &scene, method_of("campello"), h);
@@ -86,7 +87,7 @@ static void rates_without_loads(void **state)
         struct model model;
         struct message message;
         read_scene(where[k], &scene);
-        scene.has_contact = scene.has_wall = scene.has_gravity = 0;
+        memset(scene.has, 0, sizeof scene.has);
         make_model(&scene, &model);
         struct course *course = course_create(&rival_rk4, &model, 0.1, &message);
         assert_non_null(course);

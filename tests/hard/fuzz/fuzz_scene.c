@@ -4,6 +4,7 @@
 
 #include "loop.h"
 #include "model.h"
+#include "table.h"
 
 enum { BODIES = 300, STEPS = 3 };
 
@@ -34,7 +35,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     fuzz_must(scene.h > 0.0 && scene.t_end > 0.0 && isfinite(scene.t_end / scene.h), "times are positive");
     fuzz_must(scene.stepper != NULL && scene.name[0] != '\0', "a scene has a stepper and a name");
-    if (scene.table[0] == '\0' && scene.binder.table[0] == '\0' && scene_bodies(&scene) <= BODIES)
+    int tables = 0;
+    for (int k = 0; k < TABLES; ++k)
+        tables += tables_path(&scene, k)[0] != '\0';
+    if (tables == 0 && scene_bodies(&scene) <= BODIES)
         step(&scene);
     return 0;
 }

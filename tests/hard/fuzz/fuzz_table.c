@@ -3,6 +3,7 @@
  * they do and of which a model can be made. */
 #include "fuzz.h"
 
+#include "binder.h"
 #include "model.h"
 #include "table_csv.h"
 
@@ -17,7 +18,7 @@ static void check(const struct table *table)
 }
 
 /** The same file as the table of a scene. */
-static void use(enum table_kind kind)
+static void use(const struct table_kind *kind)
 {
     static const char *const texts[] = {
         "bodies: {table: table.csv}\ngravity: [0, 0, -1]\nh: 1/64\nt_end: 1\n",
@@ -26,7 +27,7 @@ static void use(enum table_kind kind)
     static struct scene scene;
     struct model model;
     struct message message = {""};
-    const char *text = texts[kind == TABLE_BONDS];
+    const char *text = texts[kind != &table_bodies];
     fuzz_must(scene_read(fuzz_file("scene.yaml", text, strlen(text)), NULL, 0, &scene, &message) == 0, message.text);
     if (model_create(&scene, &model, &message) != 0) {
         fuzz_one_line(&message);
@@ -42,7 +43,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct message message = {""};
     if (size < 1)
         return 0;
-    const enum table_kind kind = data[0] & 1 ? TABLE_BONDS : TABLE_BODIES;
+    const struct table_kind *kind = data[0] & 1 ? &binder_table : &table_bodies;
     if (table_csv_read(fuzz_file("table.csv", data + 1, size - 1), kind, &table, &message) != 0) {
         fuzz_one_line(&message);
         return 0;

@@ -4,18 +4,18 @@
 #ifndef VTI_BOND_TURNS_H
 #define VTI_BOND_TURNS_H
 
-#include "model.h"
+#include "vti.h"
 
 struct bond_turns {
-    const struct model *model;
+    const vti_bonds *bonds;
     double least;    /* energy that takes the weakest bond to half a turn, K^m pi^2/2; infinite without such bonds */
     double watching; /* 1 while there is as much */
     double turned;   /* bonds that have */
     double *pair;    /* [bonds][4]: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has turned */
 };
 
-/** The model must outlive it. Returns 0, or -1 if there is no memory. */
-int bond_turns_create(struct bond_turns *b, const struct model *model);
+/** The bonds must outlive it. Returns 0, or -1 if there is no memory. */
+int bond_turns_create(struct bond_turns *b, const vti_bonds *bonds);
 void bond_turns_destroy(struct bond_turns *b);
 
 /** Looks whether bonds can get there at all: they cannot while twice the energy of the motion and of the springs is below

@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "bond_turns.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static double stiffness(const struct model *model, int64_t k)
+static double stiffness(const vti_bonds *bonds, int64_t k)
 {
-    const vti_scalars *moment = &model->bonds.moment;
+    const vti_scalars *moment = &bonds->moment;
     return moment->p != NULL ? moment->p[k * moment->stride] : 0.0;
 }
 
-int bond_turns_create(struct bond_turns *b, const struct model *model)
+int bond_turns_create(struct bond_turns *b, const vti_bonds *bonds)
 {
     const double half_pi_squared = 4.9348022005446793;
-    const struct bond_turns made = {model, INFINITY, 0.0, 0.0, NULL};
+    const struct bond_turns made = {bonds, INFINITY, 0.0, 0.0, NULL};
     *b = made;
-    for (int64_t k = 0; k < model->bonds.count; ++k)
-        if (stiffness(model, k) > 0.0)
-            b->least = fmin(b->least, half_pi_squared * stiffness(model, k));
+    for (int64_t k = 0; k < bonds->count; ++k)
+        if (stiffness(bonds, k) > 0.0)
+            b->least = fmin(b->least, half_pi_squared * stiffness(bonds, k));
     if (!isfinite(b->least))
         return 0;
-    b->pair = calloc((size_t)(4 * model->bonds.count), sizeof *b->pair);
+    b->pair = calloc((size_t)(4 * bonds->count), sizeof *b->pair);
     return b->pair != NULL ? 0 : -1;
 }
 
@@ -36,7 +37,7 @@ static void relative(const struct bond_turns *b, const vti_bodies *bodies, int64
     double q[2][4], cross[3];
     for (int c = 0; c < 2; ++c) {
         const vti_view *a = &bodies->alpha;
-        const int64_t at = (b->model->bonds.pair[2 * k + c] - b->model->bonds.base) * a->stride;
+        const int64_t at = (b->bonds->pair[2 * k + c] - b->bonds->base) * a->stride;
         const double alpha[3] = {a->c[0][at], a->c[1][at], a->c[2][at]};
         vti_rrv_to_pair(alpha, q[c]);
     }
@@ -57,9 +58,9 @@ void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double ener
     if (b->pair == NULL)
         return;
     b->watching = !(2.0 * energy < b->least);
-    for (int64_t k = 0; b->watching != 0.0 && !was && k < b->model->bonds.count; ++k) {
+    for (int64_t k = 0; b->watching != 0.0 && !was && k < b->bonds->count; ++k) {
         double *pair = b->pair + 4 * k;
-        if (stiffness(b->model, k) == 0.0 || (!fresh && is_marked(pair)))
+        if (stiffness(b->bonds, k) == 0.0 || (!fresh && is_marked(pair)))
             continue;
         relative(b, bodies, k, pair);
         for (int c = 0; c < 4 && pair[3] < 0.0; ++c)
@@ -70,7 +71,7 @@ void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double ener
 
 void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
 {
-    for (int64_t k = 0; b->pair != NULL && b->watching != 0.0 && k < b->model->bonds.count; ++k) {
+    for (int64_t k = 0; b->pair != NULL && b->watching != 0.0 && k < b->bonds->count; ++k) {
         double now[4], *pair = b->pair + 4 * k;
         if (is_marked(pair))
             continue;
@@ -87,7 +88,7 @@ void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
 
 int64_t bond_turns_size(const struct bond_turns *b)
 {
-    return b->pair != NULL ? 2 + 4 * b->model->bonds.count : 0;
+    return b->pair != NULL ? 2 + 4 * b->bonds->count : 0;
 }
 
 void bond_turns_get(const struct bond_turns *b, double *state)
@@ -96,7 +97,7 @@ void bond_turns_get(const struct bond_turns *b, double *state)
         return;
     state[0] = b->watching;
     state[1] = b->turned;
-    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->model->bonds.count));
+    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->bonds->count));
 }
 
 void bond_turns_put(struct bond_turns *b, const double *state)
@@ -105,5 +106,5 @@ void bond_turns_put(struct bond_turns *b, const double *state)
         return;
     b->watching = state[0];
     b->turned = state[1];
-    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->model->bonds.count));
+    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->bonds->count));
 }

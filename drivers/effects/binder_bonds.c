@@ -1,9 +1,11 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Bonds from a table, or between the neighbours of an arrangement; and what each of them tells in files. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "arrange.h"
-#include "model_parts.h"
+#include "binder.h"
 #include "number.h"
 
 static int out_of_memory(const struct model *model, struct message *message)
@@ -28,7 +30,7 @@ static int compare(const void *a, const void *b)
     return p->row < q->row ? -1 : 1;
 }
 
-/** The first row, in the order of the file, that bonds two bodies that are bonded already is to blame. */
+/** The first row, in the order of the file, that bonds two bodies that are bonded already is at fault. */
 static int check_twice(const struct table *t, const int64_t *pair, struct entry *all, struct message *message)
 {
     int64_t again = -1, first = -1;
@@ -57,7 +59,7 @@ static int read_pairs(const struct model *model, const struct table *t, int64_t 
             const double body = t->column[BOND_I + c][k];
             if (body >= (double)model->bodies.count)
                 return table_fail(t, k, message, "%s: '%s' is not a body; there are %lld, counted from 0",
-                                  table_column(TABLE_BONDS, BOND_I + c), NUMBER(body), (long long)model->bodies.count);
+                                  table_column(t->kind, BOND_I + c), NUMBER(body), (long long)model->bodies.count);
             pair[2 * k + c] = (int64_t)body;
         }
         if (pair[2 * k] == pair[2 * k + 1])
@@ -71,7 +73,7 @@ static int read_pairs(const struct model *model, const struct table *t, int64_t 
     return result;
 }
 
-/* ---- the binder ------------------------------------------------------------------------------------------------------- */
+/* ---- bonds at rest ----------------------------------------------------------------------------------------------- */
 
 /** One stiffness for all from the scene, or one for each from the table, copied behind *next; or none. */
 static vti_scalars stiffness(const double *value, const struct table *t, int k, double **next)
@@ -86,40 +88,42 @@ static vti_scalars stiffness(const double *value, const struct table *t, int k, 
     return vti_scalars_array(p);
 }
 
-static int fail_rest(const struct model *model, const struct table *t, int64_t bond, struct message *message)
+static int fail_rest(const struct model *model, const struct table *t, const int64_t *pair, int64_t bond,
+                     struct message *message)
 {
     char text[160];
     snprintf(text, sizeof text, "the centres of bodies %lld and %lld give no direction to their bond; move one of them",
-             (long long)model->bond_pairs[2 * bond], (long long)model->bond_pairs[2 * bond + 1]);
+             (long long)pair[2 * bond], (long long)pair[2 * bond + 1]);
     if (t->rows > 0)
         return table_fail(t, bond, message, "%s", text);
     return message_set(message, "%s: %s", model->scene->name, text);
 }
 
-static int make_bonds(struct model *model, const struct table *t, struct message *message)
+int binder_make_bonds(struct effect *e, const struct model *model, const struct table *t, struct message *message)
 {
     enum { REST = 4, STIFFNESSES = 3 };
-    const struct scene_binder *binder = &model->scene->binder;
+    const struct binder_settings *binder = e->settings;
+    struct binder_self *self = e->self;
     vti_fault fault;
     const int64_t count = t->rows > 0 ? t->rows : arrange_bonds(model->scene);
-    model->bond_pairs = calloc((size_t)(2 * count), sizeof *model->bond_pairs);
-    model->bond_memory = calloc((size_t)((REST + STIFFNESSES) * count), sizeof *model->bond_memory);
-    if (model->bond_pairs == NULL || model->bond_memory == NULL)
+    self->pair = calloc((size_t)(2 * count), sizeof *self->pair);
+    self->memory = calloc((size_t)((REST + STIFFNESSES) * count), sizeof *self->memory);
+    if (self->pair == NULL || self->memory == NULL)
         return out_of_memory(model, message);
     if (t->rows == 0)
-        arrange_bond_pairs(model->scene, model->bond_pairs);
-    else if (read_pairs(model, t, model->bond_pairs, message) != 0)
+        arrange_bond_pairs(model->scene, self->pair);
+    else if (read_pairs(model, t, self->pair, message) != 0)
         return -1;
-    if (vti_bonds_rest(count, model->bond_pairs, 0, &model->bodies.x, model->bond_memory, &fault) != VTI_OK)
-        return fail_rest(model, t, fault.body, message);
-    double *next = model->bond_memory + REST * count;
-    vti_bonds *bonds = &model->bonds;
+    if (vti_bonds_rest(count, self->pair, 0, &model->bodies.x, self->memory, &fault) != VTI_OK)
+        return fail_rest(model, t, self->pair, fault.body, message);
+    double *next = self->memory + REST * count;
+    vti_bonds *bonds = &self->bonds;
     bonds->count = count;
-    bonds->pair = model->bond_pairs;
-    bonds->rest = model->bond_memory;
-    bonds->moment = stiffness(&binder->moment, t, BOND_MOMENT, &next);
-    bonds->axial = stiffness(&binder->axial, t, BOND_AXIAL, &next);
-    bonds->shear = stiffness(&binder->shear, t, BOND_SHEAR, &next);
+    bonds->pair = self->pair;
+    bonds->rest = self->memory;
+    bonds->moment = stiffness(&binder->stiffness[0], t, BOND_MOMENT, &next);
+    bonds->axial = stiffness(&binder->stiffness[1], t, BOND_AXIAL, &next);
+    bonds->shear = stiffness(&binder->stiffness[2], t, BOND_SHEAR, &next);
     bonds->shear_form = binder->shear_form;
     const int status = vti_bonds_check(bonds, model->bodies.count, &fault);
     if (status != VTI_OK)
@@ -128,54 +132,63 @@ static int make_bonds(struct model *model, const struct table *t, struct message
     return 0;
 }
 
-/* ---- contacts and walls ----------------------------------------------------------------------------------------------- */
+/* ---- what a bond tells --------------------------------------------------------------------------------------------- */
 
-/** Bonds keep their bodies out of the list, unless the scene wants contact inside them too. */
-static int make_contacts(struct model *model, struct message *message)
+static const vti_bonds *bonds_of(const struct effect *e)
 {
-    const int64_t excluded = model->scene->contact.bonded ? 0 : model->bonds.count;
-    model->contacts.diameter = model->diameter;
-    model->contacts.stiffness = model->scene->contact.stiffness;
-    return neighbours_create(&model->neighbours, model->bodies.count, &model->diameter, 0.0, excluded,
-                             model->bonds.pair, message);
+    return &((const struct binder_self *)e->self)->bonds;
 }
 
-static void make_walls(struct model *model)
+static int64_t count(const struct effect *e)
 {
-    const struct scene_wall *wall = &model->scene->wall;
-    model->walls.count = wall->planes.count;
-    model->walls.plane = wall->planes.plane[0];
-    model->walls.diameter = model->diameter;
-    model->walls.stiffness = wall->stiffness;
+    return bonds_of(e)->count;
 }
 
-/* ---- the array -------------------------------------------------------------------------------------------------------- */
-
-static void add(struct model *model, vti_effect effect)
+static void ends(const struct effect *e, int64_t k, int64_t pair[2])
 {
-    model->effects[model->effects_count++] = effect;
+    pair[0] = bonds_of(e)->pair[2 * k];
+    pair[1] = bonds_of(e)->pair[2 * k + 1];
 }
 
-int model_add_effects(struct model *model, const struct tables *tables, struct message *message)
+/** The list of bond k alone. */
+static vti_bonds one_bond(const vti_bonds *bonds, int64_t k)
 {
-    const struct scene *scene = model->scene;
-    if (scene->has_binder) {
-        if (make_bonds(model, &tables->bonds, message) != 0)
-            return -1;
-        add(model, vti_bonds_effect(&model->bonds));
+    vti_bonds one = *bonds;
+    one.count = 1;
+    one.pair += 2 * k;
+    one.rest += 4 * k;
+    one.moment.p += one.moment.p != NULL ? k * one.moment.stride : 0;
+    one.axial.p += one.axial.p != NULL ? k * one.axial.stride : 0;
+    one.shear.p += one.shear.p != NULL ? k * one.shear.stride : 0;
+    return one;
+}
+
+static double stretch_of(const vti_bonds *one, const vti_view *x)
+{
+    double d[3];
+    for (int c = 0; c < 3; ++c)
+        d[c] = x->c[c][(one->pair[0] - one->base) * x->stride] - x->c[c][(one->pair[1] - one->base) * x->stride];
+    return sqrt(vti_dot(d, d)) / one->rest[3] - 1.0;
+}
+
+static int values(const struct effect *e, const vti_bodies *bodies, double *const *value)
+{
+    for (int64_t k = 0; k < count(e); ++k) {
+        const vti_bonds one = one_bond(bonds_of(e), k);
+        const vti_effect effect = vti_bonds_effect(&one);
+        const int status = effect.check(effect.self, bodies);
+        double energies[VTI_TERMS];
+        if (status != VTI_OK)
+            return status;
+        effect.energy(effect.self, bodies, energies);
+        value[0][k] = 0.0;
+        for (int64_t term = 0; term < effect.terms; ++term)
+            value[0][k] += energies[term];
+        value[1][k] = stretch_of(&one, &bodies->x);
     }
-    if (scene->has_contact) {
-        if (make_contacts(model, message) != 0)
-            return -1;
-        add(model, vti_contacts_effect(&model->contacts));
-    }
-    if (scene->has_wall) {
-        make_walls(model);
-        add(model, vti_walls_effect(&model->walls));
-    }
-    if (scene->has_gravity)
-        add(model, vti_gravity_effect(&scene->gravity));
-    if (scene->has_pendulum)
-        add(model, vti_pendulum_effect(&scene->pendulum));
-    return 0;
+    return VTI_OK;
 }
+
+static const char *const quantity[] = {"bond_energy", "bond_stretch"};
+
+const struct effect_lines binder_lines = {"bond", quantity, 2, count, ends, values};

@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The binder: elastic bonds between bodies (EQUATIONS 3). */
+#include "binder.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "scene_reader.h"
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+#define AT(member) offsetof(struct binder_settings, member)
+
+static const struct scene_word shear_forms[] = {
+    {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
+
+static const struct scene_field fields[] = {
+    {"binder", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bonds",
+     "Elastic bonds between neighbours, or between the bodies of a table; at least one of moment, axial and shear.",
+     NULL},
+    {"binder.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(table), "file of bonds",
+     "CSV or HDF5, relative to the scene's folder: a row for each bond, bodies i and j from 0, and moment, axial and "
+     "shear as far as they differ.",
+     NULL},
+    {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
+     "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
+    {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[1]), "stiffness K^a",
+     "Energy: stretching costs K^a/2 (r/L0 - 1)^2.", NULL},
+    {"binder.shear", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "shear of bonds",
+     "Turning of the bond against its bodies.", NULL},
+    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(stiffness[2]), "stiffness K^s",
+     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form.", NULL},
+    {"binder.shear.form", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(shear_form), "form of the shear energy",
+     "objective: unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in the "
+     "paper, not objective.",
+     shear_forms},
+};
+
+static void defaults(void *settings)
+{
+    ((struct binder_settings *)settings)->shear_form = VTI_SHEAR_OBJECTIVE;
+}
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    const struct binder_settings *binder = settings;
+    const int has_table = binder->table[0] != '\0', in_table = scene->arrangement == SCENE_IN_TABLE;
+    if (in_table && !has_table)
+        return scene_reader_fail(reader, "binder", "bodies of a table have no neighbours; give table, a file of bonds");
+    if (!in_table && scene_bodies(scene) < 2)
+        return scene_reader_fail(reader, "binder",
+                                 "a single body has no bonds; give bodies.ring, chain, lattice or table");
+    if (!has_table && binder->stiffness[0] == 0.0 && binder->stiffness[1] == 0.0 && binder->stiffness[2] == 0.0)
+        return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");
+    return 0;
+}
+
+/* ---- the table of bonds ------------------------------------------------------------------------------------------ */
+
+static const struct table_column columns[] = {{"i", TABLE_INDEX},
+                                              {"j", TABLE_INDEX},
+                                              {"moment", TABLE_NOT_NEGATIVE},
+                                              {"axial", TABLE_NOT_NEGATIVE},
+                                              {"shear", TABLE_NOT_NEGATIVE}};
+
+static int check_columns(const struct table *table, struct message *message)
+{
+    if (!table_has(table, BOND_I))
+        return table_fail_columns(table, message, "no column i; bonds need i and j");
+    return table_has(table, BOND_J) ? 0 : table_fail_columns(table, message, "no column j; bonds need i and j");
+}
+
+const struct table_kind binder_table = {"bonds", "the scene's table of bonds", columns,
+                                        sizeof columns / sizeof columns[0], check_columns};
+
+/** A term exists if the scene gives its stiffness or the table of bonds has it as a column. */
+static int has_term(const struct binder_settings *binder, const struct table *table, int column)
+{
+    return binder->stiffness[column - BOND_MOMENT] != 0.0 || (table != NULL && table_has(table, column));
+}
+
+static int check_tables(const struct model *model, const void *settings, const struct tables *tables,
+                        struct message *message)
+{
+    static const char *const both[] = {"gives what the scene gives as binder.moment too; keep one of them",
+                                       "gives what the scene gives as binder.axial too; keep one of them",
+                                       "gives what the scene gives as binder.shear too; keep one of them"};
+    const struct binder_settings *binder = settings;
+    const struct table *table = &tables->effect[EFFECT_binder];
+    int terms = 0;
+    (void)model;
+    for (int k = BOND_MOMENT; k <= BOND_SHEAR; ++k) {
+        if (binder->stiffness[k - BOND_MOMENT] != 0.0 && table_has(table, k))
+            return table_fail_whole(table, message, both[k - BOND_MOMENT]);
+        terms += has_term(binder, table, k);
+    }
+    return terms > 0 ? 0
+                     : table_fail_whole(table, message,
+                                        "no column moment, axial or shear; bonds need one of them, or binder.moment");
+}
+
+static int gives(const void *settings, const struct table *table)
+{
+    const int moment = has_term(settings, table, BOND_MOMENT), axial = has_term(settings, table, BOND_AXIAL),
+              shear = has_term(settings, table, BOND_SHEAR);
+    return (axial || shear ? EFFECT_FORCE : 0) | (moment || shear ? EFFECT_MOMENT : 0);
+}
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    struct binder_self *self = e->self;
+    if (binder_make_bonds(e, model, table, message) != 0)
+        return -1;
+    *made = vti_bonds_effect(&self->bonds);
+    return 0;
+}
+
+static void destroy(struct effect *e)
+{
+    struct binder_self *self = e->self;
+    bond_turns_destroy(&self->turns);
+    free(self->pair);
+    free(self->memory);
+}
+
+/* ---- what it tells ----------------------------------------------------------------------------------------------- */
+
+static void say(const struct effect *e, char *text, size_t size)
+{
+    snprintf(text, size, "%lld bonds", (long long)((const struct binder_self *)e->self)->bonds.count);
+}
+
+static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
+{
+    (void)at;
+    snprintf(text, size, "bond %lld of bodies %lld and %lld", (long long)stable->element, (long long)stable->i,
+             (long long)stable->j);
+}
+
+/** A strain s at which the axial spring has taken up the energy and what is in it now, K/2 s^2. */
+static void deform(const struct effect *e, const vti_bodies *b, double energy, vti_deformation *at)
+{
+    const vti_bonds *p = &((const struct binder_self *)e->self)->bonds;
+    double most = 0.0;
+    for (int64_t k = 0; p->axial.p != NULL && k < p->count; ++k) {
+        const int64_t i = p->pair[2 * k] * b->x.stride, j = p->pair[2 * k + 1] * b->x.stride;
+        const double d[3] = {b->x.c[0][i] - b->x.c[0][j], b->x.c[1][i] - b->x.c[1][j], b->x.c[2][i] - b->x.c[2][j]};
+        const double now = vti_norm(d) / p->rest[4 * k + 3] - 1.0, stiffness = p->axial.p[k * p->axial.stride];
+        if (stiffness > 0.0)
+            most = fmax(most, now * now + 2.0 * energy / stiffness);
+    }
+    if (most > 1e-20) /* what rounding makes of positions is no strain */
+        at->strain = fmax(at->strain, fmin(sqrt(most), 1.0));
+}
+
+/* ---- bonds past half a turn ---------------------------------------------------------------------------------------- */
+
+static int start(struct effect *e)
+{
+    struct binder_self *self = e->self;
+    bond_turns_destroy(&self->turns);
+    return bond_turns_create(&self->turns, &self->bonds);
+}
+
+static struct bond_turns *turns(const struct effect *e)
+{
+    return &((struct binder_self *)e->self)->turns;
+}
+
+static void row(struct effect *e, const vti_bodies *bodies, double energy)
+{
+    bond_turns_gate(turns(e), bodies, energy);
+}
+
+static void step(struct effect *e, const vti_bodies *bodies)
+{
+    bond_turns_follow(turns(e), bodies);
+}
+
+static int64_t turned(const struct effect *e)
+{
+    return (int64_t)turns(e)->turned;
+}
+
+static int64_t kept_size(const struct effect *e)
+{
+    return bond_turns_size(turns(e));
+}
+
+static void kept_get(const struct effect *e, double *state)
+{
+    bond_turns_get(turns(e), state);
+}
+
+static void kept_put(struct effect *e, const double *state)
+{
+    bond_turns_put(turns(e), state);
+}
+
+static const struct effect_watch watch = {start, row, step, turned, kept_size, kept_get, kept_put};
+
+/* ---- together ---------------------------------------------------------------------------------------------------- */
+
+static const struct effect_term terms[] = {{"binder_moment", "$U^{\\mathrm{m}}$", "bending and torsion", "#E69F00"},
+                                           {"binder_axial", "$U^{\\mathrm{a}}$", "axial", "#D55E00"},
+                                           {"binder_shear", "$U^{\\mathrm{s}}$", "shear", "#AA4499"}};
+
+const struct effect_kind effect_binder = {.number = EFFECT_binder,
+                                          .key = "binder",
+                                          EFFECT_FIELDS(fields),
+                                          .settings = sizeof(struct binder_settings),
+                                          .defaults = defaults,
+                                          .check = check,
+                                          .traits = EFFECT_TRANSLATING | EFFECT_STIFF,
+                                          .gives_by = gives,
+                                          .table = &binder_table,
+                                          .check_tables = check_tables,
+                                          .self = sizeof(struct binder_self),
+                                          .make = make,
+                                          .destroy = destroy,
+                                          EFFECT_TERMS(terms),
+                                          .say = say,
+                                          .limit = limit,
+                                          .deform = deform,
+                                          .lines = &binder_lines,
+                                          .watch = &watch};

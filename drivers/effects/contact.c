@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Contact: Hertzian, between spheres that overlap (EQUATIONS 3). */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "hertz.h"
+#include "kind.h"
+#include "model.h"
+#include "neighbours.h"
+#include "shape.h"
+
+struct contact_settings {
+    double stiffness;
+    int64_t bonded; /* 1: also between bodies that are held together */
+};
+
+struct contact_self {
+    vti_contacts contacts; /* its list is that of neighbours, as of the last find_pairs */
+    struct neighbours neighbours;
+};
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+static const struct scene_field fields[] = {
+    {"contact", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "contact of the spheres",
+     "Hertzian contact between spheres that overlap; pairs are searched for.", NULL},
+    {"contact.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, offsetof(struct contact_settings, stiffness),
+     "stiffness K^pp", "Energy: an overlap costs 2/5 K^pp (1 - r/D)^(5/2), D being the mean diameter.", NULL},
+    {"contact.bonded", SCENE_YES_NO, SCENE_MAY, SCENE_ANY, offsetof(struct contact_settings, bonded),
+     "contact inside bonds", "yes: bodies of a common bond touch too; no (default): they do not.", NULL},
+};
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    const struct contact_settings *contact = e->settings;
+    struct contact_self *self = e->self;
+    const int64_t held = contact->bonded ? 0 : shape_lines(model);
+    int64_t *pair = calloc(held > 0 ? (size_t)(2 * held) : 1, sizeof *pair);
+    (void)table;
+    if (pair == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    for (int64_t k = 0; k < held; ++k)
+        shape_line(model, k, pair + 2 * k);
+    self->contacts.diameter = model->diameter;
+    self->contacts.stiffness = contact->stiffness;
+    *made = vti_contacts_effect(&self->contacts);
+    const int result =
+        neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
+    free(pair);
+    return result;
+}
+
+static void destroy(struct effect *e)
+{
+    neighbours_destroy(&((struct contact_self *)e->self)->neighbours);
+}
+
+static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
+{
+    struct contact_self *self = e->self;
+    const int result = neighbours_update(&self->neighbours, &bodies->x, message);
+    self->contacts.count = self->neighbours.count;
+    self->contacts.pair = self->neighbours.pair;
+    return result < 0 ? -1 : 0;
+}
+
+/* ---- what it tells ----------------------------------------------------------------------------------------------- */
+
+static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
+{
+    if (at != NULL && at->meet)
+        snprintf(text, size, "contacts that may come to body %lld", (long long)stable->i);
+    else
+        snprintf(text, size, "contact of bodies %lld and %lld", (long long)stable->i, (long long)stable->j);
+}
+
+static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
+{
+    (void)bodies;
+    hertz_deform(((const struct contact_settings *)e->settings)->stiffness, energy, at);
+    at->meet = 1;
+}
+
+static const struct effect_term terms[] = {{"contact", "$U^{\\mathrm{pp}}$", "particle-particle", "#332288"}};
+
+const struct effect_kind effect_contact = {.number = EFFECT_contact,
+                                           .key = "contact",
+                                           EFFECT_FIELDS(fields),
+                                           .settings = sizeof(struct contact_settings),
+                                           .traits = EFFECT_TRANSLATING | EFFECT_SPHERES | EFFECT_STIFF,
+                                           .gives = EFFECT_FORCE,
+                                           .kink = HERTZ_KINK,
+                                           .self = sizeof(struct contact_self),
+                                           .make = make,
+                                           .destroy = destroy,
+                                           .find_pairs = find_pairs,
+                                           EFFECT_TERMS(terms),
+                                           .limit = limit,
+                                           .deform = deform};

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What Hertzian contact between spheres and with walls have in common. */
+#ifndef VTI_HERTZ_H
+#define VTI_HERTZ_H
+
+#include <math.h>
+
+#include "plain.h"
+#include "vti.h"
+
+#define HERTZ_KINK "the stiffness of a contact sets in with a kink"
+
+/** Raises the overlap o of *at to that at which a contact has taken up the energy, 2/5 K o^{5/2} = e; at most 1. */
+static inline void hertz_deform(double stiffness, double energy, vti_deformation *at)
+{
+    at->overlap = fmax(at->overlap, fmin(plain_power(2.5 * energy / stiffness, 0.4), 1.0));
+}
+
+#endif

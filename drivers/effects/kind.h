@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What an effect of scenes is: all that the programs know of it. Each has a file of its own here, which defines one struct
+ * effect_kind, and is named in the list of kinds.h; nobody else knows it by name. What is NULL or 0 is absent, unless kinds_check
+ * (kinds.c) asks for it. */
+#ifndef VTI_KIND_H
+#define VTI_KIND_H
+
+#include <stddef.h>
+
+#include "kinds.h"
+#include "scene_field.h"
+
+struct scene;
+struct scene_reader;
+struct model;
+struct invariant;
+struct table;
+struct table_kind;
+struct tables;
+
+/** What holds for an effect wherever a scene calls for it. */
+enum effect_trait {
+    EFFECT_TRANSLATING = 1, /* acts on bodies that translate: they need positions */
+    EFFECT_SPHERES =
+        2,           /* acts where surfaces meet: bodies need diameters, and should not pass through them in a step */
+    EFFECT_STIFF = 4 /* steps above the scene's h may be unstable */
+};
+
+/** What it does to bodies. */
+enum effect_gift { EFFECT_FORCE = 1, EFFECT_MOMENT = 2 };
+
+/** An effect of a model. */
+struct effect {
+    const struct effect_kind *kind;
+    const void *settings; /* kind->settings bytes: what the scene says */
+    void *self;           /* kind->self bytes, zeros until make: what it acts with */
+};
+
+/** A term of its energy, in pictures. */
+struct effect_term {
+    const char *name;    /* as in the library and in files */
+    const char *symbol;  /* mathtext */
+    const char *meaning; /* a word or two */
+    const char *colour;  /* #rrggbb; two of one scene should be apart for every kind of sight */
+};
+
+enum { EFFECT_QUANTITIES = 8 };
+
+/** Pairs of bodies that it holds: lines in pictures, cells of trajectories, and nothing that pairs in contact are searched in. */
+struct effect_lines {
+    const char *name;            /* of one; with an s, of all */
+    const char *const *quantity; /* names of the numbers of each line in files */
+    int quantities;              /* at most EFFECT_QUANTITIES */
+    int64_t (*count)(const struct effect *e);
+    /** The bodies, from 0, of line k. */
+    void (*ends)(const struct effect *e, int64_t k, int64_t pair[2]);
+    /** value[q][k] for quantity q of line k, with the bodies where they are. Returns VTI_OK or a status. */
+    int (*values)(const struct effect *e, const vti_bodies *bodies, double *const *value);
+};
+
+/** Planes n.x = d that bodies do not pass. */
+struct effect_planes {
+    const char *name; /* of one; with an s, of all */
+    /** How many; in *plane [count][4]: n, d. */
+    int64_t (*get)(const struct effect *e, const double **plane);
+};
+
+/** Numbers that the motion keeps because of it. */
+struct effect_invariants {
+    const struct invariant *list;
+    int count;
+    void (*values)(const struct effect *e, const vti_bodies *bodies, double *values);
+};
+
+/** What it follows along a run, and what a run must keep of it to go on with the same bits. */
+struct effect_watch {
+    /** At t = 0, or before put. Returns 0, or -1 if there is no memory. */
+    int (*start)(struct effect *e);
+    /** At every row of the run, with the energy of the motion and of the springs. */
+    void (*row)(struct effect *e, const vti_bodies *bodies, double energy);
+    /** At every step. */
+    void (*step)(struct effect *e, const vti_bodies *bodies);
+    /** How many of its lines have turned past half a turn, where a moment changes its side. */
+    int64_t (*turned)(const struct effect *e);
+    /** What must be kept: how many doubles, and the doubles. */
+    int64_t (*size)(const struct effect *e);
+    void (*get)(const struct effect *e, double *state);
+    void (*put)(struct effect *e, const double *state);
+};
+
+struct effect_kind {
+    enum effect_number number;
+
+    /* What a scene says. */
+    const char *key; /* the key at its top that calls for the effect */
+    const struct scene_field
+        *fields; /* the row of that key, then those of the keys in it; offsets are in the settings */
+    int fields_count;
+    size_t settings; /* bytes of the struct that values go to: zeros, then what defaults puts there */
+    void (*defaults)(void *settings);
+    /** What no single row says, when the whole scene is read. Returns 0, or -1 with one line by scene_reader_fail. */
+    int (*check)(const struct scene_reader *reader, const struct scene *scene, const void *settings);
+    int traits; /* effect_trait */
+    int gives;  /* effect_gift; 0: settings and table decide, */
+    /** table being the effect's own, NULL if it is not read yet. */
+    int (*gives_by)(const void *settings, const struct table *table);
+    const char *kink; /* why its forces are not smooth, "the stiffness of ..."; NULL if they are */
+
+    /* Its table, which one of the fields names (SCENE_PATH). */
+    const struct table_kind *table;
+    /** Whether scene and tables go together; the model knows by now whether bodies translate and turn. Returns 0, or -1 with one
+     *  line in *message. */
+    int (*check_tables)(const struct model *model, const void *settings, const struct tables *tables,
+                        struct message *message);
+
+    /* In a model. */
+    size_t self;
+    /** Writes the effect, whose self outlives this call. All bodies are there, and the effects before it in the list; table is its
+     *  own. Returns 0, or -1 with one line in *message; destroy follows in either case, when the model ends. */
+    int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message);
+    void (*destroy)(struct effect *e); /* frees what self points to */
+    /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
+    int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
+    const struct effect_term *terms; /* of all energies that it may have */
+    int terms_count;
+
+    /* What it tells of itself. */
+    /** What stands behind the list of effects at the start of a run: "80 bonds". */
+    void (*say)(const struct effect *e, char *text, size_t size);
+    /** What limits the step (vti_stable_step), where "KEY at body 3" says too little. */
+    void (*limit)(const struct vti_deformation *at, const vti_stable *stable, char *text, size_t size);
+    /** Raises what of *at an energy that two bodies bring to where they meet may do to it. */
+    void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
+    /** The acceleration [3] that it gives every body, for how far they fall. */
+    const double *(*field)(const struct effect *e);
+    /** Where body i is drawn, which does not translate. */
+    void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
+    const struct effect_invariants *invariants;
+    const struct effect_lines *lines;
+    const struct effect_planes *planes;
+    const struct effect_watch *watch;
+};
+
+/** Arrays in initialisers of struct effect_kind, with their lengths. */
+#define EFFECT_FIELDS(ARRAY) .fields = (ARRAY), .fields_count = sizeof(ARRAY) / sizeof((ARRAY)[0])
+#define EFFECT_TERMS(ARRAY) .terms = (ARRAY), .terms_count = sizeof(ARRAY) / sizeof((ARRAY)[0])
+
+#endif

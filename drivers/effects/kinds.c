@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "kinds.h"
+
+#include <string.h>
+
+#include "kind.h"
+#include "table.h"
+
+#define POINTER(NAME) &effect_##NAME,
+static const struct effect_kind *const kinds[] = {EFFECT_KINDS(POINTER)};
+#define TEXT(NAME) #NAME,
+static const char *const names[] = {EFFECT_KINDS(TEXT)};
+
+const struct effect_kind *kinds_at(int k)
+{
+    return k >= 0 && k < EFFECT_COUNT ? kinds[k] : NULL;
+}
+
+const struct effect_kind *kinds_find(const char *path)
+{
+    const size_t n = strcspn(path, ".");
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (kinds[k]->key != NULL && strncmp(kinds[k]->key, path, n) == 0 && kinds[k]->key[n] == '\0')
+            return kinds[k];
+    return NULL;
+}
+
+/* ---- settings ---------------------------------------------------------------------------------------------------- */
+
+/** Bytes of the settings before those of kind k, each rounded up to what any of them may start at. */
+static size_t settings_before(int k)
+{
+    const size_t unit = 16;
+    size_t bytes = 0;
+    for (int before = 0; before < k; ++before)
+        bytes += (kinds[before]->settings + unit - 1) / unit * unit;
+    return bytes;
+}
+
+void *kinds_settings(const struct effect_kind *kind, union effect_settings *all)
+{
+    return all->bytes + settings_before((int)kind->number);
+}
+
+const void *kinds_settings_of(const struct effect_kind *kind, const union effect_settings *all)
+{
+    return all->bytes + settings_before((int)kind->number);
+}
+
+void kinds_defaults(union effect_settings *all)
+{
+    memset(all, 0, sizeof *all);
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (kinds[k]->defaults != NULL)
+            kinds[k]->defaults(kinds_settings(kinds[k], all));
+}
+
+int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table)
+{
+    return kind->gives != 0 ? kind->gives : kind->gives_by(kinds_settings_of(kind, all), table);
+}
+
+/* ---- what must not be forgotten ------------------------------------------------------------------------------------ */
+
+static int fail(int k, const char *about, const char *what, struct message *message)
+{
+    return message_set(message, "effects/%s.c: %s%s%s", names[k], about, about[0] != '\0' ? ": " : "", what);
+}
+
+static int is_sentence(const char *text)
+{
+    return text != NULL && text[0] != '\0' && text[strlen(text) - 1] == '.';
+}
+
+static int check_field(int k, const struct scene_field *field, struct message *message)
+{
+    if (field->path == NULL)
+        return fail(k, "fields", "a row without a path; fields_count is more than there are", message);
+    if (kinds_find(field->path) != kinds[k])
+        return fail(k, field->path, "does not begin with the effect's key", message);
+    if (field->about == NULL || field->about[0] == '\0')
+        return fail(k, field->path, "does not say what it is (about)", message);
+    if (!is_sentence(field->says))
+        return fail(k, field->path, "has no sentence that documents it (says)", message);
+    if (field->kind == SCENE_WORD && field->words == NULL)
+        return fail(k, field->path, "has no words", message);
+    if ((field->kind == SCENE_SECTION) != (field->offset == SCENE_NOWHERE))
+        return fail(k, field->path, "sections go nowhere, and all else to a member of the settings (offset)", message);
+    if (field->kind != SCENE_SECTION && field->offset >= kinds[k]->settings)
+        return fail(k, field->path, "goes behind the end of the settings", message);
+    return 0;
+}
+
+static int check_fields(int k, struct message *message)
+{
+    const struct effect_kind *kind = kinds[k];
+    int paths = 0;
+    for (int f = 0; f < kind->fields_count; ++f) {
+        if (check_field(k, &kind->fields[f], message) != 0)
+            return -1;
+        paths += kind->fields[f].kind == SCENE_PATH;
+    }
+    if (strcmp(kind->fields[0].path, kind->key) != 0)
+        return fail(k, kind->fields[0].path, "is not the effect's key, whose row comes first", message);
+    if (paths != (kind->table != NULL))
+        return fail(k, "table", "goes with one key of a path, and a path with a table", message);
+    if (kind->table != NULL && kind->table->columns > TABLE_COLUMNS)
+        return fail(k, "table", "has more columns than TABLE_COLUMNS (table.h)", message);
+    return 0;
+}
+
+static int check_terms(int k, struct message *message)
+{
+    for (int t = 0; t < kinds[k]->terms_count; ++t) {
+        const struct effect_term *term = &kinds[k]->terms[t];
+        if (term->name == NULL || term->symbol == NULL || term->meaning == NULL || term->colour == NULL)
+            return fail(k, "terms", "one of them lacks its name, symbol, meaning or colour", message);
+    }
+    return 0;
+}
+
+static int check_kind(int k, struct message *message)
+{
+    const struct effect_kind *kind = kinds[k];
+    if ((int)kind->number != k)
+        return fail(k, "number", "is not that of the list in kinds.h", message);
+    if (kind->key == NULL || kind->fields == NULL || kind->fields_count < 1)
+        return fail(k, "", "has no key, or no row for it", message);
+    if ((kind->gives == 0) == (kind->gives_by == NULL))
+        return fail(k, "", "gives neither force nor moment: one of gives and gives_by", message);
+    if (kind->make == NULL)
+        return fail(k, "", "has no make", message);
+    if (kind->lines != NULL && kind->lines->quantities > EFFECT_QUANTITIES)
+        return fail(k, "lines", "has more quantities than EFFECT_QUANTITIES", message);
+    for (int before = 0; before < k && kind->lines != NULL; ++before)
+        if (kinds[before]->find_pairs != NULL)
+            return fail(k, "lines", "it must stand before those that search for pairs in kinds.h", message);
+    return check_fields(k, message) != 0 || check_terms(k, message) != 0 ? -1 : 0;
+}
+
+int kinds_check(struct message *message)
+{
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (check_kind(k, message) != 0)
+            return -1;
+    if (settings_before(EFFECT_COUNT) > sizeof(union effect_settings))
+        return fail(EFFECT_COUNT - 1, "settings", "more than there is room for; enlarge effect_settings in kinds.h",
+                    message);
+    return 0;
+}
+
+int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message)
+{
+    for (int64_t j = 0; j < made->terms; ++j) {
+        int found = 0;
+        for (int t = 0; t < kind->terms_count; ++t)
+            found |= strcmp(kind->terms[t].name, made->term[j]) == 0;
+        if (!found)
+            return fail((int)kind->number, made->term[j], "the term has no row in terms", message);
+    }
+    return 0;
+}

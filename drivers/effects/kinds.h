@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The effects that scenes may call for: the one list of them. A new one is a name in this list and a file NAME.c, in
+ * meson.build, that defines effect_NAME; the order is that of effects in models and of columns in files. Effects that hold
+ * bodies together (kind.h, lines) stand before those that search for pairs, which leave the pairs so held alone. */
+#ifndef VTI_KINDS_H
+#define VTI_KINDS_H
+
+#include "message.h"
+#include "vti.h"
+
+#define EFFECT_KINDS(KIND) KIND(binder) KIND(contact) KIND(wall) KIND(gravity) KIND(pendulum)
+
+#define EFFECT_NUMBER(NAME) EFFECT_##NAME,
+enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };
+#undef EFFECT_NUMBER
+
+struct effect_kind; /* kind.h */
+struct table;
+
+#define EFFECT_DECLARE(NAME) extern const struct effect_kind effect_##NAME;
+EFFECT_KINDS(EFFECT_DECLARE)
+#undef EFFECT_DECLARE
+
+/** What a scene says of all effects: structs of the effects' own, one behind the other. */
+union effect_settings {
+    unsigned char bytes[12288];
+    double number;
+    int64_t count;
+    void *place;
+};
+
+/** The kind of number k, NULL behind the last. */
+const struct effect_kind *kinds_at(int k);
+/** The kind whose key the path of a scene's field begins with; NULL if there is none. */
+const struct effect_kind *kinds_find(const char *path);
+
+/** Where the kind's own settings are. */
+void *kinds_settings(const struct effect_kind *kind, union effect_settings *all);
+const void *kinds_settings_of(const struct effect_kind *kind, const union effect_settings *all);
+/** All of them as they are where a scene says nothing. */
+void kinds_defaults(union effect_settings *all);
+
+/** What it gives bodies (effect_gift); table is the effect's own, NULL if it is not read yet. */
+int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table);
+
+/** Whether every kind says all that it must: at the start of programs. Returns 0, or -1 with one line in *message that names
+ *  the file. */
+int kinds_check(struct message *message);
+/** The same for an effect that a kind has made. */
+int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message);
+
+#endif

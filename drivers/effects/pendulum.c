@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The pendulum: bodies that hang by an arm from pivots that do not move (EQUATIONS 3). */
+#include "kind.h"
+#include "model.h"
+#include "scene_reader.h"
+#include "table.h"
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+static const struct scene_field fields[] = {
+    {"pendulum", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "pivot and weight",
+     "Each body hangs by its arm from a pivot that does not move, in a field along +z; bodies turn and cannot "
+     "translate.",
+     NULL},
+    {"pendulum.weight", SCENE_NUMBER, SCENE_MUST, SCENE_NOT_NEGATIVE, offsetof(vti_pendulum, weight), "weight m g",
+     "Force: the mass times the acceleration of the field.", NULL},
+    {"pendulum.rho0", SCENE_VECTOR, SCENE_MUST, SCENE_NOT_ZERO, offsetof(vti_pendulum, rho0), "arm in the body's frame",
+     "Length and direction at alpha = 0, from the pivot to where the weight acts.", NULL},
+};
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    (void)settings;
+    if (!scene->translates)
+        return 0;
+    return scene_reader_fail(reader, "pendulum",
+                             "hangs bodies on fixed pivots, where they turn and cannot translate; remove it or %s",
+                             scene_positions_key(scene));
+}
+
+static int check_tables(const struct model *model, const void *settings, const struct tables *tables,
+                        struct message *message)
+{
+    (void)settings;
+    if (!model->translates)
+        return 0;
+    return table_fail_whole(
+        &tables->bodies, message,
+        "has columns x, y, z; a pendulum hangs bodies on fixed pivots, where they cannot translate");
+}
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    (void)model, (void)table, (void)message;
+    *made = vti_pendulum_effect(e->settings);
+    return 0;
+}
+
+static void centre(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3])
+{
+    vti_pendulum_arm(e->settings, bodies, i, x);
+}
+
+/* ---- what it keeps: the sphere's spin about its arm, and the arm's length ------------------------------------------ */
+
+static const struct invariant kept[] = {{"arm_dot_omega", "$R\\rho_0\\cdot\\Omega$", 1},
+                                        {"arm_length", "$|R\\rho_0|$", 0}};
+
+/** Of body 0. */
+static void kept_values(const struct effect *e, const vti_bodies *b, double *values)
+{
+    double arm[3];
+    vti_pendulum_arm(e->settings, b, 0, arm);
+    values[0] = arm[0] * b->omega.c[0][0] + arm[1] * b->omega.c[1][0] + arm[2] * b->omega.c[2][0];
+    values[1] = vti_norm(arm);
+}
+
+static const struct effect_invariants invariants = {kept, sizeof kept / sizeof kept[0], kept_values};
+
+static const struct effect_term terms[] = {{"pendulum", "$U$", "pendulum", "#999933"}};
+
+const struct effect_kind effect_pendulum = {.number = EFFECT_pendulum,
+                                            .key = "pendulum",
+                                            EFFECT_FIELDS(fields),
+                                            .settings = sizeof(vti_pendulum),
+                                            .check = check,
+                                            .gives = EFFECT_MOMENT,
+                                            .check_tables = check_tables,
+                                            .make = make,
+                                            EFFECT_TERMS(terms),
+                                            .centre = centre,
+                                            .invariants = &invariants};
