@@ -53,7 +53,7 @@ contains
 end module
 
 program test_fortran_effects
-    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int64_t, c_loc
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funloc, c_int64_t, c_loc
     use common
     use spring
     implicit none
@@ -72,6 +72,8 @@ program test_fortran_effects
     other%x = other%x + 1
     call measures()
     call effects()
+    call probe()
+    call sums()
     call finish()
 
 contains
@@ -156,5 +158,45 @@ contains
         both(2)%springs = c_funloc(vti_springs_none)
         call expect_status(vti_stable_step(both(2:), b, scratch, stable), VTI_OK, 'no springs')
         call expect(stable%h > huge(1.0_c_double) .and. stable%effect == 0, 'no springs do not oscillate')
+    end subroutine
+
+    !> chin4 takes the forces of a kick at x + probe h^2 F/m.
+    subroutine probe()
+        type(vti_stepper) :: method
+        type(vti_bodies) :: probed
+        real(c_double), target :: x(3, n), alpha(3, n)
+        real(c_double), pointer :: factor(:)
+        real(c_double), parameter :: h = 0.125_c_double
+        integer :: k
+        method = vti_stepper_find('chin4')
+        call c_f_pointer(method%probe, factor, [method%stages + 1])
+        k = maxloc(abs(factor), 1)
+        force = cshift(s%v, 1)
+        moment = 0
+        probed = b
+        probed%x = vti_view_columns(x)
+        probed%alpha = vti_view_columns(alpha)
+        call expect_status(vti_step_probe(method, int(k - 1, c_int64_t), h, b, probed), VTI_OK, 'probe')
+        call expect(all(abs(x - s%x - factor(k)*h**2*force/spread(s%mass, 1, 3)) <= 4*epsilon(h)*abs(x) + epsilon(h)), &
+            'probe, positions') ! two sums and three products, each good to eps/2
+        call expect(maxval(abs(x - s%x)) > 1e-6_c_double, 'probe, bodies are displaced')
+    end subroutine
+
+    !> A sum of terms that cancel keeps what doubles alone lose, and the trapezoid rule is exact for a straight line.
+    subroutine sums()
+        type(vti_sum) :: total
+        type(vti_integral) :: q
+        integer :: i
+        do i = 1, 1000
+            call vti_sum_add(total, 1e16_c_double)
+            call vti_sum_add(total, 1.0_c_double)
+            call vti_sum_add(total, -1e16_c_double)
+        end do
+        call expect(abs(vti_sum_value(total) - 1000) <= 0, 'sum')
+        do i = 0, 64
+            call vti_integral_add(q, 0.125_c_double, 3*0.125_c_double*i)
+        end do
+        call expect(abs(vti_integral_value(q) - 96) <= 0 .and. q%values == 65, 'integral of 3 t up to t = 8')
+        call expect(same_bits([q%last], [24.0_c_double]), 'last value of the integral')
     end subroutine
 end program

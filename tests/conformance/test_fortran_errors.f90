@@ -1,33 +1,35 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> What is refused from Fortran, with which status, which body (counted from 1) is named, and that nothing has changed.
+!> How errors cross from C to Fortran: every procedure hands on the status, faults count from 1, what the constructors of
+!> views know of shapes is refused, and nothing has changed. Which input has which status is C's: tests/unit.
 program test_fortran_errors
-    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc, c_null_ptr
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_quiet_nan, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
     use common
     implicit none
 
-    type :: triple
-        integer :: id = 0
-        real(c_double) :: a(3) = 0
-    end type
-
+    real(c_double), parameter :: h = 1.0_c_double/64
     type(state), target :: s
     type(state) :: before
-    type(triple), target :: triples(n)
-    real(c_double), target :: force(3, n), moment(3, n), wrong(4, n), none(3, 0)
-    real(c_double), pointer :: nowhere(:, :)
-    real(c_double), parameter :: h = 1.0_c_double/64
+    real(c_double), target :: force(3, n), moment(3, n), other(3, n), wrong(4, n), triples(3, 2) = 0, none(3, 0)
+    real(c_double), target :: one = 1, rest(4, 2), plane(4, 1)
+    integer(c_int64_t), target :: pair(2, 2) = reshape([1_c_int64_t, 2_c_int64_t, 2_c_int64_t, 3_c_int64_t], [2, 2])
+    integer(c_int64_t), target :: wrong_pair(3, 2) = 1
+    type(vti_bonds), target :: bonds
+    type(vti_contacts), target :: contacts
+    type(vti_walls), target :: walls
+    type(vti_gravity), target :: gravity
+    type(vti_pendulum), target :: pendulum
+    type(vti_effect) :: effects(5)
     type(vti_bodies) :: good, b
-    type(vti_stepper) :: vti1, vti2, unknown
+    type(vti_stepper) :: vti1, vti2, chin4, unknown
     type(vti_fault) :: fault
-    integer(c_int64_t) :: body
-    integer(c_int) :: status
-    real(c_double) :: value
 
     s = initial()
-    force = 0
-    moment = 0
+    force = 0.5_c_double
+    moment = 0.25_c_double
     wrong = 0
+    other = 0
+    plane(:, 1) = [0, 0, 1, 0]
     good = vti_bodies_none(n)
     good%x = vti_view_columns(s%x)
     good%v = vti_view_columns(s%v)
@@ -39,18 +41,39 @@ program test_fortran_errors
     good%inertia = vti_scalars_array(s%inertia)
     vti1 = vti_stepper_find('vti1')
     vti2 = vti_stepper_find('vti2  ') ! as a fixed-length variable holds it
+    chin4 = vti_stepper_find('chin4')
     unknown = vti_stepper_find('vti')
+    call expect_status(vti_bonds_rest(pair, good, rest, fault), VTI_OK, 'rest')
+    call lists_are_good()
+    effects = [vti_bonds_effect(bonds), vti_contacts_effect(contacts), vti_walls_effect(walls), &
+        vti_gravity_effect(gravity), vti_pendulum_effect(pendulum)]
+    before = s
 
     call steppers()
-    call views()
-    call arguments()
+    call spoiled_bodies()
+    call shapes()
+    call short_views()
     call values()
     call too_large()
+    call lists()
+    call no_effects()
+    call stable_steps()
+    call packed_arrays()
     call finish()
 
 contains
 
+    subroutine lists_are_good()
+        bonds = vti_bonds_between(pair, rest)
+        bonds%moment = vti_scalars_one(one)
+        bonds%axial = vti_scalars_one(one)
+        bonds%shear = vti_scalars_one(one)
+        contacts = vti_contacts_between(pair, vti_scalars_one(one), 1.0_c_double)
+        walls = vti_walls_at(plane, vti_scalars_one(one), 1.0_c_double)
+    end subroutine
+
     subroutine steppers()
+        type(vti_effect) :: friction
         call expect(vti_text(vti1%name) == 'vti1', 'vti1 is found')
         call expect(vti_text(vti2%name) == 'vti2', 'vti2 is found')
         call expect(vti1%law == VTI_LAW_CLOSED .and. vti1%frame == VTI_FRAME_SPACE .and. vti1%order == 2 .and. &
@@ -61,66 +84,60 @@ contains
         call expect(unknown%stages == 0, 'the steppers end')
         unknown = vti_stepper_at(0_c_int64_t)
         call expect(unknown%stages == 0, 'the steppers count from 1')
-        call expect_status(vti_step_begin(unknown, h, good, fault), VTI_E_STEPPER, 'begin with no stepper')
-        call expect(fault%body == 0, 'no body is to blame for the stepper')
         call expect(index(vti_status_text(VTI_E_STEPPER), ' vti3-leapfrog, ') > 0, 'the text names the steppers')
-        call expect_status(vti_step_finish(unknown, h, good), VTI_E_STEPPER, 'finish with no stepper')
-        call expect_status(vti_step_start(unknown, h, good), VTI_E_STEPPER, 'start with no stepper')
-        call expect_status(vti_step_sync(unknown, h, good), VTI_E_STEPPER, 'sync with no stepper')
+        call expect_status(vti_step_begin(unknown, h, good, fault), VTI_E_STEPPER, 'no stepper')
+        call expect(fault%body == 0, 'no stepper: no body')
+        call expect_status(vti_step_begin(vti1, -h, good, fault), VTI_E_TIME, 'h < 0')
+        call expect(fault%body == 0 .and. abs(fault%value + h) <= 0, 'h < 0: the value, no body')
         call expect_status(vti_step_stage(vti1, 1_c_int64_t, h, good), VTI_E_STAGE, 'a stage too many')
+        call expect_status(vti_drift(VTI_LAW_CAYLEY, 0_c_int, h, good, fault), VTI_E_FRAME, 'no such frame')
+        friction = effects(4)
+        call expect_status(vti_step_check(vti_stepper_find('srkn14'), [friction]), VTI_OK, 'srkn14 under gravity')
+        friction%dissipates = 1
+        call expect_status(vti_step_check(vti_stepper_find('srkn14'), [friction]), VTI_E_DISSIPATES, 'srkn14 with friction')
     end subroutine
 
-    subroutine views()
-        call expect_status(vti_bodies_check(good), VTI_OK, 'the bodies are good')
+    !> One fault of each kind through every procedure.
+    subroutine spoiled_bodies()
         b = good
-        b%alpha%c(2) = c_null_ptr
-        call refused(VTI_E_VIEW, 'a half-given view')
-        b = good
-        b%alpha = vti_view_columns(wrong)
-        call refused(VTI_E_VIEW, 'columns of the wrong shape')
-        b%alpha = vti_view_rows(s%alpha(:, 1:4))
-        call refused(VTI_E_VIEW, 'rows of the wrong shape')
-        b%alpha = vti_view_separate(s%alpha(1, :), s%alpha(2, ::2), s%alpha(3, :))
-        call refused(VTI_E_VIEW, 'components with strides of their own')
-        b%alpha = vti_view_separate(s%alpha(1, :), none(1, :), s%alpha(3, :))
-        call refused(VTI_E_VIEW, 'a component of no bodies')
-        b%alpha = vti_view_separate(triples%a(1), triples%a(2), triples%a(3))
-        status = vti_bodies_check(b)
-        call expect(status == VTI_OK .or. status == VTI_E_ALIAS, 'members as sections: right, or refused')
-        b%alpha = vti_view()
-        b%quat = vti_quat_view_columns(s%alpha)
-        call refused(VTI_E_VIEW, 'quaternions in columns of the wrong shape')
-        b%quat = vti_quat_view_rows(s%alpha)
-        call refused(VTI_E_VIEW, 'quaternions in rows of the wrong shape')
-        b = good
-        b%quat = vti_quat_view_columns(s%quat)
-        call refused(VTI_E_VIEW, 'the attitude given twice')
-        b = good
-        b%v = b%x
-        call refused(VTI_E_ALIAS, 'two quantities on one array')
+        b%abi = VTI_ABI + 1
+        call refused(VTI_E_ABI, VTI_QUANTITY_NONE, 'another ABI')
+        b = vti_bodies_slice(good, 0_c_int64_t, 1_c_int64_t)
+        call refused(VTI_E_COUNT, VTI_QUANTITY_NONE, 'a slice from body 0')
         b = good
         b%x%stride = 0
-        call refused(VTI_E_STRIDE, 'a stride of 0')
+        call refused(VTI_E_STRIDE, VTI_QUANTITY_X, 'a stride of 0')
+        b = good
+        b%v = b%x
+        call refused(VTI_E_ALIAS, VTI_QUANTITY_V, 'two quantities in one place')
+        b = good
+        b%mass = vti_scalars()
+        call refused(VTI_E_MASS, VTI_QUANTITY_MASS, 'no mass')
+    end subroutine
+
+    !> What the constructors of views know of arrays.
+    subroutine shapes()
+        real(c_double), pointer :: nowhere(:, :)
+        b = good
+        b%alpha = vti_view_columns(wrong)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'columns of the wrong shape')
+        b%alpha = vti_view_rows(s%alpha(:, 1:4))
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'rows of the wrong shape')
+        b%alpha = vti_view_separate(s%alpha(1, :), s%alpha(2, ::2), s%alpha(3, :))
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'components with strides of their own')
+        b%alpha = vti_view_separate(s%alpha(1, :), none(1, :), s%alpha(3, :))
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'a component of no bodies')
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_columns(s%alpha)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'quaternions in columns of the wrong shape')
+        b%quat = vti_quat_view_rows(s%alpha)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'quaternions in rows of the wrong shape')
         b = good
         b%x = vti_view_member(c_loc(s%x), 20_c_int64_t)
-        call refused(VTI_E_STRIDE, 'a member at no whole distance')
-        b = good
-        b%x = vti_view_member(c_loc(s%x), 16_c_int64_t)
-        call refused(VTI_E_STRIDE, 'a member of three doubles in two')
-        b = good
-        b%v = vti_view_columns(s%v(:, 2:))
-        b%mass = vti_scalars_one(s%mass(1))
-        b%count = n - 1
-        call expect_status(vti_bodies_check(b), VTI_OK, 'fewer bodies, of which the others are not moved')
-        b%x = vti_view_columns(s%v(:, :n - 1))
-        call refused(VTI_E_ALIAS, 'positions and velocities shifted over each other by one body')
-        call short_views()
+        call refused(VTI_E_STRIDE, VTI_QUANTITY_X, 'members not whole doubles apart')
         b = good
         b%mass = vti_scalars_member(c_loc(s%mass), 4_c_int64_t)
-        call refused(VTI_E_MASS, 'a mass at no whole distance')
-        b = good
-        b%inertia = vti_scalars_array(triples%a(2))
-        call refused(VTI_E_INERTIA, 'members as a section, inertia')
+        call refused(VTI_E_MASS, VTI_QUANTITY_MASS, 'masses not whole doubles apart')
         nullify (nowhere)
         b = vti_bodies_none(0_c_int64_t)
         b%x = vti_view_columns(none)
@@ -141,8 +158,6 @@ contains
         b = good
         b%x = vti_view_columns(s%x(:, :n - 1))
         call short(VTI_QUANTITY_X, 'columns')
-        b%v = vti_view_columns(s%v(:, 2:))
-        call short(VTI_QUANTITY_X, 'columns, of which the first is named')
         b = good
         b%moment = vti_view_rows(rows)
         call short(VTI_QUANTITY_MOMENT, 'rows')
@@ -156,9 +171,6 @@ contains
         b%quat = vti_quat_view_rows(quat_rows)
         call short(VTI_QUANTITY_QUAT, 'quaternions in rows')
         b = good
-        b%mass = vti_scalars_array(s%mass(:n - 1))
-        call short(VTI_QUANTITY_MASS, 'masses')
-        b = good
         b%inertia = vti_scalars_array(s%inertia(n:))
         call short(VTI_QUANTITY_INERTIA, 'an array of one inertia')
     end subroutine
@@ -167,149 +179,189 @@ contains
     subroutine short(quantity, what)
         integer(c_int64_t), intent(in) :: quantity
         character(len=*), intent(in) :: what
-        type(vti_bodies) :: part
-        call refused(VTI_E_COUNT, 'a view that is too short, '//what)
-        status = vti_bodies_check_values(b, fault)
-        call expect(fault%quantity == quantity .and. fault%body == 0 .and. fault%value < n .and. fault%value > 0, &
-            'it is named, '//what)
-        part = vti_bodies_slice(b, 1_c_int64_t, nint(fault%value, c_int64_t))
-        call expect_status(vti_bodies_check(part), VTI_OK, 'as many as it shows, '//what)
-    end subroutine
-
-    subroutine arguments()
-        call expect_status(vti_bodies_check(vti_bodies_none(-1_c_int64_t)), VTI_E_COUNT, 'a negative number of bodies')
-        b = vti_bodies_slice(good, 0_c_int64_t, 1_c_int64_t)
-        call refused(VTI_E_COUNT, 'a slice from body 0')
-        b = good
-        b%abi = VTI_ABI + 1
-        call refused(VTI_E_ABI, 'another ABI')
-        call expect_status(vti_step_begin(vti1, 0.0_c_double, good, fault), VTI_E_TIME, 'h = 0')
-        call expect_status(vti_step_begin(vti1, -h, good, fault), VTI_E_TIME, 'h < 0')
-        call expect(fault%body == 0 .and. abs(fault%value + h) <= 0, 'h is to blame, no body')
-        call expect_status(vti_step_finish(vti1, -h, good), VTI_E_TIME, 'finish with h < 0')
-        call expect_status(vti_kick(not_a_number(), good), VTI_E_TIME, 'a kick for no time')
-        call expect_status(vti_drift(0_c_int, VTI_FRAME_SPACE, h, good), VTI_E_STEPPER, 'no such law')
-        call expect_status(vti_drift(VTI_LAW_CAYLEY, 0_c_int, h, good, fault), VTI_E_FRAME, 'no such frame')
-        call expect(fault%body == 0, 'no body is to blame for the frame')
-        call expect_status(packed(1_c_int64_t, h, -n, n), VTI_E_COUNT, 'packed, a negative number of bodies')
-        call expect_status(packed(1_c_int64_t, -h, n, n), VTI_E_TIME, 'packed, h < 0')
-        call expect_status(packed(1_c_int64_t, h, n, n - 1), VTI_E_COUNT, 'packed, masses neither 1 nor n')
-        call expect_status(packed(0_c_int64_t, h, n, n), VTI_E_STEPPER, 'packed, steppers count from 1')
-        call expect_status(vti_packed_finish(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), &
-            VTI_E_STEPPER, 'packed finish, steppers count from 1')
-        call expect_status(vti_packed_begin(1_c_int64_t, h, n, x=s%x, masses=1_c_int64_t, inertias=1_c_int64_t), &
-            VTI_OK, 'packed, what is left out is absent')
+        call refused(VTI_E_COUNT, quantity, 'too short, '//what)
+        call expect_status(vti_bodies_check_values(b, fault), VTI_E_COUNT, what)
+        call expect(fault%body == 0 .and. fault%value < n .and. fault%value > 0, 'as many as it shows, '//what)
+        call expect_status(vti_bodies_check(vti_bodies_slice(b, 1_c_int64_t, nint(fault%value, c_int64_t))), VTI_OK, what)
     end subroutine
 
     subroutine values()
-        b = good
-        b%mass = vti_scalars()
-        call refused(VTI_E_MASS, 'no mass')
         s%mass(3) = -1
         call expect_status(vti_bodies_check_values(good, fault), VTI_E_MASS, 'a negative mass')
-        call expect(fault%body == 3 .and. abs(fault%value + 1) <= 0, 'body 3 has it')
+        call expect(fault%body == 3 .and. abs(fault%value + 1) <= 0, 'a negative mass: body 3')
         call expect(vti_quantity_text(fault%quantity) == 'mass', 'and it is a mass')
-        s%mass(3) = 1
-        s%inertia(n) = not_a_number()
-        call expect_status(vti_bodies_check_values(good, fault), VTI_E_INERTIA, 'an inertia that is no number')
-        call expect(fault%body == n, 'the last body has it')
-        s%inertia(n) = 1
-        call expect_status(vti_bodies_check_values(good, fault), VTI_OK, 'mass and inertia are good again')
-        call expect(fault%body == 0 .and. fault%quantity == VTI_QUANTITY_NONE, 'and no body is to blame')
-        call states()
+        s = before
+        s%omega(2, n) = ieee_value(h, ieee_quiet_nan)
+        call expect_status(vti_bodies_check_values(good, fault), VTI_E_STATE, 'a NaN')
+        call expect(fault%body == n .and. fault%quantity == VTI_QUANTITY_OMEGA, 'a NaN: the last body')
+        s = before
+        call expect_status(vti_bodies_check_values(good, fault), VTI_OK, 'good bodies')
+        call expect(fault%body == 0 .and. fault%quantity == VTI_QUANTITY_NONE, 'good bodies: no fault')
     end subroutine
 
-    !> What is not finite before the first step is named.
-    subroutine states()
-        call not_finite(s%x(2, 4), VTI_QUANTITY_X)
-        call not_finite(s%v(1, 4), VTI_QUANTITY_V)
-        call not_finite(s%alpha(3, 4), VTI_QUANTITY_ALPHA)
-        call not_finite(s%omega(2, 4), VTI_QUANTITY_OMEGA)
-        b = good
-        b%alpha = vti_view()
-        b%quat = vti_quat_view_columns(s%quat)
-        before = s
-        s%quat(:, 4) = 0
-        call expect_status(vti_bodies_check_values(b, fault), VTI_E_STATE, 'a quaternion of cleared memory')
-        call expect(fault%body == 4 .and. fault%quantity == VTI_QUANTITY_QUAT, 'a quaternion of cleared memory is named')
+    !> The bound of VTI-1: all or nothing.
+    subroutine too_large()
+        real(c_double) :: value
+        integer(c_int64_t) :: body
+        integer(c_int) :: status
+        s%omega(:, 5) = [0.0_c_double, 80.0_c_double, 0.0_c_double]
+        s%omega(:, 2) = [0.0_c_double, 0.0_c_double, 70.0_c_double]
+        moment = 0
+        call culprit(vti_step_begin(vti1, h, good, fault), 5_c_int64_t, 1.25_c_double, 'begin')
+        call culprit(vti_step_begin(vti1, h, vti_bodies_slice(good, 2_c_int64_t, 3_c_int64_t), fault), 2_c_int64_t, &
+            1.09375_c_double, 'a slice')
+        call culprit(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault), 5_c_int64_t, 1.25_c_double, 'drift')
+        status = vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, force, s%alpha, s%omega, moment, n, s%mass, n, s%inertia, &
+            body, value)
+        fault = vti_fault(body, value, VTI_QUANTITY_OMEGA) ! packed arrays have no quantity
+        call culprit(status, 5_c_int64_t, 1.25_c_double, 'packed')
+        call expect_status(vti_step_begin(vti1, h, good), VTI_E_TOO_LARGE, 'begin without a fault to fill')
+        moment = 0.25_c_double
         s = before
     end subroutine
 
-    !> One number of body 4.
-    subroutine not_finite(number, quantity)
-        real(c_double), intent(inout) :: number
-        integer(c_int64_t), intent(in) :: quantity
-        real(c_double) :: keep
-        keep = number
-        number = not_a_number()
-        call expect_status(vti_bodies_check_values(good, fault), VTI_E_STATE, vti_quantity_text(quantity)//' is no number')
-        call expect(fault%body == 4 .and. fault%quantity == quantity, vti_quantity_text(quantity)//' of body 4 is named')
-        number = keep
-    end subroutine
-
-    !> The bound of VTI-1: all or nothing, and the culprit counts from 1 through every door.
-    subroutine too_large()
-        s%omega(:, 5) = [0.0_c_double, 80.0_c_double, 0.0_c_double]
-        s%omega(:, 2) = [0.0_c_double, 0.0_c_double, 70.0_c_double]
-        before = s
-        status = vti_step_begin(vti1, h, good, fault)
-        call culprit(5_c_int64_t, 1.25_c_double, 'begin')
-        status = vti_step_begin(vti1, h, vti_bodies_slice(good, 2_c_int64_t, 3_c_int64_t), fault)
-        call culprit(2_c_int64_t, 1.09375_c_double, 'a slice')
-        status = vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault)
-        call culprit(5_c_int64_t, 1.25_c_double, 'drift')
-        status = packed(1_c_int64_t, h, n, n)
-        fault = vti_fault(body, value, VTI_QUANTITY_OMEGA) ! which that door does not say
-        call culprit(5_c_int64_t, 1.25_c_double, 'packed')
-        call expect_status(vti_step_begin(vti1, h, good), VTI_E_TOO_LARGE, 'begin without a fault to fill')
-        s%omega(1, 1) = not_a_number()
-        before%omega(1, 1) = s%omega(1, 1)
-        status = vti_step_begin(vti1, h, good, fault)
-        call expect(status == VTI_E_TOO_LARGE .and. fault%body == 1, 'a body that is no number is named')
-        s%omega(1, 1) = 0
-        call expect_status(vti_step_begin(vti2, h, good, fault), VTI_OK, 'vti2 has no limit')
-        call expect(.not. same_bits(s%x, before%x), 'and moves the bodies')
-    end subroutine
-
-    subroutine culprit(wanted, turn, what)
+    subroutine culprit(status, wanted, turn, what)
+        integer(c_int), intent(in) :: status
         integer(c_int64_t), intent(in) :: wanted
         real(c_double), intent(in) :: turn
         character(len=*), intent(in) :: what
         call expect_status(status, VTI_E_TOO_LARGE, 'too large, '//what)
-        call expect(fault%body == wanted .and. abs(fault%value - turn) <= 0, 'the culprit, '//what)
-        call expect(fault%quantity == VTI_QUANTITY_OMEGA, 'the spin of the culprit, '//what)
-        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha) &
-            .and. same_bits(s%omega, before%omega), 'nothing has changed, '//what)
+        call expect(fault%body == wanted .and. abs(fault%value - turn) <= 0 .and. fault%quantity == VTI_QUANTITY_OMEGA, &
+            'the body that turns too far, '//what)
+        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha), &
+            'nothing has changed, '//what)
     end subroutine
 
-    !> Every door refuses b, and nothing has changed.
-    subroutine refused(wanted, what)
-        integer(c_int), intent(in) :: wanted
+    subroutine blamed(status, wanted, element, what)
+        integer(c_int), intent(in) :: status, wanted
+        integer, intent(in) :: element
         character(len=*), intent(in) :: what
-        before = s
-        call expect_status(vti_bodies_check(b), wanted, what)
-        call expect_status(vti_bodies_check_values(b), wanted, what//', with values')
-        call expect_status(vti_kick(h, b), wanted, what//', kick')
-        call expect_status(vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, h, b), wanted, what//', drift')
-        call expect_status(vti_step_begin(vti1, h, b), wanted, what//', begin')
-        call expect_status(vti_step_finish(vti1, h, b), wanted, what//', finish')
-        call expect_status(vti_step_start(vti1, h, b), wanted, what//', start')
-        call expect_status(vti_step_sync(vti1, h, b), wanted, what//', sync')
-        call expect_status(vti_apply([vti_effect ::], b), wanted, what//', apply')
-        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha) &
-            .and. same_bits(s%omega, before%omega), what//', nothing has changed')
+        call expect_status(status, wanted, what)
+        call expect(fault%body == element, what//': the element')
     end subroutine
 
-    function packed(stepper, h, bodies, masses) result(status)
-        integer(c_int64_t), intent(in) :: stepper, bodies, masses
-        real(c_double), intent(in) :: h
-        integer(c_int) :: status
-        status = vti_packed_begin(stepper, h, bodies, s%x, s%v, force, s%alpha, s%omega, moment, masses, s%mass, n, &
-            s%inertia, body, value)
-    end function
+    !> Bonds, contacts and their bodies count from 1.
+    subroutine lists()
+        call blamed(vti_bonds_rest(wrong_pair, good, rest, fault), VTI_E_COUNT, 0, 'pairs of three')
+        call blamed(vti_bonds_rest(pair, good, triples, fault), VTI_E_COUNT, 0, 'rest vectors of three')
+        call blamed(vti_bonds_rest(pair(:, :1), good, rest, fault), VTI_E_COUNT, 0, 'fewer pairs than rest vectors')
+        pair(1, 2) = 0
+        call blamed(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'body 0')
+        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_BOND, 2, 'a bond to body 0')
+        call expect(abs(fault%value) <= 0 .and. fault%quantity == VTI_QUANTITY_NONE, 'body 0: the value')
+        pair(:, 2) = [n + 1, 2_c_int64_t]
+        call blamed(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'a body behind the last')
+        call expect(nint(fault%value, c_int64_t) == n + 1, 'a body behind the last: the value')
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 2, 'a contact with a body behind the last')
+        pair(:, 2) = [2, 3]
+        call blamed(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
+        bonds = vti_bonds_between(wrong_pair, rest)
+        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of pairs of three')
+        bonds = vti_bonds_between(pair, triples)
+        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of rest vectors of three')
+        bonds = vti_bonds_between(pair(:, 1:0), rest(:, 1:0))
+        call blamed(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'no bonds')
+        contacts = vti_contacts_between(wrong_pair, vti_scalars_one(one), 1.0_c_double)
+        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_COUNT, 0, 'contacts of the wrong shape')
+        call lists_are_good()
+    end subroutine
 
-    function not_a_number() result(r)
-        real(c_double) :: r
-        r = ieee_value(r, ieee_quiet_nan)
-    end function
+    !> Effects of what does not exist, or has the wrong shape, are refused before anything is written.
+    subroutine no_effects()
+        type(vti_bonds), pointer :: no_bonds
+        type(vti_contacts), pointer :: no_contacts
+        type(vti_walls), pointer :: no_walls
+        type(vti_gravity), pointer :: no_gravity
+        type(vti_pendulum), pointer :: no_pendulum
+        type(vti_bonds), target :: other_bonds
+        type(vti_contacts), target :: other_contacts
+        type(vti_walls), target :: other_walls
+        nullify (no_bonds, no_contacts, no_walls, no_gravity, no_pendulum)
+        call no_effect(vti_bonds_effect(no_bonds), 'no bonds')
+        call no_effect(vti_contacts_effect(no_contacts), 'no contacts')
+        call no_effect(vti_walls_effect(no_walls), 'no walls')
+        call no_effect(vti_gravity_effect(no_gravity), 'no gravity')
+        call no_effect(vti_pendulum_effect(no_pendulum), 'no pendulum')
+        other_bonds = vti_bonds_between(wrong_pair, rest)
+        call no_effect(vti_bonds_effect(other_bonds), 'bonds of the wrong shape')
+        other_contacts = vti_contacts_between(wrong_pair, vti_scalars_one(one), 1.0_c_double)
+        call no_effect(vti_contacts_effect(other_contacts), 'contacts of the wrong shape')
+        other_walls = vti_walls_at(triples, vti_scalars_one(one), 1.0_c_double)
+        call no_effect(vti_walls_effect(other_walls), 'planes of the wrong shape')
+    end subroutine
+
+    subroutine no_effect(effect, what)
+        type(vti_effect), intent(in) :: effect
+        character(len=*), intent(in) :: what
+        call expect_status(vti_apply([effects(4), effect], good), VTI_E_NULL, what)
+        call expect_status(vti_step_check(vti2, [effect]), VTI_E_NULL, what//', step check')
+        call expect(ieee_is_nan(vti_energy([effect], good)), what//', energy')
+        call unchanged(what)
+    end subroutine
+
+    subroutine stable_steps()
+        real(c_double) :: scratch(n)
+        type(vti_stable) :: stable
+        stable%h = -3
+        call expect_status(vti_stable_step(effects(:1), good, scratch(:2), stable), VTI_E_COUNT, 'too little scratch')
+        call expect(abs(stable%h + 3) <= 0, 'stable step that is refused')
+        call expect_status(vti_stable_step([vti_effect ::], good, scratch, stable), VTI_OK, 'stable step of nothing')
+        call expect(.not. ieee_is_finite(stable%h) .and. stable%effect == 0 .and. stable%i == 0, 'nothing oscillates')
+    end subroutine
+
+    subroutine packed_arrays()
+        call expect_status(vti_packed_begin(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_E_STEPPER, &
+            'packed, steppers count from 1')
+        call expect_status(vti_packed_finish(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_E_STEPPER, &
+            'packed finish, steppers count from 1')
+        call expect_status(vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, masses=n - 1, mass=s%mass, inertias=1_c_int64_t), &
+            VTI_E_COUNT, 'packed, masses neither 1 nor n')
+        call expect_status(vti_packed_begin(1_c_int64_t, h, n, x=s%x, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_OK, &
+            'packed, what is left out is absent')
+    end subroutine
+
+    !> Every procedure refuses b and, where it says more than a status, names the quantity; and nothing has changed.
+    subroutine refused(wanted, quantity, what)
+        integer(c_int), intent(in) :: wanted
+        integer(c_int64_t), intent(in) :: quantity
+        character(len=*), intent(in) :: what
+        type(vti_bodies) :: copy, probed
+        type(vti_fault) :: faults(3)
+        type(vti_stable) :: stable
+        real(c_double) :: scratch(n), r(3, 4)
+        copy = b
+        probed = good
+        probed%x = vti_view_columns(other)
+        call expect_status(vti_bodies_check(b), wanted, what//', check')
+        call expect_status(vti_bodies_check_values(b, faults(1)), wanted, what//', values')
+        call expect_status(vti_bodies_seal(copy), wanted, what//', seal')
+        call expect_status(vti_kick(h, b), wanted, what//', kick')
+        call expect_status(vti_drift(VTI_LAW_EXACT, VTI_FRAME_BODY, h, b, faults(2)), wanted, what//', drift')
+        call expect_status(vti_step_begin(vti2, h, b, faults(3)), wanted, what//', begin')
+        call expect(all(faults%body == 0) .and. all(faults%quantity == quantity), what//', the quantity')
+        call expect_status(vti_step_stage(chin4, 1_c_int64_t, h, b), wanted, what//', stage')
+        call expect_status(vti_step_finish(vti2, h, b), wanted, what//', finish')
+        call expect_status(vti_step_start(vti2, h, b), wanted, what//', start')
+        call expect_status(vti_step_sync(vti2, h, b), wanted, what//', sync')
+        call expect_status(vti_step_probe(chin4, 0_c_int64_t, h, b, probed), wanted, what//', probe')
+        call expect_status(vti_apply(effects, b), wanted, what//', apply')
+        call expect_status(vti_stable_step(effects, b, scratch, stable), wanted, what//', stable step')
+        call vti_momentum(b, r(:, 1))
+        call vti_spin(b, r(:, 2))
+        call vti_angular_momentum(b, [0.0_c_double, 0.0_c_double, 0.0_c_double], r(:, 3))
+        call vti_pendulum_arm(pendulum, b, 1_c_int64_t, r(:, 4))
+        call expect(all(ieee_is_nan(r)), what//', vectors')
+        call expect(all(ieee_is_nan([vti_energy(effects, b), vti_kinetic_translation(b), vti_kinetic_rotation(b), &
+            vti_max_turn(h, b), vti_h1_density(b), vti_h1_distance(b, good), vti_attitude_distance(b, good)])), &
+            what//', measures')
+        call unchanged(what)
+    end subroutine
+
+    subroutine unchanged(what)
+        character(len=*), intent(in) :: what
+        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha) .and. &
+            same_bits(s%omega, before%omega) .and. same_bits(s%mass, before%mass) .and. all(abs(force - 0.5_c_double) <= 0) &
+            .and. all(abs(moment - 0.25_c_double) <= 0) .and. all(abs(other) <= 0), what//', nothing has changed')
+    end subroutine
 end program

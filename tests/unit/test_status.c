@@ -2,6 +2,7 @@
  *
  * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
 #include "bodies.h"
+#include "every_call.h"
 #include "support.h"
 
 enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_SPRINGS };
@@ -9,7 +10,7 @@ enum { N = 4, DOUBLES = 3 * N, LOWEST = VTI_E_SPRINGS };
 static const vti_stepper *vti1, *vti2;
 static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], mass[N], inertia[N], quat_[4 * N];
 static double zero[DOUBLES];
-static vti_bodies b;
+static vti_bodies b, sound_bodies;
 
 /** Sound bodies at rest; every test spoils a copy. */
 static int sound(void **state)
@@ -17,7 +18,7 @@ static int sound(void **state)
     (void)state;
     vti1 = vti_stepper_find("vti1");
     vti2 = vti_stepper_find("vti2");
-    b = bodies_packed(N, x, v, f, a, NULL, w, m, mass, inertia);
+    b = sound_bodies = bodies_packed(N, x, v, f, a, NULL, w, m, mass, inertia);
     for (int i = 0; i < N; ++i)
         mass[i] = inertia[i] = 1.0;
     for (int i = 0; i < DOUBLES; ++i) {
@@ -87,6 +88,7 @@ static void refused(vti_bodies bad, int status, int64_t quantity)
     assert_int_equal(vti_step_start(vti1, 0.5, &bad), status);
     assert_int_equal(vti_step_sync(vti1, 0.5, &bad), status);
     assert_int_equal(vti_apply(NULL, 0, &bad), status);
+    every_call_refuses(&bad, &sound_bodies, status);
     for (int k = 0; k < 6; ++k)
         memcpy(after[k], all[k], sizeof x);
     assert_same_bits(before, after, 6 * DOUBLES);
@@ -181,6 +183,8 @@ static void abi_and_count(void **state)
     bad.abi = VTI_ABI + 1;
     refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
     bad.abi = 0;
+    refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
+    memset(&bad, 0xa5, sizeof bad);
     refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
     refused(vti_bodies_slice(b, -1, 1), VTI_E_COUNT, VTI_QUANTITY_NONE);
     refused(vti_bodies_slice(b, 0, -1), VTI_E_COUNT, VTI_QUANTITY_NONE);

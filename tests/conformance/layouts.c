@@ -142,7 +142,7 @@ static void run(const char *name, enum layout layout, int64_t slices)
     print(name, &b, slices);
 }
 
-static void run_by_the_door(void)
+static void run_packed(void)
 {
     const vti_bodies b = start(PACKED);
     forces(&b);
@@ -152,7 +152,7 @@ static void run_by_the_door(void)
         forces(&b);
         ok(vti_packed_finish(1, h, n, memory[1], memory[4], memory[3], memory[5], n, mass, n, inertia));
     }
-    print("the packed door", &b, 1);
+    print("packed arrays", &b, 1);
 }
 
 int main(int argc, char **argv)
@@ -176,6 +176,6 @@ int main(int argc, char **argv)
     for (int layout = 0; layout < LAYOUTS; ++layout)
         for (int k = 0; k < 5; ++k)
             run(names[layout], (enum layout)layout, slices[k]);
-    run_by_the_door();
+    run_packed();
     return EXIT_SUCCESS;
 }
