@@ -81,7 +81,7 @@ static const struct option_row rows[] = {
 
 static const struct options options = {
     "vti-study", "mpirun -n RANKS ",
-    "[options] [SCENE.yaml]\n       mpirun -n RANKS vti-study --sweep PATH=VALUES [options] [SCENE.yaml]...\n       "
+    "[options] [SCENE.yaml]\n   or: mpirun -n RANKS vti-study --sweep PATH=VALUES [options] [SCENE.yaml]...\n   or: "
     "mpirun -n RANKS vti-study --cost [options] [SCENE.yaml[@T,...]]...",
     rows, -1};
 
