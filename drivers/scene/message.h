@@ -7,7 +7,8 @@ struct message {
     char text[1024];
 };
 
-/** Writes the line (cut off at the size of text) and returns -1, so that "return message_set(...)" reports a failure. */
+/** Writes the line (cut off at the size of text) and returns -1, so that "return message_set(...)" reports a
+ *  failure. */
 int message_set(struct message *message, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

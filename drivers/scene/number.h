@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Numbers as people write them, in scene files and on the command line alike: 0.01, 1e-3, 1/64, 2^-6. They are the same bits on
- * every processor. */
+ * Numbers as people write them, in scene files and on the command line alike: 0.01, 1e-3, 1/64, 2^-6. They are the same
+ * bits on every processor. */
 #ifndef VTI_NUMBER_H
 #define VTI_NUMBER_H
 
@@ -16,7 +16,8 @@ int number_read(const char *text, double *value);
 
 enum { NUMBER_TEXT = 32 };
 
-/** Writes the shortest decimal number that reads back as the same double, 0.1 and not 0.10000000000000001, and returns text. */
+/** Writes the shortest decimal number that reads back as the same double, 0.1 and not 0.10000000000000001, and returns
+ *  text. */
 const char *number_text(double value, char text[NUMBER_TEXT]);
 
 /** The same within one expression: printf("%s", NUMBER(h)). */

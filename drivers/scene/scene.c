@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The scene reader: the text of every field becomes a value (scene_value.h), then come the checks that concern several
- * fields at once (scene_check.h). What a file may hold at all is the table in scene_field.c. */
+ * fields at once (scene_check.c). What a file may hold at all is the table in scene_field.c. */
 #include "scene.h"
 
 #include <string.h>
 
-#include "scene_check.h"
 #include "scene_value.h"
 
 /* ---- field by field ---------------------------------------------------------------------------------------------- */

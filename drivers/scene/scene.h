@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * A scene: the bodies, the effects it calls for and how to step them, as numbers. A section that the file lacks is an
- * effect that does not exist; bodies without positions do not translate, and bodies that nothing turns have no attitude.
- * What a scene file may hold is the table in scene_field.c. */
+ * effect that does not exist; bodies without positions do not translate, and bodies that nothing turns have no
+ * attitude. What a scene file may hold is the table in scene_field.c. */
 #ifndef VTI_SCENE_H
 #define VTI_SCENE_H
 
@@ -36,7 +36,8 @@ struct scene_lattice {
     double spacing, corner[3];
 };
 
-/** Added to the velocities of all bodies, uniform in [-v, v) and [-omega, omega) per component (sim/random.h); 0 is none. */
+/** Added to the velocities of all bodies, uniform in [-v, v) and [-omega, omega) per component (sim/random.h); 0 is
+ *  none. */
 struct scene_random {
     int64_t seed;
     double v, omega;

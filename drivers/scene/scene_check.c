@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "scene_check.h"
+#include "scene_value.h"
 
 #include <string.h>
 

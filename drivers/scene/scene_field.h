@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The one table of what a scene file may hold: the path of every key, its kind, and where its value goes in struct
- * scene; the rows of effects are theirs (effects/kind.h). Reading, --set, the conversion, the range checks and the lists of
- * known keys in messages are all made from it, so that a new key is one row, and a new section a row for itself and one for
- * each of its keys. */
+ * scene; the rows of effects are theirs (effects/kind.h). Reading, --set, the conversion, the range checks and the
+ * lists of known keys in messages are all made from it, so that a new key is one row, and a new section a row for
+ * itself and one for each of its keys. */
 #ifndef VTI_SCENE_FIELD_H
 #define VTI_SCENE_FIELD_H
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * A YAML text (the file, or the value of one --set) into the values of the reader, by the table of keys. */
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +9,7 @@
 #include "number.h"
 #include "scene_reader.h"
 
-enum { FILE_MAX = 1 << 20, LIST_SIZE = 320 };
+enum { LIST_SIZE = 320 };
 
 struct load {
     struct scene_reader *reader;
@@ -144,19 +143,11 @@ static int load_items(struct load *load, const struct scene_field *field, struct
 
 static int load_section(struct load *load, const char *section);
 
-static void clear(struct scene_value *value)
-{
-    for (int64_t k = 0; k < value->count; ++k)
-        free(value->items[k].text);
-    free(value->items);
-    memset(value, 0, sizeof *value);
-}
-
 /** The part at hand as the value of a row of the table. */
 static int load_value(struct load *load, const struct scene_field *field, struct place key)
 {
     struct scene_value *value = scene_reader_at(load->reader, field->path);
-    clear(value);
+    scene_reader_clear(value);
     value->given = 1;
     value->set = load->set;
     value->key = key;
@@ -258,34 +249,6 @@ static int load_text(struct load *load, const char *text, size_t size, const str
     return result;
 }
 
-/** The whole file into text, which takes a byte more than a scene may have. */
-static int read_file(const struct load *load, char *text, size_t *size)
-{
-    errno = 0;
-    FILE *file = fopen(load->reader->path, "rb");
-    *size = file != NULL ? fread(text, 1, FILE_MAX + 1, file) : 0;
-    const int failed = file == NULL || ferror(file), error = errno;
-    if (file != NULL)
-        fclose(file);
-    if (failed)
-        return fail(load, NULL, "", "cannot be read: %s; give the path of a scene file", strerror(error));
-    if (*size > FILE_MAX)
-        return fail(load, NULL, "", "is larger than 1 MiB; a scene is short, is this the right file?");
-    return 0;
-}
-
-static int load_file(struct scene_reader *reader)
-{
-    struct load load = {.reader = reader, .path = ""};
-    size_t size = 0;
-    char *text = malloc(FILE_MAX + 1);
-    if (text == NULL)
-        return fail(&load, NULL, "", "out of memory");
-    const int result = read_file(&load, text, &size) == 0 ? load_text(&load, text, size, NULL) : -1;
-    free(text);
-    return result;
-}
-
 /* ---- --set ------------------------------------------------------------------------------------------------------- */
 
 /** No such path: named with the innermost section of it that there is. */
@@ -316,52 +279,16 @@ static void give_sections(const struct load *load)
     }
 }
 
-static int load_set(struct scene_reader *reader, const char *argument)
+int scene_load(struct scene_reader *reader, const char *set, const char *path, const char *text, size_t size)
 {
-    char path[SCENE_KEYS_SIZE], list[LIST_SIZE];
-    struct load load = {.reader = reader, .set = argument, .path = path};
-    const char *equals = strchr(argument, '=');
-    const size_t n = equals != NULL ? (size_t)(equals - argument) : 0;
-    if (n == 0 || n >= sizeof path)
-        return fail(&load, NULL, "", "is not path=value; write h=1e-3 or bodies.omega=[0,0,1], say");
-    memcpy(path, argument, n);
-    path[n] = '\0';
+    char list[LIST_SIZE];
+    struct load load = {.reader = reader, .set = set, .path = path};
     const struct scene_field *field = scene_field_find(path);
-    if (field == NULL)
+    if (set != NULL && field == NULL)
         return fail_unknown_path(&load);
-    if (field->kind == SCENE_SECTION)
+    if (field != NULL && field->kind == SCENE_SECTION)
         return fail(&load, NULL, path, "a section is not set as a whole; set one of its keys: %s",
                     scene_field_list(path, list, sizeof list));
-    const char *text = equals + 1;
-    if (text[strspn(text, " \t")] == '\0')
-        text = "''"; /* nothing at all is an empty text, as it is in the file */
     give_sections(&load);
-    return load_text(&load, text, strlen(text), field);
-}
-
-/* ---- the reader -------------------------------------------------------------------------------------------------- */
-
-int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
-                      struct message *message)
-{
-    size_t rows = 0;
-    while (scene_field_at((int)rows) != NULL)
-        ++rows;
-    memset(reader, 0, sizeof *reader);
-    reader->path = path;
-    reader->message = message;
-    reader->values = calloc(rows, sizeof *reader->values);
-    if (reader->values == NULL)
-        return message_set(message, "%s: out of memory", path);
-    int result = load_file(reader);
-    for (int k = 0; k < n && result == 0; ++k)
-        result = load_set(reader, sets[k]);
-    return result;
-}
-
-void scene_reader_close(struct scene_reader *reader)
-{
-    for (int k = 0; reader->values != NULL && scene_field_at(k) != NULL; ++k)
-        clear(&reader->values[k]);
-    free(reader->values);
+    return load_text(&load, text, size, field);
 }

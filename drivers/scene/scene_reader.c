@@ -1,11 +1,91 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "scene_reader.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { NAME_SIZE = 240 };
+enum { NAME_SIZE = 240, FILE_MAX = 1 << 20 };
+
+/* ---- the file and the --set arguments ---------------------------------------------------------------------------- */
+
+/** The whole file into text, which takes a byte more than a scene may have. */
+static int read_file(const struct scene_reader *reader, char *text, size_t *size)
+{
+    char problem[SCENE_TEXT_SIZE];
+    errno = 0;
+    FILE *file = fopen(reader->path, "rb");
+    *size = file != NULL ? fread(text, 1, FILE_MAX + 1, file) : 0;
+    const int failed = file == NULL || ferror(file), error = errno;
+    if (file != NULL)
+        fclose(file);
+    if (!failed && *size <= FILE_MAX)
+        return 0;
+    snprintf(problem, sizeof problem, "cannot be read: %s; give the path of a scene file", strerror(error));
+    return scene_reader_say(reader, NULL, NULL, "",
+                            failed ? problem : "is larger than 1 MiB; a scene is short, is this the right file?");
+}
+
+static int load_file(struct scene_reader *reader)
+{
+    size_t size = 0;
+    char *text = malloc(FILE_MAX + 1);
+    if (text == NULL)
+        return scene_reader_say(reader, NULL, NULL, "", "out of memory");
+    const int result = read_file(reader, text, &size) == 0 ? scene_load(reader, NULL, "", text, size) : -1;
+    free(text);
+    return result;
+}
+
+static int load_set(struct scene_reader *reader, const char *set)
+{
+    char path[SCENE_KEYS_SIZE];
+    const char *equals = strchr(set, '=');
+    const size_t n = equals != NULL ? (size_t)(equals - set) : 0;
+    if (n == 0 || n >= sizeof path)
+        return scene_reader_say(reader, set, NULL, "", "is not path=value; write h=1e-3 or bodies.omega=[0,0,1], say");
+    memcpy(path, set, n);
+    path[n] = '\0';
+    const char *text = equals + 1;
+    if (text[strspn(text, " \t")] == '\0')
+        text = "''"; /* nothing at all is an empty text, as it is in the file */
+    return scene_load(reader, set, path, text, strlen(text));
+}
+
+int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
+                      struct message *message)
+{
+    size_t rows = 0;
+    while (scene_field_at((int)rows) != NULL)
+        ++rows;
+    memset(reader, 0, sizeof *reader);
+    reader->path = path;
+    reader->message = message;
+    reader->values = calloc(rows, sizeof *reader->values);
+    if (reader->values == NULL)
+        return scene_reader_say(reader, NULL, NULL, "", "out of memory");
+    int result = load_file(reader);
+    for (int k = 0; k < n && result == 0; ++k)
+        result = load_set(reader, sets[k]);
+    return result;
+}
+
+void scene_reader_clear(struct scene_value *value)
+{
+    for (int64_t k = 0; k < value->count; ++k)
+        free(value->items[k].text);
+    free(value->items);
+    memset(value, 0, sizeof *value);
+}
+
+void scene_reader_close(struct scene_reader *reader)
+{
+    for (int k = 0; reader->values != NULL && scene_field_at(k) != NULL; ++k)
+        scene_reader_clear(&reader->values[k]);
+    free(reader->values);
+}
 
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 

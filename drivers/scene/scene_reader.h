@@ -41,6 +41,12 @@ int scene_reader_open(struct scene_reader *reader, const char *path, const char 
                       struct message *message);
 void scene_reader_close(struct scene_reader *reader);
 
+/** Takes a text as the value at a path of the table, "" being the whole scene; set is the --set argument that it is
+ *  from, NULL: the file. Returns likewise. */
+int scene_load(struct scene_reader *reader, const char *set, const char *path, const char *text, size_t size);
+/** The value is not given any more. */
+void scene_reader_clear(struct scene_value *value);
+
 /** The value of the row of the table that has this path; NULL if there is no such row. */
 struct scene_value *scene_reader_at(const struct scene_reader *reader, const char *path);
 /** Whether the value or section at a path of the table is given. */
@@ -57,8 +63,8 @@ int scene_reader_fail(const struct scene_reader *reader, const char *path, const
 int scene_reader_fail_item(const struct scene_reader *reader, const struct scene_field *field, int64_t item,
                            const char *part, const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-/** Writes the line "PLACE: PATH: TEXT" and returns -1. PLACE is the --set argument, or the file and the place, if it has
- *  one. */
+/** Writes the line "PLACE: PATH: TEXT" and returns -1. PLACE is the --set argument, or the file and the place, if it
+ *  has one. */
 int scene_reader_say(const struct scene_reader *reader, const char *set, const struct place *place, const char *path,
                      const char *text);
 
