@@ -19,15 +19,7 @@ static const struct {
      "t.yaml:3:17: bodies.ring.count: '2' bodies make no ring; give at least 3"},
     {"bodies:\n  mass: 1\n  ring: {count: 0, diameter: 1}\n" TIME,
      "t.yaml:3:17: bodies.ring.count: '0' is not positive; the number of bodies must be > 0"},
-    {"bodies:\n  mass: 1\n  ring: {count: -3, diameter: 1}\n" TIME,
-     "t.yaml:3:17: bodies.ring.count: '-3' is not positive; the number of bodies must be > 0"},
     {"bodies:\n  mass: 1\n  ring: {count: 3.5, diameter: 1}\n" TIME, "t.yaml:3:17: bodies.ring.count: '3.5'" COUNT},
-    {"bodies:\n  mass: 1\n  ring: {count: many, diameter: 1}\n" TIME, "t.yaml:3:17: bodies.ring.count: 'many'" COUNT},
-    {"bodies:\n  mass: 1\n  ring: {count: nan, diameter: 1}\n" TIME, "t.yaml:3:17: bodies.ring.count: 'nan'" COUNT},
-    {"bodies:\n  mass: 1\n  ring: {count: [3], diameter: 1}\n" TIME,
-     "t.yaml:3:17: bodies.ring.count: a list of 1" COUNT},
-    {"bodies:\n  mass: 1\n  ring: {count: 1e8, diameter: 1}\n  chain: {count: 2, spacing: 1}\n" TIME,
-     "t.yaml:4:3: bodies.chain: given besides bodies.ring" ONE_OF},
     {"bodies:\n  mass: 1\n  ring: {count: 2e8, diameter: 1}\n" TIME,
      "t.yaml:3:17: bodies.ring.count: more than 100000000 bodies; give fewer"},
     {"bodies:\n  mass: 1\n  ring: {count: 1e300, diameter: 1}\n" TIME,
@@ -45,8 +37,6 @@ static const struct {
     {"bodies:\n  mass: 1\n  ring: 80\n" TIME,
      "t.yaml:3:9: bodies.ring: '80' is not a section; write its keys, each on a "
      "line of its own: count, diameter, center"},
-    {"bodies: {ring: {count: 3, diameter: 1}}\n" TIME,
-     "t.yaml:1:1: bodies.mass: missing; bodies that translate need it, the mass m"},
     {"bodies: {mass: 1, ring: {count: 3, diameter: 1}, x: [0, 0, 0]}\n" TIME,
      "t.yaml:1:19: bodies.ring: given besides bodies.x" ONE_OF},
 
@@ -55,8 +45,6 @@ static const struct {
      "t.yaml:3:30: bodies.chain.spacing: '0' is not positive; the distance of neighbours must be > 0"},
     {"bodies:\n  mass: 1\n  chain: {count: 3, spacing: 1, direction: [0, 0, 0]}\n" TIME,
      "t.yaml:3:44: bodies.chain.direction: '[0, 0, 0]' has no length; the direction of the chain must not be zero"},
-    {"bodies:\n  mass: 1\n  chain: {count: 1e9, spacing: 1}\n" TIME,
-     "t.yaml:3:18: bodies.chain.count: more than 100000000 bodies; give fewer"},
     {"bodies:\n  mass: 1\n  lattice: {counts: [4, 0, 4], spacing: 1}\n" TIME,
      "t.yaml:3:25: bodies.lattice.counts[1]: '0' is not positive; the bodies along x, y, z must be > 0"},
     {"bodies:\n  mass: 1\n  lattice: {counts: [4, 4, 1/3], spacing: 1}\n" TIME,
@@ -67,16 +55,12 @@ static const struct {
      "t.yaml:3:21: bodies.lattice.counts: '64' is not a list of three whole numbers; write them as in [4, 4, 4]"},
     {"bodies:\n  mass: 1\n  lattice: {counts: [4, [4], 4], spacing: 1}\n" TIME,
      "t.yaml:3:25: bodies.lattice.counts[1]: a list of 1" COUNT},
-    {"bodies:\n  mass: 1\n  lattice: {counts: [1e5, 1e5, 1e5], spacing: 1}\n" TIME,
-     "t.yaml:3:21: bodies.lattice.counts: more than 100000000 bodies; give fewer"},
     {"bodies:\n  mass: 1\n  lattice: {counts: [2^53, 2^53, 2^53], spacing: 1}\n" TIME,
      "t.yaml:3:21: bodies.lattice.counts: more than 100000000 bodies; give fewer"},
 
     /* all bodies */
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1}, omega: [0, 0, 1], diameter: -1}\n" TIME,
      "t.yaml:1:78: bodies.diameter: '-1' is not positive; the diameter D must be > 0"},
-    {"bodies: {chain: {count: 2, spacing: 1}, mass: 0}\n" TIME,
-     "t.yaml:1:47: bodies.mass: '0' is not positive; the mass m must be > 0"},
     {"bodies: {inertia: 1, omega: [0, 0, 1], alpha: [0, 0, 0], random: {seed: 1}}\n" TIME,
      "t.yaml:1:58: bodies.random: neither v nor omega; give one of them or both"},
     {"bodies: {inertia: 1, omega: [0, 0, 1], alpha: [0, 0, 0], random: {seed: 1, v: 1}}\n" TIME,
@@ -88,9 +72,6 @@ static const struct {
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1}, random: {seed: 1, v: -1}}\n" TIME,
      "t.yaml:1:71: bodies.random.v: '-1' is not positive; the largest component of random v must be > 0"},
     {"bodies: {table: ''}\n" TIME, "t.yaml:1:17: bodies.table: '' is not a path; name the file of bodies"},
-    {"bodies: {table: [a.csv]}\n" TIME, "t.yaml:1:17: bodies.table: a list of 1 is not a word; write a single word"},
-    {"bodies: {table: a.csv, ring: {count: 3, diameter: 1}}\n" TIME,
-     "t.yaml:1:17: bodies.table: given besides bodies.ring" ONE_OF},
     {"bodies: {x: [0, 0, 0], v: [0, 0, 0], mass: 1, table: a.csv}\n" TIME,
      "t.yaml:1:54: bodies.table: given besides bodies.x" ONE_OF},
 
@@ -100,9 +81,6 @@ static const struct {
      "t.yaml:2:17: binder.axial: '0' is not positive; the stiffness K^a must be > 0"},
     {CHAIN "binder: {moment: -1}\n" TIME,
      "t.yaml:2:18: binder.moment: '-1' is not positive; the stiffness K^m must be > 0"},
-    {"bodies: {chain: {count: 1e18, spacing: 1}, mass: 1}\n" TIME,
-     "t.yaml:1:25: bodies.chain.count: '1e18' is too large; give a whole number up to 2^53"},
-    {CHAIN "binder: {axial: two hundred}\n" TIME, "t.yaml:2:17: binder.axial: 'two hundred'" NUMBER},
     {CHAIN "binder: {axial: 1, bending: 3}\n" TIME,
      "t.yaml:2:20: binder.bending: unknown key 'bending'; known in binder: table, moment, axial, shear"},
     {CHAIN "binder: {shear: 200}\n" TIME,
@@ -112,20 +90,10 @@ static const struct {
      "t.yaml:2:10: binder.shear.stiffness: missing; add 'stiffness:', the stiffness K^s"},
     {CHAIN "binder: {shear: {stiffness: 1, form: exact}}\n" TIME,
      "t.yaml:2:38: binder.shear.form: 'exact' is not one of objective, quartic, printed; take one of them"},
-    {CHAIN "binder: {moment: 1}\nbodies2: 1\n" TIME,
-     "t.yaml:3:1: bodies2: unknown key 'bodies2'; known here: name, bodies, binder, contact, wall, gravity, pendulum, "
-     "stepper, h, t_end"},
     {"bodies: {x: [0, 0, 0], v: [0, 0, 0], mass: 1}\nbinder: {axial: 1}\n" TIME,
-     "t.yaml:2:1: binder: a single body has no bonds; give bodies.ring, chain, lattice or table"},
-    {"bodies: {mass: 1, chain: {count: 1, spacing: 1}}\nbinder: {axial: 1}\n" TIME,
      "t.yaml:2:1: binder: a single body has no bonds; give bodies.ring, chain, lattice or table"},
     {"bodies: {table: a.csv}\nbinder: {axial: 1}\n" TIME,
      "t.yaml:2:1: binder: bodies of a table have no neighbours; give table, a file of bonds"},
-    {"bodies: {ring: {count: 3, diameter: 1}, mass: 1, diameter: 1}\nbinder: {table: a/b/}\n"
-     "h: 0\nt_end: 1\n",
-     "t.yaml:3:4: h: '0' is not positive; the time step must be > 0"},
-    {SPIN "binder: {moment: 1}\n" TIME,
-     "t.yaml:2:1: binder: a single body has no bonds; give bodies.ring, chain, lattice or table"},
 
     /* contact, wall, gravity, pendulum */
     {CHAIN "contact: {}\n" TIME, "t.yaml:2:1: contact.stiffness: missing; add 'stiffness:', the stiffness K^pp"},
@@ -150,15 +118,8 @@ static const struct {
      "t.yaml:2:31: wall.planes[0]: '1' is not a list of four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"},
     {POINT "wall:\n  stiffness: 1\n  planes: [[1, 0, 0, 0], [0, 0, 1]]\n" TIME,
      "t.yaml:4:26: wall.planes[1]: 3 values in a list of four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"},
-    {POINT "wall:\n  stiffness: 1\n  planes: [[1, 0, 0, 0, 0]]\n" TIME,
-     "t.yaml:4:12: wall.planes[0]: 5 values in a list of four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"},
-    {POINT "wall:\n  stiffness: 1\n  planes: [[]]\n" TIME,
-     "t.yaml:4:12: wall.planes[0]: 0 values in a list of four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"},
     {POINT "wall:\n  stiffness: 1\n  planes:\n  - [1, 0, 0, 0]\n  - [0, up, 1, 0]\n" TIME,
      "t.yaml:6:9: wall.planes[1][1]: 'up'" NUMBER},
-    {POINT "wall:\n  stiffness: 1\n  planes: [[1, 0, 0, nan]]\n" TIME, "t.yaml:4:22: wall.planes[0][3]: 'nan'" NUMBER},
-    {POINT "wall:\n  stiffness: 1\n  planes: [[1, 0, [0], 0]]\n" TIME,
-     "t.yaml:4:19: wall.planes[0][2]: a list of 1" NUMBER},
     {POINT "wall:\n  stiffness: 1\n  planes: [[0, 0, 0, 1]]\n" TIME,
      "t.yaml:4:13: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero or too large"},
     {POINT "wall:\n  stiffness: 1\n  planes: [[1.7e308, 1.7e308, 0, 0]]\n" TIME,
@@ -191,10 +152,6 @@ static void refusals(void **state)
 static const struct {
     const char *set, *line;
 } overrides[] = {
-    {"bodies.chain.count=0",
-     "--set bodies.chain.count=0: bodies.chain.count: '0' is not positive; the number of bodies must be > 0"},
-    {"bodies.ring.count=3",
-     "--set bodies.ring.count=3: bodies.ring.diameter: missing; add 'diameter:', the diameter of the ring"},
     {"binder.shear.form=wrong", "--set binder.shear.form=wrong: binder.shear.form: 'wrong' is not one of objective, "
                                 "quartic, printed; take one of them"},
     {"binder.shear=3",
@@ -204,10 +161,6 @@ static const struct {
     {"wall.planes=[[0, 0, 0, 0]]",
      "--set wall.planes=[[0, 0, 0, 0]]: wall.planes[0]: '[0, 0, 0, 0]' has no unit normal; "
      "its first three numbers are zero or too large"},
-    {"wall.planes=[1]", "--set wall.planes=[1]: wall.planes[0]: '1' is not a list of four numbers nx, ny, nz, d; write "
-                        "them as in [1, 0, 0, 0]"},
-    {"wall.planes=1", "--set wall.planes=1: wall.planes: '1' is not a list of planes; write them as in [[1, 0, 0, 0], "
-                      "[0, 1, 0, 0]]"},
 };
 
 static void refused_overrides(void **state)

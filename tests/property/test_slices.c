@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Slices and layouts do not change a bit: a block of bonded spheres, 1000 steps by every stepper of one stage, whole and in
- * slices of all sizes, which threads (OpenMP) step where there are any. The chain of the same kind is in test_hosts.py. */
+ * Slices and layouts do not change a bit: a block of bonded spheres, 1000 steps by every stepper of one stage, whole, in
+ * slices of all sizes, which threads (OpenMP) step where there are any, and in every layout. The chain of the same kind is
+ * in test_hosts.py. */
 #include "support.h"
 
 enum { NX = 7, NY = 6, NZ = 5, N = NX * NY * NZ, MOST = 3 * N, STEPS = 1000, MOVING = 12 };
 
+enum layout { SEPARATE, PACKED, STRUCTS, BACKWARDS, LAYOUTS };
+
 struct block {
-    double q[MOVING][N];     /* x, v, alpha, omega by components */
+    double q[MOVING * N];    /* x, v, alpha, omega */
     double f[N][3], m[N][3]; /* another layout */
     double mass[N], inertia[N];
 };
@@ -40,25 +43,36 @@ static void connect(void)
             }
 }
 
-static vti_bodies start(struct block *s)
+/** Quantity k of x, v, alpha, omega. */
+static vti_view view(struct block *s, enum layout layout, int k)
+{
+    double *const p = s->q + 3 * N * k, *const first = s->q + 3 * k, *const last = first + (N - 1) * MOVING;
+    const vti_view backwards = {{last, last + 1, last + 2}, -MOVING, 0};
+    return layout == SEPARATE  ? vti_view_separate(p, p + N, p + 2 * N)
+           : layout == PACKED  ? vti_view_packed(p)
+           : layout == STRUCTS ? vti_view_member(first, MOVING * (int64_t)sizeof *first)
+                               : backwards;
+}
+
+static vti_bodies start(struct block *s, enum layout layout)
 {
     vti_bodies b = vti_bodies_none(N);
     memset(s, 0, sizeof *s);
+    b.x = view(s, layout, 0);
+    b.v = view(s, layout, 1);
+    b.alpha = view(s, layout, 2);
+    b.omega = view(s, layout, 3);
     for (int64_t i = 0; i < N; ++i) {
-        s->q[0][i] = (double)(i % NX);
-        s->q[1][i] = (double)(i / NX % NY);
-        s->q[2][i] = (double)(i / (NX * NY));
+        b.x.c[0][i * b.x.stride] = (double)(i % NX);
+        b.x.c[1][i * b.x.stride] = (double)(i / NX % NY);
+        b.x.c[2][i * b.x.stride] = (double)(i / (NX * NY));
         s->mass[i] = 1.0 + 0.01 * (double)(i % 11);
         s->inertia[i] = 0.1 + 0.002 * (double)(i % 7);
         for (int c = 0; c < 3; ++c) {
-            s->q[3 + c][i] = 0.03 * sin((double)(3 * i + c));
-            s->q[9 + c][i] = 0.2 * cos((double)(5 * i + c));
+            b.v.c[c][i * b.v.stride] = 0.03 * sin((double)(3 * i + c));
+            b.omega.c[c][i * b.omega.stride] = 0.2 * cos((double)(5 * i + c));
         }
     }
-    b.x = vti_view_separate(s->q[0], s->q[1], s->q[2]);
-    b.v = vti_view_separate(s->q[3], s->q[4], s->q[5]);
-    b.alpha = vti_view_separate(s->q[6], s->q[7], s->q[8]);
-    b.omega = vti_view_separate(s->q[9], s->q[10], s->q[11]);
     b.force = vti_view_packed(s->f[0]);
     b.moment = vti_view_packed(s->m[0]);
     b.mass = vti_scalars_array(s->mass);
@@ -80,7 +94,7 @@ static int each_slice(const vti_stepper *method, double h, const vti_bodies *b, 
     return failed;
 }
 
-static void run(const char *name, int64_t size, struct block *s)
+static void run(const char *name, int64_t size, enum layout layout, struct block *s)
 {
     const vti_stepper *method = vti_stepper_find(name);
     const double moment = 2.0, axial = 20.0, shear = 20.0, h = 1.0 / 256.0;
@@ -92,7 +106,7 @@ static void run(const char *name, int64_t size, struct block *s)
                        vti_scalars_one(&axial),
                        vti_scalars_one(&shear),
                        VTI_SHEAR_OBJECTIVE};
-    const vti_bodies b = start(s);
+    const vti_bodies b = start(s, layout);
     assert_int_equal(vti_bonds_rest(bonded, pair[0], 0, &b.x, rest[0], NULL), VTI_OK);
     const vti_effect binder = vti_bonds_effect(&bonds);
     assert_int_equal(vti_apply(&binder, 1, &b), VTI_OK);
@@ -103,27 +117,41 @@ static void run(const char *name, int64_t size, struct block *s)
     }
 }
 
-static void slices_do_not_change_a_bit(void **state)
+static void same_motion(struct block *s, struct block *t, enum layout layout)
+{
+    for (int k = 0; k < 4; ++k) {
+        const vti_view a = view(s, SEPARATE, k), b = view(t, layout, k);
+        for (int64_t i = 0; i < N; ++i)
+            for (int c = 0; c < 3; ++c)
+                assert_same_bits(&a.c[c][i * a.stride], &b.c[c][i * b.stride], 1);
+    }
+}
+
+static void slices_and_layouts_do_not_change_a_bit(void **state)
 {
     (void)state;
-    static struct block whole, sliced, untouched;
+    static struct block whole, other, untouched;
     static const char *const names[] = {"vti1", "vti2", "vti3", "exact"};
     static const int64_t sizes[] = {1, 3, 4, 5, 64, 100, N - 1};
     connect();
-    start(&untouched);
+    start(&untouched, SEPARATE);
     for (size_t s = 0; s < sizeof names / sizeof names[0]; ++s) {
-        run(names[s], N, &whole);
-        assert_true(isfinite(whole.q[0][0]));
+        run(names[s], N, SEPARATE, &whole);
+        assert_true(isfinite(whole.q[0]));
         assert_memory_not_equal(whole.q, untouched.q, sizeof whole.q);
         for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
-            run(names[s], sizes[k], &sliced);
-            assert_same_bits(whole.q[0], sliced.q[0], MOVING * N);
+            run(names[s], sizes[k], SEPARATE, &other);
+            same_motion(&whole, &other, SEPARATE);
+        }
+        for (int layout = PACKED; layout < LAYOUTS; ++layout) {
+            run(names[s], 64, (enum layout)layout, &other);
+            same_motion(&whole, &other, (enum layout)layout);
         }
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(slices_do_not_change_a_bit)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(slices_and_layouts_do_not_change_a_bit)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
