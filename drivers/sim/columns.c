@@ -5,18 +5,34 @@
 
 #include "modified.h"
 
-/* Everything there is to record, in one array: these, then the terms of all effects in the model's order. */
-enum {
-    T,
-    TRANSLATION,
-    ROTATION,
-    TOTAL,
-    MODIFIED,
-    MOMENTUM,
-    SPIN = MOMENTUM + 3,
-    ANGULAR = SPIN + 3,
-    TERMS = ANGULAR + 3
+/* ---- quantities of the bodies, behind the energies -------------------------------------------------------------- */
+
+static void take_angular(const vti_bodies *bodies, double values[3])
+{
+    const double origin[3] = {0.0, 0.0, 0.0};
+    vti_angular_momentum(bodies, origin, values);
+}
+
+/** Of which bodies there are such columns. */
+enum whose { OF_ALL, OF_TRANSLATING, OF_TURNING };
+
+/** One to three columns, and what writes a value for each. */
+static const struct quantity {
+    const char *name[3];
+    enum whose whose;
+    void (*take)(const vti_bodies *bodies, double *values);
+} quantities[] = {
+    {{"momentum_x", "momentum_y", "momentum_z"}, OF_TRANSLATING, vti_momentum},
+    {{"spin_x", "spin_y", "spin_z"}, OF_TURNING, vti_spin},
+    {{"angular_x", "angular_y", "angular_z"}, OF_ALL, take_angular},
 };
+enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+/* ---- all columns ------------------------------------------------------------------------------------------------ */
+
+/* Everything there is to record, in one array: these, three of each quantity, then the terms of all effects in the
+ * model's order. */
+enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
 enum { SOURCES = TERMS + COLUMNS };
 
 static void add(struct columns *c, const char *name, int source, int effect)
@@ -30,9 +46,6 @@ static void add(struct columns *c, const char *name, int source, int effect)
 
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *c)
 {
-    static const char *const momentum[] = {"momentum_x", "momentum_y", "momentum_z"};
-    static const char *const spin[] = {"spin_x", "spin_y", "spin_z"};
-    static const char *const angular[] = {"angular_x", "angular_y", "angular_z"};
     int source = TERMS;
     const int translates = model->bodies.v.c[0] != NULL, turns = model->bodies.omega.c[0] != NULL;
     memset(c, 0, sizeof *c);
@@ -50,17 +63,16 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
     c->modified = modified_exists(stepper) ? c->count : -1;
     if (c->modified >= 0)
         add(c, "energy_modified", MODIFIED, -1);
-    for (int k = 0; translates && k < 3; ++k)
-        add(c, momentum[k], MOMENTUM + k, -1);
-    for (int k = 0; turns && k < 3; ++k)
-        add(c, spin[k], SPIN + k, -1);
-    for (int k = 0; k < 3; ++k)
-        add(c, angular[k], ANGULAR + k, -1);
+    for (int q = 0; q < QUANTITIES; ++q) {
+        const enum whose whose = quantities[q].whose;
+        const int has = whose == OF_ALL || (whose == OF_TRANSLATING ? translates : turns);
+        for (int k = 0; has && k < 3 && quantities[q].name[k] != NULL; ++k)
+            add(c, quantities[q].name[k], QUANTITY + 3 * q + k, -1);
+    }
 }
 
 void columns_values(const struct columns *c, double t, const vti_bodies *b, double row[COLUMNS])
 {
-    const double origin[3] = {0.0, 0.0, 0.0};
     double value[SOURCES] = {0.0};
     vti_sum total = {0.0, 0.0};
     int source = TERMS;
@@ -78,9 +90,8 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
             vti_sum_add(&total, value[source++]);
     }
     value[TOTAL] = vti_sum_value(&total);
-    vti_momentum(b, value + MOMENTUM);
-    vti_spin(b, value + SPIN);
-    vti_angular_momentum(b, origin, value + ANGULAR);
+    for (int q = 0; q < QUANTITIES; ++q)
+        quantities[q].take(b, value + QUANTITY + 3 * q);
     for (int k = 0; k < c->count; ++k)
         row[k] = value[c->source[k]];
 }
