@@ -98,7 +98,7 @@ def refused(base):
         ("bad t_end", lambda: [scene, "--t-end", "-1"], ["--t-end", "'-1'"]),
         ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk5"], ["--steppers", "'rk5'", "vti1, vti2, vti3"]),
         ("unknown option", lambda: [scene, "--frob"], ["--frob", "--help"]),
-        ("two scenes", lambda: [scene, scene], ["only one scene"]),
+        ("one scene twice", lambda: [scene, scene], ["two scenes have the name pendulum"]),
         ("bad override", lambda: [scene, "--set", "pendulum.wait=1"], ["--set", "pendulum.wait"]),
         ("VTI-1 turns too far", lambda: [scene, "--steppers", "vti1", "--h", "1"], ["vti1 at h = 1", "body 0", "h|Omega|", "vti2"]),
         ("VTI-1 turns too far among good runs", lambda: [scene, "--h", "2,1,1/64,1/128,2^-16"], ["vti1 at h = ", "reduce h"]),
