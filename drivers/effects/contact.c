@@ -84,6 +84,11 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     at->meet = 1;
 }
 
+static int touching(const struct effect *e)
+{
+    return ((const struct contact_settings *)e->settings)->bonded ? EFFECT_TOUCH_ALL : EFFECT_TOUCH_APART;
+}
+
 static const struct effect_term terms[] = {{"contact", "$U^{\\mathrm{pp}}$", "particle-particle", "#332288"}};
 
 const struct effect_kind effect_contact = {.number = EFFECT_contact,
@@ -99,4 +104,5 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .find_pairs = find_pairs,
                                            EFFECT_TERMS(terms),
                                            .limit = limit,
-                                           .deform = deform};
+                                           .deform = deform,
+                                           .touching = touching};

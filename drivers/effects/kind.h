@@ -30,6 +30,9 @@ enum effect_trait {
 /** What it does to bodies. */
 enum effect_gift { EFFECT_FORCE = 1, EFFECT_MOMENT = 2 };
 
+/** Which pairs of bodies that overlap are in contact: all but those that lines hold, or all. */
+enum effect_touch { EFFECT_TOUCH_APART = 1, EFFECT_TOUCH_ALL = 2 };
+
 /** An effect of a model. */
 struct effect {
     const struct effect_kind *kind;
@@ -135,6 +138,8 @@ struct effect_kind {
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
+    /** effect_touch; NULL: no pairs, because of it. */
+    int (*touching)(const struct effect *e);
     /** Where body i is drawn, which does not translate. */
     void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
     const struct effect_invariants *invariants;

@@ -7,6 +7,7 @@
 
 #include "checkpoint.h"
 #include "hdf5_sink.h"
+#include "quote.h"
 
 struct writer {
     const struct columns *columns;
@@ -41,14 +42,28 @@ static void names(struct hdf5_sink *s, const struct columns *columns)
     hdf5_text(s, "columns", text);
 }
 
+/** How pictures show an energy: attributes symbol, meaning and colour of its dataset. */
+static void look_write(struct hdf5_sink *s, const char *name, const struct effect_term *term)
+{
+    if (term == NULL || s->failed)
+        return;
+    struct hdf5_sink set = {H5Dopen2(s->place, name, H5P_DEFAULT), 0};
+    hdf5_text(&set, "symbol", term->symbol);
+    hdf5_text(&set, "meaning", term->meaning);
+    hdf5_text(&set, "colour", term->colour);
+    s->failed |= set.failed | (H5Dclose(set.place) < 0);
+}
+
 static int energies_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
     const hsize_t count = (hsize_t)record->journal->rows.mark.count;
     struct hdf5_sink s = hdf5_group(file, "energies");
     struct writer w = {&record->columns, &s, NULL};
     names(&s, &record->columns);
-    for (int c = 0; c < record->columns.count; ++c)
+    for (int c = 0; c < record->columns.count; ++c) {
         hdf5_dataset(&s, record->columns.name[c], H5T_NATIVE_DOUBLE, 1, &count, NULL);
+        look_write(&s, record->columns.name[c], record->columns.term[c]);
+    }
     if (s.failed || record_rows(record, take_rows, &w, message) != 0)
         s.failed = 1;
     free(w.values);
@@ -56,18 +71,27 @@ static int energies_write(const struct record *record, struct hdf5_sink *file, s
     return file->failed ? -1 : 0;
 }
 
-/** Planes of effects, each as a dataset [planes][4], "walls". */
-static void planes_write(const struct model *model, struct hdf5_sink *file)
+/** Planes of effects, each as a dataset [planes][4], "walls", and their names, "wall", in planes; and in touching which pairs
+ *  are in contact (effect_touch). */
+static void scenery_write(const struct model *model, struct hdf5_sink *file)
 {
+    int64_t touching = 0;
+    char all[256] = "";
     for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect_planes *planes = model->rooms[k].kind->planes;
+        const struct effect *e = &model->rooms[k];
+        const struct effect_planes *planes = e->kind->planes;
         const double *plane = NULL;
-        const hsize_t dims[2] = {planes != NULL ? (hsize_t)planes->get(&model->rooms[k], &plane) : 0, 4};
+        const hsize_t dims[2] = {planes != NULL ? (hsize_t)planes->get(e, &plane) : 0, 4};
         char name[32];
-        snprintf(name, sizeof name, "%ss", planes != NULL ? planes->name : "");
-        if (dims[0] > 0)
-            hdf5_dataset(file, name, H5T_NATIVE_DOUBLE, 2, dims, plane);
+        touching |= e->kind->touching != NULL ? e->kind->touching(e) : 0;
+        if (dims[0] == 0)
+            continue;
+        snprintf(name, sizeof name, "%ss", planes->name);
+        hdf5_dataset(file, name, H5T_NATIVE_DOUBLE, 2, dims, plane);
+        append(append(all, sizeof all, all[0] != '\0' ? "," : ""), sizeof all, planes->name);
     }
+    hdf5_text(file, "planes", all);
+    hdf5_attribute(file, "touching", H5T_NATIVE_INT64, 1, &touching);
 }
 
 /** What the scene says yes or no to, of the effects that it has, 1 or 0 by the key's path: "contact.bonded". */
@@ -118,7 +142,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
         verdict_write(&record->judgement, &file);
-        planes_write(record->model, &file);
+        scenery_write(record->model, &file);
         choices_write(record->model->scene, &file);
     }
     const int failed = file.failed || vtkhdf_write(record, &file, message) != 0 ||

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """energy.png: where the energy is over time, as a stack that adds up to the total, and below it each term by itself on a
-logarithmic scale, because the small ones (wall, contact) do not show in the stack."""
+logarithmic scale, because the small ones do not show in the stack."""
 import numpy as np
 from matplotlib.ticker import FixedLocator, LogFormatterMathtext
 
@@ -12,7 +12,7 @@ DECADES = 5             # of the lower panel, below the largest term
 
 def draw(run):
     t, energies = run.columns["t"], run.energies()
-    looks, notes = terms.of(energies), run.notes()
+    looks, notes = terms.of(run, energies), run.notes()
     # Counted from its lowest value is what is negative somewhere: a choice of zero and no more.
     lowered = [name for name, values in energies.items() if np.min(values) < -1e-9 * np.max(np.abs(values))]
     energies.update((name, energies[name] - np.min(energies[name])) for name in lowered)

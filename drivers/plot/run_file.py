@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reading the out.h5 of a run, and refusing it in one sentence where it is not what vti-run writes.
 
-    attributes of the file   scene, stepper, h, vti_version; contact.bonded (1: inside bonds too) if the scene has contact
-    /energies/<column>       a column of out.csv: t, energies, total, momenta; one row per recorded time
-    /walls                   planes n.x = d as rows nx, ny, nz, d, if the scene has any
-    /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (bonds), Steps/Values (times)
+    attributes of the file   scene, stepper, h, vti_version; touching (which pairs that overlap are in contact: 1 those without
+                             a line, 2 all, 0 none); planes (what they are, "wall")
+    /energies/<column>       a column of out.csv: t, energies, total, momenta; one row per recorded time; symbol, meaning and
+                             colour of energies as attributes
+    /<what>s                 planes n.x = d as rows nx, ny, nz, d, if the scene has any
+    /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (pairs of bodies), Steps/Values (times)
 """
 from dataclasses import dataclass
 
@@ -38,18 +40,17 @@ class Run:
     translates: bool
     turns: bool
     diameter: np.ndarray    # of the bodies, or None
-    bonds: np.ndarray       # k, 2: pairs of bodies
-    walls: np.ndarray       # k, 4
-    contact_bonded: bool    # bodies of a common bond touch, too
+    lines: np.ndarray       # k, 2: pairs of bodies that something holds
+    planes: np.ndarray      # k, 4
+    plane_names: list       # "wall"
+    touching: int           # pairs that overlap are in contact: 0 none, 1 those without a line, 2 all
+    looks: dict             # name of an energy -> symbol, meaning, colour
     lost: float = None      # when the run blew up; what follows is left out of all but total_to_the_end
     total_to_the_end: tuple = None  # t, total
 
     def notes(self):
         return [] if self.lost is None else [f"the run blew up: from t = {self.lost:.4g} on its energy is off by more than "
                                              f"{BLOWN} times what it began with"]
-
-    def has_contact(self):
-        return "contact" in self.columns
 
     def energies(self):
         """Kinetic and potential energies by name, in the order of the paper."""
@@ -89,16 +90,16 @@ def read_run(path):
         if "diameter" in data:
             _must_have_shape(reader, "/VTKHDF/PointData/diameter", (bodies,))
             diameter = reader.numbers("/VTKHDF/PointData/diameter")
-        bonds = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
-        if len(bonds) % 2 or len(bonds) and not 0 <= bonds.min() <= bonds.max() < bodies:
+        lines = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
+        if len(lines) % 2 or len(lines) and not 0 <= lines.min() <= lines.max() < bodies:
             raise reader.trouble("/VTKHDF/Lines/Connectivity names a body that does not exist, or none")
-        contact_bonded = "contact.bonded" in file.attrs and reader.number("contact.bonded") != 0
-        walls = reader.numbers("/walls", 2) if "walls" in file else np.zeros((0, 4))
-        if walls.shape[1] != 4:
-            raise reader.trouble(f"/walls has {walls.shape[1]} columns instead of 4")
+        plane_names = [name for name in text(file.attrs.get("planes", "")).split(",") if name]
+        looks = {name: tuple(text(dataset.attrs[key]) for key in ("symbol", "meaning", "colour"))
+                 for name, dataset in file["energies"].items() if "symbol" in dataset.attrs}
         run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
-                  "attitude_xyzw" in data, diameter, bonds.reshape(-1, 2), walls, contact_bonded)
+                  "attitude_xyzw" in data, diameter, lines.reshape(-1, 2), _planes(reader, plane_names), plane_names,
+                  int(reader.number("touching")) if "touching" in file.attrs else 0, looks)
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
             raise reader.trouble("holds no number that is finite")
@@ -121,6 +122,14 @@ def _cut(run):
         run.times = run.times[run.times < run.lost]
 
 
+def _planes(reader, names):
+    every = [reader.numbers(f"/{name}s", 2) for name in names]
+    for name, planes in zip(names, every):
+        if planes.shape[1] != 4:
+            raise reader.trouble(f"/{name}s has {planes.shape[1]} columns instead of 4")
+    return np.concatenate([np.zeros((0, 4)), *every])
+
+
 def _must_have_shape(reader, name, shape):
     dataset = reader.dataset(name, len(shape))
     if dataset.shape != shape:
@@ -130,12 +139,8 @@ def _must_have_shape(reader, name, shape):
 def _column_names(reader):
     """In the order of out.csv where the file knows it: HDF5 itself lists by name."""
     found = list(reader.group("/energies"))
-    order = text(reader.file["energies"].attrs.get("columns", ",".join(PAPER_ORDER))).split(",")
+    order = text(reader.file["energies"].attrs.get("columns", "t")).split(",")
     for name in ("t", "total"):
         if name not in found:
             raise reader.trouble(f"lacks dataset /energies/{name}")
     return [name for name in order if name in found] + [name for name in found if name not in order]
-
-
-PAPER_ORDER = ("t", "kinetic_translation", "kinetic_rotation", "binder_moment", "binder_axial", "binder_shear", "contact",
-               "wall", "gravity", "pendulum", "total")

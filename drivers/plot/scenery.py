@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bodies as circles in a plane, with what shapes.png and the film have in common: one plane and one window for all
-frames, walls, bonds, marks that turn with the bodies, and contacts."""
+frames, planes, lines between bodies, marks that turn with the bodies, and contacts."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.patches import Polygon
@@ -9,11 +9,11 @@ from . import style
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
-BODY, RIM, MARK, CONTACT, WALL = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
-BEHIND_WALL = "#DDDDDD"
+BODY, RIM, MARK, CONTACT, PLANE = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
+BEHIND_PLANE = "#DDDDDD"
 # Of which a picture is made, and between which its edges are smoothed.
-COLOURS = ("#FFFFFF", BODY, RIM, MARK, CONTACT, WALL, BEHIND_WALL)
-EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (WALL, "#FFFFFF"),
+COLOURS = ("#FFFFFF", BODY, RIM, MARK, CONTACT, PLANE, BEHIND_PLANE)
+EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (PLANE, "#FFFFFF"),
          (MARK, RIM))
 
 
@@ -33,8 +33,8 @@ class Scenery:
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.outward = _outward(frames[0], self.plane) if run.turns else None
-        # The scene says which bodies never touch, those of a common bond being the usual ones.
-        self.apart = set() if run.contact_bonded else {tuple(sorted(pair)) for pair in run.bonds.tolist()}
+        # The scene says which bodies never touch, those that something holds together being the usual ones.
+        self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
 
     def _extent(self, frame):
         radius = self.radius[:, None]
@@ -50,7 +50,7 @@ class Scenery:
     def meaning(self):
         """What marks and colours stand for, of those that can appear: a line or none."""
         said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed else []
-        if self.run.diameter is not None and self.detailed and (len(self.run.walls) or self.run.has_contact()):
+        if self.run.diameter is not None and self.detailed and (len(self.run.planes) or self.run.touching):
             said.append("orange: in contact")
         return ["; ".join(said)] if said else []
 
@@ -59,13 +59,13 @@ class Scenery:
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
         behind_first = np.argsort(frame.x[:, 3 - sum(self.plane)], kind="stable")
         touching = self._touching(frame)
-        for plane in run.walls:
-            self._draw_wall(axes, plane, window)
+        for plane in run.planes:
+            self._draw_plane(axes, plane, window)
         axes.add_collection(_circles(axes, xy[behind_first], self.radius[behind_first],
                                      np.where(touching[behind_first], CONTACT, BODY)))
         if self.detailed:
-            if len(run.bonds):
-                axes.add_collection(LineCollection(xy[run.bonds], colors=RIM, linewidths=0.7))
+            if len(run.lines):
+                axes.add_collection(LineCollection(xy[run.lines], colors=RIM, linewidths=0.7))
             if run.turns:
                 tips = xy + 2 * self.radius[:, None] * _turned(frame.attitude, self.outward)[:, self.plane]
                 axes.add_collection(LineCollection(np.stack([xy, tips], axis=1), colors=MARK, linewidths=0.6))
@@ -74,7 +74,7 @@ class Scenery:
         axes.grid(False)
         return bool(np.any(touching))
 
-    def _draw_wall(self, axes, plane, window):
+    def _draw_plane(self, axes, plane, window):
         """The half plane behind it, if it stands on the plane of the picture."""
         normal, distance = plane[:3][self.plane], plane[3]
         if abs(np.hypot(*normal) - np.linalg.norm(plane[:3])) > 1e-9 or not np.any(normal):
@@ -89,16 +89,16 @@ class Scenery:
             if after <= 0:
                 outline.append(corners[k])
         if len(outline) > 2:
-            axes.add_patch(Polygon(outline, facecolor=BEHIND_WALL, edgecolor=WALL, linewidth=0.8, zorder=0.5))
+            axes.add_patch(Polygon(outline, facecolor=BEHIND_PLANE, edgecolor=PLANE, linewidth=0.8, zorder=0.5))
 
     def _touching(self, frame):
-        """Bodies that overlap a wall, or another body which the scene lets them touch."""
+        """Bodies that overlap a plane, or another body which the scene lets them touch."""
         touching = np.zeros(len(frame.x), bool)
         if self.run.diameter is None or not self.detailed:
             return touching
-        for plane in self.run.walls:
+        for plane in self.run.planes:
             touching |= frame.x @ plane[:3] - plane[3] < self.radius * np.linalg.norm(plane[:3])
-        for i in range(len(frame.x) - 1 if self.run.has_contact() else 0):
+        for i in range(len(frame.x) - 1 if self.run.touching else 0):
             distance = np.linalg.norm(frame.x[i + 1:] - frame.x[i], axis=1)
             for j in i + 1 + np.flatnonzero(distance < self.radius[i] + self.radius[i + 1:]):
                 if (i, j) not in self.apart:

@@ -52,9 +52,9 @@ def _facts(run, scene, touched):
     if scene.detailed and run.turns:
         parts.append("Black marks are fixed to the bodies and point outwards at $t$ = 0.")
     if touched:
-        other = "another body" if run.contact_bonded or not len(run.bonds) else "a body of no common bond"
-        parts.append("Orange: in contact with " + " or with ".join(["a wall"] * (len(run.walls) > 0) +
-                                                                   [other] * run.has_contact()) + ".")
+        other = "another body" if run.touching == 2 or not len(run.lines) else "a body of no common bond"
+        parts.append("Orange: in contact with " + " or with ".join([f"a {name}" for name in run.plane_names] +
+                                                                   [other] * (run.touching > 0)) + ".")
     if scene.follows:
         parts.append("The window moves with the bodies, the scale stays.")
     if run.diameter is None:

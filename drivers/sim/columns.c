@@ -35,11 +35,27 @@ enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
 enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
 enum { SOURCES = TERMS + COLUMNS };
 
+static const struct effect_term kinetic[] = {{"kinetic_translation", "$m‖v‖^2\\!/2$", "translation", "#0072B2"},
+                                             {"kinetic_rotation", "$J‖\\Omega‖^2\\!/2$", "rotation", "#56B4E9"}};
+
+/** What is known of the energy called name in pictures; NULL if nothing is. */
+static const struct effect_term *term_of(const struct model *model, const char *name, int effect)
+{
+    const struct effect_kind *kind = effect >= 0 && effect < model->rooms_count ? model->rooms[effect].kind : NULL;
+    const struct effect_term *terms = kind != NULL ? kind->terms : kinetic;
+    const int count = kind != NULL ? kind->terms_count : (int)(sizeof kinetic / sizeof kinetic[0]);
+    for (int k = 0; k < count; ++k)
+        if (strcmp(terms[k].name, name) == 0)
+            return &terms[k];
+    return NULL;
+}
+
 static void add(struct columns *c, const char *name, int source, int effect)
 {
     if (c->count == COLUMNS || source >= SOURCES)
         return;
     c->name[c->count] = name;
+    c->term[c->count] = term_of(c->model, name, effect);
     c->effect[c->count] = effect;
     c->source[c->count++] = source;
 }

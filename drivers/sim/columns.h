@@ -11,10 +11,11 @@ struct columns {
     const struct model *model; /* must outlive the columns */
     int count;
     const char *name[COLUMNS];
-    int source[COLUMNS]; /* where columns_values finds it */
-    int effect[COLUMNS]; /* whose energy it is; -1 for none */
-    int total;           /* the column "total" */
-    int modified;        /* the column "energy_modified"; -1 if there is none */
+    const struct effect_term *term[COLUMNS]; /* in pictures, of energies; NULL where nobody says */
+    int source[COLUMNS];                     /* where columns_values finds it */
+    int effect[COLUMNS];                     /* whose energy it is; -1 for none */
+    int total;                               /* the column "total" */
+    int modified;                            /* the column "energy_modified"; -1 if there is none */
 };
 
 /** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, total,

@@ -11,6 +11,8 @@ import numpy as np
 from PIL import Image
 
 ALL = ("energy.png", "energy_error.png", "momenta.png", "shapes.png")
+LOOKS = {"kinetic_translation": ("$T$", "translation", "#0072B2"), "kinetic_rotation": ("$R$", "rotation", "#56B4E9"),
+         "binder_moment": ("$U^m$", "bending and torsion", "#E69F00"), "contact": ("$U^c$", "contact", "#332288")}
 
 
 def ring(count, t):
@@ -30,12 +32,12 @@ def energies(t):
 
 
 def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, translates=True, blown=False, walls=True,
-              scene="ring", bonded=0, squeeze=1.0):
+              scene="ring", touching=1, squeeze=1.0):
     with h5py.File(path, "w") as file:
         file.attrs.update({"scene": np.bytes_(scene), "stepper": np.bytes_("vti2"), "vti_version": np.bytes_("0.1.0"),
                            "h": 1e-3})
-        if bonded is not None:      # as in files of scenes without contact, and of versions that did not say
-            file.attrs["contact.bonded"] = np.int64(bonded)
+        if touching is not None:    # as in files that do not say
+            file.attrs["touching"] = np.int64(touching)
         t = np.linspace(0, t_end, rows)
         columns = {"t": t, **energies(t)}
         if blown:
@@ -46,6 +48,9 @@ def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, trans
                 columns[f"{name}_{axis}"] = walk[:, k] * (k > 0) + (np.minimum(t, 2) if (name, k) == ("momentum", 0) else 0)
         for name, values in columns.items():
             file[f"energies/{name}"] = values
+            if name in LOOKS:
+                file[f"energies/{name}"].attrs.update(zip(("symbol", "meaning", "colour"), LOOKS[name]))
+        file["energies"].attrs["columns"] = ",".join(columns)
 
         times = np.linspace(0, t_end, frames)
         centres, attitudes = (np.concatenate(parts) for parts in zip(*(ring(count, time) for time in times)))
@@ -57,6 +62,7 @@ def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, trans
         if translates:
             data["velocity"], data["diameter"] = np.zeros_like(centres), np.full(count, 2 * np.sin(np.pi / count) / squeeze)
         if walls:
+            file.attrs["planes"] = "wall"
             file["walls"] = np.array([[1.0, 0.0, 0.0, 0.9], [0.0, 0.0, 1.0, -1.0]])
 
 
@@ -79,13 +85,25 @@ def test_pictures(program, folder):
 def test_contacts(program, folder):
     """Neighbours of this ring overlap, and all are bonded: whether they touch, the file says."""
     run, said = os.path.join(folder, "out.h5"), {}
-    for bonded in (None, 0, 1):
-        write_run(run, walls=False, squeeze=0.7, bonded=bonded)
-        said[bonded] = draws(program, run, os.path.join(folder, str(bonded)))[0][3]
-    assert said[None] == said[0] != said[1], "contacts inside bonds are not drawn as the file has them"
-    with h5py.File(run, "a") as file:
-        del file["energies/contact"]
-    assert draws(program, run, os.path.join(folder, "without"))[0][3] == said[0], "contacts in a scene without contact"
+    for touching in (None, 0, 1, 2):
+        write_run(run, walls=False, squeeze=0.7, touching=touching)
+        said[touching] = draws(program, run, os.path.join(folder, str(touching)))[0][3]
+    assert said[None] == said[0] == said[1] != said[2], "contacts inside bonds are not drawn as the file has them"
+
+
+def test_looks(program, folder):
+    """Energies are shown as the file says, those of which it does not by their names."""
+    run, drawn = os.path.join(folder, "out.h5"), []
+    for colour in ("#00FF00", None):
+        write_run(run)
+        with h5py.File(run, "a") as file:
+            attributes = file["energies/binder_moment"].attrs
+            if colour:
+                attributes["colour"] = colour
+            else:
+                del attributes["symbol"]
+        drawn.append(draws(program, run, os.path.join(folder, str(colour)))[0])
+    assert drawn[0][0] != drawn[1][0], "energy.png does not show what the file says"
     left_alone(program, run)
 
 
@@ -179,4 +197,4 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_pictures, test_contacts, test_scenes, test_film, test_refusals)
+    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_film, test_refusals)
