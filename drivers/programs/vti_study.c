@@ -117,13 +117,13 @@ static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
 static int default_scene(struct message *message)
 {
     static char shipped[BESIDE_PATH];
-    static const char *const pendulum[] = {shipped, NULL};
+    static const char *const one[] = {shipped, NULL};
     if (scenes_count > 0)
         return 0;
     if (beside_scene("pendulum.yaml", shipped) != 0)
         return message_set(message,
                            "the shipped scene pendulum.yaml was not found beside the program; name a scene file");
-    scenes = pendulum;
+    scenes = one;
     scenes_count = 1;
     return 0;
 }

@@ -39,7 +39,10 @@ static void list_keys(FILE *file)
     static const char *const ranges[] = {"", ", above 0", ", not below 0", ", not 0"};
     for (int k = 0; scene_field_at(k) != NULL; ++k) {
         const struct scene_field *f = scene_field_at(k);
-        fprintf(file, "%s\t%s (%s%s%s). %s\n", f->path, f->about, kinds[f->kind], ranges[f->range],
+        char words[128] = "";
+        for (const struct scene_word *w = f->words; w != NULL && w->word != NULL; ++w)
+            append(append(words, sizeof words, w == f->words ? ": " : ", "), sizeof words, w->word);
+        fprintf(file, "%s\t%s (%s%s%s%s). %s\n", f->path, f->about, kinds[f->kind], words, ranges[f->range],
                 f->need == SCENE_MUST ? ", needed" : "", f->says);
     }
 }

@@ -7,6 +7,7 @@ import re
 import sys
 
 from programs import run
+from scenes_page import page
 from tally import check, conclude
 
 root, vti_run, *others = map(os.path.abspath, sys.argv[1:])
@@ -36,6 +37,9 @@ def listed(what):
 check({"vti1", "vti2", "vti3", "exact", "srkn11"} <= set(listed("steppers")), "the steppers of the README are there")
 check(listed("effects") == ["binder", "contact", "wall", "gravity", "pendulum"], "effects")
 keys = listed("keys")
+with open(os.path.join(root, "docs", "scenes.md"), encoding="utf-8") as file:
+    check(file.read() == page(run(vti_run, "--list", "keys").stdout),
+          "docs/scenes.md is what --list keys says (tests/driver/scenes_page.py makes it)")
 sections = {key.rsplit(".", 1)[0] for key in keys if "." in key}
 scene = os.path.join(root, "scenes", "torus.yaml")
 for key in keys:

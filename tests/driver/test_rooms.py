@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""An effect is one room: outside drivers/effects nobody in drivers/ names one, by an identifier, a key or a column. Left out are
+drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the pictures.
+test_rooms.py ROOT VTI_RUN"""
+import glob
+import io
+import os
+import re
+import sys
+import tokenize
+
+from programs import run
+from tally import check, conclude
+
+root, vti_run = map(os.path.abspath, sys.argv[1:])
+listed = [line.split("\t")[0] for line in run(vti_run, "--list", "effects").stdout.splitlines()]
+names = "|".join(listed)
+LIBRARY = "vti_(?:bonds|contacts|walls|gravity|pendulum)"
+IDENTIFIER = re.compile(rf"\b(?:has_(?:{names})|EFFECT_(?:{names})|effect_(?:{names})|{names}|{LIBRARY}\w*)\b")
+WORD = re.compile(rf"(?:{names})(?:[._](?!yaml)\w+)*")     # "binder", "binder.shear.form", "binder_shear"; not "pendulum.yaml"
+SCENES = ("figures.py", "advice.py", "claims.py", "accuracy.py")
+
+
+def named_in_c(text):
+    text = re.sub(r"/\*.*?\*/", lambda match: "\n" * match.group().count("\n"), text, flags=re.S)
+    for number, line in enumerate(text.splitlines(), 1):
+        strings = re.findall(r'"((?:[^"\\]|\\.)*)"', line)
+        rest = "" if line.lstrip().startswith("#") else re.sub(r'"(?:[^"\\]|\\.)*"', '""', line)
+        yield from ((number, word) for word in strings if WORD.fullmatch(word))
+        yield from ((number, word) for word in IDENTIFIER.findall(rest))
+
+
+def named_in_python(text):
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.STRING and WORD.fullmatch(token.string.strip("rf\"'")):
+            yield token.start[0], token.string
+        if token.type == tokenize.NAME and token.string in listed:
+            yield token.start[0], token.string
+
+
+faulty = """struct a {int has_wall; /* has_wall */}; f("contact", "in contact", "wall.planes", "pendulum.yaml"); vti_bonds_effect(b);"""
+check([word for _, word in named_in_c(faulty)] == ["contact", "wall.planes", "has_wall", "vti_bonds_effect"],
+      "this test sees names of effects")
+check([word for _, word in named_in_python('a["wall"]\ncontact = "contact of walls"  # wall\n')] == ['"wall"', "contact"],
+      "... in Python too")
+
+files = [path for path in glob.glob(os.path.join(root, "drivers", "**", "*.*"), recursive=True)
+         if path.endswith((".c", ".h", ".py"))]
+check(len(files) > 100, f"{len(files)} sources in drivers/")
+for path in sorted(files):
+    place = os.path.relpath(path, root)
+    if place.split(os.sep)[1] in ("effects", "check") or os.path.basename(path) in SCENES:
+        continue
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    found = list((named_in_python if path.endswith(".py") else named_in_c)(text))
+    check(not found, f"{place} names no effect: {found}")
+
+rooms = []
+for path in glob.glob(os.path.join(root, "drivers", "effects", "*.c")):
+    with open(path, encoding="utf-8") as file:
+        rooms += re.findall(r"^const struct effect_kind effect_(\w+) =", file.read(), flags=re.M)
+with open(os.path.join(root, "drivers", "effects", "kinds.h"), encoding="utf-8") as file:
+    kinds = re.findall(r"KIND\((\w+)\)", re.search(r"#define EFFECT_KINDS\(KIND\)(.*)", file.read()).group(1))
+check(sorted(rooms) == sorted(kinds), f"kinds.h lists the effects that have a room: {sorted(rooms)}, {sorted(kinds)}")
+check(len(kinds) == len(listed), f"... and vti-run knows them: {listed}")
+conclude()
