@@ -31,7 +31,6 @@ enum scene_need {
 
 enum scene_range { SCENE_ANY, SCENE_POSITIVE, SCENE_NOT_NEGATIVE, SCENE_NOT_ZERO };
 
-enum { SCENE_FIELDS_MAX = 128 };
 #define SCENE_NOWHERE ((size_t)-1)
 
 /** A word that stands for a number; lists end with a word NULL. */

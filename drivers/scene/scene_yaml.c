@@ -8,7 +8,7 @@
 
 /* ---- the bytes ---------------------------------------------------------------------------------------------------
  * What libfyaml (0.7, 0.8) does not look at: bytes that are not UTF-8, and 0, end the text for it without a word; and
- * line breaks in a row, a long directive and a long tag take it the square of their length in time. */
+ * line breaks or blanks in a row, a long directive and a long tag take it the square of their length in time. */
 
 enum { RUN_MAX = 1000 };
 
@@ -41,7 +41,8 @@ static int is_control(char c)
 /** Where a text has been read to. */
 struct scan {
     struct place place;
-    int breaks; /* line breaks in a row */
+    int breaks; /* line breaks in a row, blanks apart */
+    int blanks; /* in a row, in this line */
     int marked; /* characters since a % that starts this line, or since a ! in it */
 };
 
@@ -50,13 +51,16 @@ static const char *pass(struct scan *scan, char c, char next)
 {
     const int starts_line = scan->place.column == 1;
     if (c == '\n' || (c == '\r' && next != '\n')) {
-        const struct scan line = {{scan->place.line + 1, 1}, scan->breaks + 1, 0};
+        const struct scan line = {{scan->place.line + 1, 1}, scan->breaks + 1, 0, 0};
         *scan = line;
         return scan->breaks > RUN_MAX ? "1000 empty lines; a scene is short, is this the right file?" : NULL;
     }
     ++scan->place.column;
-    if (c != ' ' && c != '\t' && c != '\r')
-        scan->breaks = 0;
+    const int is_blank = c == ' ' || c == '\t' || c == '\r';
+    scan->blanks = is_blank ? scan->blanks + 1 : 0;
+    scan->breaks = is_blank ? scan->breaks : 0;
+    if (scan->blanks > RUN_MAX)
+        return "1000 blanks in a row; a scene needs fewer, remove some";
     scan->marked += scan->marked > 0 || c == '!' || (c == '%' && starts_line);
     return scan->marked > RUN_MAX ? "a directive or tag of 1000 characters; a scene needs none, remove it" : NULL;
 }
@@ -64,7 +68,7 @@ static const char *pass(struct scan *scan, char c, char next)
 /** What is wrong with the bytes, NULL if nothing is; *place is where. */
 static const char *wrong_bytes(const char *text, size_t size, struct place *place)
 {
-    struct scan scan = {{1, 1}, 0, 0};
+    struct scan scan = {{1, 1}, 0, 0, 0};
     const char *problem = NULL;
     for (size_t k = 0, n; k < size && problem == NULL; k += n) {
         n = character_size((const unsigned char *)text + k, size - k);

@@ -94,6 +94,7 @@ static void deep_and_long_texts(void **state)
         {"? ", "t.yaml:1:3: a list or section stands where a key belongs; write 'key: value'"},
         {"h: 1\n", "t.yaml:2:1: h: given a second time, first on line 1; keep one of them"},
         {"z\n", NULL},
+        {" ", "t.yaml:1:1002: 1000 blanks in a row; a scene needs fewer, remove some"},
         {"%", "t.yaml:1:1002: a directive or tag of 1000 characters; a scene needs none, remove it"},
         {"!<", "t.yaml:1:1002: a directive or tag of 1000 characters; a scene needs none, remove it"},
         {"\n", "t.yaml:1002:1: 1000 empty lines; a scene is short, is this the right file?"},
