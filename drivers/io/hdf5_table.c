@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "hdf5_table.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,4 +73,18 @@ void hdf5_table_end(struct hdf5_sink *parent, struct hdf5_table *table)
     free(table->rows);
     table->rows = NULL;
     hdf5_close(parent, &table->group);
+}
+
+void hdf5_names(struct hdf5_sink *parent, const char *name, int64_t n, const char *(*at)(const void *self, int64_t k),
+                const void *self)
+{
+    enum { LETTERS = 64 };
+    static const struct hdf5_column column = {"name", 0, 0, LETTERS};
+    struct hdf5_table table = hdf5_table_begin(parent, name, &column, 1, LETTERS, n);
+    for (int64_t k = 0; k < n; ++k) {
+        char row[LETTERS] = "";
+        snprintf(row, sizeof row, "%s", at(self, k));
+        hdf5_table_add(&table, row);
+    }
+    hdf5_table_end(parent, &table);
 }

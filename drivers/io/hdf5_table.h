@@ -31,4 +31,8 @@ struct hdf5_table hdf5_table_begin(struct hdf5_sink *parent, const char *name, c
 void hdf5_table_add(struct hdf5_table *table, const void *row);
 void hdf5_table_end(struct hdf5_sink *parent, struct hdf5_table *table);
 
+/** A group with the dataset "name" of n texts of up to 63 letters: at(self, 0), at(self, 1), ... */
+void hdf5_names(struct hdf5_sink *parent, const char *name, int64_t n, const char *(*at)(const void *self, int64_t k),
+                const void *self);
+
 #endif

@@ -11,99 +11,147 @@
 #include "survey_files.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "hdf5_table.h"
 #include "number.h"
 
-enum { NAME = 64, MEASURES = STUDY_MEASURES };
+enum { NAME = 64, MEASURES = STUDY_MEASURES, COLUMNS_MOST = 32 };
 
-#define NUMBER_OF(STRUCT, MEMBER)                                                                                      \
-    {                                                                                                                  \
-#MEMBER, offsetof(struct STRUCT, MEMBER), 0, 0                                                                 \
-    }
-#define WHOLE_OF(STRUCT, MEMBER)                                                                                       \
-    {                                                                                                                  \
-#MEMBER, offsetof(struct STRUCT, MEMBER), 1, 0                                                                 \
-    }
-#define COUNT(ARRAY) (int)(sizeof(ARRAY) / sizeof(ARRAY)[0])
-
-/* ---- rows -------------------------------------------------------------------------------------------------------- */
+/* ---- rows and their columns -------------------------------------------------------------------------------------- */
 
 struct run_row {
     int64_t point, stepper;
-    double h, t_end;
-    int64_t steps, force_evals;
-    double e_error, q_error, h1_error, attitude_error, momentum_error;
-    int64_t failed;
-    struct judgement judgement;
+    double h;
+    struct survey_run run;
 };
-
-static const struct hdf5_column run_columns[] = {
-    WHOLE_OF(run_row, point),           WHOLE_OF(run_row, stepper),         NUMBER_OF(run_row, h),
-    NUMBER_OF(run_row, t_end),          WHOLE_OF(run_row, steps),           WHOLE_OF(run_row, force_evals),
-    NUMBER_OF(run_row, e_error),        NUMBER_OF(run_row, q_error),        NUMBER_OF(run_row, h1_error),
-    NUMBER_OF(run_row, attitude_error), NUMBER_OF(run_row, momentum_error), WHOLE_OF(run_row, failed)};
 
 struct failure_row {
     int64_t run;
     char reason[SURVEY_REASON];
 };
 
-static const struct hdf5_column failure_columns[] = {
-    WHOLE_OF(failure_row, run), {"reason", offsetof(struct failure_row, reason), 0, SURVEY_REASON}};
-
 struct point_row {
     int64_t scene, value[SWEEP_AXES];
-    double energy0, norm_squared, reference_energy_error, reference_uncertainty;
+    struct survey_facts facts;
 };
-
-static const struct hdf5_column point_columns[] = {
-    WHOLE_OF(point_row, scene), NUMBER_OF(point_row, energy0), NUMBER_OF(point_row, norm_squared),
-    NUMBER_OF(point_row, reference_energy_error), NUMBER_OF(point_row, reference_uncertainty)};
 
 struct order_row {
-    int64_t point, stepper, measure, points;
-    double order, interval, h_min, h_max, log2_constant;
+    int64_t point, stepper, measure;
+    struct order order;
 };
-
-static const struct hdf5_column order_columns[] = {
-    WHOLE_OF(order_row, point),  WHOLE_OF(order_row, stepper),   WHOLE_OF(order_row, measure),
-    NUMBER_OF(order_row, order), NUMBER_OF(order_row, interval), NUMBER_OF(order_row, h_min),
-    NUMBER_OF(order_row, h_max), WHOLE_OF(order_row, points),    NUMBER_OF(order_row, log2_constant)};
 
 struct mean_row {
     int64_t point, stepper;
     double h;
     int64_t runs, failed;
-    double mean_e_error, spread_e_error, mean_q_error, spread_q_error, mean_h1_error, spread_h1_error,
-        mean_attitude_error, spread_attitude_error, mean_momentum_error, spread_momentum_error;
+    double value[2 * SURVEY_ERRORS]; /* mean and spread of each error */
 };
-
-static const struct hdf5_column mean_columns[] = {WHOLE_OF(mean_row, point),
-                                                  WHOLE_OF(mean_row, stepper),
-                                                  NUMBER_OF(mean_row, h),
-                                                  WHOLE_OF(mean_row, runs),
-                                                  WHOLE_OF(mean_row, failed),
-                                                  NUMBER_OF(mean_row, mean_e_error),
-                                                  NUMBER_OF(mean_row, spread_e_error),
-                                                  NUMBER_OF(mean_row, mean_q_error),
-                                                  NUMBER_OF(mean_row, spread_q_error),
-                                                  NUMBER_OF(mean_row, mean_h1_error),
-                                                  NUMBER_OF(mean_row, spread_h1_error),
-                                                  NUMBER_OF(mean_row, mean_attitude_error),
-                                                  NUMBER_OF(mean_row, spread_attitude_error),
-                                                  NUMBER_OF(mean_row, mean_momentum_error),
-                                                  NUMBER_OF(mean_row, spread_momentum_error)};
 
 struct mean_order_row {
     int64_t point, stepper, measure, fits;
     double mean_order, spread_order;
 };
 
-static const struct hdf5_column mean_order_columns[] = {
-    WHOLE_OF(mean_order_row, point), WHOLE_OF(mean_order_row, stepper),     WHOLE_OF(mean_order_row, measure),
-    WHOLE_OF(mean_order_row, fits),  NUMBER_OF(mean_order_row, mean_order), NUMBER_OF(mean_order_row, spread_order)};
+struct columns_of {
+    struct hdf5_column column[COLUMNS_MOST];
+    char name[2 * SURVEY_ERRORS][NAME]; /* that are made here */
+    int count;
+};
+
+static void add(struct columns_of *all, const char *name, size_t offset, int is_integer)
+{
+    all->column[all->count++] = (struct hdf5_column){name, offset, is_integer, 0};
+}
+
+#define WHOLE(STRUCT, NAME) add(&c, #NAME, offsetof(struct STRUCT, NAME), 1)
+#define REAL(STRUCT, NAME) add(&c, #NAME, offsetof(struct STRUCT, NAME), 0)
+/** A member of a member. */
+#define INNER(STRUCT, MEMBER, NAME, IS_INTEGER) add(&c, #NAME, offsetof(struct STRUCT, MEMBER.NAME), IS_INTEGER)
+
+static struct columns_of run_columns(void)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(run_row, point);
+    WHOLE(run_row, stepper);
+    REAL(run_row, h);
+    INNER(run_row, run, t_end, 0);
+    INNER(run_row, run, steps, 1);
+    INNER(run_row, run, force_evals, 1);
+    for (int m = 0; m < SURVEY_ERRORS; ++m)
+        add(&c, survey_errors[m], offsetof(struct run_row, run.error) + (size_t)m * sizeof(double), 0);
+    INNER(run_row, run, failed, 1);
+    for (int k = 0; k < VERDICT_NUMBERS; ++k)
+        add(&c, verdict_numbers[k].name, offsetof(struct run_row, run.judgement) + verdict_numbers[k].offset,
+            verdict_numbers[k].is_integer);
+    return c;
+}
+
+static struct columns_of point_columns(const struct sweep *sweep)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(point_row, scene);
+    INNER(point_row, facts, energy0, 0);
+    INNER(point_row, facts, norm_squared, 0);
+    INNER(point_row, facts, reference_energy_error, 0);
+    INNER(point_row, facts, reference_uncertainty, 0);
+    for (int k = 0; k < sweep->count; ++k)
+        add(&c, sweep->axis[k].key, offsetof(struct point_row, value) + (size_t)k * sizeof(int64_t), 1);
+    return c;
+}
+
+static struct columns_of order_columns(void)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(order_row, point);
+    WHOLE(order_row, stepper);
+    WHOLE(order_row, measure);
+    INNER(order_row, order, order, 0);
+    INNER(order_row, order, interval, 0);
+    INNER(order_row, order, h_min, 0);
+    INNER(order_row, order, h_max, 0);
+    INNER(order_row, order, points, 1);
+    INNER(order_row, order, log2_constant, 0);
+    return c;
+}
+
+/** Names are made in *c. */
+static void mean_columns(struct columns_of *all)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(mean_row, point);
+    WHOLE(mean_row, stepper);
+    REAL(mean_row, h);
+    WHOLE(mean_row, runs);
+    WHOLE(mean_row, failed);
+    *all = c;
+    for (int m = 0; m < 2 * SURVEY_ERRORS; ++m) {
+        snprintf(all->name[m], NAME, "%s_%s", m % 2 == 0 ? "mean" : "spread", survey_errors[m / 2]);
+        add(all, all->name[m], offsetof(struct mean_row, value) + (size_t)m * sizeof(double), 0);
+    }
+}
+
+static struct columns_of mean_order_columns(void)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(mean_order_row, point);
+    WHOLE(mean_order_row, stepper);
+    WHOLE(mean_order_row, measure);
+    WHOLE(mean_order_row, fits);
+    REAL(mean_order_row, mean_order);
+    REAL(mean_order_row, spread_order);
+    return c;
+}
+
+static struct columns_of failure_columns(void)
+{
+    struct columns_of c = {.count = 0};
+    WHOLE(failure_row, run);
+    REAL(failure_row, reason);
+    c.column[1].text = SURVEY_REASON;
+    return c;
+}
 
 /* ---- tables ------------------------------------------------------------------------------------------------------ */
 
@@ -117,27 +165,12 @@ struct writer {
 static void write_runs(struct writer *w, int64_t p, const struct plan *plan, const struct survey_point *point)
 {
     for (int64_t r = 0; r < plan->steppers_count * plan->h_count; ++r, ++w->run) {
-        const struct survey_run *run = &point->run[r];
-        const double *e = run->error;
-        const struct run_row row = {p,
-                                    r / plan->h_count,
-                                    plan->h[r % plan->h_count],
-                                    run->t_end,
-                                    run->steps,
-                                    run->force_evals,
-                                    e[0],
-                                    e[1],
-                                    e[2],
-                                    e[3],
-                                    e[4],
-                                    run->failed,
-                                    run->judgement};
+        const struct run_row row = {p, r / plan->h_count, plan->h[r % plan->h_count], point->run[r]};
+        struct failure_row failure = {w->run, ""};
         hdf5_table_add(&w->runs, &row);
-        if (run->failed) {
-            struct failure_row failure = {w->run, ""};
-            memcpy(failure.reason, run->reason, sizeof failure.reason);
+        memcpy(failure.reason, row.run.reason, sizeof failure.reason);
+        if (row.run.failed)
             hdf5_table_add(&w->failures, &failure);
-        }
     }
 }
 
@@ -145,8 +178,7 @@ static void write_orders(struct writer *w, int64_t p, const struct plan *plan, c
 {
     for (int64_t s = 0; s < plan->steppers_count; ++s)
         for (int m = 0; m < MEASURES; ++m) {
-            const struct order o = survey_order(plan, point, s, m);
-            const struct order_row row = {p, s, m, o.points, o.order, o.interval, o.h_min, o.h_max, o.log2_constant};
+            const struct order_row row = {p, s, m, survey_order(plan, point, s, m)};
             hdf5_table_add(&w->orders, &row);
         }
 }
@@ -156,26 +188,12 @@ static void write_group(struct writer *w, const struct plan *plan)
     const struct survey_group *g = &w->group;
     for (int64_t r = 0; r < plan->steppers_count * plan->h_count; ++r) {
         const struct ensemble *e = g->error[r];
-        double v[2 * SURVEY_ERRORS];
+        struct mean_row row = {g->first,   r / plan->h_count, plan->h[r % plan->h_count],
+                               e[0].count, g->failed[r],      {0.0}};
         for (int m = 0; m < SURVEY_ERRORS; ++m) {
-            v[2 * m] = ensemble_mean(&e[m]);
-            v[2 * m + 1] = ensemble_spread(&e[m]);
+            row.value[2 * m] = ensemble_mean(&e[m]);
+            row.value[2 * m + 1] = ensemble_spread(&e[m]);
         }
-        const struct mean_row row = {g->first,
-                                     r / plan->h_count,
-                                     plan->h[r % plan->h_count],
-                                     e[0].count,
-                                     g->failed[r],
-                                     v[0],
-                                     v[1],
-                                     v[2],
-                                     v[3],
-                                     v[4],
-                                     v[5],
-                                     v[6],
-                                     v[7],
-                                     v[8],
-                                     v[9]};
         hdf5_table_add(&w->means, &row);
     }
     for (int64_t s = 0; s < plan->steppers_count; ++s)
@@ -190,9 +208,7 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
 {
     struct writer *w = self;
     const struct plan *plan = survey_plan_of(w->plan, p);
-    struct point_row row = {
-        survey_scene(w->plan, p),    {0}, point->energy0, point->norm_squared, point->reference_energy_error,
-        point->reference_uncertainty};
+    struct point_row row = {survey_scene(w->plan, p), {0}, point->facts};
     (void)rank;
     for (int k = 0; k < w->plan->sweep->count; ++k)
         row.value[k] = sweep_index(w->plan->sweep, p % sweep_points(w->plan->sweep), k);
@@ -204,50 +220,62 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
     return 0;
 }
 
-/** Of all points of a scene, by what each of its points or groups has of it. */
-static int64_t over_scenes(const struct survey_plan *plan, int64_t each, int with_steps, int64_t times)
+/** Rows of all scenes, from rows of each of their steppers and so many points or groups. */
+static int64_t rows_of(const struct survey_plan *plan, int64_t each, int with_steps)
 {
     int64_t n = 0;
     for (int k = 0; k < plan->scenes_count; ++k)
-        n += each * plan->each[k].steppers_count * (with_steps ? plan->each[k].h_count : times);
+        n += each * plan->each[k].steppers_count * (with_steps ? plan->each[k].h_count : MEASURES);
     return n;
+}
+
+static struct hdf5_table begin(struct hdf5_sink *file, const char *name, const struct columns_of *columns, size_t size,
+                               int64_t rows)
+{
+    return hdf5_table_begin(file, name, columns->column, columns->count, size, rows);
+}
+
+static int write_tables(const struct survey *survey, struct hdf5_sink *file, int64_t failed, struct message *message)
+{
+    static struct writer w;
+    const struct survey_plan *plan = survey->plan;
+    const int64_t groups = survey_groups(plan) / plan->scenes_count, places = sweep_points(plan->sweep);
+    const struct columns_of points = point_columns(plan->sweep), runs = run_columns(), failures = failure_columns(),
+                            orders = order_columns(), mean_orders = mean_order_columns();
+    struct columns_of means;
+    mean_columns(&means);
+    memset(&w, 0, sizeof w);
+    w.plan = plan;
+    w.points = begin(file, "points", &points, sizeof(struct point_row), survey->points);
+    w.runs = begin(file, "runs", &runs, sizeof(struct run_row), survey->runs);
+    w.failures = begin(file, "failures", &failures, sizeof(struct failure_row), failed);
+    w.orders = begin(file, "orders", &orders, sizeof(struct order_row), rows_of(plan, places, 0));
+    w.means = begin(file, "ensemble", &means, sizeof(struct mean_row), rows_of(plan, groups, 1));
+    w.mean_orders =
+        begin(file, "ensemble_orders", &mean_orders, sizeof(struct mean_order_row), rows_of(plan, groups, 0));
+    const int unread = survey_each(survey, write_point, &w, message);
+    struct hdf5_table *const tables[] = {&w.points, &w.runs, &w.failures, &w.orders, &w.means, &w.mean_orders};
+    for (size_t k = 0; k < sizeof tables / sizeof tables[0]; ++k)
+        hdf5_table_end(file, tables[k]);
+    return unread;
 }
 
 /* ---- lists ------------------------------------------------------------------------------------------------------- */
 
-struct name_row {
-    char name[NAME];
-};
-
-static const struct hdf5_column name_columns[] = {{"name", offsetof(struct name_row, name), 0, NAME}};
-
-/** /NAME/name: a list of texts. */
-static struct hdf5_table begin_names(struct hdf5_sink *file, const char *name, int64_t n)
+static const char *scene_at(const void *plan, int64_t k)
 {
-    return hdf5_table_begin(file, name, name_columns, COUNT(name_columns), sizeof(struct name_row), n);
+    return ((const struct survey_plan *)plan)->first[k].name;
 }
 
-static void add_name(struct hdf5_table *table, const char *name)
+static const char *stepper_at(const void *plan, int64_t k)
 {
-    struct name_row row = {""};
-    snprintf(row.name, sizeof row.name, "%s", name);
-    hdf5_table_add(table, &row);
+    return ((const struct survey_plan *)plan)->each[0].steppers[k]->name;
 }
 
-static void write_names(struct hdf5_sink *file, const struct survey_plan *plan)
+static const char *measure_at(const void *plan, int64_t k)
 {
-    struct hdf5_table scenes = begin_names(file, "scenes", plan->scenes_count);
-    for (int k = 0; k < plan->scenes_count; ++k)
-        add_name(&scenes, plan->first[k].name);
-    hdf5_table_end(file, &scenes);
-    struct hdf5_table steppers = begin_names(file, "steppers", plan->each[0].steppers_count);
-    for (int64_t s = 0; s < plan->each[0].steppers_count; ++s)
-        add_name(&steppers, plan->each[0].steppers[s]->name);
-    hdf5_table_end(file, &steppers);
-    struct hdf5_table measures = begin_names(file, "measures", MEASURES);
-    for (int m = 0; m < MEASURES; ++m)
-        add_name(&measures, study_measures[m]);
-    hdf5_table_end(file, &measures);
+    (void)plan;
+    return study_measures[k];
 }
 
 struct value_row {
@@ -290,47 +318,6 @@ static void write_sweep(struct hdf5_sink *file, const struct sweep *sweep)
 
 /* ---- the file ---------------------------------------------------------------------------------------------------- */
 
-/** Columns, and behind them the numbers of the verdict or of the swept values. */
-static int more_columns(struct hdf5_column *all, const struct hdf5_column *first, int n, const struct sweep *sweep)
-{
-    memcpy(all, first, (size_t)n * sizeof *all);
-    for (int k = 0; sweep == NULL && k < VERDICT_NUMBERS; ++k)
-        all[n++] = (struct hdf5_column){verdict_numbers[k].name,
-                                        offsetof(struct run_row, judgement) + verdict_numbers[k].offset,
-                                        verdict_numbers[k].is_integer, 0};
-    for (int k = 0; sweep != NULL && k < sweep->count; ++k)
-        all[n++] = (struct hdf5_column){sweep->axis[k].key, offsetof(struct point_row, value) + (size_t)k * 8, 1, 0};
-    return n;
-}
-
-static int write_tables(const struct survey *survey, struct hdf5_sink *file, int64_t failed, struct message *message)
-{
-    static struct writer w;
-    struct hdf5_column runs[COUNT(run_columns) + VERDICT_NUMBERS], points[COUNT(point_columns) + SWEEP_AXES];
-    const struct survey_plan *plan = survey->plan;
-    const int64_t groups = survey_groups(plan) / plan->scenes_count, places = sweep_points(plan->sweep);
-    memset(&w, 0, sizeof w);
-    w.plan = plan;
-    w.points =
-        hdf5_table_begin(file, "points", points, more_columns(points, point_columns, COUNT(point_columns), plan->sweep),
-                         sizeof(struct point_row), survey->points);
-    w.runs = hdf5_table_begin(file, "runs", runs, more_columns(runs, run_columns, COUNT(run_columns), NULL),
-                              sizeof(struct run_row), survey->runs);
-    w.failures =
-        hdf5_table_begin(file, "failures", failure_columns, COUNT(failure_columns), sizeof(struct failure_row), failed);
-    w.orders = hdf5_table_begin(file, "orders", order_columns, COUNT(order_columns), sizeof(struct order_row),
-                                over_scenes(plan, places, 0, MEASURES));
-    w.means = hdf5_table_begin(file, "ensemble", mean_columns, COUNT(mean_columns), sizeof(struct mean_row),
-                               over_scenes(plan, groups, 1, 1));
-    w.mean_orders = hdf5_table_begin(file, "ensemble_orders", mean_order_columns, COUNT(mean_order_columns),
-                                     sizeof(struct mean_order_row), over_scenes(plan, groups, 0, MEASURES));
-    const int unread = survey_each(survey, write_point, &w, message);
-    struct hdf5_table *const tables[] = {&w.points, &w.runs, &w.failures, &w.orders, &w.means, &w.mean_orders};
-    for (int k = 0; k < COUNT(tables); ++k)
-        hdf5_table_end(file, tables[k]);
-    return unread;
-}
-
 int survey_hdf5_write(const struct survey *survey, const char *path, int64_t failed, struct message *message)
 {
     hdf5_start();
@@ -339,7 +326,9 @@ int survey_hdf5_write(const struct survey *survey, const char *path, int64_t fai
         return message_set(message, "%s: cannot be made; the disk may be full", path);
     hdf5_text(&file, "vti_version", vti_version());
     hdf5_text(&file, "ensemble", survey->plan->sweep->count > 0 ? survey->plan->sweep->axis[0].key : "");
-    write_names(&file, survey->plan);
+    hdf5_names(&file, "scenes", survey->plan->scenes_count, scene_at, survey->plan);
+    hdf5_names(&file, "steppers", survey->plan->each[0].steppers_count, stepper_at, survey->plan);
+    hdf5_names(&file, "measures", MEASURES, measure_at, survey->plan);
     write_sweep(&file, survey->plan->sweep);
     const int unread = write_tables(survey, &file, failed, message);
     if (hdf5_close_file(&file) != 0 && unread == 0)

@@ -9,6 +9,8 @@
 #include "queue.h"
 #include "table.h"
 
+const char *const survey_errors[SURVEY_ERRORS] = {"e_error", "q_error", "h1_error", "attitude_error", "momentum_error"};
+
 /* ---- points ------------------------------------------------------------------------------------------------------ */
 
 static int64_t runs_of(const struct plan *plan)
@@ -164,7 +166,7 @@ static void fail_run(struct survey_run *run, const char *reason)
 
 static void fail_point(struct survey_point *point, const struct plan *plan, const char *reason)
 {
-    point->energy0 = point->norm_squared = point->reference_energy_error = point->reference_uncertainty = NAN;
+    point->facts = (struct survey_facts){NAN, NAN, NAN, NAN};
     for (int64_t r = 0; r < runs_of(plan); ++r)
         fail_run(&point->run[r], reason);
 }
@@ -186,10 +188,8 @@ static void take_run(const struct study *study, int64_t r, struct survey_run *ru
 
 static void take_study(const struct study *study, struct survey_point *point)
 {
-    point->energy0 = study->energy0;
-    point->norm_squared = study->norm_squared;
-    point->reference_energy_error = study->reference_energy_error;
-    point->reference_uncertainty = study->reference_uncertainty;
+    point->facts = (struct survey_facts){study->energy0, study->norm_squared, study->reference_energy_error,
+                                         study->reference_uncertainty};
     for (int64_t r = 0; r < study->runs; ++r)
         take_run(study, r, &point->run[r]);
 }
@@ -289,55 +289,4 @@ int survey_run(const struct survey_plan *plan, MPI_Comm comm, const struct study
     survey->seconds = MPI_Wtime() - work.start;
     free(work.scratch);
     return failed;
-}
-
-/* ---- reading ----------------------------------------------------------------------------------------------------- */
-
-int survey_each(const struct survey *survey,
-                int (*take)(void *self, int64_t p, int rank, const struct survey_point *point), void *self,
-                struct message *message)
-{
-    struct survey_point *point = malloc((size_t)survey_bytes(survey->plan));
-    int failed = point == NULL ? message_set(message, "out of memory; use fewer steppers and steps") : 0;
-    for (int64_t p = 0; failed == 0 && p < survey->points; ++p) {
-        int rank;
-        if (!survey->store->recall(survey->store->self, p, &rank, point))
-            failed = message_set(message, "the results of point %lld cannot be read again", (long long)p);
-        else
-            failed = take(self, p, rank, point) != 0 ? -1 : 0;
-    }
-    free(point);
-    return failed;
-}
-
-struct order survey_order(const struct plan *plan, const struct survey_point *point, int64_t stepper, int measure)
-{
-    double error[LADDER_MOST], floor[LADDER_MOST];
-    for (int64_t k = 0; k < plan->h_count; ++k) {
-        const struct survey_run *run = &point->run[stepper * plan->h_count + k];
-        error[k] = run->error[measure];
-        floor[k] = study_floor(measure, run->steps, run->t_end, point->reference_uncertainty);
-    }
-    return fit_order(plan->h, error, floor, plan->h_count);
-}
-
-int survey_group_add(const struct survey_plan *plan, struct survey_group *group, int64_t p,
-                     const struct survey_point *point)
-{
-    const struct plan *each = survey_plan_of(plan, p);
-    const int64_t size = group_size(plan);
-    if (p % size == 0) {
-        memset(group, 0, sizeof *group);
-        group->number = p / size;
-        group->first = p;
-    }
-    for (int64_t r = 0; r < runs_of(each); ++r) {
-        group->failed[r] += point->run[r].failed;
-        for (int m = 0; m < SURVEY_ERRORS; ++m)
-            ensemble_add(&group->error[r][m], point->run[r].error[m]);
-    }
-    for (int64_t s = 0; s < each->steppers_count; ++s)
-        for (int m = 0; m < STUDY_MEASURES; ++m)
-            ensemble_add(&group->order[s][m], survey_order(each, point, s, m).order);
-    return p % size == size - 1;
 }

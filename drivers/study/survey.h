@@ -13,6 +13,9 @@
 
 enum { SURVEY_SCENES = 32, SURVEY_REASON = 240, SURVEY_ERRORS = STUDY_MEASURES + 1 };
 
+/** What runs are measured by: study_measures, then "momentum_error". */
+extern const char *const survey_errors[SURVEY_ERRORS];
+
 /** What is asked for. */
 struct survey_plan {
     const char *const *scenes; /* [scenes_count]: paths */
@@ -32,15 +35,20 @@ struct survey_plan {
 struct survey_run {
     int64_t failed, steps, force_evals;
     double t_end;
-    double error[SURVEY_ERRORS]; /* study_measures, then momentum_error; NaN of a failed run */
+    double error[SURVEY_ERRORS]; /* NaN of a failed run */
     double seconds;
     struct judgement judgement;
     char reason[SURVEY_REASON]; /* of a failed run: its own, its reference's or its scene's */
 };
 
+/** What a point has besides its runs; NaN if it failed. */
+struct survey_facts {
+    double energy0, norm_squared, reference_energy_error, reference_uncertainty;
+};
+
 /** A point as it is kept. Flat. */
 struct survey_point {
-    double energy0, norm_squared, reference_energy_error, reference_uncertainty; /* NaN if there is none */
+    struct survey_facts facts;
     struct survey_run run[]; /* stepper r / h_count at h r % h_count */
 };
 

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What a survey has found, point by point, and its means. */
+#include "survey.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int survey_each(const struct survey *survey,
+                int (*take)(void *self, int64_t p, int rank, const struct survey_point *point), void *self,
+                struct message *message)
+{
+    struct survey_point *point = malloc((size_t)survey_bytes(survey->plan));
+    int failed = point == NULL ? message_set(message, "out of memory; use fewer steppers and steps") : 0;
+    for (int64_t p = 0; failed == 0 && p < survey->points; ++p) {
+        int rank;
+        if (!survey->store->recall(survey->store->self, p, &rank, point))
+            failed = message_set(message, "the results of point %lld cannot be read again", (long long)p);
+        else
+            failed = take(self, p, rank, point) != 0 ? -1 : 0;
+    }
+    free(point);
+    return failed;
+}
+
+/* ---- means ------------------------------------------------------------------------------------------------------- */
+
+struct order survey_order(const struct plan *plan, const struct survey_point *point, int64_t stepper, int measure)
+{
+    double error[LADDER_MOST], floor[LADDER_MOST];
+    for (int64_t k = 0; k < plan->h_count; ++k) {
+        const struct survey_run *run = &point->run[stepper * plan->h_count + k];
+        error[k] = run->error[measure];
+        floor[k] = study_floor(measure, run->steps, run->t_end, point->facts.reference_uncertainty);
+    }
+    return fit_order(plan->h, error, floor, plan->h_count);
+}
+
+int survey_group_add(const struct survey_plan *plan, struct survey_group *group, int64_t p,
+                     const struct survey_point *point)
+{
+    const struct plan *each = survey_plan_of(plan, p);
+    const int64_t size = survey_points(plan) / survey_groups(plan);
+    if (p % size == 0) {
+        memset(group, 0, sizeof *group);
+        group->number = p / size;
+        group->first = p;
+    }
+    for (int64_t r = 0; r < each->steppers_count * each->h_count; ++r) {
+        group->failed[r] += point->run[r].failed;
+        for (int m = 0; m < SURVEY_ERRORS; ++m)
+            ensemble_add(&group->error[r][m], point->run[r].error[m]);
+    }
+    for (int64_t s = 0; s < each->steppers_count; ++s)
+        for (int m = 0; m < STUDY_MEASURES; ++m)
+            ensemble_add(&group->order[s][m], survey_order(each, point, s, m).order);
+    return p % size == size - 1;
+}
