@@ -2,11 +2,56 @@
  * Any bytes as a scene file: refused with one line, or a scene of which a model can be made and stepped. */
 #include "fuzz.h"
 
+#include "../../settings.h"
 #include "loop.h"
-#include "model.h"
 #include "table.h"
 
 enum { BODIES = 300, STEPS = 3 };
+
+static int positive(double x)
+{
+    return isfinite(x) && x > 0.0;
+}
+
+static int all_finite(const double *p, int n)
+{
+    int finite = 1;
+    for (int k = 0; k < n; ++k)
+        finite = finite && isfinite(p[k]);
+    return finite;
+}
+
+static void check_effects(const struct scene *s)
+{
+    const int known = s->arrangement != SCENE_IN_TABLE;
+    const struct scene_planes *planes = setting(s, "wall.planes");
+    if (calls_for(s, "binder"))
+        fuzz_must(*(char *)setting(s, "binder.table") != '\0' || *number_setting(s, "binder.moment") > 0.0 ||
+                      *number_setting(s, "binder.axial") > 0.0 || *number_setting(s, "binder.shear.stiffness") > 0.0,
+                  "a binder has a stiffness");
+    fuzz_must(!known || s->translates || !scene_has_trait(s, EFFECT_TRANSLATING), "what acts on positions has some");
+    fuzz_must(!calls_for(s, "contact") || positive(*number_setting(s, "contact.stiffness")), "contact is stiff");
+    for (int64_t k = 0; calls_for(s, "wall") && k < planes->count; ++k)
+        fuzz_must(fabs(vti_norm(planes->plane[k]) - 1.0) < 1e-15 && isfinite(planes->plane[k][3]), "planes are unit");
+    fuzz_must(!calls_for(s, "pendulum") || (s->turns && !s->translates), "a pendulum turns");
+    fuzz_must(all_finite(number_setting(s, "pendulum.rho0"), 3) && all_finite(number_setting(s, "gravity"), 3),
+              "finite");
+}
+
+static void check(const struct scene *s)
+{
+    const int known = s->arrangement != SCENE_IN_TABLE, formula = known && s->arrangement != SCENE_SINGLE;
+    const int sphere = positive(s->mass) && (positive(s->diameter) || formula);
+    fuzz_must(!known || s->translates || s->turns, "something moves");
+    fuzz_must(!known || !s->translates || positive(s->mass), "what translates has a mass");
+    fuzz_must(!known || !s->turns || positive(s->inertia) || sphere, "what turns has an inertia");
+    fuzz_must(all_finite(s->x, 3) && all_finite(s->v, 3) && all_finite(s->alpha, 3) && all_finite(s->omega, 3),
+              "finite");
+    fuzz_must(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0', "bodies");
+    fuzz_must(positive(s->h) && positive(s->t_end) && s->t_end / s->h <= 0x1p53, "times are positive");
+    fuzz_must(s->stepper != NULL && s->name[0] != '\0', "a scene has a stepper and a name");
+    check_effects(s);
+}
 
 /** A few steps, too: numbers that are read must be fit to compute with. Whether they blow up is another question. */
 static void step(const struct scene *scene)
@@ -33,8 +78,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         fuzz_one_line(&message);
         return 0;
     }
-    fuzz_must(scene.h > 0.0 && scene.t_end > 0.0 && isfinite(scene.t_end / scene.h), "times are positive");
-    fuzz_must(scene.stepper != NULL && scene.name[0] != '\0', "a scene has a stepper and a name");
+    check(&scene);
     int tables = 0;
     for (int k = 0; k < TABLES; ++k)
         tables += tables_path(&scene, k)[0] != '\0';

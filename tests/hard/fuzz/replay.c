@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A fuzz target without libFuzzer: every file in the folders that are the arguments, whole, cut at every byte of its start, and
- * with seeded changes.      replay FOLDER... */
+ * A fuzz target without libFuzzer: every file in the folders that are the arguments, whole, cut at every byte, and with seeded
+ * changes.      replay FOLDER... */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 #include <sys/stat.h>
 
 #include "fuzz.h"
 
-enum { MOST = 8192, CUTS = 200, CHANGES = 300 };
+enum { MOST = 8192, CHANGES = 1000 };
 
 static uint64_t seed;
 
@@ -20,11 +20,11 @@ static size_t below(size_t n)
     return (size_t)((seed * UINT64_C(2685821657736338717)) >> 33) % n;
 }
 
-/** Changes, removes, inserts or doubles bytes. */
+/** Changes, removes or doubles bytes, or copies them to another place. */
 static size_t change(uint8_t *bytes, size_t size)
 {
     const size_t at = below(size), n = 1 + below(size - at < 16 ? size - at : 16);
-    switch (below(4)) {
+    switch (below(5)) {
     case 0:
         bytes[at] = (uint8_t)below(256);
         return size;
@@ -34,6 +34,9 @@ static size_t change(uint8_t *bytes, size_t size)
     case 2:
         memmove(bytes + at + n, bytes + at, size - at);
         return size + n;
+    case 3:
+        memmove(bytes + below(size - n + 1), bytes + at, n);
+        return size;
     default:
         bytes[at] = (uint8_t)(bytes[at] ^ 1U << below(8));
         return size;
@@ -45,7 +48,7 @@ static void replay(const uint8_t *bytes, size_t size)
     static uint8_t changed[2 * MOST];
     seed = 20240301; /* the same changes whatever the order of the files */
     LLVMFuzzerTestOneInput(bytes, size);
-    for (size_t cut = 0; cut < size && cut < CUTS; ++cut)
+    for (size_t cut = 0; cut < size; ++cut)
         LLVMFuzzerTestOneInput(bytes, cut);
     for (int k = 0; k < CHANGES; ++k) {
         size_t n = size;
