@@ -8,7 +8,7 @@ import sys
 import tempfile
 
 try:
-    import h5py  # noqa: F401
+    import h5py
     import matplotlib  # noqa: F401
     import numpy  # noqa: F401
     import PIL  # noqa: F401
@@ -50,6 +50,32 @@ def refuses(program, source, *words, options=()):
     assert line.startswith("vti-plot: ") and line.count("\n") == 1 and ";" in line, f"{source}: {line}"
     for word in words:
         assert word in line, f"{source}: no '{word}' in: {line}"
+
+
+def refuses_damage(program, path, write, gone, attributes, replaced):
+    """A file that write makes, and of which parts are missing, cut off, or replaced by others: (dataset, values or None, words)."""
+    refuses(program, path, path, "no such file")
+    write(path)
+    with open(path, "rb") as file:
+        whole = file.read()
+    for part in (len(whole) // 2, len(whole) - 1):
+        with open(path, "wb") as file:
+            file.write(whole[:part])
+        refuses(program, path, path, "truncated")
+    for name, values, word in [(name, None, "lacks") for name in gone] + replaced:
+        write(path)
+        with h5py.File(path, "a") as file:
+            del file[name]
+            if values is not None:
+                file[name] = values
+        refuses(program, path, word, "/" + name if values is None else "")
+    for name in attributes:
+        write(path)
+        with h5py.File(path, "a") as file:
+            del file.attrs[name]
+        refuses(program, path, path, "lacks attribute " + name)
+    folder = os.path.dirname(path)
+    assert not [name for name in os.listdir(folder) if name.endswith((".png", ".part"))], os.listdir(folder)
 
 
 def left_alone(program, *given):

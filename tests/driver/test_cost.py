@@ -61,22 +61,13 @@ def same_bytes(base):
     check(scenes == ["chain", "pendulum-2", "pendulum-4"], f"a scene with several ends is named with each: {scenes}")
 
 
-def orders(base):
-    """Errors at h and h/2, fine enough for the order to show to a tenth."""
-    steps = {"vti2": (256, 2), "vti1": (256, 2), "exact": (256, 2), "mercury": (256, 2), "vti3": (2048, 1), "rk4": (256, 4),
-             "srkn6": (64, 4), "chin4": (128, 4), "srkn11": (32, 6), "kl8": (32, 8), "rk8pd": (64, 8)}
-    folder = f"{base}/orders"
-    fractions = sorted({n * k for n, _ in steps.values() for k in (1, 2)})
-    result = cost(2, PENDULUM, "--t-end", "8", "--h", ",".join(f"8/{n}" for n in fractions), "--steppers", ",".join(steps),
-                  folder=folder)
-    check(result.returncode == 0, f"given steps run {result.stderr}")
-    found = ladders(folder)
-    for stepper, (n, order) in steps.items():
-        error = {int(row["steps"]): float(row["attitude_error"]) for row in found["pendulum", stepper]}
-        slope = math.log2(error[n] / error[2 * n])
-        check(abs(slope - order) < 0.3, f"{stepper}: order {slope:.2f}, not {order}")
+def evaluations(base):
+    folder = f"{base}/evals"
     evals = {"vti2": (1, 1), "exact": (1, 1), "mercury": (1, 1), "srkn6": (6, 1), "srkn11": (11, 1), "kl8": (17, 1), "rk4": (4, 0),
              "rk8pd": (13, 0)}
+    result = cost(2, PENDULUM, "--t-end", "8", "--h", "8/64,8/128", "--steppers", ",".join(evals), folder=folder)
+    check(result.returncode == 0, f"given steps run {result.stderr}")
+    found = ladders(folder)
     for stepper, (each, start) in evals.items():
         right = all(int(row["force_evals"]) == each * int(row["steps"]) + start for row in found["pendulum", stepper])
         check(right, f"{stepper}: {each} force evaluations a step and {start} before")
@@ -135,13 +126,10 @@ def refused(base):
         ("unknown method", [PENDULUM, "--steppers", "vti1,frob"], ["--steppers", "'frob'", "exact", "lammps-richardson"]),
         ("one method twice", [PENDULUM, "--steppers", "rk4,rk4"], ["'rk4'", "twice"]),
         ("one scene twice", [PENDULUM, PENDULUM], ["pendulum", "twice", "@10,100"]),
-        ("one end twice", [PENDULUM + "@10,10"], ["pendulum-10", "twice"]),
         ("bad end of a scene", [PENDULUM + "@10,x"], ["pendulum.yaml@10,x", "'x'"]),
-        ("bad --t-end", [PENDULUM, "--t-end", "10,-1"], ["--t-end", "'-1'"]),
         ("h that does not divide", [PENDULUM, "--h", "0.3"], ["--h", "0.3", "does not divide"]),
-        ("bad --evals", [PENDULUM, "--evals", "0"], ["--evals", "'0'"]),
         ("bad --repeats", [PENDULUM, "--repeats", "1.5"], ["--repeats", "'1.5'"]),
-        ("no such file", [f"{base}/none.yaml"], ["none.yaml", "cannot be read"]),
+        ("bad --evals", [PENDULUM, "--evals", "0"], ["--evals", "'0'"]),
     ]
     for what, arguments, expected in cases:
         folder = f"{base}/refused"
@@ -156,7 +144,7 @@ with tempfile.TemporaryDirectory() as work:
     columns(f"{work}/ranks2")
     for name in ("pendulum-2", "pendulum-4", "chain"):
         prices(f"{work}/ranks2", name, "attitude_error")
-    orders(work)
+    evaluations(work)
     translating(work)
     failing(work)
     refused(work)

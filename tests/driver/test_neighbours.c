@@ -126,33 +126,6 @@ static void default_skin_is_a_share_of_the_mean_diameter(void **state)
     neighbours_destroy(&list);
 }
 
-/* ---- many --------------------------------------------------------------------------------------------------------- */
-
-/** A bed of 1e5 spheres, 1e5 of its pairs excluded, a few bodies far away. */
-static void builds_for_many(void **state)
-{
-    enum { N = 100000 };
-    rng g = rng_seed(9);
-    double *x = malloc(3 * N * sizeof *x), one = 1.0;
-    struct neighbours all, some;
-    const vti_scalars diameter = vti_scalars_one(&one);
-    const vti_view view = vti_view_packed(x);
-    (void)state;
-    assert_non_null(x);
-    for (int k = 0; k < 3 * N; ++k)
-        x[k] = uniform(&g, -22.0, 22.0) * (k % 10007 == 0 ? 1e9 : 1.0);
-    assert_int_equal(neighbours_create(&all, N, &diameter, 0.0, 0, NULL, &b.message), 0);
-    assert_int_equal(neighbours_update(&all, &view, &b.message), 1);
-    assert_true(all.count > 3 * N && all.count < 6 * N);
-    assert_int_equal(neighbours_create(&some, N, &diameter, 0.0, N, all.pair, &b.message), 0);
-    assert_int_equal(neighbours_update(&some, &view, &b.message), 1);
-    assert_int_equal(some.count, all.count - N);
-    assert_memory_equal(some.pair, all.pair + 2 * N, (size_t)some.count * 2 * sizeof *some.pair);
-    neighbours_destroy(&all);
-    neighbours_destroy(&some);
-    free(x);
-}
-
 /* ---- refused ------------------------------------------------------------------------------------------------------ */
 
 static void assert_message(const char *part)
@@ -266,7 +239,6 @@ int main(void)
         cmocka_unit_test(finds_the_near_across_faces),
         cmocka_unit_test(few_bodies_and_coincident_ones),
         cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
-        cmocka_unit_test(builds_for_many),
         cmocka_unit_test(refuses_positions_that_are_no_numbers),
         cmocka_unit_test(refuses_what_makes_no_list),
         cmocka_unit_test(tells_when_memory_is_out),

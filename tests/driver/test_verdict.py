@@ -71,19 +71,6 @@ def runs(base):
     check(found["verdict"] == b"good" and not any("warning" in line for line in lines), "and none at 1")
 
 
-def modified(base):
-    """The swing of energy_modified is of fourth order where that of total is of second."""
-    swings = []
-    for h in ("1/32", "1/64"):
-        verdict(base, f"{SCENES}/pendulum.yaml", "--h", h)
-        names, rows = read_csv(f"{base}/out.csv")
-        swings.append([numpy.ptp(rows[:, names.index(name)]) for name in ("total", "energy_modified")])
-    total, better = numpy.log2(numpy.divide(*swings))
-    check(abs(total - 2) < 0.1 and abs(better - 4) < 0.3, f"orders of total and energy_modified: {total:.2f}, {better:.2f}")
-    verdict(base, f"{SCENES}/pendulum.yaml", "--stepper", "srkn6")
-    check("energy_modified" not in read_csv(f"{base}/out.csv")[0], "srkn6 has no such column")
-
-
 def resumed(base):
     """Bonds are being followed past half a turn while the run is prolonged; the verdict is that of one run."""
     whole = run(RUN, f"{base}/block.yaml", "--record", "7", "--frames", "50", "--no-dump", "-o", f"{base}/whole.h5")
@@ -116,7 +103,6 @@ with tempfile.TemporaryDirectory() as root:
         with open(f"{root}/{name}", "w", encoding="ascii") as out:
             out.write(text)
     runs(root)
-    modified(root)
     resumed(root)
     study(root)
 conclude()
