@@ -16,7 +16,7 @@ static void take_angular(const vti_bodies *bodies, double values[3])
 /** Of which bodies there are such columns. */
 enum whose { OF_ALL, OF_TRANSLATING, OF_TURNING };
 
-/** One to three columns, and what writes a value for each. */
+/** One to three columns, and what writes a value for each; they are 0 before. */
 static const struct quantity {
     const char *name[3];
     enum whose whose;
@@ -27,6 +27,12 @@ static const struct quantity {
     {{"angular_x", "angular_y", "angular_z"}, OF_ALL, take_angular},
 };
 enum { QUANTITIES = sizeof quantities / sizeof quantities[0] };
+
+static int has(const vti_bodies *bodies, const struct quantity *quantity)
+{
+    const vti_view *needed = quantity->whose == OF_TRANSLATING ? &bodies->v : &bodies->omega;
+    return quantity->whose == OF_ALL || needed->c[0] != NULL;
+}
 
 /* ---- all columns ------------------------------------------------------------------------------------------------ */
 
@@ -80,9 +86,7 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
     if (c->modified >= 0)
         add(c, "energy_modified", MODIFIED, -1);
     for (int q = 0; q < QUANTITIES; ++q) {
-        const enum whose whose = quantities[q].whose;
-        const int has = whose == OF_ALL || (whose == OF_TRANSLATING ? translates : turns);
-        for (int k = 0; has && k < 3 && quantities[q].name[k] != NULL; ++k)
+        for (int k = 0; has(&model->bodies, &quantities[q]) && k < 3 && quantities[q].name[k] != NULL; ++k)
             add(c, quantities[q].name[k], QUANTITY + 3 * q + k, -1);
     }
 }
@@ -107,7 +111,8 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
     }
     value[TOTAL] = vti_sum_value(&total);
     for (int q = 0; q < QUANTITIES; ++q)
-        quantities[q].take(b, value + QUANTITY + 3 * q);
+        if (has(b, &quantities[q]))
+            quantities[q].take(b, value + QUANTITY + 3 * q);
     for (int k = 0; k < c->count; ++k)
         row[k] = value[c->source[k]];
 }
