@@ -67,10 +67,12 @@ static int take_model(struct course *c, struct model *model)
     c->model = model;
     c->bodies = model->bodies;
     c->n = model->bodies.count;
-    c->memory = calloc((size_t)((QUATERNION + INVERSES + c->rival->own_width) * c->n), sizeof *c->memory);
+    c->memory_doubles = COURSE_NUMBERS + (QUATERNION + INVERSES + c->rival->own_width) * c->n;
+    c->memory = calloc((size_t)c->memory_doubles, sizeof *c->memory);
     if (c->memory == NULL)
         return -1;
-    double *next = c->memory + QUATERNION * c->n;
+    double *const q = c->memory + COURSE_NUMBERS, *next = q + QUATERNION * c->n;
+    c->number = c->memory;
     c->own = next + INVERSES * c->n;
     c->per_mass = inverse(&model->bodies.mass, c->n, &next);
     c->per_inertia = inverse(&model->bodies.inertia, c->n, &next);
@@ -80,7 +82,7 @@ static int take_model(struct course *c, struct model *model)
     c->w = model->bodies.omega.c[0];
     c->m = model->bodies.moment.c[0];
     if (model->turns) {
-        c->q = c->memory;
+        c->q = q;
         take_attitudes(c);
     }
     return vti_bodies_seal(&c->bodies) == VTI_OK ? 0 : -1;
@@ -112,12 +114,15 @@ void course_destroy(struct course *c)
     free(c);
 }
 
-/** Forces at t = 0, where velocities also move to where the rival keeps them. */
+/** Forces at the bodies' positions; at t = 0 velocities also move to where the rival keeps them. */
 static int start(struct course *c)
 {
     const int status = c->rival->takes_forces ? course_forces(c) : VTI_OK;
-    return status != VTI_OK || c->rival->stepper.lag == 0.0 ? status
-                                                            : vti_kick(-c->rival->stepper.lag * c->h, &c->bodies);
+    c->begun = 1;
+    c->evals -= c->steps > 0 && c->rival->takes_forces; /* counted before */
+    return status != VTI_OK || c->rival->stepper.lag == 0.0 || c->steps > 0
+               ? status
+               : vti_kick(-c->rival->stepper.lag * c->h, &c->bodies);
 }
 
 static int refused(const struct course *c, int status, struct message *message)
@@ -138,7 +143,7 @@ int course_go(struct course *c, int64_t steps, struct message *message)
     int status = VTI_OK;
     if (steps <= 0)
         return 0;
-    if (c->steps == 0)
+    if (!c->begun)
         status = start(c);
     if (status == VTI_OK)
         status = c->rival->go(c, steps);

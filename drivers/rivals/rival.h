@@ -50,9 +50,14 @@ struct course {
     vti_scalars per_mass, per_inertia; /* 1/m and 1/J, of all bodies or of each */
     vti_bodies bodies;                 /* the views on all these: what forces are taken at */
     double *memory, *own;
-    void *tool; /* whatever a rival needs that is not numbers */
+    int64_t memory_doubles;
+    double *number; /* [COURSE_NUMBERS], of the tool; they begin the memory, which with x, v, w is all that goes on */
+    void *tool;     /* whatever a rival needs that is not numbers, or can be made anew */
+    int begun;      /* forces are those of the bodies as they stand */
     vti_fault fault;
 };
+
+enum { COURSE_NUMBERS = 4, COURSE_EVALS = COURSE_NUMBERS - 1 /* where evals stand in a checkpoint */ };
 
 /** The model at t = 0 with a rival that steps it by h. Returns NULL with one line in *message if that cannot be. */
 struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message);

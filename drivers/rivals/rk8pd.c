@@ -28,14 +28,16 @@
 enum { ORDER = 8, STATES = 2 };
 static const double share = 1e-7, least = 1e-14;
 
+/** Numbers of a course: where GSL is, the step that it would take next, and evaluations that nobody needs who does not
+ *  look. */
+enum { TIME, STEP, CUT_EVALS };
+
 struct tool {
     gsl_odeiv2_system system;
     gsl_odeiv2_step *step;
     gsl_odeiv2_control *control; /* these three of the adaptive one */
     gsl_odeiv2_evolve *evolve, *cut;
-    double t, h;          /* h: the step that GSL would take next */
-    int64_t evals_of_cut; /* evaluations that nobody needs who does not look */
-    int status;           /* of the last forces */
+    int status; /* of the last forces */
 };
 
 /* ---- tools ------------------------------------------------------------------------------------------------------- */
@@ -99,7 +101,7 @@ static int prepare_adaptive(struct course *c, struct message *message)
     if (prepare(c, message) != 0 || tolerance_of(c, &epsilon, message) != 0)
         return -1;
     struct tool *tool = c->tool;
-    tool->h = c->h;
+    c->number[STEP] = c->h;
     tool->control = control_new(epsilon);
     tool->evolve = gsl_odeiv2_evolve_alloc(tool->system.dimension);
     tool->cut = gsl_odeiv2_evolve_alloc(tool->system.dimension);
@@ -137,9 +139,10 @@ static int choose_step(struct tool *tool, gsl_odeiv2_evolve *evolve, double *t, 
 }
 
 /** The copy's way from the last free step to end. */
-static int cut(struct tool *tool, const double *y, double end, double *copy)
+static int cut(const struct course *c, const double *y, double end, double *copy)
 {
-    double t = tool->t, h = tool->h;
+    struct tool *tool = c->tool;
+    double t = c->number[TIME], h = c->number[STEP];
     memcpy(copy, y, tool->system.dimension * sizeof *copy);
     gsl_odeiv2_evolve_reset(tool->cut);
     while (t < end) {
@@ -156,13 +159,13 @@ static int go_adaptive(struct course *c, int64_t steps)
     struct tool *tool = c->tool;
     const double end = (double)(c->steps + steps) * c->h;
     int failed = GSL_SUCCESS;
-    c->evals -= tool->evals_of_cut;
-    while (failed == GSL_SUCCESS && tool->t + tool->h < end)
-        failed = choose_step(tool, tool->evolve, &tool->t, INFINITY, &tool->h, c->own);
+    c->evals -= (int64_t)c->number[CUT_EVALS];
+    while (failed == GSL_SUCCESS && c->number[TIME] + c->number[STEP] < end)
+        failed = choose_step(tool, tool->evolve, &c->number[TIME], INFINITY, &c->number[STEP], c->own);
     const int64_t evals = c->evals;
     if (failed == GSL_SUCCESS)
-        failed = cut(tool, c->own, end, c->own + tool->system.dimension);
-    tool->evals_of_cut = c->evals - evals;
+        failed = cut(c, c->own, end, c->own + tool->system.dimension);
+    c->number[CUT_EVALS] = (double)(c->evals - evals);
     if (failed != GSL_SUCCESS)
         return status_of(tool, failed);
     c->steps += steps;

@@ -157,6 +157,25 @@ int64_t travel_force_evals(const struct travel *travel)
     return travel->steps > 0 ? 1 + travel->steps * travel->stepper->evals : 0;
 }
 
+double *travel_state(struct travel *travel, int64_t *count)
+{
+    struct course *course = travel->course;
+    *count = course != NULL ? course->memory_doubles : 0;
+    if (course == NULL)
+        return NULL;
+    course->number[COURSE_EVALS] = (double)course->evals;
+    return course->memory;
+}
+
+void travel_resume(struct travel *travel, int64_t steps)
+{
+    travel->steps = steps;
+    if (travel->course == NULL)
+        return;
+    travel->course->steps = steps;
+    travel->course->evals = (int64_t)travel->course->number[COURSE_EVALS];
+}
+
 /** A copy of the view at p, if there is one. */
 static vti_view copied(const vti_view *from, int64_t n, double *p)
 {
@@ -184,10 +203,9 @@ vti_bodies travel_bodies(struct travel *travel)
 
 /* ---- observers of a rival ---------------------------------------------------------------------------------------- */
 
-/** As travel_bodies, with the attitude as alpha, in the model's own memory, which a rival leaves alone. */
-static vti_bodies turned_to_alpha(struct travel *travel)
+/** The bodies with the attitude as alpha, in the model's own memory, which a rival leaves alone. */
+static vti_bodies turned_to_alpha(const struct travel *travel, vti_bodies b)
 {
-    vti_bodies b = travel_bodies(travel);
     for (int64_t i = 0; b.quat.xyzw[0] != NULL && i < b.count; ++i) {
         double q[4], alpha[3];
         for (int k = 0; k < 4; ++k)
@@ -210,10 +228,12 @@ static int is_due(const struct observer *observer, int64_t step, int64_t last)
 
 static int show(struct travel *travel, int64_t last, const struct observer *observers, int n)
 {
-    const vti_bodies bodies = turned_to_alpha(travel);
+    const vti_bodies in_time = turned_to_alpha(travel, travel_bodies(travel)),
+                     raw = turned_to_alpha(travel, *course_bodies(travel->course));
     for (int k = 0; k < n; ++k)
         if (is_due(&observers[k], travel->steps, last) &&
-            observers[k].see(observers[k].self, travel->steps, (double)travel->steps * travel->h, &bodies) != 0)
+            observers[k].see(observers[k].self, travel->steps, (double)travel->steps * travel->h,
+                             observers[k].raw ? &raw : &in_time) != 0)
             return 1;
     return 0;
 }

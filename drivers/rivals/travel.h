@@ -49,8 +49,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
                   struct message *message);
 
 /** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0.
- *  Of a rival observers see attitudes as alpha, and position and velocity of the same time even if they ask for the
- *  bodies as they are kept. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such as: step too
+ *  Of a rival observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such as: step too
  *  large), after which there is nothing left to do but travel_destroy. */
 int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
                 struct message *message);
@@ -60,6 +59,13 @@ int travel_go(struct travel *travel, int64_t steps, struct message *message);
 /** The bodies, with x, v, attitude (alpha or a unit quaternion) and omega all of the time steps h: velocities of a
  *  lagging stepper are brought there on copies. The views hold until the next travel_go. */
 vti_bodies travel_bodies(struct travel *travel);
+
+/** What a rival keeps beside the model's bodies, *count doubles that belong into a checkpoint and are put back from it;
+ *  NULL and 0 for a stepper of the core. */
+double *travel_state(struct travel *travel, int64_t *count);
+/** After the model's bodies, as a raw observer saw them, and travel_state are what they were after so many steps: a
+ *  fresh travel goes on from there with the same bits. */
+void travel_resume(struct travel *travel, int64_t steps);
 
 /** Force evaluations of a run to here without a stop, the first at t = 0 included: what a stop costs (a stepper
  *  takes the forces again when it goes on) is not counted. */

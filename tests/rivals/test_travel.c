@@ -92,6 +92,21 @@ static void assert_same_view(const vti_view *a, const vti_view *b, int64_t n)
             assert_same_bits(&a->c[k][i * a->stride], &b->c[k][i * b->stride], 1);
 }
 
+/** And the same number of force evaluations; but for GSL's adaptive one, which takes one more to start again. */
+static void assert_same_bodies(struct journey *one, struct journey *other)
+{
+    const vti_bodies a = travel_bodies(&one->travel), b = travel_bodies(&other->travel);
+    assert_same_view(&a.x, &b.x, a.count);
+    assert_same_view(&a.v, &b.v, a.count);
+    assert_same_view(&a.omega, &b.omega, a.count);
+    assert_same_view(&a.alpha, &b.alpha, a.count);
+    for (int k = 0; k < 4 && a.quat.xyzw[k] != NULL; ++k)
+        for (int64_t i = 0; i < a.count; ++i)
+            assert_same_bits(&a.quat.xyzw[k][i * a.quat.stride], &b.quat.xyzw[k][i * b.quat.stride], 1);
+    const int64_t more = travel_force_evals(&other->travel) - travel_force_evals(&one->travel);
+    assert_true(more == 0 || (more == 1 && strcmp(one->travel.stepper->name, "rk8pd-adaptive") == 0));
+}
+
 /** A travel in three legs, looked at after each, ends with the bits and the count of one that nobody stopped. */
 static void assert_undisturbed(const vti_stepper *method, const char *where, double h)
 {
@@ -108,15 +123,7 @@ static void assert_undisturbed(const vti_stepper *method, const char *where, dou
     travel_bodies(&legs.travel);
     go(&legs, 23);
     go(&legs, 30);
-    const vti_bodies a = travel_bodies(&whole.travel), b = travel_bodies(&legs.travel);
-    assert_same_view(&a.x, &b.x, a.count);
-    assert_same_view(&a.v, &b.v, a.count);
-    assert_same_view(&a.omega, &b.omega, a.count);
-    assert_same_view(&a.alpha, &b.alpha, a.count);
-    for (int k = 0; k < 4 && a.quat.xyzw[k] != NULL; ++k)
-        for (int64_t i = 0; i < a.count; ++i)
-            assert_same_bits(&a.quat.xyzw[k][i * a.quat.stride], &b.quat.xyzw[k][i * b.quat.stride], 1);
-    assert_int_equal(travel_force_evals(&whole.travel), travel_force_evals(&legs.travel));
+    assert_same_bodies(&whole, &legs);
     end(&whole);
     end(&legs);
 }
@@ -177,6 +184,71 @@ static void looking(void **state)
     for (int64_t i = 0; i < method_count(); ++i) {
         assert_undisturbed(method_at(i), "pendulum", 1.0 / 16);
         assert_undisturbed(method_at(i), "chain", 1.0 / 512);
+    }
+}
+
+/** x, v, alpha and omega as kept, as a checkpoint has them. */
+static int keep(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    const vti_view *const views[] = {&b->x, &b->v, &b->alpha, &b->omega};
+    double *p = self;
+    (void)t;
+    for (int v = 0; v < 4 && step == 25; ++v)
+        for (int64_t i = 0; views[v]->c[0] != NULL && i < b->count; ++i)
+            for (int k = 0; k < 3; ++k)
+                *p++ = views[v]->c[k][i * views[v]->stride];
+    return 0;
+}
+
+static void put(const double *p, const vti_bodies *b)
+{
+    const vti_view *const views[] = {&b->x, &b->v, &b->alpha, &b->omega};
+    for (int v = 0; v < 4; ++v)
+        for (int64_t i = 0; views[v]->c[0] != NULL && i < b->count; ++i)
+            for (int k = 0; k < 3; ++k)
+                views[v]->c[k][i * views[v]->stride] = *p++;
+}
+
+/** From a checkpoint at step 25 a fresh travel ends with the bits of one that was not interrupted. */
+static void assert_resumes(const vti_stepper *method, const char *where, double h)
+{
+    struct scene scene;
+    struct journey whole, first, second;
+    int64_t count, again;
+    read_scene(where, &scene);
+    begin(&whole, &scene, method, h);
+    begin(&first, &scene, method, h);
+    begin(&second, &scene, method, h);
+    go(&whole, 60);
+    double *bodies = calloc((size_t)(12 * first.model.bodies.count), sizeof *bodies);
+    const struct observer observer = {keep, bodies, 1, 1};
+    assert_int_equal(travel_show(&first.travel, 30, &observer, 1, &first.message), 0);
+    end(&first);
+    begin(&first, &scene, method, h);
+    go(&first, 25);
+    const double *state = travel_state(&first.travel, &count);
+    double *mine = travel_state(&second.travel, &again);
+    assert_int_equal(count, again);
+    assert_true((count == 0) == (method_rival(method) == NULL));
+    if (count > 0)
+        memcpy(mine, state, (size_t)count * sizeof *mine);
+    put(bodies, &second.model.bodies);
+    travel_resume(&second.travel, 25);
+    go(&second, 35);
+    assert_same_bodies(&whole, &second);
+    free(bodies);
+    end(&whole);
+    end(&first);
+    end(&second);
+}
+
+static void resumed(void **state)
+{
+    (void)state;
+    for (int64_t i = 0; i < method_count(); ++i) {
+        assert_resumes(method_at(i), "pendulum", 1.0 / 16);
+        assert_resumes(method_at(i), "chain", 1.0 / 512);
+        assert_resumes(method_at(i), "pile", 1.0 / 2048);
     }
 }
 
@@ -338,7 +410,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(list),        cmocka_unit_test(force_evals), cmocka_unit_test(looking),
         cmocka_unit_test(reading),     cmocka_unit_test(units),       cmocka_unit_test(no_rotation),
         cmocka_unit_test(free_flight), cmocka_unit_test(contacts),    cmocka_unit_test(refusals),
-        cmocka_unit_test(observed),
+        cmocka_unit_test(observed),    cmocka_unit_test(resumed),
     };
     assert_int_equal(argc, 2);
     scenes = argv[1];
