@@ -112,8 +112,8 @@ static int gives(const void *settings, const struct table *table)
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
-    struct binder_self *self = e->self;
-    if (binder_make_bonds(e, model, table, message) != 0)
+    struct binder_self *self = effect_memory(e, sizeof *self, message);
+    if (self == NULL || binder_make_bonds(e, model, table, message) != 0)
         return -1;
     *made = vti_bonds_effect(&self->bonds);
     return 0;
@@ -219,7 +219,6 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .gives_by = gives,
                                           .table = &binder_table,
                                           .check_tables = check_tables,
-                                          .self = sizeof(struct binder_self),
                                           .make = make,
                                           .destroy = destroy,
                                           EFFECT_TERMS(terms),

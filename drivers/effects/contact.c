@@ -36,12 +36,14 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     const struct contact_settings *contact = e->settings;
-    struct contact_self *self = e->self;
+    struct contact_self *self = effect_memory(e, sizeof *self, message);
     const int64_t held = contact->bonded ? 0 : shape_lines(model);
     int64_t *pair = calloc(held > 0 ? (size_t)(2 * held) : 1, sizeof *pair);
     (void)table;
-    if (pair == NULL)
+    if (self == NULL || pair == NULL) {
+        free(pair);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    }
     for (int64_t k = 0; k < held; ++k)
         shape_line(model, k, pair + 2 * k);
     self->contacts.diameter = model->diameter;
@@ -98,7 +100,6 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .traits = EFFECT_TRANSLATING | EFFECT_SPHERES | EFFECT_STIFF,
                                            .gives = EFFECT_FORCE,
                                            .kink = HERTZ_KINK,
-                                           .self = sizeof(struct contact_self),
                                            .make = make,
                                            .destroy = destroy,
                                            .find_pairs = find_pairs,

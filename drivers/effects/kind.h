@@ -37,7 +37,7 @@ enum effect_touch { EFFECT_TOUCH_APART = 1, EFFECT_TOUCH_ALL = 2 };
 struct effect {
     const struct effect_kind *kind;
     const void *settings; /* kind->settings bytes: what the scene says */
-    void *self;           /* kind->self bytes, zeros until make: what it acts with */
+    void *self;           /* what it acts with: from effect_memory, or NULL */
 };
 
 /** A term of its energy, in pictures. */
@@ -118,12 +118,11 @@ struct effect_kind {
                         struct message *message);
 
     /* In a model. */
-    size_t self;
     /** Writes the effect, whose self outlives this call. All bodies are there, and the effects before it in the list; table is its
      *  own. Returns 0, or -1 with one line in *message; destroy follows in either case, when the model ends. */
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
-    void (*destroy)(struct effect *e); /* frees what self points to */
+    void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
     /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
     const struct effect_term *terms; /* of all energies that it may have */
@@ -147,6 +146,9 @@ struct effect_kind {
     const struct effect_planes *planes;
     const struct effect_watch *watch;
 };
+
+/** Makes self, of so many bytes and zeros. Returns it, or NULL with one line in *message. */
+void *effect_memory(struct effect *e, size_t bytes, struct message *message);
 
 /** Arrays in initialisers of struct effect_kind, with their lengths. */
 #define EFFECT_FIELDS(ARRAY) .fields = (ARRAY), .fields_count = sizeof(ARRAY) / sizeof((ARRAY)[0])

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "kinds.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "kind.h"
@@ -58,6 +59,14 @@ void kinds_defaults(union effect_settings *all)
 int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table)
 {
     return kind->gives != 0 ? kind->gives : kind->gives_by(kinds_settings_of(kind, all), table);
+}
+
+void *effect_memory(struct effect *e, size_t bytes, struct message *message)
+{
+    e->self = calloc(1, bytes);
+    if (e->self == NULL)
+        message_set(message, "%s: out of memory", e->kind->key);
+    return e->self;
 }
 
 /* ---- what must not be forgotten ------------------------------------------------------------------------------------ */
@@ -130,6 +139,11 @@ static int check_kind(int k, struct message *message)
         return fail(k, "", "gives neither force nor moment: one of gives and gives_by", message);
     if (kind->make == NULL)
         return fail(k, "", "has no make", message);
+    if ((kind->gives & EFFECT_FORCE) != 0 && (kind->traits & EFFECT_TRANSLATING) == 0)
+        return fail(k, "traits", "a force acts on bodies that translate: EFFECT_TRANSLATING", message);
+    if (((kind->traits & EFFECT_SPHERES) != 0) != (kind->kink != NULL))
+        return fail(k, "kink", "where surfaces meet (EFFECT_SPHERES) forces set in with a kink, and only there",
+                    message);
     if (kind->lines != NULL && kind->lines->quantities > EFFECT_QUANTITIES)
         return fail(k, "lines", "has more quantities than EFFECT_QUANTITIES", message);
     for (int before = 0; before < k && kind->lines != NULL; ++before)
@@ -151,6 +165,8 @@ int kinds_check(struct message *message)
 
 int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message)
 {
+    if (made->name == NULL || made->apply == NULL || made->energy == NULL || made->self == NULL)
+        return fail((int)kind->number, "make", "its effect lacks name, apply, energy or self", message);
     for (int64_t j = 0; j < made->terms; ++j) {
         int found = 0;
         for (int t = 0; t < kind->terms_count; ++t)

@@ -40,8 +40,10 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     const struct wall_settings *wall = e->settings;
-    vti_walls *walls = e->self;
-    (void)table, (void)message;
+    vti_walls *walls = effect_memory(e, sizeof *walls, message);
+    (void)table;
+    if (walls == NULL)
+        return -1;
     walls->count = wall->planes.count;
     walls->plane = wall->planes.plane[0];
     walls->diameter = model->diameter;
@@ -83,7 +85,6 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .traits = EFFECT_TRANSLATING | EFFECT_SPHERES | EFFECT_STIFF,
                                         .gives = EFFECT_FORCE,
                                         .kink = HERTZ_KINK,
-                                        .self = sizeof(vti_walls),
                                         .make = make,
                                         EFFECT_TERMS(terms),
                                         .limit = limit,

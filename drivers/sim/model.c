@@ -16,9 +16,6 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     struct effect *e = &model->rooms[model->rooms_count];
     vti_effect *made = &model->effects[model->effects_count];
     e->settings = kinds_settings_of(kind, &model->scene->settings);
-    e->self = calloc(1, kind->self > 0 ? kind->self : 1);
-    if (e->self == NULL)
-        return message_set(message, "%s: out of memory", model->scene->name);
     e->kind = kind;
     ++model->rooms_count;
     if (kind->make(e, model, &tables->effect[kind->number], made, message) != 0)
@@ -62,7 +59,7 @@ void model_destroy(struct model *model)
 {
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
-        if (e->kind->destroy != NULL)
+        if (e->kind->destroy != NULL && e->self != NULL)
             e->kind->destroy(e);
         free(e->self);
     }
