@@ -157,7 +157,8 @@ static void deform(const struct effect *e, const vti_bodies *b, double energy, v
         at->strain = fmax(at->strain, fmin(sqrt(most), 1.0));
 }
 
-/* ---- bonds past half a turn ---------------------------------------------------------------------------------------- */
+/* ---- bonds past half a turn ----------------------------------------------------------------------------------------
+ * */
 
 static int start(struct effect *e)
 {

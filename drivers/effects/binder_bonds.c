@@ -13,7 +13,7 @@ static int out_of_memory(const struct model *model, struct message *message)
     return message_set(message, "%s: out of memory for its bonds; use fewer", model->scene->name);
 }
 
-/* ---- which bonds ------------------------------------------------------------------------------------------------------ */
+/* ---- which bonds ------------------------------------------------------------------------------------------------- */
 
 /** A bond of a table, ordered so that equal ones are neighbours: by its bodies, then by row. */
 struct entry {
@@ -132,7 +132,8 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
     return 0;
 }
 
-/* ---- what a bond tells --------------------------------------------------------------------------------------------- */
+/* ---- what a bond tells ---------------------------------------------------------------------------------------------
+ * */
 
 static const vti_bonds *bonds_of(const struct effect *e)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Bonds whose bodies have turned past half a turn against each other: there the moment of a bond changes its side, which a
- * binder does not. Attitudes alone do not show it; one has to follow them. */
+ * Bonds whose bodies have turned past half a turn against each other: there the moment of a bond changes its side,
+ * which a binder does not. Attitudes alone do not show it; one has to follow them. */
 #ifndef VTI_BOND_TURNS_H
 #define VTI_BOND_TURNS_H
 
@@ -18,8 +18,8 @@ struct bond_turns {
 int bond_turns_create(struct bond_turns *b, const vti_bonds *bonds);
 void bond_turns_destroy(struct bond_turns *b);
 
-/** Looks whether bonds can get there at all: they cannot while twice the energy of the motion and of the springs is below
- *  what it takes. Now and then. */
+/** Looks whether bonds can get there at all: they cannot while twice the energy of the motion and of the springs is
+ *  below what it takes. Now and then. */
 void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double energy);
 /** Follows them, if they can. At every step. */
 void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What an effect of scenes is: all that the programs know of it. Each has a file of its own here, which defines one struct
- * effect_kind, and is named in the list of kinds.h; nobody else knows it by name. What is NULL or 0 is absent, unless kinds_check
- * (kinds.c) asks for it. */
+ * What an effect of scenes is: all that the programs know of it. Each has a file of its own here, which defines one
+ * struct effect_kind, and is named in the list of kinds.h; nobody else knows it by name. What is NULL or 0 is absent,
+ * unless kinds_check (kinds.c) asks for it. */
 #ifndef VTI_KIND_H
 #define VTI_KIND_H
 
@@ -50,7 +50,8 @@ struct effect_term {
 
 enum { EFFECT_QUANTITIES = 8 };
 
-/** Pairs of bodies that it holds: lines in pictures, cells of trajectories, and nothing that pairs in contact are searched in. */
+/** Pairs of bodies that it holds: lines in pictures, cells of trajectories, and nothing that pairs in contact are
+ *  searched in. */
 struct effect_lines {
     const char *name;            /* of one; with an s, of all */
     const char *const *quantity; /* names of the numbers of each line in files */
@@ -112,14 +113,15 @@ struct effect_kind {
 
     /* Its table, which one of the fields names (SCENE_PATH). */
     const struct table_kind *table;
-    /** Whether scene and tables go together; the model knows by now whether bodies translate and turn. Returns 0, or -1 with one
-     *  line in *message. */
+    /** Whether scene and tables go together; the model knows by now whether bodies translate and turn. Returns 0, or -1
+     *  with one line in *message. */
     int (*check_tables)(const struct model *model, const void *settings, const struct tables *tables,
                         struct message *message);
 
     /* In a model. */
-    /** Writes the effect, whose self outlives this call. All bodies are there, and the effects before it in the list; table is its
-     *  own. Returns 0, or -1 with one line in *message; destroy follows in either case, when the model ends. */
+    /** Writes the effect, whose self outlives this call. All bodies are there, and the effects before it in the list;
+     *  table is its own. Returns 0, or -1 with one line in *message; destroy follows in either case, when the model
+     *  ends. */
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */

@@ -69,7 +69,8 @@ void *effect_memory(struct effect *e, size_t bytes, struct message *message)
     return e->self;
 }
 
-/* ---- what must not be forgotten ------------------------------------------------------------------------------------ */
+/* ---- what must not be forgotten ------------------------------------------------------------------------------------
+ * */
 
 static int fail(int k, const char *about, const char *what, struct message *message)
 {
@@ -81,7 +82,7 @@ static int is_sentence(const char *text)
     return text != NULL && text[0] != '\0' && text[strlen(text) - 1] == '.';
 }
 
-static int check_field(int k, const struct scene_field *field, struct message *message)
+static int check_field(int k, const struct effect_kind *kind, const struct scene_field *field, struct message *message)
 {
     if (field->path == NULL)
         return fail(k, "fields", "a row without a path; fields_count is more than there are", message);
@@ -95,17 +96,16 @@ static int check_field(int k, const struct scene_field *field, struct message *m
         return fail(k, field->path, "has no words", message);
     if ((field->kind == SCENE_SECTION) != (field->offset == SCENE_NOWHERE))
         return fail(k, field->path, "sections go nowhere, and all else to a member of the settings (offset)", message);
-    if (field->kind != SCENE_SECTION && field->offset >= kinds[k]->settings)
+    if (field->kind != SCENE_SECTION && field->offset >= kind->settings)
         return fail(k, field->path, "goes behind the end of the settings", message);
     return 0;
 }
 
-static int check_fields(int k, struct message *message)
+static int check_fields(int k, const struct effect_kind *kind, struct message *message)
 {
-    const struct effect_kind *kind = kinds[k];
     int paths = 0;
     for (int f = 0; f < kind->fields_count; ++f) {
-        if (check_field(k, &kind->fields[f], message) != 0)
+        if (check_field(k, kind, &kind->fields[f], message) != 0)
             return -1;
         paths += kind->fields[f].kind == SCENE_PATH;
     }
@@ -118,19 +118,18 @@ static int check_fields(int k, struct message *message)
     return 0;
 }
 
-static int check_terms(int k, struct message *message)
+static int check_terms(int k, const struct effect_kind *kind, struct message *message)
 {
-    for (int t = 0; t < kinds[k]->terms_count; ++t) {
-        const struct effect_term *term = &kinds[k]->terms[t];
+    for (int t = 0; t < kind->terms_count; ++t) {
+        const struct effect_term *term = &kind->terms[t];
         if (term->name == NULL || term->symbol == NULL || term->meaning == NULL || term->colour == NULL)
             return fail(k, "terms", "one of them lacks its name, symbol, meaning or colour", message);
     }
     return 0;
 }
 
-static int check_kind(int k, struct message *message)
+int kinds_check_kind(int k, const struct effect_kind *kind, struct message *message)
 {
-    const struct effect_kind *kind = kinds[k];
     if ((int)kind->number != k)
         return fail(k, "number", "is not that of the list in kinds.h", message);
     if (kind->key == NULL || kind->fields == NULL || kind->fields_count < 1)
@@ -149,13 +148,13 @@ static int check_kind(int k, struct message *message)
     for (int before = 0; before < k && kind->lines != NULL; ++before)
         if (kinds[before]->find_pairs != NULL)
             return fail(k, "lines", "it must stand before those that search for pairs in kinds.h", message);
-    return check_fields(k, message) != 0 || check_terms(k, message) != 0 ? -1 : 0;
+    return check_fields(k, kind, message) != 0 || check_terms(k, kind, message) != 0 ? -1 : 0;
 }
 
 int kinds_check(struct message *message)
 {
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (check_kind(k, message) != 0)
+        if (kinds_check_kind(k, kinds[k], message) != 0)
             return -1;
     if (settings_before(EFFECT_COUNT) > sizeof(union effect_settings))
         return fail(EFFECT_COUNT - 1, "settings", "more than there is room for; enlarge effect_settings in kinds.h",

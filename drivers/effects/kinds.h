@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The effects that scenes may call for: the one list of them. A new one is a name in this list and a file NAME.c, in
- * meson.build, that defines effect_NAME; the order is that of effects in models and of columns in files. Effects that hold
- * bodies together (kind.h, lines) stand before those that search for pairs, which leave the pairs so held alone. */
+ * meson.build, that defines effect_NAME; the order is that of effects in models and of columns in files. Effects that
+ * hold bodies together (kind.h, lines) stand before those that search for pairs, which leave the pairs so held alone.
+ * */
 #ifndef VTI_KINDS_H
 #define VTI_KINDS_H
 
@@ -44,9 +45,11 @@ void kinds_defaults(union effect_settings *all);
 /** What it gives bodies (effect_gift); table is the effect's own, NULL if it is not read yet. */
 int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table);
 
-/** Whether every kind says all that it must: at the start of programs. Returns 0, or -1 with one line in *message that names
- *  the file. */
+/** Whether every kind says all that it must: at the start of programs. Returns 0, or -1 with one line in *message that
+ *  names the file. */
 int kinds_check(struct message *message);
+/** The same for one of them, at place k of the list. */
+int kinds_check_kind(int k, const struct effect_kind *kind, struct message *message);
 /** The same for an effect that a kind has made. */
 int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message);
 

@@ -71,8 +71,8 @@ static int energies_write(const struct record *record, struct hdf5_sink *file, s
     return file->failed ? -1 : 0;
 }
 
-/** Planes of effects, each as a dataset [planes][4], "walls", and their names, "wall", in planes; and in touching which pairs
- *  are in contact (effect_touch). */
+/** Planes of effects, each as a dataset [planes][4], "walls", and their names, "wall", in planes; and in touching which
+ *  pairs are in contact (effect_touch). */
 static void scenery_write(const struct model *model, struct hdf5_sink *file)
 {
     int64_t touching = 0;

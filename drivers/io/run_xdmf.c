@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every array is
- * a slab of the rows of one frame in a dataset of /VTKHDF. Another grid for the planes of an effect, "walls", of all times, has
- * a square for each. */
+ * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every
+ * array is a slab of the rows of one frame in a dataset of /VTKHDF. Another grid for the planes of an effect, "walls",
+ * of all times, has a square for each. */
 #include "run_formats.h"
 
 #include <math.h>
@@ -159,8 +159,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
 
 /* ---- planes ------------------------------------------------------------------------------------------------------ */
 
-/** A square in the plane n.x = d, in front of the box and as wide as it is long from corner to corner; n sees the corners
- *  counterclockwise. */
+/** A square in the plane n.x = d, in front of the box and as wide as it is long from corner to corner; n sees the
+ *  corners counterclockwise. */
 static void corners_of(const double plane[4], const double low[3], const double high[3], double corner[4][3])
 {
     static const double at[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};

@@ -19,8 +19,8 @@ struct columns {
 };
 
 /** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, total,
- *  energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_ x, y, z. Without translation there
- *  is no kinetic_translation and no momentum, without rotation no kinetic_rotation and no spin. */
+ *  energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_ x, y, z. Without translation
+ *  there is no kinetic_translation and no momentum, without rotation no kinetic_rotation and no spin. */
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *columns);
 
 /** Their values for the bodies at time t, but for energy_modified, which verdict_row puts in its place. */

@@ -17,7 +17,8 @@ static int is_broken(const struct model *model, int k)
     return 0;
 }
 
-/** Momentum k exists in the scene, no effect breaks it, and it is not a part of another that is conserved as a whole. */
+/** Momentum k exists in the scene, no effect breaks it, and it is not a part of another that is conserved as a whole.
+ *  */
 static int conserves(const struct model *model, int k)
 {
     if (is_broken(model, k))

@@ -7,7 +7,7 @@
 
 #include "model_parts.h"
 
-/* ---- from the scene --------------------------------------------------------------------------------------------------- */
+/* ---- from the scene ---------------------------------------------------------------------------------------------- */
 
 /** An effect of the scene, with memory of its own. */
 static int add_effect(struct model *model, const struct effect_kind *kind, const struct tables *tables,
@@ -67,7 +67,7 @@ void model_destroy(struct model *model)
     memset(model, 0, sizeof *model);
 }
 
-/* ---- forces and energy ------------------------------------------------------------------------------------------------ */
+/* ---- forces and energy ------------------------------------------------------------------------------------------- */
 
 int model_find_pairs(struct model *model, const vti_bodies *bodies)
 {

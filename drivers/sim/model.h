@@ -15,8 +15,8 @@ enum { MODEL_EFFECTS = 8, MODEL_INVARIANTS = 8 };
 /** Among the statuses of the core: the pairs of an effect could not be found; model->trouble says why. */
 enum { MODEL_E_PAIRS = -1000 };
 
-/** Effects stand in the order of effects/kinds.h, of those that there are. The model points into itself and must not be moved or
- *  copied. */
+/** Effects stand in the order of effects/kinds.h, of those that there are. The model points into itself and must not be
+ *  moved or copied. */
 struct model {
     const struct scene *scene; /* must outlive the model */
     int translates, turns;     /* as views say: x and v, alpha and omega */
@@ -37,8 +37,8 @@ int model_create(const struct scene *scene, struct model *model, struct message 
 void model_destroy(struct model *model);
 
 /** Brings the lists of pairs up to the bodies' positions, of effects that have one; bodies may be any with the model's
- *  views, or a quaternion view for alpha. Returns VTI_OK or MODEL_E_PAIRS. The effects' energies are right for the bodies
- *  of the last call; model_forces and model_energy make it themselves. */
+ *  views, or a quaternion view for alpha. Returns VTI_OK or MODEL_E_PAIRS. The effects' energies are right for the
+ *  bodies of the last call; model_forces and model_energy make it themselves. */
 int model_find_pairs(struct model *model, const vti_bodies *bodies);
 
 /** Forces and moments of all effects at the bodies' positions. Returns VTI_OK or a status that model_text explains. */
@@ -48,14 +48,14 @@ double model_energy(struct model *model, const vti_bodies *bodies);
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 
-/** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a pile, is
- *  not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the motion of the whole
- *  if there are no planes, and the work of the field on a body's way to the first plane below it, for the body of which the sum is
- *  largest. What e does is what the effects say (effect_kind.deform). */
+/** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a
+ *  pile, is not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the
+ *  motion of the whole if there are no planes, and the work of the field on a body's way to the first plane below it,
+ *  for the body of which the sum is largest. What e does is what the effects say (effect_kind.deform). */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
-/** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they have, of the
- *  last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in model_find_pairs. Costs about
- *  as much as a step. Returns 0, or -1 with one line in *message. */
+/** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they
+ *  have, of the last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in
+ *  model_find_pairs. Costs about as much as a step. Returns 0, or -1 with one line in *message. */
 int model_stable_step(const struct model *model, const vti_bodies *bodies, const vti_deformation *at,
                       vti_stable *stable, struct message *message);
 /** What limits the step, "bond 12 of bodies 12 and 13"; "nothing oscillates" if nothing does. */
@@ -71,7 +71,7 @@ struct model_limits {
 };
 int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
 
-/* ---- what the continuous motion conserves besides the energy --------------------------------------------------------- */
+/* ---- what the continuous motion conserves besides the energy ----------------------------------------------------- */
 
 /** One conserved number of the scene. */
 struct invariant {
@@ -80,9 +80,9 @@ struct invariant {
     int is_momentum;   /* counts in the momentum error */
 };
 
-/** The scene's invariants, in a fixed order: components of linear and of angular momentum that every effect keeps; of those
- *  angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that. Returns how many
- *  (at most MODEL_INVARIANTS). */
+/** The scene's invariants, in a fixed order: components of linear and of angular momentum that every effect keeps; of
+ *  those angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that.
+ *  Returns how many (at most MODEL_INVARIANTS). */
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS]);
 /** Their values for the bodies, in the same order. */
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);

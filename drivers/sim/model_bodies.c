@@ -5,7 +5,7 @@
 #include "model_parts.h"
 #include "random.h"
 
-/* ---- one block of memory ---------------------------------------------------------------------------------------------- */
+/* ---- one block of memory ----------------------------------------------------------------------------------------- */
 
 /** The next n doubles of the block. */
 static double *take(double **block, int64_t n)
@@ -42,7 +42,7 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     return width;
 }
 
-/* ---- vectors ---------------------------------------------------------------------------------------------------------- */
+/* ---- vectors ----------------------------------------------------------------------------------------------------- */
 
 /** n vectors, [n][3]: columns k, k+1, k+2 of the table if it has them, else value for all. */
 static double *place(double **block, int64_t n, const struct table *bodies, int k, const double value[3])
@@ -89,7 +89,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
     }
 }
 
-/* ---- mass, inertia, diameter ------------------------------------------------------------------------------------------ */
+/* ---- mass, inertia, diameter ------------------------------------------------------------------------------------- */
 
 /** Column k of the table, or the value for all if it is not 0; else nothing. */
 static vti_scalars property(double **block, int64_t n, const struct table *bodies, int k, const double *value)
@@ -133,7 +133,7 @@ static void place_properties(struct model *model, const struct tables *tables, d
     }
 }
 
-/* ---- together --------------------------------------------------------------------------------------------------------- */
+/* ---- together ---------------------------------------------------------------------------------------------------- */
 
 int model_place_bodies(struct model *model, const struct tables *tables, struct message *message)
 {

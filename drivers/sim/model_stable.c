@@ -5,7 +5,7 @@
 
 #include "model.h"
 
-/* ---- how far bodies get from rest ------------------------------------------------------------------------------------- */
+/* ---- how far bodies get from rest -------------------------------------------------------------------------------- */
 
 static void load(const vti_view *view, int64_t i, double r[3])
 {
@@ -107,7 +107,7 @@ vti_deformation model_deformation(const struct model *model, const vti_bodies *b
     return at;
 }
 
-/* ---- the bound -------------------------------------------------------------------------------------------------------- */
+/* ---- the bound --------------------------------------------------------------------------------------------------- */
 
 int model_stable_step(const struct model *model, const vti_bodies *bodies, const vti_deformation *at,
                       vti_stable *stable, struct message *message)

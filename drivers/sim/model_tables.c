@@ -5,7 +5,7 @@
 #include "quote.h"
 #include "table_csv.h"
 
-/* ---- reading ---------------------------------------------------------------------------------------------------------- */
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 int model_read_table(const char *path, const struct table_kind *kind, struct table *table, struct message *message)
 {
@@ -16,7 +16,7 @@ int model_read_table(const char *path, const struct table_kind *kind, struct tab
     return table_csv_read(path, kind, table, message);
 }
 
-/* ---- the scene and its tables ----------------------------------------------------------------------------------------- */
+/* ---- the scene and its tables ------------------------------------------------------------------------------------ */
 
 /** Writes "TABLE: TEXT" about the table as a whole, what being in the text. */
 static int fail(const struct table *table, struct message *message, const char *format, const char *what)

@@ -98,7 +98,7 @@ int table_is_hdf5(const char *path)
     return dot != NULL && (strcmp(dot, ".h5") == 0 || strcmp(dot, ".hdf5") == 0);
 }
 
-/* ---- memory ----------------------------------------------------------------------------------------------------------- */
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 void table_start(struct table *table, const struct table_kind *kind, const char *path)
 {
@@ -140,7 +140,7 @@ void table_destroy(struct table *table)
     memset(table, 0, sizeof *table);
 }
 
-/* ---- checks ----------------------------------------------------------------------------------------------------------- */
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
 
 const char *table_refusal(const struct table_kind *kind, int k, double value)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Tables of bodies, and of what effects want to know body by body or pair by pair: columns of numbers, a row for each. Files are
- * read into them by table_csv.h here, and by io/table_hdf5.h. */
+ * Tables of bodies, and of what effects want to know body by body or pair by pair: columns of numbers, a row for each.
+ * Files are read into them by table_csv.h here, and by io/table_hdf5.h. */
 #ifndef VTI_TABLE_H
 #define VTI_TABLE_H
 
@@ -58,7 +58,8 @@ struct tables {
     struct table bodies, effect[EFFECT_COUNT];
 };
 
-/** Table k of the scene, k < TABLES: that of the bodies, then those of the effects. Its path is "" if the scene names none. */
+/** Table k of the scene, k < TABLES: that of the bodies, then those of the effects. Its path is "" if the scene names
+ *  none. */
 enum { TABLES = 1 + EFFECT_COUNT };
 const char *tables_path(const struct scene *scene, int k);
 /** What it is of; NULL for an effect that has no table. */
@@ -67,7 +68,8 @@ struct table *tables_at(struct tables *tables, int k);
 
 /** Reads one table from a file: table_csv_read and the like. */
 typedef int table_reader(const char *path, const struct table_kind *kind, struct table *table, struct message *message);
-/** Reads all tables of the scene. Returns 0, or -1 with one line in *message; tables_destroy must follow in either case. */
+/** Reads all tables of the scene. Returns 0, or -1 with one line in *message; tables_destroy must follow in either
+ *  case. */
 int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message);
 void tables_destroy(struct tables *tables);
 

@@ -31,7 +31,7 @@ static int fail(const struct csv *csv, const char *at, const char *text)
     return message_set(csv->message, "%s%s: %s", quote_tail(path, sizeof path, csv->table->path), place, text);
 }
 
-/* ---- lines ------------------------------------------------------------------------------------------------------------ */
+/* ---- lines ------------------------------------------------------------------------------------------------------- */
 
 /** The next line without its end. Returns 1, 0 at the end of the file, or -1. */
 static int next_line(struct csv *csv, FILE *file)
@@ -72,7 +72,7 @@ static int count_fields(const char *line)
     return n;
 }
 
-/* ---- the line of names ------------------------------------------------------------------------------------------------ */
+/* ---- the line of names ------------------------------------------------------------------------------------------- */
 
 static int fail_name(const struct csv *csv, const char *name)
 {
@@ -103,7 +103,7 @@ static int read_names(struct csv *csv)
     return 0;
 }
 
-/* ---- rows ------------------------------------------------------------------------------------------------------------- */
+/* ---- rows -------------------------------------------------------------------------------------------------------- */
 
 static int read_value(const struct csv *csv, int k, const char *field)
 {

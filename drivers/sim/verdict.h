@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, where effects follow something, at every
- * step.
+ * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, where effects follow
+ * something, at every step.
  *
- * Energy (EQUATIONS 6.9). H is the column total, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S is the
- * largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
+ * Energy (EQUATIONS 6.9). H is the column total, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S
+ * is the largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
  * (vti_effect.breaks), the energy is left out, and T is taken without that of the centre of mass in those directions in
- * which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4 at a row, or not finite. Both, since H alone swings
- * by up to (h omega)^2/4 of S in the best of runs, and H~ is exact for linear forces only; so exact that it stays when a linear
- * oscillator blows up. Therefore H - H(0) > 0.7 S is bad by itself: the energy has more than tripled, as it does in stable
- * runs only above 0.84 of the stable step, where (h omega)^2/4 is 0.7. vti3 shows
- * velocities of half a step before, by which its H swings by h omega/2 too: in fields it is called bad where it need not be, in
- * two of 2000 random scenes below half of the stable step. */
+ * which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4 at a row, or not finite. Both, since H
+ * alone swings by up to (h omega)^2/4 of S in the best of runs, and H~ is exact for linear forces only; so exact that
+ * it stays when a linear oscillator blows up. Therefore H - H(0) > 0.7 S is bad by itself: the energy has more than
+ * tripled, as it does in stable runs only above 0.84 of the stable step, where (h omega)^2/4 is 0.7. vti3 shows
+ * velocities of half a step before, by which its H swings by h omega/2 too: in fields it is called bad where it need
+ * not be, in two of 2000 random scenes below half of the stable step. */
 #ifndef VTI_VERDICT_H
 #define VTI_VERDICT_H
 
@@ -50,8 +50,8 @@ extern const struct verdict_number verdict_numbers[VERDICT_NUMBERS];
 /** "good", "doubtful", "bad" */
 const char *verdict_word(int64_t grade);
 
-/** What is gathered along the way; all doubles, as they are kept in a checkpoint. What dissipates or works (EQUATIONS 6.1) will
- *  join where energies are taken, in verdict_row. */
+/** What is gathered along the way; all doubles, as they are kept in a checkpoint. What dissipates or works (EQUATIONS
+ *  6.1) will join where energies are taken, in verdict_row. */
 struct findings {
     double rows, broken;
     double first, first_kicked; /* H(0), H~(0) */
@@ -77,9 +77,9 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
                    const struct columns *columns, struct message *message);
 void verdict_destroy(struct verdict *v);
 
-/** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift, nearly),
- *  and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row 128, at every
- *  fourth up to 256, and so on: it costs about as much as a step. */
+/** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift,
+ *  nearly), and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row
+ *  128, at every fourth up to 256, and so on: it costs about as much as a step. */
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
 /** At every step. */
 void verdict_step(struct verdict *v, const vti_bodies *bodies);
@@ -87,7 +87,8 @@ void verdict_step(struct verdict *v, const vti_bodies *bodies);
 /** What is found so far; broken: 1 if the run ended on its way. In *line one line of it. */
 struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line);
 
-/** At t = 0, before any step: what of travel and rotation per step calls for a word. Returns how many lines there are. */
+/** At t = 0, before any step: what of travel and rotation per step calls for a word. Returns how many lines there are.
+ *  */
 int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2]);
 
 /** What a run must keep to end with the same verdict after it was interrupted. */
