@@ -24,6 +24,15 @@
 #define PI 3.14159265358979323846
 #define PI_L 3.14159265358979323846264338327950288L
 
+/** A test, and the main function of a program of tests. */
+#define TEST(name) static void name(void **state __attribute__((unused)))
+#define RUN_TESTS(...)                                                                                                 \
+    int main(void)                                                                                                     \
+    {                                                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        return cmocka_run_group_tests(tests, NULL, NULL);                                                              \
+    }
+
 /* ---- comparisons ------------------------------------------------------------------------------------------------- */
 
 /** |value - expected| <= tolerance; a NaN fails. */

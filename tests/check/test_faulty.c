@@ -216,9 +216,8 @@ static int differs(const struct expected *e, int also, int remarks,
     return !good;
 }
 
-static void every_mistake_is_named(void **state)
+TEST(every_mistake_is_named)
 {
-    (void)state;
     int wrong = 0;
     for (size_t k = 0; k < sizeof expected / sizeof expected[0]; ++k)
         wrong += differs(&expected[k], 0, 0, vti_check_run);
@@ -226,9 +225,8 @@ static void every_mistake_is_named(void **state)
 }
 
 /** Whether the host turns its bodies rightly, wrongly or not at all makes no difference where only translation is asked for. */
-static void every_mistake_of_translation_is_named(void **state)
+TEST(every_mistake_of_translation_is_named)
 {
-    (void)state;
     const int rotations[] = {NO_ROTATION, 0, WRONG_SIGN | WRONG_SIDE, OLD_SPIN | NO_INERTIA, BODY_MOMENT};
     int wrong = 0;
     for (size_t k = 0; k < sizeof expected_of_translation / sizeof expected_of_translation[0]; ++k)
@@ -238,9 +236,8 @@ static void every_mistake_of_translation_is_named(void **state)
 }
 
 /** A wrong constant fails the line of that constant and no other: everything else is judged by the constants measured. */
-static void constants_alone_fail_no_other_line(void **state)
+TEST(constants_alone_fail_no_other_line)
 {
-    (void)state;
     static const struct {
         struct faulty host;
         int lines;
@@ -266,10 +263,9 @@ static void constants_alone_fail_no_other_line(void **state)
 }
 
 /** Any inertia from a fifth to five times what it should be, and any force, is measured to all digits that are said. */
-static void constants_are_measured(void **state)
+TEST(constants_are_measured)
 {
     rng g = rng_seed(811);
-    (void)state;
     for (int trial = 0; trial < 8; ++trial) {
         const double ratio = exp(uniform(&g, -log(5), log(5)));
         struct faulty hosts[] = {{.inertia = ratio}, {.force = ratio, .moment = ratio}};
@@ -286,9 +282,8 @@ static void constants_are_measured(void **state)
 }
 
 /** A mistake that no sentence knows is still not passed. */
-static void what_is_not_known_is_not_passed(void **state)
+TEST(what_is_not_known_is_not_passed)
 {
-    (void)state;
     struct faulty fault = {.bits = FAST_DRAG};
     vti_check_report report;
     assert_true(vti_check_run("damped", faulty_advance, &fault, &report) > 0);
@@ -304,9 +299,8 @@ static int refuse(void *self, double h, int64_t steps, int64_t n, double *x, dou
     return 1;
 }
 
-static void nothing_passes_where_the_host_refuses(void **state)
+TEST(nothing_passes_where_the_host_refuses)
 {
-    (void)state;
     vti_check_report report;
     assert_true(vti_check_run(NULL, refuse, NULL, &report) > 0);
     assert_string_equal(report.name, "");
@@ -316,13 +310,6 @@ static void nothing_passes_where_the_host_refuses(void **state)
                              report.line[k].verdict == VTI_CHECK_FAIL ? VTI_CHECK_FAIL : 99);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_mistake_is_named),
-                                       cmocka_unit_test(every_mistake_of_translation_is_named),
-                                       cmocka_unit_test(constants_alone_fail_no_other_line),
-                                       cmocka_unit_test(constants_are_measured),
-                                       cmocka_unit_test(what_is_not_known_is_not_passed),
-                                       cmocka_unit_test(nothing_passes_where_the_host_refuses)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_mistake_is_named), cmocka_unit_test(every_mistake_of_translation_is_named),
+          cmocka_unit_test(constants_alone_fail_no_other_line), cmocka_unit_test(constants_are_measured),
+          cmocka_unit_test(what_is_not_known_is_not_passed), cmocka_unit_test(nothing_passes_where_the_host_refuses))

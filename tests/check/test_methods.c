@@ -48,9 +48,8 @@ static int wrongly_judged(const vti_stepper *m, int sentences)
     return !good;
 }
 
-static void each_is_judged_rightly(void **state)
+TEST(each_is_judged_rightly)
 {
-    (void)state;
     int wrong = 0;
     assert_true(method_count() > rival_count() && rival_count() > 0);
     for (int64_t i = 0; i < method_count(); ++i)
@@ -73,13 +72,12 @@ static void run(const char *name, vti_check_report *report)
     vti_check_run(name, method_check_advance, (void *)method_find(name), report);
 }
 
-static void laws_and_orders_are_recognised(void **state)
+TEST(laws_and_orders_are_recognised)
 {
     static const char *const laws[][2] = {
         {"vti1", "turns by asin s"}, {"vti2", "turns by 2 atan(s/2)"},    {"exact", "turns by s"},
         {"lgvi", "turns by asin s"}, {"mercury", "turns by 2 atan(s/2)"}, {"spiral", "turns by s"}};
     vti_check_report report;
-    (void)state;
     for (size_t k = 0; k < sizeof laws / sizeof laws[0]; ++k) {
         run(laws[k][0], &report);
         assert_string_equal(line_of(&report, "free spin: turn at")->said, laws[k][1]);
@@ -94,11 +92,10 @@ static void laws_and_orders_are_recognised(void **state)
     assert_close(line_of(&report, "torsion pair: frequency")->measured, 0.04 / 24, 1e-4);
 }
 
-static void what_translation_alone_keeps(void **state)
+TEST(what_translation_alone_keeps)
 {
     static const char *const good[] = {"vti2", "exact", "suzuki4", "srkn14"};
     vti_check_report report;
-    (void)state;
     for (size_t k = 0; k < sizeof good / sizeof good[0]; ++k) {
         vti_check_run_translation(good[k], method_check_advance, (void *)method_find(good[k]), &report);
         assert_true(report.lines > 10);
@@ -116,10 +113,5 @@ static void what_translation_alone_keeps(void **state)
     assert_int_equal(line_of(&report, "reversibility")->verdict, VTI_CHECK_NOTE);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(each_is_judged_rightly),
-                                       cmocka_unit_test(what_translation_alone_keeps),
-                                       cmocka_unit_test(laws_and_orders_are_recognised)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(each_is_judged_rightly), cmocka_unit_test(what_translation_alone_keeps),
+          cmocka_unit_test(laws_and_orders_are_recognised))

@@ -94,9 +94,8 @@ static const struct {
 
 enum { METHODS = sizeof table / sizeof table[0] };
 
-static void every_stepper_shows_its_order(void **state)
+TEST(every_stepper_shows_its_order)
 {
-    (void)state;
     assert_int_equal(METHODS, vti_stepper_count());
     for (int m = 0; m < METHODS; ++m) {
         const vti_stepper *method = vti_stepper_find(table[m].name);
@@ -106,9 +105,8 @@ static void every_stepper_shows_its_order(void **state)
 }
 
 /** The lists are made for the exact drift: with those of the paper they are of order 2. */
-static void another_drift_spoils_it(void **state)
+TEST(another_drift_spoils_it)
 {
-    (void)state;
     const char *const names[] = {"srkn6", "srkn11", "srkn14"};
     for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_CAYLEY; ++law)
         for (int m = 0; m < 3; ++m) {
@@ -119,9 +117,8 @@ static void another_drift_spoils_it(void **state)
 }
 
 /** ... whereas compositions take any symmetric step. */
-static void compositions_take_any_drift(void **state)
+TEST(compositions_take_any_drift)
 {
-    (void)state;
     const char *const names[] = {"suzuki4", "kl6", "kl8"};
     const int coarsest[3][3] = {{160, 70, 28}, {160, 70, 20}, {160, 70, 20}}; /* the closed form errs most */
     for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_EXACT; ++law)
@@ -132,12 +129,5 @@ static void compositions_take_any_drift(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_stepper_shows_its_order),
-        cmocka_unit_test(another_drift_spoils_it),
-        cmocka_unit_test(compositions_take_any_drift),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order), cmocka_unit_test(another_drift_spoils_it),
+          cmocka_unit_test(compositions_take_any_drift))

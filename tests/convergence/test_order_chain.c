@@ -99,9 +99,8 @@ static const struct {
 
 enum { METHODS = sizeof table / sizeof table[0] };
 
-static void every_stepper_shows_its_order(void **state)
+TEST(every_stepper_shows_its_order)
 {
-    (void)state;
     assert_int_equal(METHODS, vti_stepper_count() - 1); /* bonds give moments in space, not in the body's frame */
     for (int m = 0; m < METHODS; ++m)
         for (int links = 3; links <= LINKS; links += 7)
@@ -110,9 +109,8 @@ static void every_stepper_shows_its_order(void **state)
                       table[m].coarsest);
 }
 
-static void another_drift_spoils_it(void **state)
+TEST(another_drift_spoils_it)
 {
-    (void)state;
     const char *const names[] = {"srkn6", "srkn11", "srkn14"};
     for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_CAYLEY; ++law)
         for (int m = 0; m < 3; ++m) {
@@ -122,11 +120,4 @@ static void another_drift_spoils_it(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_stepper_shows_its_order),
-        cmocka_unit_test(another_drift_spoils_it),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order), cmocka_unit_test(another_drift_spoils_it))

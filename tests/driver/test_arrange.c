@@ -20,12 +20,11 @@ static void assert_pair(const vti_bonds *bonds, int64_t k, int64_t i, int64_t j)
 }
 
 /** EQUATIONS 3, Torus: D_p, particle k at 2 pi k/80, bonds (k, k + 1 mod 80), particle 40 just at the wall, E_0 = 40. */
-static void the_torus(void **state)
+TEST(the_torus)
 {
     struct scene scene;
     struct model model;
     struct message message;
-    (void)state;
     assert_int_equal(scene_read(torus, NULL, 0, &scene, &message), 0);
     assert_int_equal(model_create(&scene, &model, &message), 0);
     const vti_view *x = &model.bodies.x;
@@ -49,11 +48,10 @@ static void the_torus(void **state)
     model_destroy(&model);
 }
 
-static void a_ring_touches_its_neighbours(void **state)
+TEST(a_ring_touches_its_neighbours)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     make_model("bodies: {mass: 2, ring: {count: 6, diameter: 2, center: [1, 2, 3]}, omega: [0, 0, 1]}\n"
                "contact: {stiffness: 1}\n" TIME,
                &scene, &model);
@@ -67,11 +65,10 @@ static void a_ring_touches_its_neighbours(void **state)
     model_destroy(&model);
 }
 
-static void a_chain(void **state)
+TEST(a_chain)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     make_model("bodies: {mass: 1, chain: {count: 4, spacing: 2, start: [1, 1, 1], direction: [0, 3, -4]}}\n"
                "binder: {axial: 1}\n" TIME,
                &scene, &model);
@@ -92,12 +89,11 @@ static void a_chain(void **state)
 }
 
 /** Neighbours are the pairs at distance one, each once; counted by looking at all pairs. */
-static void a_lattice(void **state)
+TEST(a_lattice)
 {
     struct scene scene;
     struct model model;
     int64_t k = 0;
-    (void)state;
     make_model("bodies: {mass: 1, lattice: {counts: [3, 4, 2], spacing: 0.5, corner: [-1, 0, 1]}}\n"
                "binder: {axial: 1}\n" TIME,
                &scene, &model);
@@ -116,13 +112,12 @@ static void a_lattice(void **state)
     model_destroy(&model);
 }
 
-static void one_body_of_each(void **state)
+TEST(one_body_of_each)
 {
     static const char *const texts[] = {"bodies: {mass: 1, chain: {count: 1, spacing: 1}}\n" TIME,
                                         "bodies: {mass: 1, lattice: {counts: [1, 1, 1], spacing: 1}}\n" TIME};
     struct scene scene;
     struct model model;
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         make_model(texts[k], &scene, &model);
         assert_int_equal(model.bodies.count, 1);
@@ -134,16 +129,15 @@ static void one_body_of_each(void **state)
 /* ---- random velocities ------------------------------------------------------------------------------------------------ */
 
 /** splitmix64 as published (seed 1234567), and its doubles, computed in Python by the sequential form of the generator. */
-static void the_generator(void **state)
+TEST(the_generator)
 {
     static const uint64_t published[] = {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
                                          4593380528125082431u, 16408922859458223821u};
-    (void)state;
     for (uint64_t k = 0; k < 5; ++k)
         assert_true(random_bits(1234567, k) == published[k]);
 }
 
-static void random_velocities(void **state)
+TEST(random_velocities)
 {
     static const char text[] = "bodies: {mass: 1, chain: {count: 10, spacing: 1}, random: {seed: 7, v: 0.1, omega: "
                                "0.5}}\n" TIME;
@@ -153,7 +147,6 @@ static void random_velocities(void **state)
                                        {-0x1.507d60946f420p-3, 0x1.211e20229fc18p-4, 0x1.dc443bfb29af0p-4}};
     struct scene scene;
     struct model model;
-    (void)state;
     make_model(text, &scene, &model);
     assert_same_bits(&model.bodies.v.c[0][0], v[0], 3);
     assert_same_bits(&model.bodies.v.c[0][27], v[1], 3);

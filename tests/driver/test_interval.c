@@ -20,7 +20,7 @@ static int digits_of(double time)
 }
 
 /** By hand: a run to t_end by steps of h, wanted records, and the time between them. */
-static void known_ones(void **state)
+TEST(known_ones)
 {
     static const struct {
         double h, t_end, time;
@@ -36,7 +36,6 @@ static void known_ones(void **state)
         {1.0 / 3000, 1.0, 0.01, 100}, /* 30 steps, though h is no decimal number */
         {1e-3, 9.973, 0.1, 100},      /* a prime number of steps: not all is even, the time is */
     };
-    (void)state;
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k) {
         const double h = known[k].h;
         const int64_t every = interval_choose(h, loop_steps(known[k].t_end, h), known[k].about);
@@ -46,10 +45,9 @@ static void known_ones(void **state)
 }
 
 /** For any run: from half to twice the records; where steps allow it they end with the run or have round times. */
-static void any_run(void **state)
+TEST(any_run)
 {
     rng g = rng_seed(3);
-    (void)state;
     for (int k = 0; k < 20000; ++k) {
         const int64_t about = k % 2 == 0 ? 100 : 1000;
         const int64_t steps = 1 + (int64_t)(rng_bits(&g) >> (24 + rng_bits(&g) % 40));
@@ -68,8 +66,4 @@ static void any_run(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(known_ones), cmocka_unit_test(any_run)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(known_ones), cmocka_unit_test(any_run))

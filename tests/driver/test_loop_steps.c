@@ -5,11 +5,10 @@
 #include "loop.h"
 
 /** The ends and steps that people write; k/10 over 1/10 falls short of k for k = 3, 6, 7, 12, ... */
-static void decimals(void **state)
+TEST(decimals)
 {
     static const double steps[] = {0.1, 0.01, 0.001, 0.3, 0.7, 1e-4, 2.1e-3, 1.0 / 64.0};
     int64_t short_ones = 0;
-    (void)state;
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i)
         for (int64_t k = 1; k <= 3000; ++k) {
             char text[40]; /* k h as somebody would write it, rounded once more */
@@ -22,17 +21,12 @@ static void decimals(void **state)
     assert_true(short_ones > 100); /* or this test would not need to be */
 }
 
-static void not_one_too_many(void **state)
+TEST(not_one_too_many)
 {
-    (void)state;
     for (int64_t k = 1; k <= 3000; ++k) {
         assert_int_equal(loop_steps((double)k * 0.1 * (1.0 - 1e-13), 0.1), k - 1);
         assert_int_equal(loop_steps((double)k * 0.1 + 0.0999, 0.1), k);
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(decimals), cmocka_unit_test(not_one_too_many)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(decimals), cmocka_unit_test(not_one_too_many))

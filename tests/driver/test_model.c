@@ -41,9 +41,8 @@ static const struct {
      "angular_z arm_dot_omega arm_length"},
 };
 
-static void what_is_there(void **state)
+TEST(what_is_there)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
         char text[512];
         struct scene scene;
@@ -70,11 +69,10 @@ static void what_is_there(void **state)
 }
 
 /** A stiffness that is not named is a term that is not there. */
-static void terms(void **state)
+TEST(terms)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     make_model(CHAIN "}\nbinder: {moment: 3, shear: {stiffness: 5, form: quartic}}\n" TIME, &scene, &model);
     const vti_bonds bonds = bonds_of(&model);
     assert_true(bonds.moment.p[0] == 3.0 && bonds.shear.p[0] == 5.0 && bonds.axial.p == NULL);
@@ -84,11 +82,10 @@ static void terms(void **state)
     model_destroy(&model);
 }
 
-static void planes_are_made_unit(void **state)
+TEST(planes_are_made_unit)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     make_model(CHAIN "}\nwall: {stiffness: 10, planes: [[0, 0, 2, -6], [3e200, 0, -4e200, 5e200]]}\n" TIME, &scene,
                &model);
     const vti_walls *walls = acting(&model, "wall");
@@ -102,13 +99,12 @@ static void planes_are_made_unit(void **state)
 /* ---- contacts --------------------------------------------------------------------------------------------------------- */
 
 /** Neighbours of a chain that is pressed together: 1 - 0.8/1 = 0.2 of overlap. Bonds keep them from contact unless asked. */
-static void contact_inside_bonds(void **state)
+TEST(contact_inside_bonds)
 {
     static const char *const bonded[] = {"", ", bonded: no", ", bonded: yes"};
     const double energy = 0.4 * 100.0 * pow(0.2, 2.5);
     struct scene scene;
     struct model model;
-    (void)state;
     for (int k = 0; k < 3; ++k) {
         char text[512];
         snprintf(text, sizeof text,
@@ -123,12 +119,11 @@ static void contact_inside_bonds(void **state)
 }
 
 /** Forces and energy are those of the bodies that are passed in, wherever their views lie and however far they have gone. */
-static void contacts_follow_the_bodies(void **state)
+TEST(contacts_follow_the_bodies)
 {
     double x[4][3] = {{0, 0, 0}, {100, 0, 0}, {200, 0, 0}, {0, 0.5, 0}}, force[4][3]; /* 0 and 3 were far apart */
     struct scene scene;
     struct model model;
-    (void)state;
     make_model(CHAIN "}\ncontact: {stiffness: 100}\n" TIME, &scene, &model);
     vti_bodies other = model.bodies;
     other.x = vti_view_packed(x[0]);
@@ -146,12 +141,11 @@ static void contacts_follow_the_bodies(void **state)
 }
 
 /** A body that is nowhere is named, by the model and by the loop. */
-static void a_body_that_is_nowhere(void **state)
+TEST(a_body_that_is_nowhere)
 {
     struct scene scene;
     struct model model;
     struct message message;
-    (void)state;
     make_model(CHAIN "}\ncontact: {stiffness: 100}\n" TIME, &scene, &model);
     model.bodies.v.c[0][6] = NAN;
     assert_int_equal(loop_run(&model, scene.stepper, 0.1, 0, 3, NULL, 0, &message), -1);
@@ -186,11 +180,10 @@ static double stable(struct model *model)
 }
 
 /** Overlaps by hand, 2/5 K o^{5/2} = e; the bound is vti_stable_step's, which has tests of its own. */
-static void overlaps_and_stable_steps(void **state)
+TEST(overlaps_and_stable_steps)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     make_model("bodies: {mass: 2, diameter: 1, x: [0, 0, 5], v: [0, 0, -3]}\ngravity: [0, 0, -10]\n"
                "wall: {stiffness: 1000, planes: [[0, 0, 1, 0], [1, 0, 0, -9], [0, 0, -1, -9]]}\n" TIME,
                &scene, &model);
@@ -237,7 +230,7 @@ static double growth(const char *text, double h, int64_t steps)
 
 /** Each was said to be far within the stable step, or not to oscillate; each blows up at the h given. At half of the
  *  bound that energies allow it does not, though one impact may gain some per cent (EQUATIONS 6.5). */
-static void what_energies_allow(void **state)
+TEST(what_energies_allow)
 {
     static const struct {
         const char *text;
@@ -253,7 +246,6 @@ static void what_energies_allow(void **state)
          "binder: {table: bond.csv, axial: 1, shear: {stiffness: 100}}\nh: 0.05\nt_end: 20\n",
          0, 100},
     };
-    (void)state;
     write_text("meet.csv", "x,y,z,vx,vy,vz\n0,0,0,0.5,0,0\n2,0,0,-0.5,0,0\n");
     write_text("press.csv", "x,y,z,vx,vy,vz\n0,0,0,0.65,0.001,0\n1,0,0,-0.65,0,0.001\n");
     write_text("bond.csv", "i,j\n0,1\n");

@@ -26,9 +26,8 @@ static int64_t holds_the_near(double skin)
     return count;
 }
 
-static void finds_the_near_of_random_beds(void **state)
+TEST(finds_the_near_of_random_beds)
 {
-    (void)state;
     int64_t found = 0;
     for (uint64_t seed = 1; seed <= 60; ++seed) {
         rng g = rng_seed(seed);
@@ -41,10 +40,9 @@ static void finds_the_near_of_random_beds(void **state)
     assert_true(found > 10000);
 }
 
-static void finds_the_near_in_any_place(void **state)
+TEST(finds_the_near_in_any_place)
 {
     const double far[] = {0.0, -1e3, 1e6, -1e6, 1e9, 1e13, -1e15, 1e19, -1e300, DBL_MAX};
-    (void)state;
     for (size_t k = 0; k < sizeof far / sizeof far[0]; ++k) {
         rng g = rng_seed(100 + k);
         bed_scatter(&b, &g, 300, 3.0, 2.0);
@@ -56,9 +54,8 @@ static void finds_the_near_in_any_place(void **state)
 }
 
 /** Spheres on a lattice, each with those around it just in reach: every direction from cell to cell, and every face. */
-static void finds_the_near_of_lattices(void **state)
+TEST(finds_the_near_of_lattices)
 {
-    (void)state;
     for (int shift = 0; shift < 40; ++shift) {
         memset(&b, 0, sizeof b);
         b.n = 8 * 8 * 8;
@@ -74,10 +71,9 @@ static void finds_the_near_of_lattices(void **state)
 }
 
 /** Pairs that are as far apart as they may be, anywhere: also where numbers are so large that cells round. */
-static void finds_the_near_across_faces(void **state)
+TEST(finds_the_near_across_faces)
 {
     rng g = rng_seed(7);
-    (void)state;
     for (int k = 0; k < 100000; ++k) {
         memset(&b, 0, sizeof b);
         b.n = 2;
@@ -93,10 +89,9 @@ static void finds_the_near_across_faces(void **state)
     }
 }
 
-static void few_bodies_and_coincident_ones(void **state)
+TEST(few_bodies_and_coincident_ones)
 {
     rng g = rng_seed(3);
-    (void)state;
     bed_scatter(&b, &g, 0, 1.0, 1.0);
     assert_int_equal(holds_the_near(0.0), 0);
     assert_int_equal(holds_the_near(1.0), 0);
@@ -111,12 +106,11 @@ static void few_bodies_and_coincident_ones(void **state)
     assert_int_equal(holds_the_near(0.0), 100 * 99 / 2);
 }
 
-static void default_skin_is_a_share_of_the_mean_diameter(void **state)
+TEST(default_skin_is_a_share_of_the_mean_diameter)
 {
     const double diameters[3] = {1.0, 2.0, 6.0};
     const vti_scalars many = vti_scalars_array(diameters), one = vti_scalars_one(&diameters[1]);
     struct neighbours list;
-    (void)state;
     assert_int_equal(neighbours_create(&list, 3, &many, 0.0, 0, NULL, &b.message), 0);
     assert_close(list.skin, 0.2 * 3.0, 8 * EPS);
     neighbours_destroy(&list);
@@ -134,10 +128,9 @@ static void assert_message(const char *part)
         fail_msg("'%s' is not in: %s", part, b.message.text);
 }
 
-static void refuses_positions_that_are_no_numbers(void **state)
+TEST(refuses_positions_that_are_no_numbers)
 {
     const double bad[] = {NAN, INFINITY, -INFINITY};
-    (void)state;
     for (int k = 0; k < 18; ++k) {
         rng g = rng_seed((uint64_t)k);
         bed_scatter(&b, &g, 20, 1.0, 1.0);
@@ -169,12 +162,11 @@ static void assert_refused(int64_t n, const double *diameter, double skin, const
     assert_true(list.pair == NULL && list.search == NULL && list.count == 0);
 }
 
-static void refuses_what_makes_no_list(void **state)
+TEST(refuses_what_makes_no_list)
 {
     const double good[3] = {1.0, 2.0, 1.0}, zero[3] = {1.0, 0.0, 1.0}, negative[3] = {1.0, 1.0, -1.0},
                  none[3] = {NAN, 1.0, 1.0}, infinite[3] = {1.0, INFINITY, 1.0};
     const int64_t low[2] = {-1, 2}, high[2] = {0, 3};
-    (void)state;
     assert_refused(3, zero, 0.0, NULL, "body 1 ");
     assert_refused(3, negative, 0.0, NULL, "body 2 ");
     assert_refused(3, none, 0.0, NULL, "body 0 ");
@@ -223,25 +215,15 @@ static void memory_is_out(int n, rlim_t bytes, int times)
     free(x);
 }
 
-static void tells_when_memory_is_out(void **state)
+TEST(tells_when_memory_is_out)
 {
-    (void)state;
     memory_is_out(20000, 512u << 20, 2); /* 3 GB to find the pairs */
     memory_is_out(4000, 200u << 20, 1);  /* 134 MB to find them, as much to sort them */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(finds_the_near_of_random_beds),
-        cmocka_unit_test(finds_the_near_in_any_place),
-        cmocka_unit_test(finds_the_near_of_lattices),
-        cmocka_unit_test(finds_the_near_across_faces),
-        cmocka_unit_test(few_bodies_and_coincident_ones),
-        cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
-        cmocka_unit_test(refuses_positions_that_are_no_numbers),
-        cmocka_unit_test(refuses_what_makes_no_list),
-        cmocka_unit_test(tells_when_memory_is_out),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_beds), cmocka_unit_test(finds_the_near_in_any_place),
+          cmocka_unit_test(finds_the_near_of_lattices), cmocka_unit_test(finds_the_near_across_faces),
+          cmocka_unit_test(few_bodies_and_coincident_ones),
+          cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
+          cmocka_unit_test(refuses_positions_that_are_no_numbers), cmocka_unit_test(refuses_what_makes_no_list),
+          cmocka_unit_test(tells_when_memory_is_out))

@@ -25,10 +25,9 @@ static void contact_forces(bed *bodies, double force[][3])
 }
 
 /** Whatever happened before, no touching pair is missed, and the forces have the bits that a new list gives. */
-static void no_touch_is_missed_in_motion(void **state)
+TEST(no_touch_is_missed_in_motion)
 {
     static double force[BED_MAX][3], expected[BED_MAX][3];
-    (void)state;
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         rng g = rng_seed(seed);
         int kept = 0;
@@ -56,9 +55,8 @@ static void no_touch_is_missed_in_motion(void **state)
 }
 
 /** Two spheres approach each other: the worst case of the criterion. They must be listed before they touch. */
-static void a_head_on_pair_is_listed_in_time(void **state)
+TEST(a_head_on_pair_is_listed_in_time)
 {
-    (void)state;
     for (int k = 0; k < 2000; ++k) {
         rng g = rng_seed((uint64_t)k);
         const double h = uniform(&g, 1e-3, 0.1), offset = uniform(&g, -1e3, 1e3);
@@ -78,10 +76,9 @@ static void a_head_on_pair_is_listed_in_time(void **state)
 }
 
 /** The same for skins of a few roundings, with distances as the contact computes them. */
-static void rounding_hides_no_touch(void **state)
+TEST(rounding_hides_no_touch)
 {
     rng g = rng_seed(11);
-    (void)state;
     for (int k = 0; k < 200000; ++k) {
         const double skin = uniform(&g, 0.5, 8.0) * EPS, r = 1.0 + skin + uniform(&g, -4.0, 4.0) * EPS;
         double n[3];
@@ -102,11 +99,10 @@ static void rounding_hides_no_touch(void **state)
     }
 }
 
-static void grows_and_shrinks_with_the_pairs(void **state)
+TEST(grows_and_shrinks_with_the_pairs)
 {
     const double sizes[] = {1e3, 6.0, 0.3, 6.0, 1e3, 0.0};
     rng g = rng_seed(13);
-    (void)state;
     bed_scatter(&b, &g, BED_MAX, 1e3, 1.5);
     bed_create(&b, 0.0);
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
@@ -119,10 +115,9 @@ static void grows_and_shrinks_with_the_pairs(void **state)
     neighbours_destroy(&b.list);
 }
 
-static void is_built_anew_after_half_the_skin(void **state)
+TEST(is_built_anew_after_half_the_skin)
 {
     rng g = rng_seed(5);
-    (void)state;
     bed_scatter(&b, &g, 50, 3.0, 1.0);
     bed_create(&b, 0.5);
     assert_int_equal(bed_update(&b), 1);
@@ -146,12 +141,6 @@ static void is_built_anew_after_half_the_skin(void **state)
     neighbours_destroy(&b.list);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_touch_is_missed_in_motion),      cmocka_unit_test(a_head_on_pair_is_listed_in_time),
-        cmocka_unit_test(rounding_hides_no_touch),           cmocka_unit_test(grows_and_shrinks_with_the_pairs),
-        cmocka_unit_test(is_built_anew_after_half_the_skin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(no_touch_is_missed_in_motion), cmocka_unit_test(a_head_on_pair_is_listed_in_time),
+          cmocka_unit_test(rounding_hides_no_touch), cmocka_unit_test(grows_and_shrinks_with_the_pairs),
+          cmocka_unit_test(is_built_anew_after_half_the_skin))

@@ -100,9 +100,8 @@ static const char *const refused[] = {
     "1;",
 };
 
-static void reads_to_the_bit(void **state)
+TEST(reads_to_the_bit)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof read / sizeof read[0]; ++k) {
         double value = 12345.0;
         if (number_read(read[k].text, &value) != 0)
@@ -112,9 +111,8 @@ static void reads_to_the_bit(void **state)
     }
 }
 
-static void refuses_and_leaves_the_value(void **state)
+TEST(refuses_and_leaves_the_value)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
         double value = 12345.0;
         if (number_read(refused[k], &value) != -1)
@@ -124,10 +122,9 @@ static void refuses_and_leaves_the_value(void **state)
 }
 
 /** 17 digits are enough for every double. */
-static void reads_back_what_printf_writes(void **state)
+TEST(reads_back_what_printf_writes)
 {
     rng g = rng_seed(1);
-    (void)state;
     for (int k = 0; k < 100000; ++k) {
         const double x = random_finite(&g);
         double value;
@@ -138,12 +135,11 @@ static void reads_back_what_printf_writes(void **state)
     }
 }
 
-static void reads_long_texts(void **state)
+TEST(reads_long_texts)
 {
     enum { N = 1000000 };
     char *text = malloc(N + 1);
     double value;
-    (void)state;
     assert_non_null(text);
     memset(text, '0', N);
     text[N] = '\0';
@@ -156,7 +152,7 @@ static void reads_long_texts(void **state)
 }
 
 /** No shorter decimal reads back: an independent search over all counts of digits. */
-static void writes_the_shortest(void **state)
+TEST(writes_the_shortest)
 {
     static const struct {
         double value;
@@ -177,7 +173,6 @@ static void writes_the_shortest(void **state)
                  {9007199254740993.0, "9007199254740992"},
                  {INFINITY, "inf"}};
     rng g = rng_seed(2);
-    (void)state;
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
         assert_string_equal(NUMBER(known[k].value), known[k].text);
     for (int k = 0; k < 20000; ++k) {
@@ -193,14 +188,6 @@ static void writes_the_shortest(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_to_the_bit),
-        cmocka_unit_test(refuses_and_leaves_the_value),
-        cmocka_unit_test(reads_back_what_printf_writes),
-        cmocka_unit_test(writes_the_shortest),
-        cmocka_unit_test(reads_long_texts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(reads_to_the_bit), cmocka_unit_test(refuses_and_leaves_the_value),
+          cmocka_unit_test(reads_back_what_printf_writes), cmocka_unit_test(writes_the_shortest),
+          cmocka_unit_test(reads_long_texts))

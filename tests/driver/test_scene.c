@@ -20,11 +20,10 @@ static void read_text(struct scene *scene, const char *text, const char *const *
         fail_msg("%s", message.text);
 }
 
-static void the_shipped_pendulum(void **state)
+TEST(the_shipped_pendulum)
 {
     const double alpha[3] = {0.0, 4.828427124746190, 0.0}, omega[3] = {0.2, 0.0, 0.2}, rho0[3] = {0.0, 0.0, 1.0};
     struct scene s;
-    (void)state;
     read_pendulum(&s, NULL, 0);
     assert_string_equal(s.name, "pendulum");
     assert_int_equal(s.translates, 0);
@@ -41,10 +40,9 @@ static void the_shipped_pendulum(void **state)
     assert_close(2.0 * atan(s.alpha[1] / 2.0), 0.75 * PI, 1e-15);
 }
 
-static void what_is_left_out_has_a_default(void **state)
+TEST(what_is_left_out_has_a_default)
 {
     struct scene s;
-    (void)state;
     read_text(&s, "bodies: {mass: 2, x: [1, 2, 3], v: [0, 0, 0]}\nh: 2^-6\nt_end: 1\n", NULL, 0);
     assert_string_equal(s.name, "spin_2-a");
     assert_ptr_equal(s.stepper, vti_stepper_find("vti2"));
@@ -55,7 +53,7 @@ static void what_is_left_out_has_a_default(void **state)
 }
 
 /** Quotes, comments, flow and block style, tags and anchors without aliases are YAML's business. */
-static void ways_of_writing(void **state)
+TEST(ways_of_writing)
 {
     static const char *const texts[] = {
         "{name: a, bodies: {inertia: 1/2, alpha: [1, 2, 3], omega: [4, 5, 6]}, h: 1/64, t_end: 1}",
@@ -67,7 +65,6 @@ static void ways_of_writing(void **state)
         "t_end: 1\r\n",
     };
     struct scene s, first;
-    (void)state;
     read_text(&first, texts[0], NULL, 0);
     assert_true(first.inertia == 0.5 && first.alpha[1] == 2.0 && first.omega[2] == 6.0 && first.h == 0.015625);
     for (size_t k = 1; k < sizeof texts / sizeof texts[0]; ++k) {
@@ -76,13 +73,12 @@ static void ways_of_writing(void **state)
     }
 }
 
-static void set_replaces_and_adds(void **state)
+TEST(set_replaces_and_adds)
 {
     static const char *const sets[] = {
         "h=1", "bodies.omega=[0, 0,1]", "pendulum.weight= 2 ", "stepper=vti3", "bodies.mass=3", "h=1/8", "name=other"};
     const double omega[3] = {0.0, 0.0, 1.0};
     struct scene s;
-    (void)state;
     read_pendulum(&s, sets, 7);
     assert_true(s.h == 0.125); /* the later one counts */
     assert_same_bits(s.omega, omega, 3);
@@ -91,30 +87,27 @@ static void set_replaces_and_adds(void **state)
     assert_string_equal(s.name, "other");
 }
 
-static void set_adds_a_section(void **state)
+TEST(set_adds_a_section)
 {
     static const char *const sets[] = {"pendulum.weight=0", "pendulum.rho0=[1, 0, 0]"};
     struct scene s;
-    (void)state;
     read_text(&s, "bodies: {inertia: 1, alpha: [1, 2, 3], omega: [4, 5, 6]}\nh: 1/64\nt_end: 1\n", sets, 2);
     assert_true(calls_for(&s, "pendulum") && *number_setting(&s, "pendulum.weight") == 0.0 &&
                 *number_setting(&s, "pendulum.rho0") == 1.0);
 }
 
 /** --set mends what the file has wrong: the check comes after it. */
-static void set_mends(void **state)
+TEST(set_mends)
 {
     static const char *const sets[] = {"h=0.5", "t_end=2"};
     struct scene s;
-    (void)state;
     read_text(&s, "bodies: {inertia: 1, alpha: [1, 2, 3], omega: [4, 5, 6]}\nh: wrong\n", sets, 2);
     assert_true(s.h == 0.5 && s.t_end == 2.0);
 }
 
 /** Every stepper that takes moments in space can be named. */
-static void every_stepper_in_space(void **state)
+TEST(every_stepper_in_space)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         char set[64];
         const char *const sets[] = {set};

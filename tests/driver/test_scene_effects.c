@@ -138,9 +138,8 @@ static const struct {
      "t.yaml:1:1: bodies.inertia: missing; bodies that turn need it, the moment of inertia J"},
 };
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
         struct scene scene;
         struct message message;
@@ -163,9 +162,8 @@ static const struct {
      "its first three numbers are zero or too large"},
 };
 
-static void refused_overrides(void **state)
+TEST(refused_overrides)
 {
-    (void)state;
     write_text("t.yaml", "bodies: {mass: 1, chain: {count: 2, spacing: 1}}\nbinder: {axial: 1}\n"
                          "wall: {stiffness: 1, planes: [[0, 0, 1, 0]]}\n" TIME);
     for (size_t k = 0; k < sizeof overrides / sizeof overrides[0]; ++k) {
@@ -177,13 +175,12 @@ static void refused_overrides(void **state)
 }
 
 /** More planes than a scene holds. */
-static void too_many_planes(void **state)
+TEST(too_many_planes)
 {
     enum { SIZE = 16 * 1024 };
     char *text = malloc(SIZE);
     struct scene scene;
     struct message message;
-    (void)state;
     assert_non_null(text);
     snprintf(text, SIZE, "%s", POINT TIME "wall:\n  stiffness: 1\n  planes:\n");
     for (int k = 0; k < SCENE_PLANES_MAX + 1; ++k)
@@ -195,7 +192,7 @@ static void too_many_planes(void **state)
 }
 
 /** A path that is absolute stays, any other starts at the folder of the scene; too long ones are refused. */
-static void paths_of_tables(void **state)
+TEST(paths_of_tables)
 {
     static const struct {
         const char *set, *path;
@@ -205,7 +202,6 @@ static void paths_of_tables(void **state)
     const char *sets[] = {set};
     struct scene scene;
     struct message message;
-    (void)state;
     write_text("t.yaml", "bodies: {table: a.csv}\n" TIME);
     for (size_t k = 0; k < sizeof read / sizeof read[0]; ++k) {
         assert_int_equal(scene_read("./t.yaml", &read[k].set, 1, &scene, &message), 0);

@@ -5,10 +5,9 @@
 
 static const char spin[] = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\nh: 1/64\nt_end: 1\n";
 
-static void names_of_files(void **state)
+TEST(names_of_files)
 {
     static const char *const refused[] = {"a b.yaml", "a.b.yaml", ".yaml", "\xc3\xa4.yaml"};
-    (void)state;
     for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
         struct scene scene;
         struct message message;
@@ -25,11 +24,10 @@ static void names_of_files(void **state)
     }
 }
 
-static void what_is_no_file(void **state)
+TEST(what_is_no_file)
 {
     struct scene scene;
     struct message message;
-    (void)state;
     assert_refused("missing", scene_read("no/such.yaml", NULL, 0, &scene, &message), &message,
                    "no/such.yaml: cannot be read: No such file or directory; give the path of a scene file");
     assert_refused("directory", scene_read(".", NULL, 0, &scene, &message), &message,
@@ -39,12 +37,11 @@ static void what_is_no_file(void **state)
 }
 
 /** The end of a long path is shown, and nothing that could be mistaken for a second line. */
-static void long_and_wild_paths(void **state)
+TEST(long_and_wild_paths)
 {
     char path[1100];
     struct scene scene;
     struct message message;
-    (void)state;
     memset(path, 'd', sizeof path);
     snprintf(path + 1000, sizeof path - 1000, "%s", "/a\nb\x1b[31m.yaml");
     assert_int_equal(scene_read(path, NULL, 0, &scene, &message), -1);
@@ -58,23 +55,21 @@ static void long_and_wild_paths(void **state)
 }
 
 /** What libfyaml reads as the end of the text, without a word. */
-static void a_zero_inside(void **state)
+TEST(a_zero_inside)
 {
     static const char text[] = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\nh: 1/64\nt_end: 1\n\0h: 2\n";
     struct scene scene;
     struct message message;
-    (void)state;
     write_bytes("t.yaml", text, sizeof text - 1);
     assert_refused("0 inside", scene_read("t.yaml", NULL, 0, &scene, &message), &message,
                    "t.yaml:4:1: a control character; give a text file in UTF-8");
 }
 
 /** 100 MB of holes: refused after the first megabyte. */
-static void a_huge_file(void **state)
+TEST(a_huge_file)
 {
     struct scene scene;
     struct message message;
-    (void)state;
     write_bytes("t.yaml", spin, sizeof spin - 1);
     assert_int_equal(truncate("t.yaml", 100 * 1000 * 1000), 0);
     assert_refused("100 MB", scene_read("t.yaml", NULL, 0, &scene, &message), &message,
@@ -83,7 +78,7 @@ static void a_huge_file(void **state)
 
 /** A text of a megabyte costs no more than a second, however it is nested: what libfyaml takes the square of the size for is
  *  refused before. */
-static void deep_and_long_texts(void **state)
+TEST(deep_and_long_texts)
 {
     static const struct {
         const char *unit, *line;
@@ -101,7 +96,6 @@ static void deep_and_long_texts(void **state)
     };
     enum { SIZE = 1 << 20 };
     char *text = malloc(SIZE);
-    (void)state;
     assert_non_null(text);
     for (size_t k = 0; k < sizeof deep / sizeof deep[0]; ++k) {
         const size_t n = strlen(deep[k].unit);

@@ -139,9 +139,8 @@ static const struct {
     {{"t_end=1e300", "h=1"}, "--set t_end=1e300: t_end: '1e300' is more than 2^53 steps of h = 1; take a larger h"},
 };
 
-static void files_are_refused(void **state)
+TEST(files_are_refused)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof files / sizeof files[0]; ++k) {
         struct scene scene;
         struct message message;
@@ -150,9 +149,8 @@ static void files_are_refused(void **state)
     }
 }
 
-static void overrides_are_refused(void **state)
+TEST(overrides_are_refused)
 {
-    (void)state;
     write_bytes("t.yaml", SPIN TIME, strlen(SPIN TIME));
     for (size_t k = 0; k < sizeof overrides / sizeof overrides[0]; ++k) {
         struct scene scene;

@@ -37,9 +37,8 @@ static void open_scene(const char *name, struct scene *scene, struct model *mode
         fail_msg("%s", message.text);
 }
 
-static void what_they_are(void **state)
+TEST(what_they_are)
 {
-    (void)state;
     for (int k = 0; k < SCENES; ++k) {
         struct scene scene;
         struct model model;
@@ -54,11 +53,10 @@ static void what_they_are(void **state)
 }
 
 /** torus-printed is torus but for the form of the shear. */
-static void the_two_tori(void **state)
+TEST(the_two_tori)
 {
     struct scene torus, printed;
     struct model model;
-    (void)state;
     open_scene("torus", &torus, &model);
     model_destroy(&model);
     open_scene("torus-printed", &printed, &model);
@@ -71,9 +69,8 @@ static void the_two_tori(void **state)
     assert_memory_equal(&printed, &torus, sizeof torus);
 }
 
-static void half_of_the_stable_step(void **state)
+TEST(half_of_the_stable_step)
 {
-    (void)state;
     for (int k = 0; k < SCENES; ++k) {
         struct scene scene;
         struct model model;
@@ -124,9 +121,8 @@ static double energy_error(int k, int64_t divisor)
     return watch.worst / watch.start;
 }
 
-static void energy_is_kept(void **state)
+TEST(energy_is_kept)
 {
-    (void)state;
     for (int k = 0; k < SCENES; ++k) {
         const double at_h = energy_error(k, 1), at_quarter = energy_error(k, 4);
         print_message("%s: %.3g, %.3g\n", scenes[k].name, at_h, at_quarter);

@@ -106,13 +106,12 @@ static double growth(const char *name, double h, int64_t steps)
 /** Of each mode the step conserves v^2/2 + (1 - (h omega/2)^2) omega^2 q^2/2, so that from rest its energy only falls.
  *  Above the limit that of the fastest grows by e^1.3 a step, and 400 steps are enough to reach any. share: of the
  *  limit that the bound reaches, a little less than measured. The energy of the pendulum is 1e-12 in 1, to 1e-16. */
-static void near_rest(void **state)
+TEST(near_rest)
 {
     static const struct {
         const char *name;
         double share;
     } scenes[] = {{"chain", 0.84}, {"block", 0.69}, {"torus", 0.99}, {"torus-printed", 0.99}, {"pendulum", 0.999}};
-    (void)state;
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; ++k) {
         const char *name = scenes[k].name;
         open_at_rest(name);
@@ -131,13 +130,12 @@ static void near_rest(void **state)
 /* ---- in contact -------------------------------------------------------------------------------------------------- */
 
 /** The bound of the start against the limit in flight, where contacts are deep and bonds are bent. */
-static void in_flight(void **state)
+TEST(in_flight)
 {
     static const struct {
         const char *name;
         int64_t steps, every;
     } scenes[] = {{"block", 1200, 120}, {"torus", 600, 20}, {"torus-printed", 600, 20}, {"pile", 6000, 1500}};
-    (void)state;
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; ++k) {
         open_scene(scenes[k].name);
         const double h = bound_within();

@@ -33,9 +33,8 @@ static FILE *disk_open(struct disk *disk)
     return file;
 }
 
-static void test_all_taken(void **state)
+TEST(test_all_taken)
 {
-    (void)state;
     struct disk disk = {0, 0};
     FILE *file = disk_open(&disk);
     assert_true(fputs("all of it", file) >= 0);
@@ -43,9 +42,8 @@ static void test_all_taken(void **state)
     assert_int_equal(disk.taken, 9);
 }
 
-static void test_last_write_fails(void **state)
+TEST(test_last_write_fails)
 {
-    (void)state;
     struct disk disk = {1, 0};
     FILE *file = disk_open(&disk);
     assert_true(fputs("all of it", file) >= 0);
@@ -55,9 +53,8 @@ static void test_last_write_fails(void **state)
 }
 
 /** The write that is lost is not the last one, and the stream closes, or is flushed, without a complaint. */
-static void test_earlier_write_fails(void **state)
+TEST(test_earlier_write_fails)
 {
-    (void)state;
     int (*const ends[])(FILE *) = {fclose, fflush};
     for (size_t k = 0; k < 2; ++k) {
         struct disk disk = {1, 0};
@@ -72,12 +69,5 @@ static void test_earlier_write_fails(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_taken),
-        cmocka_unit_test(test_last_write_fails),
-        cmocka_unit_test(test_earlier_write_fails),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(test_all_taken), cmocka_unit_test(test_last_write_fails),
+          cmocka_unit_test(test_earlier_write_fails))

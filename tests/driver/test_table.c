@@ -11,7 +11,7 @@
 #define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
 #define BOND_NAMES "i, j, moment, axial, shear"
 
-static void reads(void **state)
+TEST(reads)
 {
     static const char *const texts[] = {
         "x,y,z,mass,omega_x,omega_y,omega_z\n1,2,3,4,5,6,7\n-1,1/2,3e0,2^-6,0,0,1\n",
@@ -19,7 +19,6 @@ static void reads(void **state)
         "omega_z,mass,x,z,y,omega_y,omega_x\n7,4,1,3,2,6,5\n1,1/64,-1,3,0.5,0,0\n"};
     struct table t;
     struct message message;
-    (void)state;
     for (int k = 0; k < 3; ++k) {
         write_text("b.csv", texts[k]);
         if (table_csv_read("b.csv", &table_bodies, &t, &message) != 0)
@@ -33,13 +32,12 @@ static void reads(void **state)
     }
 }
 
-static void reads_many_rows(void **state)
+TEST(reads_many_rows)
 {
     enum { ROWS = 100000 };
     struct table t;
     struct message message;
     FILE *file = fopen("b.csv", "wb");
-    (void)state;
     assert_non_null(file);
     fprintf(file, "i,j,axial\n");
     for (int k = 0; k < ROWS; ++k)
@@ -86,9 +84,8 @@ static const struct {
     {&binder_table, "i,j,shear\n0,1,NaN\n", "b.csv:2:5: shear: 'NaN'" NUMBER},
 };
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
         struct table t;
         struct message message;
@@ -99,11 +96,10 @@ static void refusals(void **state)
     }
 }
 
-static void what_is_no_file(void **state)
+TEST(what_is_no_file)
 {
     struct table t;
     struct message message;
-    (void)state;
     assert_refused("missing", table_csv_read("none.csv", &table_bodies, &t, &message), &message,
                    "none.csv: cannot be read: No such file or directory; give the path of a table");
     assert_refused("directory", table_csv_read(".", &table_bodies, &t, &message), &message,
@@ -156,9 +152,8 @@ static const struct {
      "t: the centres of bodies 0 and 1 give no direction to their bond; move one of them"},
 };
 
-static void mismatches(void **state)
+TEST(mismatches)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof mismatched / sizeof mismatched[0]; ++k) {
         struct scene scene;
         struct model model;
@@ -174,12 +169,11 @@ static void mismatches(void **state)
 
 /* ---- models of tables ------------------------------------------------------------------------------------------------- */
 
-static void bodies_and_bonds(void **state)
+TEST(bodies_and_bonds)
 {
     static const double x[9] = {0, 0, 0, 1, 0, 0, 1, 2, 0}, v[9] = {0, 0, 1, 0, 0, 2, 0, 0, 3}, zero[9] = {0};
     struct scene scene;
     struct model model;
-    (void)state;
     write_text("b.csv", "x,y,z,vx,vy,vz,mass,diameter\n0,0,0,0,0,1,1,1\n1,0,0,0,0,2,2,2\n1,2,0,0,0,3,3,1\n");
     write_text("c.csv", "i,j,moment,axial\n1,0,10,100\n1,2,20,0\n");
     make_model("bodies: {table: b.csv, omega: [0, 1, 0]}\nbinder: {table: c.csv, shear: {stiffness: 7}}\n" TIME, &scene,
@@ -207,11 +201,10 @@ static void bodies_and_bonds(void **state)
 }
 
 /** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
-static void what_tables_add(void **state)
+TEST(what_tables_add)
 {
     struct scene scene;
     struct model model;
-    (void)state;
     write_text("c.csv", "i,j,moment\n0,1,10\n");
     make_model("bodies: {mass: 1, chain: {count: 3, spacing: 1}}\nbinder: {table: c.csv}\n" TIME, &scene, &model);
     assert_false(scene.turns);
@@ -226,13 +219,12 @@ static void what_tables_add(void **state)
 }
 
 /** Tables that somebody has read already are used, and left alone. */
-static void given_tables(void **state)
+TEST(given_tables)
 {
     struct scene scene;
     struct model model;
     struct message message;
     struct tables tables;
-    (void)state;
     memset(&tables, 0, sizeof tables);
     write_text("b.csv", THREE);
     assert_int_equal(table_csv_read("b.csv", &table_bodies, &tables.bodies, &message), 0);

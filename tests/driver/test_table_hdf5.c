@@ -60,13 +60,12 @@ static void write_both(const char *path)
 
 /* ---- reading ---------------------------------------------------------------------------------------------------------- */
 
-static void reads(void **state)
+TEST(reads)
 {
     struct scene scene;
     struct model model;
     struct tables tables;
     struct message message;
-    (void)state;
     write_both("b.h5");
     write_text("t.yaml", "bodies: {table: b.h5}\nbinder: {table: b.h5}\n" TIME);
     assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
@@ -87,13 +86,12 @@ static void reads(void **state)
 }
 
 /** The same table as text gives the same model; a scene without tables has empty ones. */
-static void csv_and_none(void **state)
+TEST(csv_and_none)
 {
     struct scene scene;
     struct model model;
     struct tables tables;
     struct message message;
-    (void)state;
     write_text("b.csv", "x,y,z\n0,0,0\n");
     write_text("t.yaml", "bodies: {table: b.csv, mass: 1}\n" TIME);
     assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
@@ -133,9 +131,8 @@ static void refused_set(const struct table_kind *kind, const char *name, int dim
     refused(kind, line);
 }
 
-static void values(void **state)
+TEST(values)
 {
-    (void)state;
     refused_set(&table_bodies, "radius", 1, 1, 1, "b.h5: /bodies/radius: unknown column; known are " BODY_NAMES);
     refused_set(&binder_table, "mass", 1, 1, 1,
                 "b.h5: /bonds/mass: unknown column; known are i, j, moment, axial, shear");
@@ -151,12 +148,11 @@ static void values(void **state)
     refused_set(&binder_table, "i", 1, 1, 1, "b.h5: no column j; bonds need i and j");
 }
 
-static void groups(void **state)
+TEST(groups)
 {
     static const double one[3] = {1, 1, 1};
     struct table table;
     struct message message;
-    (void)state;
     hid_t file = open_file("b.h5"), group;
     put(file, "bodies", H5T_IEEE_F64LE, 1, 3, one);
     H5Fclose(file);
@@ -182,11 +178,10 @@ static void groups(void **state)
 }
 
 /** Every truncation of a whole file, and a file that is no HDF5 at all: one line and no crash. */
-static void damaged_files(void **state)
+TEST(damaged_files)
 {
     struct table table;
     struct message message;
-    (void)state;
     write_text("b.h5", "x,y,z\n0,0,0\n");
     refused(&table_bodies, "b.h5: is not a whole HDF5 file; give one, or a table in CSV");
     write_both("b.h5");

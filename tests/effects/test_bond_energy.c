@@ -94,9 +94,8 @@ static void strained(pair *p, rng *g, enum crowd_storage storage)
         p->c.x[0][k] = p->c.x[1][k] + p->w.rest[0][3] * (turned[k] + spare[k]);
 }
 
-static void every_term_has_its_closed_form(void **state)
+TEST(every_term_has_its_closed_form)
 {
-    (void)state;
     rng g = rng_seed(3011);
     for (int trial = 0; trial < 20000; ++trial) {
         pair p;
@@ -108,9 +107,8 @@ static void every_term_has_its_closed_form(void **state)
 }
 
 /** Numbers that need no formula: a quarter turn, a bond at twice its length, a bond across its direction at rest. */
-static void exact_values(void **state)
+TEST(exact_values)
 {
-    (void)state;
     pair p;
     const double e3[3] = {0, 0, 1}, rest[4] = {1, 0, 0, 0.5},
                  value[3][3] = {
@@ -162,9 +160,8 @@ static void rotation_vector(const double quat[4], double theta[3])
 #define ANGLE (2.5 * EPS)
 
 /** Against libm along one axis, where |theta| is a component. */
-static void the_angle_is_that_of_libm(void **state)
+TEST(the_angle_is_that_of_libm)
 {
-    (void)state;
     double worst = 0, worst_ulp = 0;
     for (int n = 0; n <= 400000; ++n) {
         const double half = n <= 200000 ? PI / 2 * n / 200000 : pow(10, -300 + 300.0 * (n - 200000) / 200000);
@@ -187,9 +184,8 @@ static void the_angle_is_that_of_libm(void **state)
     assert_below(worst_ulp, 3);
 }
 
-static void the_angle_at_its_ends(void **state)
+TEST(the_angle_at_its_ends)
 {
-    (void)state;
     const double tiny[] = {0, 1e-320, DBL_MIN, 1e-300, 1e-160, 1e-154, 1e-20};
     double theta[3];
     for (size_t k = 0; k < sizeof tiny / sizeof *tiny; ++k) {
@@ -215,13 +211,5 @@ static void the_angle_at_its_ends(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_term_has_its_closed_form),
-        cmocka_unit_test(exact_values),
-        cmocka_unit_test(the_angle_is_that_of_libm),
-        cmocka_unit_test(the_angle_at_its_ends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_term_has_its_closed_form), cmocka_unit_test(exact_values),
+          cmocka_unit_test(the_angle_is_that_of_libm), cmocka_unit_test(the_angle_at_its_ends))

@@ -47,9 +47,8 @@ static double tolerance(double size, double s)
     return size / s * (pow(tau, 4) / 4 + 48 * EPS / tau);
 }
 
-static void loads_are_minus_the_gradient(void **state)
+TEST(loads_are_minus_the_gradient)
 {
-    (void)state;
     rng g = rng_seed(3021);
     for (int trial = 0; trial < 15 * 2000; ++trial) {
         pair p;
@@ -71,9 +70,8 @@ static void loads_are_minus_the_gradient(void **state)
 
 /** F_i = -F_j to the bit. Objective: x_i x F_i + x_j x F_j + T_i + T_j = 0. Moment and printed shear: T_i = -T_j to the
  *  bit, and the whole does not balance. */
-static void loads_balance(void **state)
+TEST(loads_balance)
 {
-    (void)state;
     rng g = rng_seed(3022);
     double unbalanced = 0;
     for (int trial = 0; trial < 15 * 2000; ++trial) {
@@ -106,9 +104,8 @@ static void loads_balance(void **state)
 
 /** apply adds to the loads that are there, as a force and a moment each; without a view it leaves the other as it
  *  is. */
-static void loads_are_added(void **state)
+TEST(loads_are_added)
 {
-    (void)state;
     rng g = rng_seed(3023);
     for (int trial = 0; trial < 15; ++trial) {
         pair p;
@@ -144,9 +141,8 @@ static void loads_are_added(void **state)
 
 /** Where there is no direction there is no force of it, and never a NaN: coincident centres, b_i = -b_j, half a
  *  turn. */
-static void singular_bonds_stay_finite(void **state)
+TEST(singular_bonds_stay_finite)
 {
-    (void)state;
     const double e3[3] = {0, 0, 1};
     for (int trial = 0; trial < 15 * 3; ++trial) {
         pair p;
@@ -175,13 +171,5 @@ static void singular_bonds_stay_finite(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loads_are_minus_the_gradient),
-        cmocka_unit_test(loads_balance),
-        cmocka_unit_test(loads_are_added),
-        cmocka_unit_test(singular_bonds_stay_finite),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(loads_are_minus_the_gradient), cmocka_unit_test(loads_balance),
+          cmocka_unit_test(loads_are_added), cmocka_unit_test(singular_bonds_stay_finite))

@@ -75,9 +75,8 @@ static void rigid_motion(void **state)
 }
 
 /** E11: a relaxed pair turned by 30 degrees about an axis across its bond, K/2 (1 - cos 30)^2 = 0.00897 K. */
-static void printed_shear_sees_a_rotation(void **state)
+TEST(printed_shear_sees_a_rotation)
 {
-    (void)state;
     rng g = rng_seed(3032);
     for (int trial = 0; trial < 300; ++trial) {
         pair p;
@@ -107,9 +106,8 @@ static void printed_shear_sees_a_rotation(void **state)
 
 /** Bond (j, i) with -n0. By the formulas the same sums are made in another order or with another sign, so that loads
  *  agree to rounding. */
-static void swap_of_the_bodies(void **state)
+TEST(swap_of_the_bodies)
 {
-    (void)state;
     rng g = rng_seed(3033);
     int seen = 0, printed = 0;
     for (int trial = 0; trial < 15 * 1000; ++trial) {
@@ -181,9 +179,8 @@ static void long_run(int form, double change[9])
  * momentum. */
 #define KEPT 1e-11
 
-static void ten_bodies_objective(void **state)
+TEST(ten_bodies_objective)
 {
-    (void)state;
     for (int form = VTI_SHEAR_OBJECTIVE; form <= VTI_SHEAR_QUARTIC; ++form) {
         double change[9];
         long_run(form, change);
@@ -193,9 +190,8 @@ static void ten_bodies_objective(void **state)
     }
 }
 
-static void ten_bodies_printed(void **state)
+TEST(ten_bodies_printed)
 {
-    (void)state;
     double change[9];
     long_run(VTI_SHEAR_PRINTED, change);
     assert_below(vti_max3(change), KEPT);
@@ -203,12 +199,6 @@ static void ten_bodies_printed(void **state)
     assert_true(vti_max3(change + 3) > 1e-3); /* the angular momentum is not conserved */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rigid_motion),       cmocka_unit_test(printed_shear_sees_a_rotation),
-        cmocka_unit_test(swap_of_the_bodies), cmocka_unit_test(ten_bodies_objective),
-        cmocka_unit_test(ten_bodies_printed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(rigid_motion), cmocka_unit_test(printed_shear_sees_a_rotation),
+          cmocka_unit_test(swap_of_the_bodies), cmocka_unit_test(ten_bodies_objective),
+          cmocka_unit_test(ten_bodies_printed))

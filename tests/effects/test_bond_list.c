@@ -18,9 +18,8 @@ static int64_t draw(rng *g, int n, int extra, enum crowd_storage storage)
     return count;
 }
 
-static void many_are_the_sum_of_one_at_a_time(void **state)
+TEST(many_are_the_sum_of_one_at_a_time)
 {
-    (void)state;
     rng g = rng_seed(3041);
     const int bodies[] = {2, 20, 60, 64, 65, 66, 80, 80}, extra[] = {0, 5, 4, 0, 0, 63, 100, 150};
     for (int trial = 0; trial < 15 * 8; ++trial) {
@@ -64,9 +63,8 @@ static void many_are_the_sum_of_one_at_a_time(void **state)
 }
 
 /** Stiffnesses with strides: one for all bonds is an array of equal ones, and every third number of an array another. */
-static void strides(void **state)
+TEST(strides)
 {
-    (void)state;
     rng g = rng_seed(3045);
     for (int trial = 0; trial < 15; ++trial) {
         static double spread[3][3 * WEB_MAX];
@@ -103,9 +101,8 @@ static void strides(void **state)
 }
 
 /** A slice of the bodies has all the bonds; no bonds are no energy. */
-static void slice_and_nothing(void **state)
+TEST(slice_and_nothing)
 {
-    (void)state;
     rng g = rng_seed(3042);
     const int64_t count = draw(&g, 20, 10, CROWD_ALPHA);
     double energies[3] = {7, 7, 7};
@@ -125,9 +122,8 @@ static void slice_and_nothing(void **state)
     assert_true(energies[0] == 0 && energies[1] == 0 && energies[2] == 0);
 }
 
-static void rest_configuration(void **state)
+TEST(rest_configuration)
 {
-    (void)state;
     rng g = rng_seed(3043);
     for (int trial = 0; trial < 500; ++trial) {
         const int64_t pair[1][2] = {{2, 1}};
@@ -155,9 +151,8 @@ static void rest_configuration(void **state)
 }
 
 /** Whatever is wrong with one bond of many is refused with its number and the value. */
-static void check_names_the_bond(void **state)
+TEST(check_names_the_bond)
 {
-    (void)state;
     rng g = rng_seed(3044);
     enum { FAULTS = 13 };
     for (int trial = 0; trial < FAULTS * 20; ++trial) {
@@ -196,9 +191,8 @@ static void check_names_the_bond(void **state)
 }
 
 /** A form of shear that there is not is refused: below the first, above the last. */
-static void unknown_form_of_shear(void **state)
+TEST(unknown_form_of_shear)
 {
-    (void)state;
     rng g = rng_seed(3049);
     const int64_t count = draw(&g, 20, 5, CROWD_ALPHA);
     const int64_t wrong[] = {0, VTI_SHEAR_PRINTED + 1, INT64_MIN};
@@ -218,15 +212,6 @@ static void unknown_form_of_shear(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_are_the_sum_of_one_at_a_time),
-        cmocka_unit_test(strides),
-        cmocka_unit_test(slice_and_nothing),
-        cmocka_unit_test(rest_configuration),
-        cmocka_unit_test(check_names_the_bond),
-        cmocka_unit_test(unknown_form_of_shear),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(many_are_the_sum_of_one_at_a_time), cmocka_unit_test(strides),
+          cmocka_unit_test(slice_and_nothing), cmocka_unit_test(rest_configuration),
+          cmocka_unit_test(check_names_the_bond), cmocka_unit_test(unknown_form_of_shear))

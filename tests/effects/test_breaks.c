@@ -41,9 +41,8 @@ static void run(const vti_effect *effect)
 /* Not named: 400 steps of some 20 roundings of momenta up to 10, at random, sqrt(8000) * 10 * eps = 2e-13, below 1e-12.
  * Named: they change by loads of order 1 over a time of 4, and one that does so by less than 1e-6 is not generic. */
 
-static void bonds(void **state)
+TEST(bonds)
 {
-    (void)state;
     rng g = rng_seed(3061);
     for (int trial = 0; trial < 15 * 10; ++trial) {
         static web w;
@@ -63,9 +62,8 @@ static void bonds(void **state)
     }
 }
 
-static void contacts(void **state)
+TEST(contacts)
 {
-    (void)state;
     rng g = rng_seed(3062);
     for (int trial = 0; trial < 50; ++trial) {
         int64_t pair[PAIRS][2], count = 0;
@@ -106,9 +104,8 @@ static void direction(rng *g, int mask, double n[3])
         n[k] /= norm;
 }
 
-static void walls(void **state)
+TEST(walls)
 {
-    (void)state;
     rng g = rng_seed(3063);
     for (int trial = 0; trial < 7 * 8 * 4; ++trial) {
         double plane[2][4];
@@ -130,9 +127,8 @@ static void walls(void **state)
     assert_int_equal(vti_walls_effect(&none).breaks, 0);
 }
 
-static void gravity(void **state)
+TEST(gravity)
 {
-    (void)state;
     rng g = rng_seed(3064);
     for (int trial = 0; trial < 8 * 5; ++trial) {
         vti_gravity field = {{0, 0, 0}};
@@ -145,13 +141,4 @@ static void gravity(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bonds),
-        cmocka_unit_test(contacts),
-        cmocka_unit_test(walls),
-        cmocka_unit_test(gravity),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(bonds), cmocka_unit_test(contacts), cmocka_unit_test(walls), cmocka_unit_test(gravity))

@@ -25,9 +25,8 @@ static double energy_tolerance(double stiffness, long double o, long double roun
     return (double)(stiffness * (powl(o + rounding, 1.5L) * rounding + 4 * EPS * powl(o, 2.5L)));
 }
 
-static void pairs_have_their_values(void **state)
+TEST(pairs_have_their_values)
 {
-    (void)state;
     rng g = rng_seed(3051);
     int touching = 0;
     for (int trial = 0; trial < 20000; ++trial) {
@@ -67,9 +66,8 @@ static void pairs_have_their_values(void **state)
 }
 
 /** Any number of oblique planes, any slice; bodies on either side of them. */
-static void walls_have_their_values(void **state)
+TEST(walls_have_their_values)
 {
-    (void)state;
     rng g = rng_seed(3052);
     for (int trial = 0; trial < 3000; ++trial) {
         crowd c;
@@ -113,9 +111,8 @@ static void walls_have_their_values(void **state)
 
 /** o = 1/4: U = K/80, |F| = K/(8 D). With a wall D/2 is the length, so that the force of the same overlap is twice as
  *  large. Weight is m g. Powers of two throughout, so that all is exact but 0.4. */
-static void exact_values(void **state)
+TEST(exact_values)
 {
-    (void)state;
     crowd c;
     const int64_t pair[2] = {0, 1};
     const double diameter[2] = {3, 1}, plane[4] = {0, 0, 1, -1};
@@ -152,9 +149,8 @@ static void exact_values(void **state)
 /* ---- nothing where nothing touches ------------------------------------------------------------------------------- */
 
 /** At exact touch and beyond there is neither force nor energy; coincident centres have energy but no direction. */
-static void touch_and_coincidence(void **state)
+TEST(touch_and_coincidence)
 {
-    (void)state;
     const int64_t pair[2] = {1, 0};
     const double diameter[2] = {0.75, 1.25}, plane[4] = {0, 1, 0, 0}, at[4] = {1, nextafter(1, 2), 1.5, 0};
     for (int k = 0; k < 4; ++k) {
@@ -184,9 +180,8 @@ static void touch_and_coincidence(void **state)
 /* ---- gradients --------------------------------------------------------------------------------------------------- */
 
 /** All three effects at once on a crowd that overlaps, against central differences of the sum of their energies. */
-static void forces_are_minus_the_gradient(void **state)
+TEST(forces_are_minus_the_gradient)
 {
-    (void)state;
     rng g = rng_seed(3053);
     for (int trial = 0; trial < 300; ++trial) {
         enum { N = 5, PAIRS = N * (N - 1) / 2 };
@@ -236,14 +231,6 @@ static void forces_are_minus_the_gradient(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pairs_have_their_values),
-        cmocka_unit_test(walls_have_their_values),
-        cmocka_unit_test(exact_values),
-        cmocka_unit_test(touch_and_coincidence),
-        cmocka_unit_test(forces_are_minus_the_gradient),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(pairs_have_their_values), cmocka_unit_test(walls_have_their_values),
+          cmocka_unit_test(exact_values), cmocka_unit_test(touch_and_coincidence),
+          cmocka_unit_test(forces_are_minus_the_gradient))

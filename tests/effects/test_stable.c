@@ -19,9 +19,8 @@ static void weigh(rng *g)
     }
 }
 
-static void torus_is_close(void **state)
+TEST(torus_is_close)
 {
-    (void)state;
     static torus t;
     torus_start(&t, VTI_SHEAR_OBJECTIVE);
     c = t.c;
@@ -40,9 +39,8 @@ static double bonds_stable(void)
     return crowd_stable(&c, &effect, 1, 0);
 }
 
-static void closed_forms(void **state)
+TEST(closed_forms)
 {
-    (void)state;
     rng g = rng_seed(3071);
     for (int trial = 0; trial < 500; ++trial) {
         crowd_clear(&c, 2, CROWD_ALPHA);
@@ -66,9 +64,8 @@ static void closed_forms(void **state)
 
 /** One bond has the whole of its bodies: the bound is the limit, whatever terms, masses and direction. Shear with an
  *  exponent of 4 has no stiffness at rest and is counted as the form of an exponent of 2 that bends alike. */
-static void one_bond(void **state)
+TEST(one_bond)
 {
-    (void)state;
     rng g = rng_seed(3072);
     for (int trial = 0; trial < 7 * 80; ++trial) {
         double h[4] = {0}, limit[4] = {0};
@@ -92,11 +89,10 @@ static void one_bond(void **state)
 /** The bound is that of small motions about rest. Of bonds whose bodies are turned by up to 0.4 each it is above the
  *  limit by up to 0.12 for the objective form, which a bond that is bent couples to the other terms; of shear with an
  *  exponent of 4, which stiffens, by 0.01. (The printed form, if it were counted as the objective one, by 0.6.) */
-static void bent_bonds(void **state)
+TEST(bent_bonds)
 {
     static const double above[] = {0, 0.13, 0.02, 0.02};
     double most[4] = {0};
-    (void)state;
     rng g = rng_seed(3079);
     for (int trial = 0; trial < 12 * 500; ++trial) {
         const int form = 1 + trial % 3;
@@ -120,9 +116,8 @@ static void bent_bonds(void **state)
 
 /** Springs in parallel on one body, or one pair: each has a share of 1/n of it and n equal ones are n times as stiff,
  *  so that the bound is the limit. Hertz: d^2U/dr^2 = (3/2) K sqrt(o)/D^2; arm: m g |rho0|. */
-static void parallel_springs(void **state)
+TEST(parallel_springs)
 {
-    (void)state;
     rng g = rng_seed(3076);
     for (int trial = 0; trial < 200; ++trial) {
         const int base = trial / 3 % 2;
@@ -161,9 +156,8 @@ static void parallel_springs(void **state)
 }
 
 /** Bodies behind others that the springs do not name: the same step, and no more scratch than they need. */
-static void slice(void **state)
+TEST(slice)
 {
-    (void)state;
     rng g = rng_seed(3077);
     for (int trial = 0; trial < 50; ++trial) {
         const int first = 1 + trial % 7, n = 5;
@@ -197,11 +191,5 @@ static void slice(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(torus_is_close), cmocka_unit_test(closed_forms),     cmocka_unit_test(one_bond),
-        cmocka_unit_test(bent_bonds),     cmocka_unit_test(parallel_springs), cmocka_unit_test(slice),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(torus_is_close), cmocka_unit_test(closed_forms), cmocka_unit_test(one_bond),
+          cmocka_unit_test(bent_bonds), cmocka_unit_test(parallel_springs), cmocka_unit_test(slice))

@@ -47,9 +47,8 @@ static double growth(int bodies, uint64_t seed, double share_of_bound, double sh
  *  bound three modes whose phases add up to 2 pi feed each other until the bond flies apart, within 4000 steps. The
  *  bound is a linear one.) Above the limit the energy of the fastest mode grows by e^1.3 a step, and 200 steps are
  *  enough to reach any. */
-static void bounded_below_and_not_above(void **state)
+TEST(bounded_below_and_not_above)
 {
-    (void)state;
     for (uint64_t seed = 3075; seed < 3095; ++seed) {
         const int bodies = seed < 3085 ? 2 : 8;
         assert_below(growth(bodies, seed, 0.95, 0, 20000), 1 + 20000 * 1e-6);
@@ -57,10 +56,4 @@ static void bounded_below_and_not_above(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bounded_below_and_not_above),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(bounded_below_and_not_above))

@@ -43,10 +43,9 @@ enum { PACKINGS = 1000 };
 
 /** Bonds only. The floors are a little below what was measured, 0.67 and 0.93; with equal shares of a body for all of
  *  its bonds it was 0.33 and 0.59. */
-static void bonded_packings(void **state)
+TEST(bonded_packings)
 {
     static double ratio[PACKINGS];
-    (void)state;
     rng g = rng_seed(3073);
     for (int trial = 0; trial < PACKINGS; ++trial) {
         const int n = 2 + rng_below(&g, 29);
@@ -65,9 +64,8 @@ static void bonded_packings(void **state)
 }
 
 /** Contacts, walls and pendulum arms added, overlaps up to what the springs are told. */
-static void packings_in_contact(void **state)
+TEST(packings_in_contact)
 {
-    (void)state;
     rng g = rng_seed(3074);
     double low = 1, high = 0;
     for (int trial = 0; trial < 60; ++trial) {
@@ -108,8 +106,4 @@ static void packings_in_contact(void **state)
     print_message("in contact: between %.3f and %.3f of the limit\n", low, high);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bonded_packings), cmocka_unit_test(packings_in_contact)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(bonded_packings), cmocka_unit_test(packings_in_contact))

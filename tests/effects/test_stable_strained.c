@@ -56,10 +56,9 @@ static void grow(rng *g, int n, int extra, int terms)
 enum { CLUSTERS = 300 };
 
 /** All bonds at the same share of L0, unbent. As at rest the bound would be too large by up to 1/share. */
-static void all_shorter_or_longer(void **state)
+TEST(all_shorter_or_longer)
 {
     static const double shares[] = {0.9, 0.7, 1.1, 1.3};
-    (void)state;
     rng g = rng_seed(4101);
     for (int s = 0; s < 4; ++s) {
         static double within[CLUSTERS], now[CLUSTERS];
@@ -85,10 +84,9 @@ static void all_shorter_or_longer(void **state)
 }
 
 /** Trees, each bond with a strain of its own, -0.3 to 0.3, along where it was: unbent too. */
-static void each_its_own(void **state)
+TEST(each_its_own)
 {
     static double within[CLUSTERS], now[CLUSTERS];
-    (void)state;
     rng g = rng_seed(4102);
     for (int trial = 0; trial < CLUSTERS; ++trial) {
         grow(&g, 2 + rng_below(&g, 9), 0, 1 + trial % 7);
@@ -112,10 +110,9 @@ static void each_its_own(void **state)
 /** Clusters whose bodies are moved at random until some bond is strained by 0.3. That bends bonds, which the bound makes no
  *  promise for: where the bodies are it is above the limit by up to 0.15. Within the strain it held in 6000 clusters with axial
  *  stiffness; of those without, 4 in 6000 were above it, by up to 0.016. */
-static void moved_at_random(void **state)
+TEST(moved_at_random)
 {
     static double within[CLUSTERS], now[CLUSTERS];
-    (void)state;
     rng g = rng_seed(4103);
     for (int trial = 0; trial < CLUSTERS; ++trial) {
         static const int terms[] = {AXIAL, AXIAL | MOMENT, AXIAL | SHEAR, AXIAL | MOMENT | SHEAR};
@@ -222,10 +219,9 @@ static double may_come(rng *g, double o)
     return h / limit;
 }
 
-static void contacts_that_may_come(void **state)
+TEST(contacts_that_may_come)
 {
     static double ratio[200];
-    (void)state;
     rng g = rng_seed(4104);
     for (int trial = 0; trial < 200; ++trial) {
         const double o = pow(10, uniform(&g, -2.5, -0.7)); /* 0.003 to 0.2 */
@@ -272,10 +268,9 @@ static int rubber_springs(const void *self, const vti_bodies *b, const vti_defor
     return VTI_OK;
 }
 
-static void own_effect(void **state)
+TEST(own_effect)
 {
     static double ratio[100];
-    (void)state;
     rng g = rng_seed(4105);
     for (int trial = 0; trial < 100; ++trial) {
         static struct rubber rubber;
@@ -327,9 +322,8 @@ static void assert_power(double h, double expected)
         assert_close(log2(h), expected, 1e-11);
 }
 
-static void any_size(void **state)
+TEST(any_size)
 {
-    (void)state;
     rng g = rng_seed(4106);
     for (int trial = 0; trial < 4000; ++trial) {
         double log[5]; /* of m_0, m_1, J (both), L, K */
@@ -377,9 +371,8 @@ static void any_size(void **state)
 
 /** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside fast
  *  ones changes nothing. */
-static void other_units(void **state)
+TEST(other_units)
 {
-    (void)state;
     rng g = rng_seed(4107);
     for (int trial = 0; trial < 50; ++trial) {
         grow(&g, 8, 4, MOMENT | AXIAL | SHEAR);
@@ -405,16 +398,6 @@ static void other_units(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_shorter_or_longer),
-        cmocka_unit_test(each_its_own),
-        cmocka_unit_test(moved_at_random),
-        cmocka_unit_test(contacts_that_may_come),
-        cmocka_unit_test(own_effect),
-        cmocka_unit_test(any_size),
-        cmocka_unit_test(other_units),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(all_shorter_or_longer), cmocka_unit_test(each_its_own), cmocka_unit_test(moved_at_random),
+          cmocka_unit_test(contacts_that_may_come), cmocka_unit_test(own_effect), cmocka_unit_test(any_size),
+          cmocka_unit_test(other_units))

@@ -35,9 +35,8 @@ static void both(int form, double expected[TIMES][TORUS_ENERGIES], double e[TIME
 }
 
 /** Nothing is strained at t = 0, and all energy is kinetic: of 80 bodies, which round by 80 eps/2. */
-static void start(void **state)
+TEST(start)
 {
-    (void)state;
     static torus t;
     double e[TORUS_ENERGIES];
     torus_start(&t, VTI_SHEAR_OBJECTIVE);
@@ -50,9 +49,8 @@ static void start(void **state)
 
 /** 1e-9 of each term: 250 steps round by 1e-13 of it, and 10 units of time make 5e-12 of that (measured), which is the
  *  wall's, whose energy goes with the power 5/2 of a small overlap. What is 0 is 0 to 1e-12 of the whole. */
-static void objective(void **state)
+TEST(objective)
 {
-    (void)state;
     double expected[TIMES][TORUS_ENERGIES], e[TIMES][TORUS_ENERGIES];
     int touching = 0;
     both(VTI_SHEAR_OBJECTIVE, expected, e);
@@ -67,9 +65,8 @@ static void objective(void **state)
 /** As printed, neighbouring motions part by a factor of 100 or so per unit of time: shares of the whole that differ
  *  are, as measured, 2e-14, 7e-13, 6e-12, 6e-10, 5e-5 and 5e-2 at t = 0.25, 0.5, 1, 2, 5, 10. The bound to t = 2 is
  *  that of 1e4 roundings that grow as e^{5t}, 5e-8 at t = 2; from t = 5 on nothing can be compared, which is shown. */
-static void as_printed(void **state)
+TEST(as_printed)
 {
-    (void)state;
     double expected[TIMES][TORUS_ENERGIES], e[TIMES][TORUS_ENERGIES];
     both(VTI_SHEAR_PRINTED, expected, e);
     for (int k = 0; k < times(); ++k) {

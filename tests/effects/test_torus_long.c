@@ -132,16 +132,14 @@ static void run(int form, int times)
     assert_below(p[0], 1e-12);
 }
 
-static void objective(void **state)
+TEST(objective)
 {
-    (void)state;
     run(VTI_SHEAR_OBJECTIVE, until);
 }
 
 /** Chaotic, but no less conservative. */
-static void as_printed(void **state)
+TEST(as_printed)
 {
-    (void)state;
     run(VTI_SHEAR_PRINTED, 35);
 }
 
@@ -150,9 +148,8 @@ static void as_printed(void **state)
  *  99 % interval of Student's t with 22 degrees of freedom, in blocks that are not correlated (|r| < 2.6/sqrt 24);
  *  and after t = 100, when no contacts disturb it any more (their stiffness has a kink, of which the series knows
  *  nothing), what is left of a slope is the next part of the series, (h omega)^2 of the change of this one. */
-static void no_drift(void **state)
+TEST(no_drift)
 {
-    (void)state;
     const int n = energy.n, late = (100 - FROM) / BLOCK;
     const line raw = fit(&energy, 0), slope = fit(&corrected, 0), after = fit(&corrected, late);
     const double moved = energy.y[n - 1] - energy.y[0], explained = moved - (corrected.y[n - 1] - corrected.y[0]);

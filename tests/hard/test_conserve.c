@@ -59,9 +59,8 @@ static long blocks(const vti_stepper *method, double h, double *y)
 /** Independent blocks: 3.3 standard errors of the slope, the 99.8 % interval of Student's t with 38 degrees of freedom.
  *  Roundings walk, and blocks of a walk are not independent: its line over N steps rises by sqrt(6/5) of its standard
  *  deviation, which is 0.6 eps sqrt(N evals) of an energy of the size 1 to 2; three times that. */
-static void energy_has_no_drift(void **state)
+TEST(energy_has_no_drift)
 {
-    (void)state;
     const double h = 1.0 / 64;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);

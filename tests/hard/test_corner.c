@@ -49,9 +49,8 @@ static void assert_pairs(const struct neighbours *list, int64_t n)
 }
 
 /** Twice as many as there is room for: 1e5 spheres of the diameter 1 in a cube of the side 36. */
-static void many_in_a_corner(void **state)
+TEST(many_in_a_corner)
 {
-    (void)state;
     rng g = rng_seed(91);
     for (int i = 0; i < MANY; ++i)
         for (int k = 0; k < 3; ++k)
@@ -95,9 +94,8 @@ static void many_in_a_corner(void **state)
 }
 
 /** All of them at one place: n (n - 1)/2 pairs, and none with a direction; the wall pushes them all. */
-static void heap(void **state)
+TEST(heap)
 {
-    (void)state;
     const vti_bodies b = bodies(HEAP);
     const vti_scalars diameter = vti_scalars_one(&one);
     struct neighbours list;
@@ -121,11 +119,4 @@ static void heap(void **state)
     robust("NaN in a position", "pair search", "reported, the body named");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_in_a_corner),
-        cmocka_unit_test(heap),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(many_in_a_corner), cmocka_unit_test(heap))

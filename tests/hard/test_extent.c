@@ -65,9 +65,8 @@ static void need_memory(void)
             skip();
 }
 
-static void steppers(void **state)
+TEST(steppers)
 {
-    (void)state;
     need_memory();
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -84,9 +83,8 @@ static void steppers(void **state)
     }
 }
 
-static void effects(void **state)
+TEST(effects)
 {
-    (void)state;
     need_memory();
     const double one = 1, plane[4] = {0.6, 0, 0.8, 0}, rest[4] = {1, 0, 0, 1};
     const int64_t pairs[2][2] = {{0, 1}, {far, far + 1}};
@@ -125,9 +123,8 @@ static void effects(void **state)
 }
 
 /** And what has no memory at all is seen to be too much. */
-static void counts(void **state)
+TEST(counts)
 {
-    (void)state;
     vti_bodies b = vti_bodies_none(far + 1);
     assert_int_equal(vti_bodies_check(&b), VTI_OK); /* no views, nothing to touch */
     b = vti_bodies_slice(b, INT64_MAX - 1, 2);
@@ -135,12 +132,5 @@ static void counts(void **state)
     robust("first + count beyond 2^63", "all calls", "reported: %s", vti_status_text(VTI_E_COUNT));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(steppers, all_reserved),
-        cmocka_unit_test_setup(effects, all_reserved),
-        cmocka_unit_test(counts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(steppers, all_reserved), cmocka_unit_test_setup(effects, all_reserved),
+          cmocka_unit_test(counts))

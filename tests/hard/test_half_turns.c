@@ -27,9 +27,8 @@ static double step_error(const vti_stepper *method, const double alpha[3], const
 }
 
 /** theta = pi - 2 offset and pi + 2 offset, and away from there and back to it. */
-static void through_half_a_turn(void **state)
+TEST(through_half_a_turn)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         double worst = 0;
@@ -54,9 +53,8 @@ static void through_half_a_turn(void **state)
     }
 }
 
-static void sizes_of_alpha(void **state)
+TEST(sizes_of_alpha)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         double worst = 0;
@@ -101,9 +99,8 @@ static void compare_loads(const vti_effect *effect, int e, int f, double scale)
     assert_close(vti_energy(effect, 1, &ab), vti_energy(effect, 1, &qb), scale * 32 * EPS);
 }
 
-static void effects_at_sizes_of_alpha(void **state)
+TEST(effects_at_sizes_of_alpha)
 {
-    (void)state;
     static web w;
     const vti_pendulum pendulum = {2, {0.5, -1, 0.25}};
     const struct {
@@ -168,9 +165,8 @@ static void walk(rng *g, enum crowd_storage storage, int compensated)
     }
 }
 
-static void products_of_quarter_and_half_turns(void **state)
+TEST(products_of_quarter_and_half_turns)
 {
-    (void)state;
     static const char *const who[3] = {"drift of alpha", "drift of quaternions", "drift of alpha, residuals carried"};
     rng g = rng_seed(51);
     for (int k = 0; k < 3; ++k) {
@@ -182,9 +178,8 @@ static void products_of_quarter_and_half_turns(void **state)
 }
 
 /** The residual of an alpha near half a turn is as large as 2^-53 of it, and means nothing to the alpha on the other side. */
-static void residuals_at_half_a_turn(void **state)
+TEST(residuals_at_half_a_turn)
 {
-    (void)state;
     for (int e = 4; e < 60; ++e)
         for (int side = -1; side <= 1; side += 2) {
             static crowd c;
@@ -204,12 +199,6 @@ static void residuals_at_half_a_turn(void **state)
            "exact: those of the old alpha go with it");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(through_half_a_turn),       cmocka_unit_test(sizes_of_alpha),
-        cmocka_unit_test(effects_at_sizes_of_alpha), cmocka_unit_test(products_of_quarter_and_half_turns),
-        cmocka_unit_test(residuals_at_half_a_turn),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(through_half_a_turn), cmocka_unit_test(sizes_of_alpha),
+          cmocka_unit_test(effects_at_sizes_of_alpha), cmocka_unit_test(products_of_quarter_and_half_turns),
+          cmocka_unit_test(residuals_at_half_a_turn))

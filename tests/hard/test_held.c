@@ -42,9 +42,8 @@ static void step(const vti_stepper *method, const vti_bodies *all, const vti_bod
     }
 }
 
-static void held_bodies(void **state)
+TEST(held_bodies)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         static crowd held, heavy, elsewhere[2];
         const vti_stepper *method = vti_stepper_at(k);
@@ -87,9 +86,8 @@ static void held_bodies(void **state)
     }
 }
 
-static void infinite_mass(void **state)
+TEST(infinite_mass)
 {
-    (void)state;
     static crowd c;
     pose(&c);
     vti_fault fault;
@@ -105,9 +103,8 @@ static void infinite_mass(void **state)
     }
 }
 
-static void no_body_and_one(void **state)
+TEST(no_body_and_one)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         static troupe t;
@@ -128,9 +125,8 @@ static void no_body_and_one(void **state)
 /* ---- denormals --------------------------------------------------------------------------------------------------------- */
 
 /** Everything a denormal number: nothing but underflow happens, and the attitude goes on being the identity. */
-static void denormals(void **state)
+TEST(denormals)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         static crowd c, elsewhere;
@@ -161,13 +157,5 @@ static void denormals(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(held_bodies),
-        cmocka_unit_test(infinite_mass),
-        cmocka_unit_test(no_body_and_one),
-        cmocka_unit_test(denormals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(held_bodies), cmocka_unit_test(infinite_mass), cmocka_unit_test(no_body_and_one),
+          cmocka_unit_test(denormals))

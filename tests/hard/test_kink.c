@@ -34,9 +34,8 @@ static void pose(crowd *c, enum crowd_storage storage, const double about[3], do
 }
 
 /** T_i = -K theta axis with theta = 2 atan2(1, w) below half a turn; above it theta - 2 pi, which pulls the other way. */
-static void moment_on_both_sides(void **state)
+TEST(moment_on_both_sides)
 {
-    (void)state;
     static crowd c;
     terms(MOMENT, 0);
     for (int storage = CROWD_ALPHA; storage <= CROWD_QUAT; ++storage) {
@@ -62,9 +61,8 @@ static void moment_on_both_sides(void **state)
 
 /** About an axis across n0 half a turn makes b_i = -b_j: the middle has no direction, c = 0 and no loads. Beside it the
  *  moment is K/|m|, as the gradient says. */
-static void shear_without_a_middle(void **state)
+TEST(shear_without_a_middle)
 {
-    (void)state;
     static crowd c;
     const double across[3] = {0, 0, 1};
     for (int form = VTI_SHEAR_OBJECTIVE; form <= VTI_SHEAR_PRINTED; ++form) {
@@ -126,9 +124,8 @@ static void tumble(const vti_stepper *method, double h)
 }
 
 /** In the body's frame too, at every h: the factor R_{k+1}^T R_k changes nothing of omega (E16). */
-static void tumble_through_the_kink(void **state)
+TEST(tumble_through_the_kink)
 {
-    (void)state;
     terms(MOMENT, 0);
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -141,12 +138,5 @@ static void tumble_through_the_kink(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(moment_on_both_sides, bond),
-        cmocka_unit_test_setup(shear_without_a_middle, bond),
-        cmocka_unit_test_setup(tumble_through_the_kink, bond),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(moment_on_both_sides, bond), cmocka_unit_test_setup(shear_without_a_middle, bond),
+          cmocka_unit_test_setup(tumble_through_the_kink, bond))

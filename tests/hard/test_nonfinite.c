@@ -86,9 +86,8 @@ static int in_a_field(const vti_stepper *method, int field, int component, doubl
     return 0;
 }
 
-static void in_the_bodies(void **state)
+TEST(in_the_bodies)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         spread(&good);
@@ -111,9 +110,8 @@ static void in_the_bodies(void **state)
     }
 }
 
-static void in_the_step(void **state)
+TEST(in_the_step)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         spread(&bad);
@@ -142,9 +140,8 @@ static vti_bodies touching(void)
     return crowd_bodies(&good);
 }
 
-static void bond_parameters(void **state)
+TEST(bond_parameters)
 {
-    (void)state;
     const double wrong[4] = {NAN, INFINITY, -INFINITY, -1};
     double *const numbers[] = {&w.moment[0],  &w.axial[0],   &w.shear[0],  &w.rest[0][3],
                                &w.rest[0][0], &w.rest[0][1], &w.rest[0][2]};
@@ -167,9 +164,8 @@ static void bond_parameters(void **state)
 }
 
 /** The other effects have no check of their own: NaN comes out where it matters, in force and energy of those it acts on. */
-static void other_parameters(void **state)
+TEST(other_parameters)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     double diameter[2] = {1, 1}, plane[4] = {1, 0, 0, 0};
     vti_pendulum pendulum = {1, {1, 0, 0.5}};
@@ -197,9 +193,8 @@ static void other_parameters(void **state)
 }
 
 /** What is no number makes no stable step. */
-static void stable_step(void **state)
+TEST(stable_step)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     double diameter = 1, scratch[2];
     const vti_deformation at = {0.1, 0, 0};
@@ -229,9 +224,8 @@ static void stable_step(void **state)
 }
 
 /** A position that is none shows in all that the body may touch or is bonded to. */
-static void positions(void **state)
+TEST(positions)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     const double one = 1, plane[4] = {1, 0, 0, 0};
     const vti_contacts contacts = {1, pair, 0, vti_scalars_one(&one), 10};
@@ -254,9 +248,8 @@ static void positions(void **state)
 }
 
 /** Infinite energies stay infinite: they do not turn into NaN on their way through a compensated sum. */
-static void infinite_energy(void **state)
+TEST(infinite_energy)
 {
-    (void)state;
     vti_bodies b = touching();
     good.v[0][0] = 1e200;
     assert_true(vti_kinetic_translation(&b) == INFINITY && vti_energy(NULL, 0, &b) == INFINITY);
@@ -265,12 +258,6 @@ static void infinite_energy(void **state)
     robust("energy beyond 1e308", "vti_energy", "inf, not NaN");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_the_bodies),    cmocka_unit_test(in_the_step), cmocka_unit_test(bond_parameters),
-        cmocka_unit_test(other_parameters), cmocka_unit_test(stable_step), cmocka_unit_test(positions),
-        cmocka_unit_test(infinite_energy),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(in_the_bodies), cmocka_unit_test(in_the_step), cmocka_unit_test(bond_parameters),
+          cmocka_unit_test(other_parameters), cmocka_unit_test(stable_step), cmocka_unit_test(positions),
+          cmocka_unit_test(infinite_energy))

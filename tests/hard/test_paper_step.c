@@ -33,9 +33,8 @@ static double end_of(const vti_stepper *method, int form, int *status)
     return 500;
 }
 
-static void printed_step(void **state)
+TEST(printed_step)
 {
-    (void)state;
     static torus s;
     for (int form = VTI_SHEAR_OBJECTIVE; form <= VTI_SHEAR_PRINTED; form += 2) {
         torus_start(&s, form);
@@ -64,9 +63,8 @@ static void printed_step(void **state)
 }
 
 /** The reason, in numbers: at rest, and at the deepest overlap with the wall of a run that is stable. */
-static void reason(void **state)
+TEST(reason)
 {
-    (void)state;
     static torus s;
     torus_start(&s, VTI_SHEAR_OBJECTIVE);
     const double at_rest = stable_step(&s, NULL, 0), radius = 0.5 * s.diameter;
@@ -82,11 +80,4 @@ static void reason(void **state)
     assert_below(in_impact, 4e-3);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reason),
-        cmocka_unit_test(printed_step),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(reason), cmocka_unit_test(printed_step))

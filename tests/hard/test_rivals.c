@@ -48,9 +48,8 @@ static double angle_of(const struct scene *scene, const vti_stepper *method, dou
     return angle;
 }
 
-static void free_spin(void **state)
+TEST(free_spin)
 {
-    (void)state;
     const vti_stepper *method;
     struct scene scene;
     read_scene("spin", &scene);
@@ -68,9 +67,8 @@ static void free_spin(void **state)
 }
 
 /** 400 steps of 0.01: past pi. */
-static void through_pi(void **state)
+TEST(through_pi)
 {
-    (void)state;
     const vti_stepper *method;
     struct scene scene;
     read_scene("spin", &scene);
@@ -84,9 +82,8 @@ static void through_pi(void **state)
 
 /** Averages of E over the first and the last 1e4 of 1e5 steps, which the band of VTI-3 leaves uncertain
  *  by 1e-5. */
-static void pendulum(void **state)
+TEST(pendulum)
 {
-    (void)state;
     const vti_stepper *method;
     struct scene scene;
     read_scene("pendulum", &scene);
@@ -116,9 +113,8 @@ static void pendulum(void **state)
 }
 
 /** A chain of two with a moment only: 2000 steps at a share of 2/omega, whatever the method's own reach. */
-static void torsion(void **state)
+TEST(torsion)
 {
-    (void)state;
     const vti_stepper *method;
     struct scene scene;
     read_scene("chain", &scene);

@@ -69,9 +69,8 @@ static void pendulum_member(const vti_stepper *method, rng *g, double h, walk *s
     }
 }
 
-static void pendulum(void **state)
+TEST(pendulum)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         walk spin = {{0}, {0}}, energy = {{0}, {0}};
@@ -121,9 +120,8 @@ static void oscillator_member(const vti_stepper *method, rng *g, double h, walk 
     }
 }
 
-static void oscillator(void **state)
+TEST(oscillator)
 {
-    (void)state;
     static const char *const names[] = {"vti1", "vti2", "vti3-leapfrog", "vti1-body", "exact"};
     for (int k = 0; k < 5; ++k) {
         walk energy = {{0}, {0}};
@@ -139,9 +137,8 @@ static void oscillator(void **state)
 /** N steps forth and N back. Each kick leaves a rounding of Omega, of rms eps/2 of its size, which is below 2; from there
  *  the attitude goes astray linearly, as the motion is regular: after n = 2N steps the sum of independent
  *  eps (n - k) h over k is eps h n^{3/2}/sqrt 3. It is all of the same size for the kicks of a step of h together. */
-static void forth_and_back(void **state)
+TEST(forth_and_back)
 {
-    (void)state;
     enum { STEPS = 100000 };
     const double h = 1.0 / 256, n = 2.0 * STEPS;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
@@ -169,12 +166,4 @@ static void forth_and_back(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pendulum),
-        cmocka_unit_test(oscillator),
-        cmocka_unit_test(forth_and_back),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(pendulum), cmocka_unit_test(oscillator), cmocka_unit_test(forth_and_back))

@@ -20,9 +20,8 @@ static long steps_of(const vti_stepper *method)
 /** Independent roundings: after 1e8 drifts 2e4 eps, else sqrt(N) of it, and 64 eps for a start. The increment itself, where
  *  it is not t Omega, rounds too and alike in every step: eps of the whole angle. So does R^T Omega in the body's frame.
  *  N h|Omega| in long double is good to N 2^-64. */
-static void steady_spin(void **state)
+TEST(steady_spin)
 {
-    (void)state;
     const double alpha[3] = {0.5, -0.25, 1}, omega[3] = {7e-3, 1e-2, -4e-3};
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         static troupe t;
@@ -66,9 +65,8 @@ static rig top(const vti_stepper *method)
 
 /** The inclination cos = arm.e3 has the same band in the last tenth as in the first: nutation, which the step's own error
  *  starts, does not grow. */
-static void steady_precession(void **state)
+TEST(steady_precession)
 {
-    (void)state;
     const double h = 1.0 / 16;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -136,9 +134,8 @@ static double lost(const vti_stepper *method, enum rig_storage storage, double t
     return fabs((double)(2 * atan2l(d.x, d.w) / ((long double)steps * turn)) - 1);
 }
 
-static void tiny_rotations(void **state)
+TEST(tiny_rotations)
 {
-    (void)state;
     const long steps = drifts / 10; /* 1e7 in the long test */
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -165,9 +162,8 @@ static void tiny_rotations(void **state)
 }
 
 /** The same for Omega: kicks of 1e-17 on Omega = 1. */
-static void tiny_kicks(void **state)
+TEST(tiny_kicks)
 {
-    (void)state;
     rig p;
     memset(&p, 0, sizeof p);
     p.inertia = 1;

@@ -63,9 +63,8 @@ static enum outcome run(const vti_stepper *method, double amplitude, double shar
     return BOUNDED;
 }
 
-static void beside_the_stable_step(void **state)
+TEST(beside_the_stable_step)
 {
-    (void)state;
     const double shares[] = {0.90, 0.99, 1.01, 1.10}, amplitudes[] = {1e-6, 0.1, 0.5, 1, 1.5};
     for (int a = 0; a < 5; ++a)
         for (int s = 0; s < 4; ++s)
@@ -85,10 +84,4 @@ static void beside_the_stable_step(void **state)
             }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beside_the_stable_step),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(beside_the_stable_step))

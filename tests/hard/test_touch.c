@@ -33,9 +33,8 @@ static double apart(const vti_effect *effect, double d)
 /* ---- distances ---------------------------------------------------------------------------------------------------------- */
 
 /** o = 1 - r/D down to the least distance; no direction below 2^-500, where r^2 begins to vanish. */
-static void contact_at_all_distances(void **state)
+TEST(contact_at_all_distances)
 {
-    (void)state;
     const vti_contacts contacts = {1, first_two, 0, vti_scalars_one(&unit), 10};
     const vti_effect effect = vti_contacts_effect(&contacts);
     for (int e = 0; e <= 1074; ++e)
@@ -57,9 +56,8 @@ static void contact_at_all_distances(void **state)
     robust("separation of 1e308", "contact", "exact: no force");
 }
 
-static void bond_at_all_distances(void **state)
+TEST(bond_at_all_distances)
 {
-    (void)state;
     static const char *const names[] = {"binder: axial", "binder: shear, objective", "binder: shear, quartic",
                                         "binder: shear, as printed"};
     for (int k = 0; k < 4; ++k) {
@@ -100,9 +98,8 @@ static void bond_at_all_distances(void **state)
 /* ---- stiffness and mass ---------------------------------------------------------------------------------------------------- */
 
 /** A chain of three, bonds K and 1e12 K: stable at the step that the stiff one allows, and the bound says so. */
-static void unequal(void **state)
+TEST(unequal)
 {
-    (void)state;
     for (int what = 0; what < 2; ++what)
         for (int64_t k = 0; k < vti_stepper_count(); ++k) {
             static troupe t;
@@ -162,9 +159,8 @@ static double wall(double x, double stiffness)
     return c.force[0][0];
 }
 
-static void wall_at_all_distances(void **state)
+TEST(wall_at_all_distances)
 {
-    (void)state;
     assert_true(wall(0.5, 8) == 0 && wall(0.5 + EPS, 8) == 0 && wall(0.5 - EPS / 4, 8) > 0);
     robust("overlap of one ulp, and none", "wall", "exact: the least force, and none");
     const double depth[] = {0, -0.1, -1, -100, -1e100};
@@ -177,9 +173,8 @@ static void wall_at_all_distances(void **state)
 }
 
 /** Thrown at the wall so fast that the first step puts it behind, and grazing it. */
-static void thrown_at_a_wall(void **state)
+TEST(thrown_at_a_wall)
 {
-    (void)state;
     const double plane[4] = {1, 0, 0, 0};
     const vti_walls walls = {1, plane, vti_scalars_one(&unit), 10};
     const vti_effect effect = vti_walls_effect(&walls);
@@ -223,11 +218,5 @@ static void thrown_at_a_wall(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contact_at_all_distances), cmocka_unit_test(bond_at_all_distances), cmocka_unit_test(unequal),
-        cmocka_unit_test(wall_at_all_distances),    cmocka_unit_test(thrown_at_a_wall),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(contact_at_all_distances), cmocka_unit_test(bond_at_all_distances),
+          cmocka_unit_test(unequal), cmocka_unit_test(wall_at_all_distances), cmocka_unit_test(thrown_at_a_wall))

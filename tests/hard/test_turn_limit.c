@@ -56,9 +56,8 @@ static void turn(const vti_stepper *method, double s, const double alpha[3])
                wrapped(angle));
 }
 
-static void rotation_per_step(void **state)
+TEST(rotation_per_step)
 {
-    (void)state;
     const double turns[] = {0.99, 1, 1.01, 10, 1e6}, start[3] = {0.3, -2, 5}, none[3] = {0, 0, 0};
     for (int i = 0; i < 5; ++i)
         for (int64_t k = 0; k < vti_stepper_count(); ++k) {
@@ -68,9 +67,8 @@ static void rotation_per_step(void **state)
 }
 
 /** Up to the largest angular velocities that there are: finite, and of the closed form no trace. */
-static void beyond_all_bounds(void **state)
+TEST(beyond_all_bounds)
 {
-    (void)state;
     const double sizes[] = {1e9, 1e20, 1e100, 1e200, 1e300};
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -89,11 +87,4 @@ static void beyond_all_bounds(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rotation_per_step),
-        cmocka_unit_test(beyond_all_bounds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(rotation_per_step), cmocka_unit_test(beyond_all_bounds))

@@ -90,10 +90,9 @@ static const struct judgement *judge_shipped(const char *name, const char *const
 
 /* ---- scenes as they are shipped ------------------------------------------------------------------------------------ */
 
-static void shipped(void **state)
+TEST(shipped)
 {
     static const char *const names[] = {"pendulum", "spin", "chain", "block", "pile", "torus", "torus-printed"};
-    (void)state;
     for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k) {
         if (judge_shipped(names[k], NULL, 0)->verdict != VERDICT_GOOD)
             fail_msg("%s: %s", names[k], judged.line.text);
@@ -112,7 +111,7 @@ static void assert_bad(const char *what, const struct judgement *j, double facto
         fail_msg("%s: energy from %g to %g only", what, judged.verdict.found.first, judged.verdict.found.highest);
 }
 
-static void blow_ups(void **state)
+TEST(blow_ups)
 {
     static const char chain[] = "bodies:\n  chain: {count: 10, spacing: 1}\n  mass: 1\n  random: {seed: 7, v: 0.01}\n"
                                 "binder: {axial: 200}\nh: 0.2\nt_end: 20\n";
@@ -124,7 +123,6 @@ static void blow_ups(void **state)
         "  mass: 1\n  random: {seed: 1, v: 1}\ncontact: {stiffness: 1e6}\nh: 0.02\nt_end: 20\n";
     static const char *const torus[] = {"h=0.00749"}, *const far[] = {"bodies.ring.center=[1e17,0,0]", "t_end=0.1"},
                              *const far_chain[] = {"bodies.chain.start=[1e15,0,0]"};
-    (void)state;
     assert_bad("chain at 2.8 of its stable step", judge_text(chain), 1e100);
     assert_bad("torus at 2.03 of its stable step", judge_shipped("torus", torus, 1), 1e4);
     assert_bad("torus at 1e17", judge_shipped("torus", far, 2), 1e3);
@@ -137,12 +135,11 @@ static void blow_ups(void **state)
 }
 
 /** A linear oscillator above its limit keeps H~ to the last bit, so that H has to tell. */
-static void linear(void **state)
+TEST(linear)
 {
     static const char *const format = "bodies: {inertia: 1, alpha: [1e-6, 0, 0], omega: [0, 0, 0]}\n"
                                       "pendulum: {weight: 1, rho0: [0, 0, 1]}\nh: %s\nt_end: 100\n";
     char text[TEXT_SIZE];
-    (void)state;
     snprintf(text, sizeof text, format, "2.05");
     assert_bad("pendulum at 1.025", judge_text(text), 0.0);
     snprintf(text, sizeof text, format, "1.9");
@@ -153,7 +150,7 @@ static void linear(void **state)
 
 /* ---- too fast --------------------------------------------------------------------------------------------------------- */
 
-static void travel(void **state)
+TEST(travel)
 {
     static const char pair[] = "bodies:\n  chain: {count: 2, spacing: 20}\n  diameter: 1\n  mass: 1\n%s"
                                "contact: {stiffness: 1e6}\nh: 0.01\nt_end: 1\n";
@@ -162,7 +159,6 @@ static void travel(void **state)
     char text[TEXT_SIZE];
     struct message lines[2];
     static struct model model;
-    (void)state;
     write_text("pair.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n");
     static const char passing[] = "bodies: {table: pair.csv, mass: 1, diameter: 1}\ncontact: {stiffness: 1}\n"
                                   "h: 0.01\nt_end: 1\n";
@@ -205,11 +201,10 @@ static double random_one(rng *g)
     return bound;
 }
 
-static void sane(void **state)
+TEST(sane)
 {
     rng g = rng_seed(11);
     int alarms = 0;
-    (void)state;
     for (int k = 0; k < sane_scenes; ++k) {
         const double bound = random_one(&g);
         judge(&scene, bound * uniform(&g, 0.1, 0.5), 2000, 8, &judged);
@@ -243,7 +238,7 @@ static int truth(const struct judged *run, const struct judged *reference)
     return most <= allowed ? KEPT : most <= 10.0 * allowed ? BETWEEN : WRONG;
 }
 
-static void error_rates(void **state)
+TEST(error_rates)
 {
     enum { SCENES = 300, FINER = 16 };
     static const char *const words[TRUTHS] = {"kept within what the verdict allows", "off by 1 to 10 times that",
@@ -251,7 +246,6 @@ static void error_rates(void **state)
     static struct judged reference;
     int called[TRUTHS][VERDICT_BAD + 1] = {{0}};
     rng g = rng_seed(300);
-    (void)state;
     for (int k = 0; k < SCENES; ++k) {
         const double bound = random_one(&g);
         const double h = bound * (rng_below(&g, 3) == 0 ? uniform(&g, 0.05, 1.0) : uniform(&g, 1.0, 3.0));

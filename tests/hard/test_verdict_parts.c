@@ -11,9 +11,8 @@
 /* ---- angles ---------------------------------------------------------------------------------------------------------- */
 
 /** law_angle folds nothing either, but for the whole turn that atan2l takes off beyond 2 pi. */
-static void angles(void **state)
+TEST(angles)
 {
-    (void)state;
     for (int64_t law = VTI_LAW_CLOSED; law <= VTI_LAW_EXACT9; ++law)
         for (double s = 1e-9; s < (law == VTI_LAW_CLOSED ? 1.0 : 1e6); s *= 1.07) {
             const double ours = turning_angle(law, s), theirs = (double)law_angle(law, s);
@@ -24,11 +23,10 @@ static void angles(void **state)
 }
 
 /** The shares by which steps of the exact laws miss h|Omega|: of s^7 and s^9, and none but that of the law is left at 10. */
-static void errors(void **state)
+TEST(errors)
 {
     const vti_stepper *exact = vti_stepper_find("exact"), *kl8 = vti_stepper_find("kl8"),
                       *vti2 = vti_stepper_find("vti2");
-    (void)state;
     assert_close(log2(turning_error(exact, 0.5) / turning_error(exact, 0.25)), 6.0, 0.1);
     assert_close(log2(turning_error(kl8, 2.0) / turning_error(kl8, 1.0)), 8.0, 0.3);
     assert_close(turning_error(exact, 10.0), fabs(0.7094 + 2.0 * PI - 10.0) / 10.0, 1e-4);
@@ -87,11 +85,10 @@ static void swings(const char *text, const char *stepper, double h, double swing
     model_destroy(&model);
 }
 
-static void orders(void **state)
+TEST(orders)
 {
     static const char *const names[] = {"vti1", "vti2", "vti3", "vti3-leapfrog", "exact"};
     static const char *const texts[] = {chain, pendulum};
-    (void)state;
     for (size_t n = 0; n < 5; ++n)
         for (int k = 0; k < 2; ++k) {
             double coarse[2], fine[2];
@@ -106,13 +103,12 @@ static void orders(void **state)
 
 /** In a uniform field H is conserved by Verlet but for rounding, and the modified energy is another constant. Other lists have
  *  no such column. */
-static void elsewhere(void **state)
+TEST(elsewhere)
 {
     static struct scene scene;
     static struct model model;
     struct columns columns;
     double swing[2];
-    (void)state;
     swings(sphere, "vti2", 1.0 / 32, swing);
     assert_below(swing[0], 1e-13);
     assert_below(swing[1], 1e-13);
@@ -127,12 +123,11 @@ static void elsewhere(void **state)
 
 /* ---- slopes ------------------------------------------------------------------------------------------------------------- */
 
-static void slopes(void **state)
+TEST(slopes)
 {
     rng g = rng_seed(3);
     double slope, error;
     int within = 0;
-    (void)state;
     for (int trial = 0; trial < 100; ++trial) {
         struct trend line = {0}, noise = {0};
         const int n = 10 + rng_below(&g, 5000);
@@ -203,9 +198,8 @@ static int64_t turned(double share)
     return judgement.bonds_turned;
 }
 
-static void bonds(void **state)
+TEST(bonds)
 {
-    (void)state;
     assert_int_equal(turned(0.3), 0);
     assert_int_equal(turned(0.95), 0);
     assert_int_equal(turned(1.05), 1);

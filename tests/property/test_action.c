@@ -224,20 +224,14 @@ static void own_action_is_stationary(void (*make)(struct path *, rng *, const vt
         }
 }
 
-static void pendulum(void **state)
+TEST(pendulum)
 {
-    (void)state;
     own_action_is_stationary(pendulum_path, 251);
 }
 
-static void bonded_pair(void **state)
+TEST(bonded_pair)
 {
-    (void)state;
     own_action_is_stationary(pair_path, 252);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pendulum), cmocka_unit_test(bonded_pair)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(pendulum), cmocka_unit_test(bonded_pair))

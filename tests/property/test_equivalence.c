@@ -148,13 +148,5 @@ static void vti1_in_the_bodys_frame(void **unused)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vti2_is_quaternion_verlet),
-        cmocka_unit_test(vti3_is_vti2_between_half_kicks),
-        cmocka_unit_test(they_coincide_from_equilibrium),
-        cmocka_unit_test(vti1_in_the_bodys_frame),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(vti2_is_quaternion_verlet), cmocka_unit_test(vti3_is_vti2_between_half_kicks),
+          cmocka_unit_test(they_coincide_from_equilibrium), cmocka_unit_test(vti1_in_the_bodys_frame))

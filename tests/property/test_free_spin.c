@@ -82,9 +82,8 @@ static long double length(const double v[3])
     return sqrtl((long double)v[0] * v[0] + (long double)v[1] * v[1] + (long double)v[2] * v[2]);
 }
 
-static void one_step(void **state)
+TEST(one_step)
 {
-    (void)state;
     const double sizes[] = {1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999, 1.5, 3, 1e3};
     rng g = rng_seed(201);
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
@@ -110,9 +109,8 @@ static void one_step(void **state)
 }
 
 /** Thousands of steps, through theta = pi many times: the errors of single steps at worst add up. */
-static void many_steps(void **state)
+TEST(many_steps)
 {
-    (void)state;
     enum { STEPS = 10000 };
     const double h = 0.125;
     rng g = rng_seed(202);
@@ -143,9 +141,8 @@ static void many_steps(void **state)
 }
 
 /** Right angles in VTI-2: h|Omega| = 2 turns by pi/2 exactly, so four steps are a whole turn through alpha = infinity. */
-static void right_angles(void **state)
+TEST(right_angles)
 {
-    (void)state;
     const vti_stepper *vti2 = vti_stepper_find("vti2");
     for (int storage = 0; storage < 3; ++storage)
         for (int axis = 0; axis < 3; ++axis) {
@@ -178,9 +175,8 @@ static rotor drifted(rig *p, int law, double size, const double axis[3], rotor *
 }
 
 /** s where c or u vanishes, the pole of the pair: s^2 = 10 and 60; s^2 = 90 -+ sqrt(90^2 - 1680) and 42; and between. */
-static void through_the_pole(void **state)
+TEST(through_the_pole)
 {
-    (void)state;
     const double root = sqrt(90 * 90 - 1680);
     const double squares[] = {10, 60, 90 - root, 90 + root, 42, 9.999999, 10.000001, 1e2, 1e4, 1e8, 0x1p59};
     rng g = rng_seed(203);
@@ -198,9 +194,8 @@ static void through_the_pole(void **state)
 }
 
 /** s + O(s^7) and s + O(s^9): by how much, from the next convergent of the continued fraction. */
-static void nearly_exact(void **state)
+TEST(nearly_exact)
 {
-    (void)state;
     for (int law = VTI_LAW_EXACT; law <= VTI_LAW_EXACT9; ++law) {
         const int power = law == VTI_LAW_EXACT ? 7 : 9;
         const long double next = law == VTI_LAW_EXACT ? 100800 : 25401600;
@@ -213,9 +208,8 @@ static void nearly_exact(void **state)
 }
 
 /** From s = 2^30 on the exact laws turn by half a turn about Omega, and every law stays finite to the largest numbers. */
-static void beyond_all_bounds(void **state)
+TEST(beyond_all_bounds)
 {
-    (void)state;
     const double sizes[] = {0x1p30, 0x1p31, 1e12, 1e77, 1e100, 1e154, 1e160, 1e250, 1e300, 1.7e308};
     rng g = rng_seed(204);
     for (int law = VTI_LAW_CAYLEY; law <= VTI_LAW_EXACT9; ++law)
@@ -232,9 +226,8 @@ static void beyond_all_bounds(void **state)
 }
 
 /** What is not a number is seen, and not mistaken for a half turn. */
-static void not_a_number(void **state)
+TEST(not_a_number)
 {
-    (void)state;
     rng g = rng_seed(205);
     for (int law = VTI_LAW_CAYLEY; law <= VTI_LAW_EXACT9; ++law)
         for (int trial = 0; trial < 18; ++trial) {
@@ -247,9 +240,8 @@ static void not_a_number(void **state)
 }
 
 /** 5e6 steps at h|Omega| = 0.01: where the Cayley drift of VTI-2 is 2/3 of a radian of phase per 1e7 behind. */
-static void steady_spin(void **state)
+TEST(steady_spin)
 {
-    (void)state;
     enum { STEPS = 5000000 };
     const char *const names[] = {"exact", "vti2"};
     double off[2];
@@ -274,12 +266,6 @@ static void steady_spin(void **state)
     assert_close(off[1], 5e6 * 1e-6 / 12, 1e-4);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_step),         cmocka_unit_test(many_steps),   cmocka_unit_test(right_angles),
-        cmocka_unit_test(through_the_pole), cmocka_unit_test(nearly_exact), cmocka_unit_test(beyond_all_bounds),
-        cmocka_unit_test(not_a_number),     cmocka_unit_test(steady_spin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(one_step), cmocka_unit_test(many_steps), cmocka_unit_test(right_angles),
+          cmocka_unit_test(through_the_pole), cmocka_unit_test(nearly_exact), cmocka_unit_test(beyond_all_bounds),
+          cmocka_unit_test(not_a_number), cmocka_unit_test(steady_spin))

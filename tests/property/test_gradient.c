@@ -13,9 +13,8 @@ static double energy_turned(const rig *p, const double axis[3], double angle)
     return vti_energy(&effect, 1, &b);
 }
 
-static void moment_is_minus_the_gradient(void **state)
+TEST(moment_is_minus_the_gradient)
 {
-    (void)state;
     rng g = rng_seed(211);
     for (int trial = 0; trial < 3000; ++trial) {
         rig p = rig_random(&g, trial % 2 ? RIG_QUAT : RIG_ALPHA);
@@ -32,10 +31,4 @@ static void moment_is_minus_the_gradient(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(moment_is_minus_the_gradient),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(moment_is_minus_the_gradient))

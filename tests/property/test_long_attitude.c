@@ -29,9 +29,8 @@ static double error_after(double c, const double u[3], double side, rotor start)
     return quat_distance(quat_of_alpha(a), truth);
 }
 
-static void steady_spatial_increment(void **state)
+TEST(steady_spatial_increment)
 {
-    (void)state;
     const double u[3] = {3e-3, 4e-3, -5e-3};
     const rotor identity = {0, 0, 0, 1};
     const double error = error_after(2.0, u, 1, identity);
@@ -39,9 +38,8 @@ static void steady_spatial_increment(void **state)
     assert_below(error, bound());
 }
 
-static void steady_increment_in_the_bodys_frame(void **state)
+TEST(steady_increment_in_the_bodys_frame)
 {
-    (void)state;
     const double u[3] = {-1e-3, 7e-3, 2e-3}, start[4] = {0.1, -0.7, 0.5, 0.5};
     const double error = error_after(1.9, u, -1, quat_of_xyzw(start));
     print_message("%ld compositions: %.3g eps, bound %.3g eps\n", compositions, error / EPS, bound() / EPS);

@@ -81,23 +81,20 @@ static void check(const char *name, enum rig_storage storage)
     assert_close(r.last.high, r.first.high, slack);
 }
 
-static void with_residuals(void **state)
+TEST(with_residuals)
 {
-    (void)state;
     for (int k = 0; k < 4; ++k)
         check(names[k], RIG_RESIDUALS);
 }
 
-static void plain(void **state)
+TEST(plain)
 {
-    (void)state;
     for (int k = 0; k < 4; ++k)
         check(names[k], RIG_ALPHA);
 }
 
-static void as_quaternion(void **state)
+TEST(as_quaternion)
 {
-    (void)state;
     for (int k = 0; k < 4; ++k)
         check(names[k], RIG_QUAT);
 }

@@ -33,9 +33,8 @@ static double rounding(const vti_stepper *method, double h)
     return 8 * EPS * sqrt(8 * 10 / h * (double)(method->stages + 1));
 }
 
-static void of_a_free_chain(void **state)
+TEST(of_a_free_chain)
 {
-    (void)state;
     const double h = 1.0 / 16;
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int storage = 0; storage < 2; ++storage) {
@@ -74,9 +73,8 @@ static void sums(const chain *c, int of_bodies, double sum[6])
 }
 
 /** The momenta that are conserved are vectors of the inertial frame, not of the bodies' frames as printed (E9). */
-static void in_the_inertial_frame(void **state)
+TEST(in_the_inertial_frame)
 {
-    (void)state;
     const double h = 1.0 / 16;
     const vti_stepper *method = vti_stepper_find("vti1");
     chain c;
@@ -97,9 +95,8 @@ static void in_the_inertial_frame(void **state)
 }
 
 /** Forces are taken at displaced bodies and act at the others: L is kept to the order of the displacement's square, h^4. */
-static void of_chin4(void **state)
+TEST(of_chin4)
 {
-    (void)state;
     double coarse[2], fine[2];
     drift_of_chain(vti_stepper_find("chin4"), 0, 1.0 / 8, coarse);
     drift_of_chain(vti_stepper_find("chin4"), 0, 1.0 / 32, fine);
@@ -121,9 +118,8 @@ static void pendulum_momenta(rig *p, double m[2])
     m[1] = p->inertia * vti_dot(arm, w);
 }
 
-static void of_the_pendulum(void **state)
+TEST(of_the_pendulum)
 {
-    (void)state;
     enum { STEPS = 500 };
     rng g = rng_seed(322);
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
@@ -147,9 +143,8 @@ static void of_the_pendulum(void **state)
 }
 
 /** alpha and quaternion are two ways to write one motion. */
-static void storage_does_not_matter(void **state)
+TEST(storage_does_not_matter)
 {
-    (void)state;
     const double h = 1.0 / 16;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -168,11 +163,5 @@ static void storage_does_not_matter(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(of_a_free_chain), cmocka_unit_test(in_the_inertial_frame),   cmocka_unit_test(of_chin4),
-        cmocka_unit_test(of_the_pendulum), cmocka_unit_test(storage_does_not_matter),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(of_a_free_chain), cmocka_unit_test(in_the_inertial_frame), cmocka_unit_test(of_chin4),
+          cmocka_unit_test(of_the_pendulum), cmocka_unit_test(storage_does_not_matter))

@@ -146,8 +146,4 @@ static void goes_on_with_the_same_bits(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(goes_on_with_the_same_bits)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(goes_on_with_the_same_bits))

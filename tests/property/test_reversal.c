@@ -27,9 +27,8 @@ static double rounding(const vti_stepper *method, double h)
     return 8 * EPS * sqrt(n * (double)method->stages) * (1 + n * h);
 }
 
-static void methods_return_if_they_say_so(void **state)
+TEST(methods_return_if_they_say_so)
 {
-    (void)state;
     const double h = 1.0 / 64;
     rng g = rng_seed(221);
     int reversible = 0;
@@ -49,10 +48,4 @@ static void methods_return_if_they_say_so(void **state)
     assert_int_equal(reversible, 24 * (vti_stepper_count() - 1)); /* all but vti3 */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(methods_return_if_they_say_so),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(methods_return_if_they_say_so))

@@ -69,9 +69,8 @@ static void attitude(const generator *g, double alpha[3])
 }
 
 /** One composition, from exact attitudes: right to rounding. */
-static void all_products(void **state)
+TEST(all_products)
 {
-    (void)state;
     for (int i = 0; i < count; ++i)
         for (int j = 0; j < count; ++j) {
             double a[3], b[3], r[3], R[9];
@@ -101,9 +100,8 @@ static void all_products(void **state)
 
 /** A million of them in a row, by alpha and by pair in turns. Each step rounds by 4 eps at most, half turns lose their
  *  3.5e-18; errors of independent sign would make 4 eps sqrt(N), and an exact angle every few steps makes them less. */
-static void a_long_product(void **state)
+TEST(a_long_product)
 {
-    (void)state;
     rng g = rng_seed(251);
     double a[3] = {0, 0, 0};
     whole exact = {{1, 0, 0, 0, 1, 0, 0, 0, 1}};
@@ -125,9 +123,8 @@ static void a_long_product(void **state)
 }
 
 /** Near each half turn, closer and closer: the product of two turns by pi/2 + d about any axis is off by d alone. */
-static void close_to_half_turns(void **state)
+TEST(close_to_half_turns)
 {
-    (void)state;
     rng g = rng_seed(252);
     for (int i = 0; i < 200000; ++i) {
         double n[3], theta[3], a[3], r[3];

@@ -127,9 +127,8 @@ static void same_motion(struct block *s, struct block *t, enum layout layout)
     }
 }
 
-static void slices_and_layouts_do_not_change_a_bit(void **state)
+TEST(slices_and_layouts_do_not_change_a_bit)
 {
-    (void)state;
     static struct block whole, other, untouched;
     static const char *const names[] = {"vti1", "vti2", "vti3", "exact"};
     static const int64_t sizes[] = {1, 3, 4, 5, 64, 100, N - 1};
@@ -150,8 +149,4 @@ static void slices_and_layouts_do_not_change_a_bit(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(slices_and_layouts_do_not_change_a_bit)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(slices_and_layouts_do_not_change_a_bit))

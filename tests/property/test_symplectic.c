@@ -116,9 +116,8 @@ static void printed_moment(rig *p, double h)
     }
 }
 
-static void every_stepper_conserves_it(void **state)
+TEST(every_stepper_conserves_it)
 {
-    (void)state;
     const double steps[] = {1.0 / 64, 0.125, 0.4};
     rng g = rng_seed(241);
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
@@ -132,9 +131,8 @@ static void every_stepper_conserves_it(void **state)
 }
 
 /** The yardstick itself: it sees the term mu . (eta1 x eta2), and maps that are not symplectic. */
-static void other_maps_do_not(void **state)
+TEST(other_maps_do_not)
 {
-    (void)state;
     rng g = rng_seed(242);
     double euler = 0, printed = 0, wrong_frame = 0;
     for (int trial = 0; trial < 20; ++trial) {
@@ -150,11 +148,4 @@ static void other_maps_do_not(void **state)
     assert_true(euler > 1e-3 && printed > 1e-3 && wrong_frame > 1e-3);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_stepper_conserves_it),
-        cmocka_unit_test(other_maps_do_not),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_stepper_conserves_it), cmocka_unit_test(other_maps_do_not))

@@ -87,9 +87,8 @@ static double defect(const vti_stepper *method, const chain *start, double h)
 /* As in test_symplectic.c: differences err by e^2 of third derivatives and some eps/e, both 4e-11, in sums of dozens. */
 #define TOLERANCE (100 * (cbrt(EPS) * cbrt(EPS)))
 
-static void symplectic_steppers_conserve_it(void **state)
+TEST(symplectic_steppers_conserve_it)
 {
-    (void)state;
     const double steps[] = {1.0 / 64, 0.125, 0.4};
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int trial = 0; trial < 6; ++trial) {
@@ -106,9 +105,8 @@ static void symplectic_steppers_conserve_it(void **state)
 
 /** The probe's force is a gradient but for terms of h^4, and acts for h. Two terms of the largest defect may cancel at one
  *  of the steps, hence the mean of several chains. */
-static void chin4_is_off_by_h5(void **state)
+TEST(chin4_is_off_by_h5)
 {
-    (void)state;
     enum { CHAINS = 8 };
     double mean = 0;
     for (int trial = 0; trial < CHAINS; ++trial) {
@@ -124,11 +122,4 @@ static void chin4_is_off_by_h5(void **state)
     assert_true(mean > 4.9);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(symplectic_steppers_conserve_it),
-        cmocka_unit_test(chin4_is_off_by_h5),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(symplectic_steppers_conserve_it), cmocka_unit_test(chin4_is_off_by_h5))

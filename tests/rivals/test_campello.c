@@ -98,11 +98,10 @@ static int is_in_page(const char *row)
 
 /** x+ = x + h v+ and v+ = v - h omega^2 [phi x + (1 - phi) x+] has the determinant 1/(1 + (1 - phi)(h omega)^2);
  *  swings of 1e-4 are linear to 1e-8. */
-static void order_and_dissipation(void **state)
+TEST(order_and_dissipation)
 {
     const double h = 1.0 / 16;
     int missing = 0;
-    (void)state;
     for (int k = 0; k < PHIS; ++k) {
         const vti_stepper *method = method_of(names[k]);
         double attitude, velocity;
@@ -121,9 +120,8 @@ static void order_and_dissipation(void **state)
 }
 
 /** phi = 1 is explicit: v+ = v + h F/m, then x+ = x + h v+, as VTI-3. */
-static void phi_1_is_vti3(void **state)
+TEST(phi_1_is_vti3)
 {
-    (void)state;
     static const char *const where[] = {"pendulum", "chain"};
     for (int k = 0; k < 2; ++k) {
         struct scene scene;

@@ -8,14 +8,13 @@
 
 enum { CASES = 100000, NUMBERS = 3 };
 
-static void steps_as_gsl_chooses_them(void **state)
+TEST(steps_as_gsl_chooses_them)
 {
     static const double epsilon = 1e-3;
     gsl_odeiv2_control *ours = control_new(epsilon), *theirs = gsl_odeiv2_control_y_new(epsilon, epsilon);
     gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, NUMBERS);
     rng g = rng_seed(5);
     int changed[3] = {0};
-    (void)state;
     for (int i = 0; i < CASES; ++i) {
         const double size = i % 2 ? 10.0 : 1.0, rate[NUMBERS] = {0.0};
         double y[NUMBERS], error[NUMBERS], h = 0.1, expected = 0.1;
@@ -35,15 +34,10 @@ static void steps_as_gsl_chooses_them(void **state)
     gsl_odeiv2_control_free(theirs);
 }
 
-static void quantiles(void **state)
+TEST(quantiles)
 {
-    (void)state;
     for (int freedom = 1; freedom < 64; ++freedom)
         assert_close(fit_student(freedom), gsl_cdf_tdist_Pinv(0.975, freedom), 1e-12 * fit_student(freedom));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(quantiles)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(quantiles))

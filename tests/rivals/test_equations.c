@@ -68,9 +68,8 @@ static void implicit_step(int turns)
     end(&j);
 }
 
-static void campello(void **state)
+TEST(campello)
 {
-    (void)state;
     implicit_step(1);
     implicit_step(0);
 }
@@ -78,10 +77,9 @@ static void campello(void **state)
 /* ---- rates ------------------------------------------------------------------------------------------------------- */
 
 /** Where no effect gives a force or a moment, velocities have rates too: 0, whatever stood in memory. */
-static void rates_without_loads(void **state)
+TEST(rates_without_loads)
 {
     static const char *const where[] = {"pile", "spin"};
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         struct scene scene;
         struct model model;

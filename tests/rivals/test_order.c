@@ -93,17 +93,15 @@ static void orders(const struct ladder *ladder)
     free(state);
 }
 
-static void pendulum(void **state)
+TEST(pendulum)
 {
     const struct ladder ladder = {"pendulum", 10.0, {1280, 320, 320, 8}};
-    (void)state;
     orders(&ladder);
 }
 
-static void chain(void **state)
+TEST(chain)
 {
     const struct ladder ladder = {"chain", 1.0, {4096, 256, 128, 22}};
-    (void)state;
     orders(&ladder);
 }
 

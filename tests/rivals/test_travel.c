@@ -7,10 +7,9 @@
 
 /* ---- the list ---------------------------------------------------------------------------------------------------- */
 
-static void list(void **state)
+TEST(list)
 {
     int64_t spatial = 0;
-    (void)state;
     method_admit();
     for (int64_t i = 0; i < vti_stepper_count(); ++i)
         spatial += vti_stepper_at(i)->frame == VTI_FRAME_SPACE;
@@ -60,12 +59,11 @@ static int64_t evals_of(const char *name, const char *where, double h, int64_t s
     return evals;
 }
 
-static void force_evals(void **state)
+TEST(force_evals)
 {
     static const char *const once[] = {
         "vti2",   "exact",   "quat-euler", "lammps-richardson", "mercury", "yade-exp-verlet", "yade-leapfrog",
         "spiral", "omelyan", "lgvi"};
-    (void)state;
     for (size_t i = 0; i < sizeof once / sizeof once[0]; ++i)
         assert_int_equal(evals_of(once[i], "chain", 1.0 / 512, 20), 21);
     assert_int_equal(evals_of("srkn11", "chain", 1.0 / 64, 20), 1 + 11 * 20);
@@ -152,9 +150,8 @@ static int see(void *self, int64_t step, double t, const vti_bodies *b)
 }
 
 /** Steps 0, 5, 10, ..., and the last; the same state as travel_bodies tells, with the attitude as alpha. */
-static void observed(void **state)
+TEST(observed)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j;
@@ -178,9 +175,8 @@ static void observed(void **state)
     }
 }
 
-static void looking(void **state)
+TEST(looking)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         assert_undisturbed(method_at(i), "pendulum", 1.0 / 16);
         assert_undisturbed(method_at(i), "chain", 1.0 / 512);
@@ -253,9 +249,8 @@ static void resumed(void **state)
 }
 
 /** Before the first step, and after it in time: a lagging method is read at t, not half a step before. */
-static void reading(void **state)
+TEST(reading)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey start, j;
@@ -292,9 +287,8 @@ static void assert_units(const vti_stepper *method, const char *where, double h,
 }
 
 /** After many steps, and after large ones. */
-static void units(void **state)
+TEST(units)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         assert_units(method_at(i), "chain", 1.0 / 512, 2000);
         assert_units(method_at(i), "pendulum", 0.5, 20);
@@ -304,9 +298,8 @@ static void units(void **state)
 /* ---- absent physics ---------------------------------------------------------------------------------------------- */
 
 /** Chain without what turns it, or spheres without any effect: nothing has an attitude, and flight is straight. */
-static void no_rotation(void **state)
+TEST(no_rotation)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j, other;
@@ -329,9 +322,8 @@ static void no_rotation(void **state)
     }
 }
 
-static void free_flight(void **state)
+TEST(free_flight)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j;
@@ -350,9 +342,8 @@ static void free_flight(void **state)
 }
 
 /** A pile of 128: contacts that come and go, and the seams of blocks would show. */
-static void contacts(void **state)
+TEST(contacts)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j;
@@ -381,7 +372,7 @@ static void assert_refused(const char *name, const char *where, double h, const 
     end(&j);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
     static const double wrong[] = {0.0, -1.0, NAN, INFINITY};
     char line[512];
@@ -389,7 +380,6 @@ static void refusals(void **state)
     struct model model;
     struct travel travel;
     struct message message;
-    (void)state;
     snprintf(line, sizeof line, "lgvi at h = 1: t = 0: body 0 has h|Omega| = 1; %s", vti_status_text(VTI_E_TOO_LARGE));
     assert_refused("lgvi", "spin", 1.0, line);
     assert_refused("campello", "chain", 0.5,

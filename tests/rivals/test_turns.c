@@ -58,7 +58,7 @@ static void assert_angle(const char *name, double h, double angle, double tolera
     end(&j);
 }
 
-static void free_spin(void **state)
+TEST(free_spin)
 {
     static const struct {
         const char *name;
@@ -76,7 +76,6 @@ static void free_spin(void **state)
         {"rk4", rk4_law},
     };
     static const double h[] = {1e-6, 1.0 / 64, 0.3, 0.9}; /* |Omega| = 1 */
-    (void)state;
     for (size_t i = 0; i < sizeof laws / sizeof laws[0]; ++i)
         for (size_t k = 0; k < sizeof h / sizeof h[0]; ++k)
             assert_angle(laws[i].name, h[k], laws[i].angle(h[k]), 4.0 * EPS);
@@ -86,9 +85,8 @@ static void free_spin(void **state)
 }
 
 /** The law of lgvi ends at h|Omega| = 1, that of the others does not. */
-static void large_turns(void **state)
+TEST(large_turns)
 {
-    (void)state;
     assert_angle("mercury", 5.0, cayley_law(5.0), 4.0 * EPS);
     assert_angle("omelyan", 5.0, midpoint_law(5.0), 4.0 * EPS);
     assert_angle("yade-leapfrog", 5.0, 5.0, 4.0 * EPS);
@@ -96,10 +94,9 @@ static void large_turns(void **state)
 }
 
 /** From within 1e-9 of a half turn, where w of the quaternion all but vanishes, and across it. */
-static void half_turns(void **state)
+TEST(half_turns)
 {
     const double axis[3] = {0.6, 0.0, 0.8}, h = 1e-10;
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j;
@@ -160,14 +157,13 @@ static void assert_same(const char *name, const char *other, const char *where, 
 }
 
 /** Rounding of 1000 steps, grown by the motion itself. */
-static void equivalents(void **state)
+TEST(equivalents)
 {
     static const char *const pairs[][2] = {{"mercury", "vti2"},
                                            {"quat-euler", "vti3"},
                                            {"lgvi", "vti1"},
                                            {"yade-leapfrog", "yade-exp-verlet"},
                                            {"spiral", "yade-leapfrog"}};
-    (void)state;
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; ++i) {
         assert_same(pairs[i][0], pairs[i][1], "pendulum", 1.0 / 64, 0, 5e-13);
         assert_same(pairs[i][0], pairs[i][1], "chain", 1.0 / 512, 0, 5e-12);
@@ -176,10 +172,9 @@ static void equivalents(void **state)
 }
 
 /** The others are like Verlet, and not the same: what is left between them is their error. */
-static void not_equivalents(void **state)
+TEST(not_equivalents)
 {
     static const char *const names[] = {"lammps-richardson", "omelyan", "yade-leapfrog", "lgvi", "campello"};
-    (void)state;
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
         struct journey j, mercury;
         struct scene scene;
@@ -196,12 +191,11 @@ static void not_equivalents(void **state)
 }
 
 /** Unequal masses with the methods that divide by them in another way: they meet at a small h. */
-static void unequal_masses(void **state)
+TEST(unequal_masses)
 {
     enum { STEPS = 256, BODIES = 16 };
     static const char *const names[] = {"rk4", "rk8pd", "rk8pd-adaptive"};
     double mass[2][BODIES], inertia[2][BODIES];
-    (void)state;
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
         struct journey j[2];
         vti_bodies b[2];

@@ -60,9 +60,8 @@ static void refused(int status, int64_t body, int64_t quantity)
         assert_same_bits(before[k], all[k], DOUBLES);
 }
 
-static void views_after_the_seal(void **state)
+TEST(views_after_the_seal)
 {
-    (void)state;
     b.x.c[1] = NULL;
     refused(VTI_E_VIEW, -1, VTI_QUANTITY_X);
     b.x.c[1] = x + 1;
@@ -73,9 +72,8 @@ static void views_after_the_seal(void **state)
     refused(VTI_E_MASS, -1, VTI_QUANTITY_MASS);
 }
 
-static void numbers_after_the_seal(void **state)
+TEST(numbers_after_the_seal)
 {
-    (void)state;
     v[3 * 2 + 1] = NAN;
     refused(VTI_E_STATE, 2, VTI_QUANTITY_V);
     v[3 * 2 + 1] = 0;
@@ -97,9 +95,8 @@ static void list_refused(const vti_effect *effect, int status)
     assert_same_bits(before[1], m, DOUBLES);
 }
 
-static void lists_after_their_check(void **state)
+TEST(lists_after_their_check)
 {
-    (void)state;
     const vti_effect bond = vti_bonds_effect(&bonds), contact = vti_contacts_effect(&contacts);
     assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
     assert_int_equal(vti_apply(&contact, 1, &b), VTI_OK);
@@ -122,9 +119,8 @@ static void lists_after_their_check(void **state)
 }
 
 /** Bodies that are held lie outside the slice that is stepped: the views say that they exist. */
-static void held_bodies(void **state)
+TEST(held_bodies)
 {
-    (void)state;
     const vti_effect bond = vti_bonds_effect(&bonds);
     b = vti_bodies_slice(b, 0, 1);
     list_refused(&bond, VTI_E_BOND);
@@ -132,13 +128,5 @@ static void held_bodies(void **state)
     assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(views_after_the_seal, sound),
-        cmocka_unit_test_setup(numbers_after_the_seal, sound),
-        cmocka_unit_test_setup(lists_after_their_check, sound),
-        cmocka_unit_test_setup(held_bodies, sound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(views_after_the_seal, sound), cmocka_unit_test_setup(numbers_after_the_seal, sound),
+          cmocka_unit_test_setup(lists_after_their_check, sound), cmocka_unit_test_setup(held_bodies, sound))

@@ -7,9 +7,8 @@
 enum { STAGES = 24, DEGREE = 2 * STAGES };
 
 /** Kicks and drifts each add up to a step. */
-static void sums(void **state)
+TEST(sums)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *s = vti_stepper_at(k);
         long double kicks = 0, drifts = 0;
@@ -36,9 +35,8 @@ static int sequence(const vti_stepper *s, double *list)
 }
 
 /** A reversible stepper reads the same from both ends, to the bit. */
-static void symmetric(void **state)
+TEST(symmetric)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *s = vti_stepper_at(k);
         double list[2 * STAGES] = {0};
@@ -57,9 +55,8 @@ static void symmetric(void **state)
 }
 
 /** Suzuki's p solves 4 p^3 + (1 - 4p)^3 = 0. */
-static void suzuki(void **state)
+TEST(suzuki)
 {
-    (void)state;
     const vti_stepper *s = vti_stepper_find("suzuki4");
     const long double p = 1 / (4 - cbrtl(4));
     for (int i = 0; i < 5; ++i)
@@ -68,9 +65,8 @@ static void suzuki(void **state)
 
 /** A composition of a symmetric step: kicks are the means of the drifts on either side, and sums of odd powers vanish. They
  *  are necessary for order 6 (powers 3 and 5) and 8 (also 7); their sizes are those of 17 numbers of order 1/2. */
-static void kahan_li(void **state)
+TEST(kahan_li)
 {
-    (void)state;
     const char *const names[] = {"suzuki4", "kl6", "kl8"};
     for (int m = 0; m < 3; ++m) {
         const vti_stepper *s = vti_stepper_find(names[m]);
@@ -114,9 +110,8 @@ static void oscillator(const vti_stepper *s, poly matrix[2][2])
 }
 
 /** cos z in the diagonal, sin z and -sin z beside it: equal up to z^order, and not beyond. */
-static void harmonic_oscillator(void **state)
+TEST(harmonic_oscillator)
 {
-    (void)state;
     for (int64_t m = 0; m < vti_stepper_count(); ++m) {
         const vti_stepper *s = vti_stepper_at(m);
         poly matrix[2][2];
@@ -141,11 +136,5 @@ static void harmonic_oscillator(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums),     cmocka_unit_test(symmetric),           cmocka_unit_test(suzuki),
-        cmocka_unit_test(kahan_li), cmocka_unit_test(harmonic_oscillator),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(sums), cmocka_unit_test(symmetric), cmocka_unit_test(suzuki), cmocka_unit_test(kahan_li),
+          cmocka_unit_test(harmonic_oscillator))

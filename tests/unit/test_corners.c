@@ -70,9 +70,8 @@ static vti_spring between(int64_t i, int64_t j, double axial)
     return s;
 }
 
-static void springs_of_bodies_that_are_not_there(void **state)
+TEST(springs_of_bodies_that_are_not_there)
 {
-    (void)state;
     const int64_t pair[][2] = {{0, 2}, {5, 2}, {1, -2}, {1, 5}, {1, 0}};
     const vti_bodies b = vti_bodies_slice(bodies(6), 1, 4);
     vti_stable found;
@@ -89,9 +88,8 @@ static void springs_of_bodies_that_are_not_there(void **state)
 }
 
 /** What is infinitely stiff, or NaN, is infinitely fast, wherever it stands in the list. */
-static void springs_without_a_number(void **state)
+TEST(springs_without_a_number)
 {
-    (void)state;
     const double stiff[] = {INFINITY, NAN};
     const vti_bodies b = bodies(4);
     for (int k = 0; k < 2; ++k) {
@@ -107,9 +105,8 @@ static void springs_without_a_number(void **state)
     }
 }
 
-static void strains_and_contacts_of_no_use(void **state)
+TEST(strains_and_contacts_of_no_use)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     double rest[4], scratch[2];
     const double diameter = 0.1;
@@ -140,9 +137,8 @@ static void strains_and_contacts_of_no_use(void **state)
 
 /* ---- lists that know where their values end ------------------------------------------------------------------------ */
 
-static void lists_longer_than_their_values(void **state)
+TEST(lists_longer_than_their_values)
 {
-    (void)state;
     const int64_t pair[4] = {0, 1, 1, 2};
     const double stiffness[2] = {1.0, -1.0};
     double rest[8];
@@ -166,9 +162,8 @@ static void lists_longer_than_their_values(void **state)
 
 /* ---- moves ------------------------------------------------------------------------------------------------------------ */
 
-static void a_stepper_of_ones_own(void **state)
+TEST(a_stepper_of_ones_own)
 {
-    (void)state;
     static const double kick[2] = {0.0, 1.0}, huge[2] = {0.5, 1e308}, drift[2] = {1.0, 0.0};
     vti_stepper late = *vti_stepper_find("vti2");
     late.kick = kick;
@@ -190,9 +185,8 @@ static void a_stepper_of_ones_own(void **state)
 }
 
 /** Many bodies that carry the residuals of velocities alone, or whose quaternions lie in parts, are moved as each by itself. */
-static void what_no_kernel_takes(void **state)
+TEST(what_no_kernel_takes)
 {
-    (void)state;
     static double quat[60][3], expected[60][3];
     const vti_stepper *const vti2 = vti_stepper_find("vti2");
     for (int parts = 0; parts < 3; ++parts) {
@@ -223,15 +217,6 @@ static void what_no_kernel_takes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(springs_of_bodies_that_are_not_there),
-        cmocka_unit_test(springs_without_a_number),
-        cmocka_unit_test(strains_and_contacts_of_no_use),
-        cmocka_unit_test(lists_longer_than_their_values),
-        cmocka_unit_test(a_stepper_of_ones_own),
-        cmocka_unit_test(what_no_kernel_takes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(springs_of_bodies_that_are_not_there), cmocka_unit_test(springs_without_a_number),
+          cmocka_unit_test(strains_and_contacts_of_no_use), cmocka_unit_test(lists_longer_than_their_values),
+          cmocka_unit_test(a_stepper_of_ones_own), cmocka_unit_test(what_no_kernel_takes))

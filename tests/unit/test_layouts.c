@@ -78,9 +78,8 @@ static void move_expected(int64_t count, int scalars, double t, double s)
     }
 }
 
-static void every_layout_beside_every_other(void **state)
+TEST(every_layout_beside_every_other)
 {
-    (void)state;
     const double t = 0.3, s = -0.7;
     for (int trial = 0; trial < 2 * SCALARS * LAYOUTS * LAYOUTS * LAYOUTS; ++trial) {
         const int64_t count = trial & 1 ? N : 3; /* few are done in loops of their own */
@@ -95,10 +94,4 @@ static void every_layout_beside_every_other(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_layout_beside_every_other),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_layout_beside_every_other))

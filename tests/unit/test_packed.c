@@ -77,9 +77,8 @@ static int finish(int64_t stepper, double h, int64_t n, int64_t masses, int64_t 
     return vti_packed_finish(stepper, h, n, ours[1], ours[2], ours[4], ours[5], masses, mass, inertias, inertia);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     int64_t body = 5;
     double value = 5;
     const int64_t wrong[] = {-1, vti_stepper_count(), INT64_MAX, INT64_MIN};
@@ -119,9 +118,8 @@ static void refusals(void **state)
 }
 
 /** begin and finish are all that this door has: a stepper that needs more is refused by both. */
-static void several_stages(void **state)
+TEST(several_stages)
 {
-    (void)state;
     int passed = 0;
     for (int64_t s = 0; s < vti_stepper_count(); ++s) {
         if (of_one_stage(s)) {
@@ -136,22 +134,13 @@ static void several_stages(void **state)
     assert_same_bits(ours, theirs, DOUBLES);
 }
 
-static void no_bodies(void **state)
+TEST(no_bodies)
 {
-    (void)state;
     assert_int_equal(begin(0, 0.1, 0, 0, 1, NULL, NULL), VTI_OK);
     assert_int_equal(finish(0, 0.1, 0, 1, 0), VTI_OK);
     assert_int_equal(vti_packed_begin(1, 0.1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL), 0);
     assert_same_bits(ours, theirs, DOUBLES);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_bits_as_views),
-        cmocka_unit_test_setup(refusals, sound),
-        cmocka_unit_test_setup(several_stages, sound),
-        cmocka_unit_test_setup(no_bodies, sound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(same_bits_as_views), cmocka_unit_test_setup(refusals, sound),
+          cmocka_unit_test_setup(several_stages, sound), cmocka_unit_test_setup(no_bodies, sound))

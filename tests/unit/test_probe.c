@@ -184,12 +184,5 @@ static void refusals(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(displaced, fill),
-        cmocka_unit_test_setup(in_part, fill),
-        cmocka_unit_test_setup(refusals, fill),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(displaced, fill), cmocka_unit_test_setup(in_part, fill),
+          cmocka_unit_test_setup(refusals, fill))

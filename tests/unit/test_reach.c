@@ -58,9 +58,8 @@ static void half_traces(const vti_stepper *method, double h, double trace[2])
     }
 }
 
-static void stable_below_and_not_above(void **state)
+TEST(stable_below_and_not_above)
 {
-    (void)state;
     enum { POINTS = 10000 };
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -84,10 +83,4 @@ static void stable_below_and_not_above(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stable_below_and_not_above),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(stable_below_and_not_above))

@@ -64,9 +64,8 @@ static void set(double *p, int64_t i, double c0, double c1, double c2)
 }
 
 /** Every kind of bad value, at both ends, in the middle and at the seams of the blocks of 256. */
-static void one_bad_body(void **state)
+TEST(one_bad_body)
 {
-    (void)state;
     const int64_t places[] = {0, 1, 255, 256, 511, 512, N - 1};
     for (int quat = 0; quat < 2; ++quat) {
         if (quat)
@@ -116,9 +115,8 @@ static void one_bad_body(void **state)
 }
 
 /** Of several the largest is named, or the first that is not a number; a slice looks at its own bodies only. */
-static void the_worst_is_named(void **state)
+TEST(the_worst_is_named)
 {
-    (void)state;
     b.moment = vti_view_none();
     set(w, 10, 3, 0, 0);
     set(w, 400, 0, 9, 0);
@@ -138,9 +136,8 @@ static void the_worst_is_named(void **state)
 }
 
 /** The largest s below 1 is a turn by nearly a right angle; Cayley steppers know no bound. */
-static void largest_that_passes(void **state)
+TEST(largest_that_passes)
 {
-    (void)state;
     const double zero[3] = {0, 0, 0};
     b.moment = vti_view_none();
     set(w, 500, 0, 2 - 2 * EPS, 0);
@@ -161,9 +158,8 @@ static void largest_that_passes(void **state)
 }
 
 /** Without an attitude, or without Omega, nothing turns and nothing can turn too far. */
-static void nothing_turns(void **state)
+TEST(nothing_turns)
 {
-    (void)state;
     set(w, 3, 1e9, 0, 0);
     b.alpha = vti_view_none();
     assert_int_equal(vti_step_begin(closed[0], 0.5, &b, NULL), VTI_OK);
@@ -173,9 +169,8 @@ static void nothing_turns(void **state)
 }
 
 /** The primitive by itself: t of either sign, no kick. */
-static void drift(void **state)
+TEST(drift)
 {
-    (void)state;
     for (int sign = -1; sign <= 1; sign += 2) {
         vti_fault fault;
         set(w, 42, 0, 3, 0);
@@ -191,9 +186,8 @@ static void drift(void **state)
 }
 
 /** Bodies within a few roundings of the bound, with residuals: either refused or moved to a finite attitude. */
-static void residuals_at_the_bound(void **state)
+TEST(residuals_at_the_bound)
 {
-    (void)state;
     rng g = rng_seed(22);
     static double low[3 * N];
     int passed = 0, stopped = 0;
@@ -220,15 +214,6 @@ static void residuals_at_the_bound(void **state)
     assert_true(passed > 1000 && stopped > 1000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(one_bad_body, sound),
-        cmocka_unit_test_setup(the_worst_is_named, sound),
-        cmocka_unit_test_setup(largest_that_passes, sound),
-        cmocka_unit_test_setup(nothing_turns, sound),
-        cmocka_unit_test_setup(drift, sound),
-        cmocka_unit_test_setup(residuals_at_the_bound, sound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(one_bad_body, sound), cmocka_unit_test_setup(the_worst_is_named, sound),
+          cmocka_unit_test_setup(largest_that_passes, sound), cmocka_unit_test_setup(nothing_turns, sound),
+          cmocka_unit_test_setup(drift, sound), cmocka_unit_test_setup(residuals_at_the_bound, sound))

@@ -43,17 +43,15 @@ static void binary_in_place(binary *f)
     }
 }
 
-static void rotation_vectors(void **state)
+TEST(rotation_vectors)
 {
-    (void)state;
     unary_in_place(vti_rrv_from_rotvec, 3, 3);
     unary_in_place(vti_rrv_to_rotvec, 3, 3);
     unary_in_place(vti_rrv_inverse, 3, 3);
 }
 
-static void quaternions_and_matrices(void **state)
+TEST(quaternions_and_matrices)
 {
-    (void)state;
     unary_in_place(vti_rrv_to_quat_xyzw, 3, 4);
     unary_in_place(vti_rrv_from_quat_xyzw, 4, 3);
     unary_in_place(vti_rrv_to_pair, 3, 4);
@@ -62,9 +60,8 @@ static void quaternions_and_matrices(void **state)
     unary_in_place(vti_rrv_from_matrix, 9, 3);
 }
 
-static void pairs(void **state)
+TEST(pairs)
 {
-    (void)state;
     binary_in_place(vti_rrv_compose);
     binary_in_place(vti_rrv_relative);
     binary_in_place(vti_rrv_relative_printed);
@@ -72,9 +69,8 @@ static void pairs(void **state)
     binary_in_place(vti_rrv_rotate_back);
 }
 
-static void turns(void **state)
+TEST(turns)
 {
-    (void)state;
     rng g = rng_seed(9);
     for (int i = 0; i < 10000; ++i) {
         double a[3], u[3], r[3];
@@ -86,13 +82,5 @@ static void turns(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rotation_vectors),
-        cmocka_unit_test(quaternions_and_matrices),
-        cmocka_unit_test(pairs),
-        cmocka_unit_test(turns),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(rotation_vectors), cmocka_unit_test(quaternions_and_matrices), cmocka_unit_test(pairs),
+          cmocka_unit_test(turns))

@@ -48,9 +48,8 @@ static void fail_with(const char *what, const double *a, int n, double error)
     fail();
 }
 
-static void compose(void **state)
+TEST(compose)
 {
-    (void)state;
     rng g = rng_seed(101);
     for (int i = 0; i < TRIALS; ++i) {
         double in[6], r[3];
@@ -65,9 +64,8 @@ static void compose(void **state)
 }
 
 /** An increment (c, u) of any length, in space and in the body's frame. */
-static void turn(void **state)
+TEST(turn)
 {
-    (void)state;
     rng g = rng_seed(107);
     for (int i = 0; i < TRIALS; ++i) {
         double in[7], a[3];
@@ -87,9 +85,8 @@ static void turn(void **state)
 }
 
 /** R p may overflow only if it does so itself; |r_k| <= |p|. */
-static void rotate(void **state)
+TEST(rotate)
 {
-    (void)state;
     rng g = rng_seed(102);
     for (int i = 0; i < TRIALS; ++i) {
         double in[6], r[3], expected[3];
@@ -109,9 +106,8 @@ static void rotate(void **state)
     }
 }
 
-static void convert_alpha(void **state)
+TEST(convert_alpha)
 {
-    (void)state;
     rng g = rng_seed(103);
     for (int i = 0; i < TRIALS; ++i) {
         double a[3], theta[3], q[4], R[9], b[3];
@@ -138,9 +134,8 @@ static void convert_alpha(void **state)
     }
 }
 
-static void arc(void **state)
+TEST(arc)
 {
-    (void)state;
     rng g = rng_seed(107);
     for (int i = 0; i < TRIALS; ++i) {
         double in[2];
@@ -156,9 +151,8 @@ static void arc(void **state)
 }
 
 /** Everywhere, beside right angles, and where libm takes over. */
-static void sine_and_cosine(void **state)
+TEST(sine_and_cosine)
 {
-    (void)state;
     rng g = rng_seed(108);
     for (int i = 0; i < TRIALS; ++i) {
         const double most = i % 3 == 0 ? 0x1p20 : 8, right = floor(uniform(&g, -667544, 667544)) * (0.5 * PI);
@@ -170,9 +164,8 @@ static void sine_and_cosine(void **state)
     }
 }
 
-static void norm_and_angle(void **state)
+TEST(norm_and_angle)
 {
-    (void)state;
     rng g = rng_seed(104);
     for (int i = 0; i < TRIALS; ++i) {
         double a[3];
@@ -186,9 +179,8 @@ static void norm_and_angle(void **state)
     }
 }
 
-static void convert_to_alpha(void **state)
+TEST(convert_to_alpha)
 {
-    (void)state;
     rng g = rng_seed(105);
     for (int i = 0; i < TRIALS; ++i) {
         double q[4], a[3], off;
@@ -210,9 +202,8 @@ static void convert_to_alpha(void **state)
 
 /** cos(6381956970095103 2^797) = -4.7e-19: no double comes nearer to an odd number of right angles. Twice that is a half turn,
  *  whose tangent lies beyond the largest alpha: cut off as compositions are, on every axis, either way round. */
-static void nearest_half_turn(void **state)
+TEST(nearest_half_turn)
 {
-    (void)state;
     for (int k = 0; k < 6; ++k) {
         double theta[3] = {0, 0, 0}, a[3];
         theta[k % 3] = (k < 3 ? 2.0 : -2.0) * 6381956970095103.0 * 0x1p797;
@@ -224,9 +215,8 @@ static void nearest_half_turn(void **state)
 }
 
 /** Distance of attitudes, and that it is finite, symmetric and at most pi. */
-static void distance(void **state)
+TEST(distance)
 {
-    (void)state;
     rng g = rng_seed(106);
     for (int i = 0; i < TRIALS; ++i) {
         double in[6];

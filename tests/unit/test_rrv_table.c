@@ -37,9 +37,8 @@ static void check_theta(const double theta[3], const double expected[3])
         assert_close(sign * theta[k], expected[k], tolerance);
 }
 
-static void rotation_vector_to_alpha(void **state)
+TEST(rotation_vector_to_alpha)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(rotvec_cases); ++i) {
         double a[3];
         vti_rrv_from_rotvec(rotvec_cases[i].input, a);
@@ -50,9 +49,8 @@ static void rotation_vector_to_alpha(void **state)
     }
 }
 
-static void alpha_to_rotation_vector(void **state)
+TEST(alpha_to_rotation_vector)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(alpha_cases); ++i) {
         double theta[3];
         vti_rrv_to_rotvec(alpha_cases[i].input, theta);
@@ -60,18 +58,16 @@ static void alpha_to_rotation_vector(void **state)
     }
 }
 
-static void angle_of_alpha(void **state)
+TEST(angle_of_alpha)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(alpha_cases); ++i) {
         const double expected = alpha_cases[i].angle;
         assert_close(vti_rrv_angle(alpha_cases[i].input), expected, 4 * EPS * expected + TINY);
     }
 }
 
-static void quaternions(void **state)
+TEST(quaternions)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(alpha_cases); ++i) {
         const struct alpha_case *c = &alpha_cases[i];
         double q[4], a[3], scaled[4];
@@ -90,9 +86,8 @@ static void quaternions(void **state)
     }
 }
 
-static void matrices(void **state)
+TEST(matrices)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(alpha_cases); ++i) {
         double R[9], a[3];
         vti_rrv_to_matrix(alpha_cases[i].input, R);
@@ -109,9 +104,8 @@ static void matrices(void **state)
     }
 }
 
-static void rotated_vectors(void **state)
+TEST(rotated_vectors)
 {
-    (void)state;
     const double tolerance = 8 * EPS * vti_norm(reference_vector);
     for (size_t i = 0; i < COUNT(alpha_cases); ++i) {
         double r[3];
@@ -122,9 +116,8 @@ static void rotated_vectors(void **state)
     }
 }
 
-static void compositions(void **state)
+TEST(compositions)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(pair_cases); ++i) {
         const struct pair_case *c = &pair_cases[i];
         double r[3], minus[3];
@@ -143,9 +136,8 @@ static void compositions(void **state)
 }
 
 /** The increment as a pair: spatial on the left, in the body's frame on the right; its length and sign do not matter. */
-static void turns(void **state)
+TEST(turns)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(pair_cases); ++i) {
         const struct pair_case *c = &pair_cases[i];
         const rotor p = quat_of_alpha(c->a), q = quat_of_alpha(c->b), left = quat_times(q, p), right = quat_times(p, q);
@@ -162,9 +154,8 @@ static void turns(void **state)
     }
 }
 
-static void zero_is_the_identity(void **state)
+TEST(zero_is_the_identity)
 {
-    (void)state;
     const double zero[3] = {0, 0, 0}, eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, one[4] = {0, 0, 0, 1};
     double r[9];
     vti_rrv_from_rotvec(zero, r);
@@ -185,9 +176,8 @@ static void zero_is_the_identity(void **state)
 }
 
 /** A quaternion of four zeros is no attitude: NaN shows it, wherever it goes in. */
-static void no_attitude(void **state)
+TEST(no_attitude)
 {
-    (void)state;
     const double none[4] = {0, 0, 0, 0}, p[3] = {1, 2, 3};
     double a[3] = {0, 0, 0}, r[3] = {0, 0, 0};
     vti_rrv_from_quat_xyzw(none, a);
@@ -196,19 +186,7 @@ static void no_attitude(void **state)
         assert_true(isnan(a[k]) && isnan(r[k]));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rotation_vector_to_alpha),
-        cmocka_unit_test(alpha_to_rotation_vector),
-        cmocka_unit_test(angle_of_alpha),
-        cmocka_unit_test(quaternions),
-        cmocka_unit_test(matrices),
-        cmocka_unit_test(rotated_vectors),
-        cmocka_unit_test(compositions),
-        cmocka_unit_test(turns),
-        cmocka_unit_test(zero_is_the_identity),
-        cmocka_unit_test(no_attitude),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(rotation_vector_to_alpha), cmocka_unit_test(alpha_to_rotation_vector),
+          cmocka_unit_test(angle_of_alpha), cmocka_unit_test(quaternions), cmocka_unit_test(matrices),
+          cmocka_unit_test(rotated_vectors), cmocka_unit_test(compositions), cmocka_unit_test(turns),
+          cmocka_unit_test(zero_is_the_identity), cmocka_unit_test(no_attitude))

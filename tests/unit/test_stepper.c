@@ -4,9 +4,8 @@
  * and drifts says, for a list of the caller's own as well. */
 #include "support.h"
 
-static void found_by_name_and_index(void **state)
+TEST(found_by_name_and_index)
 {
-    (void)state;
     const char *const names[] = {"vti1", "vti2", "vti3",  "vti3-leapfrog", "vti1-body", "exact", "suzuki4",
                                  "kl6",  "kl8",  "srkn6", "srkn11",        "srkn14",    "chin4"};
     assert_int_equal(vti_stepper_count(), 13);
@@ -22,9 +21,8 @@ static void found_by_name_and_index(void **state)
         assert_ptr_equal(vti_stepper_find(vti_stepper_at(k)->name), vti_stepper_at(k));
 }
 
-static void unknown(void **state)
+TEST(unknown)
 {
-    (void)state;
     const char *const names[] = {"", "vti", "vti4", "VTI1", "vti1 ", "vti3-leap"};
     for (int k = 0; k < 6; ++k)
         assert_null(vti_stepper_find(names[k]));
@@ -36,9 +34,8 @@ static void unknown(void **state)
 }
 
 /** What each stepper says of itself. */
-static void fields(void **state)
+TEST(fields)
 {
-    (void)state;
     static const struct {
         const char *name;
         int law, order, reversible, symplectic, stages, evals;
@@ -97,9 +94,8 @@ static vti_bodies bodies_of(body *p, const double *mass, const double *inertia)
 }
 
 /** The stages of a list, written out: the velocities after kicks of constant force, the positions after the drifts. */
-static void step_plays_its_list(void **state)
+TEST(step_plays_its_list)
 {
-    (void)state;
     const double kick[] = {0.2, -0.7, 1.1, 0.4}, drift[] = {0.5, -0.25, 0.75, 0}, mass = 2, inertia = 0.5, h = 0.25;
     const vti_stepper own = {.name = "own",
                              .law = VTI_LAW_CAYLEY,
@@ -146,9 +142,8 @@ static void step_plays_its_list(void **state)
 static const double ends_kick[] = {0.25, 0.75}, ends_drift[] = {0.5, 0.5};
 
 /** A list that ends with a drift: finish moves positions too, and under the closed form either all bodies or none. */
-static void last_drift(void **state)
+TEST(last_drift)
 {
-    (void)state;
     const double mass = 2, inertia = 0.5, h = 0.5;
     vti_stepper own = {.name = "own",
                        .law = VTI_LAW_CLOSED,
@@ -196,9 +191,8 @@ static void last_drift(void **state)
 }
 
 /** A step that begins with a drift does not look at the forces before they are made, whatever its law. */
-static void no_kick_no_forces(void **state)
+TEST(no_kick_no_forces)
 {
-    (void)state;
     const double one = 1;
     for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_EXACT9; ++law) {
         vti_stepper own = *vti_stepper_find("srkn14");
@@ -212,9 +206,8 @@ static void no_kick_no_forces(void **state)
 }
 
 /** What is absent is not touched, by any stage of any stepper: forces without velocities, velocities without positions. */
-static void absent_physics(void **state)
+TEST(absent_physics)
 {
-    (void)state;
     const double one = 1;
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int turns = 0; turns < 2; ++turns) {
@@ -246,9 +239,8 @@ static void absent_physics(void **state)
 }
 
 /** A probe is where forces would take the bodies: without them, where they are. */
-static void probe_without_loads(void **state)
+TEST(probe_without_loads)
 {
-    (void)state;
     const double one = 1;
     const vti_stepper *const chin4 = vti_stepper_find("chin4");
     const body start = {{1, 2, 3}, {0.5, 0.25, 0.5}, {4, 5, 6}, {0.1, 0.2, 0}, {8, -8, 4}, {1, 0, 2}};
@@ -274,9 +266,8 @@ static void probe_without_loads(void **state)
 }
 
 /** Steppers without lag are neither started nor read out: not a bit changes, whatever the force. */
-static void no_lag_no_change(void **state)
+TEST(no_lag_no_change)
 {
-    (void)state;
     const double one = 1;
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         if (vti_stepper_at(k)->lag != 0)
@@ -290,18 +281,6 @@ static void no_lag_no_change(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(found_by_name_and_index),
-        cmocka_unit_test(unknown),
-        cmocka_unit_test(fields),
-        cmocka_unit_test(step_plays_its_list),
-        cmocka_unit_test(no_lag_no_change),
-        cmocka_unit_test(last_drift),
-        cmocka_unit_test(no_kick_no_forces),
-        cmocka_unit_test(absent_physics),
-        cmocka_unit_test(probe_without_loads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(found_by_name_and_index), cmocka_unit_test(unknown), cmocka_unit_test(fields),
+          cmocka_unit_test(step_plays_its_list), cmocka_unit_test(no_lag_no_change), cmocka_unit_test(last_drift),
+          cmocka_unit_test(no_kick_no_forces), cmocka_unit_test(absent_physics), cmocka_unit_test(probe_without_loads))

@@ -3,9 +3,8 @@
  * Compensated sums and the trapezoid rule against sums that are exact in integers. */
 #include "support.h"
 
-static void cancellation(void **state)
+TEST(cancellation)
 {
-    (void)state;
     const double terms[][4] = {{1, 1e100, 1, -1e100}, {1e100, 1, -1e100, 1}, {1, 1, 1e100, -1e100}};
     for (int i = 0; i < 3; ++i) {
         vti_sum s = {0, 0};
@@ -18,9 +17,8 @@ static void cancellation(void **state)
 }
 
 /** Multiples of 2^-40 of many sizes, of which an int64_t holds the exact sum. */
-static void random_terms(void **state)
+TEST(random_terms)
 {
-    (void)state;
     rng g = rng_seed(41);
     for (int trial = 0; trial < 200; ++trial) {
         enum { TERMS = 1000 };
@@ -41,9 +39,8 @@ static void random_terms(void **state)
 }
 
 /** A million times 0.1, whose plain sum is off by 1.3e-6: 2^-55 times an integer. */
-static void many_equal_terms(void **state)
+TEST(many_equal_terms)
 {
-    (void)state;
     const int64_t numerator = (int64_t)(0.1 * 0x1p55);
     assert_true((double)numerator == 0.1 * 0x1p55);
     vti_sum s = {0, 0};
@@ -55,9 +52,8 @@ static void many_equal_terms(void **state)
     assert_close(vti_sum_value(&s), expected, EPS * expected);
 }
 
-static void integral(void **state)
+TEST(integral)
 {
-    (void)state;
     vti_integral q = {{0, 0}, 0, 0};
     assert_close(vti_integral_value(&q), 0, 0);
     vti_integral_add(&q, NAN, 3.0); /* the step before the first value does not exist */
@@ -70,9 +66,8 @@ static void integral(void **state)
 }
 
 /** Exact for a straight line and off by h^2/6 for t^2 over [0, 1], whatever the number of steps. */
-static void trapezoids(void **state)
+TEST(trapezoids)
 {
-    (void)state;
     for (int n = 1; n <= 1 << 20; n *= 4) {
         const double h = 1.0 / n;
         vti_integral line = {{0, 0}, 0, 0}, square = {{0, 0}, 0, 0};
@@ -86,11 +81,5 @@ static void trapezoids(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cancellation), cmocka_unit_test(random_terms), cmocka_unit_test(many_equal_terms),
-        cmocka_unit_test(integral),     cmocka_unit_test(trapezoids),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(cancellation), cmocka_unit_test(random_terms), cmocka_unit_test(many_equal_terms),
+          cmocka_unit_test(integral), cmocka_unit_test(trapezoids))

@@ -34,9 +34,8 @@ static void expect(vti_bodies b, int status, int64_t quantity, const char *what)
     assert_int_equal(vti_bodies_seal(&b), status);
 }
 
-static void mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     const vti_view none = vti_view_none(), x = vti_view_packed(memory), v = vti_view_packed(memory + 300);
     const vti_view far = vti_view_packed(memory + 900);
     const int64_t bytes = (int64_t)sizeof(double);
@@ -66,9 +65,8 @@ static void mistakes(void **state)
     expect(b, VTI_E_STRIDE, VTI_QUANTITY_QUAT, "quaternions in three doubles");
 }
 
-static void layouts(void **state)
+TEST(layouts)
 {
-    (void)state;
     expect(of(10, view_of(0, 10, 20, 1), view_of(30, 40, 50, 1)), VTI_OK, 0, "x(n,3), v(n,3)");
     expect(of(10, view_of(0, 20, 40, 1), view_of(10, 30, 50, 1)), VTI_OK, 0, "x, vx, y, vy, z, vz");
     expect(of(10, view_of(0, 1, 2, 6), view_of(3, 4, 5, 6)), VTI_OK, 0, "a struct");
@@ -107,9 +105,8 @@ static int64_t between(rng *g, int64_t low, int64_t high)
     return low + (int64_t)(uniform(g, 0, 1) * (double)(high - low + 1));
 }
 
-static void random_views(void **state)
+TEST(random_views)
 {
-    (void)state;
     rng g = rng_seed(711);
     int met[3] = {0, 0, 0};
     for (int trial = 0; trial < 200000; ++trial) {
@@ -136,9 +133,8 @@ static void random_views(void **state)
 }
 
 /** Bodies and strides of any size neither overflow nor meet. */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     const int64_t sizes[] = {1,         2,  3,  INT32_MAX,     INT64_C(1) << 40, INT64_MAX - 1,
                              INT64_MAX, -1, -3, INT64_MIN + 1, INT64_MIN};
     const int64_t counts[] = {1, 2, INT32_MAX, INT64_C(1) << 53, INT64_MAX};
@@ -157,9 +153,8 @@ static void extremes(void **state)
 }
 
 /** A view of which the end is known shows that many bodies and no more. */
-static void extents(void **state)
+TEST(extents)
 {
-    (void)state;
     vti_fault fault;
     vti_bodies b = of(10, vti_view_packed(memory), vti_view_packed(memory + 100));
     b.quat = quats_packed(memory + 200);
@@ -186,11 +181,5 @@ static void extents(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mistakes), cmocka_unit_test(layouts), cmocka_unit_test(random_views),
-        cmocka_unit_test(extremes), cmocka_unit_test(extents),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(mistakes), cmocka_unit_test(layouts), cmocka_unit_test(random_views),
+          cmocka_unit_test(extremes), cmocka_unit_test(extents))

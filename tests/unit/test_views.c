@@ -121,9 +121,8 @@ static void guards_stand(const store *s)
     }
 }
 
-static void layouts_give_the_same_bits(void **state)
+TEST(layouts_give_the_same_bits)
 {
-    (void)state;
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int variant = 0; variant < 8; ++variant) {
             const int one = variant & 1, quat = variant >> 1 & 1, residuals = variant >> 2;
@@ -139,9 +138,8 @@ static void layouts_give_the_same_bits(void **state)
         }
 }
 
-static void slices_give_the_same_bits(void **state)
+TEST(slices_give_the_same_bits)
 {
-    (void)state;
     const int64_t cuts[] = {0, 0, 1, 2, 255, 256, 257, 600, N};
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int variant = 0; variant < 8; ++variant) {
@@ -157,9 +155,8 @@ static void slices_give_the_same_bits(void **state)
         }
 }
 
-static void a_slice_leaves_the_rest_alone(void **state)
+TEST(a_slice_leaves_the_rest_alone)
 {
-    (void)state;
     fill(&one_store, PACKED, 0, 0, 0);
     fill(&other_store, PACKED, 0, 0, 0);
     const vti_bodies part = vti_bodies_slice(other_store.b, 100, 300), empty = vti_bodies_slice(other_store.b, 7, 0);
@@ -176,9 +173,8 @@ static void a_slice_leaves_the_rest_alone(void **state)
 
 /** All 64 choices of present views: a quantity moves if and only if the quantity that moves it is there, and then as it
  *  does in full company. The residuals stand aside: none is given. */
-static void absent_views_do_nothing(void **state)
+TEST(absent_views_do_nothing)
 {
-    (void)state;
     static store start;
     const int mover[6] = {V, FORCE, -1, OMEGA, MOMENT, -1};
     fill(&start, MIXED, 0, 0, 0);
@@ -206,9 +202,8 @@ static void absent_views_do_nothing(void **state)
 }
 
 /** A double[3] in an array of structs, named by its member; and one body, for which the stride does not matter. */
-static void struct_members_and_one_body(void **state)
+TEST(struct_members_and_one_body)
 {
-    (void)state;
     struct particle {
         double radius, v[3], f[3];
         int64_t id;
@@ -242,12 +237,6 @@ static void struct_members_and_one_body(void **state)
     assert_same_bits(v, kicked, 3);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(layouts_give_the_same_bits),    cmocka_unit_test(slices_give_the_same_bits),
-        cmocka_unit_test(a_slice_leaves_the_rest_alone), cmocka_unit_test(absent_views_do_nothing),
-        cmocka_unit_test(struct_members_and_one_body),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(layouts_give_the_same_bits), cmocka_unit_test(slices_give_the_same_bits),
+          cmocka_unit_test(a_slice_leaves_the_rest_alone), cmocka_unit_test(absent_views_do_nothing),
+          cmocka_unit_test(struct_members_and_one_body))

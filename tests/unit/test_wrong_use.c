@@ -25,9 +25,8 @@ static void nothing_of_bodies(vti_fault *fault, int64_t body)
     fault->body = fault->quantity = 7;
 }
 
-static void rest(void **state)
+TEST(rest)
 {
-    (void)state;
     const int64_t good[2] = {0, 1}, below[4] = {0, 1, -1, 1};
     const vti_view part = {{x, NULL, x + 2}, 3, 0}, first = {{NULL, x + 1, x + 2}, 3, 0},
                    last = {{x, x + 1, NULL}, 3, 0};
@@ -83,9 +82,8 @@ static void forms_of_shear(vti_bonds some)
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_OK);
 }
 
-static void bonds(void **state)
+TEST(bonds)
 {
-    (void)state;
     vti_bonds some = {0};
     vti_fault fault = {7, 7, 7};
     assert_int_equal(vti_bonds_check(NULL, 2, NULL), VTI_E_NULL);
@@ -117,9 +115,8 @@ static void bonds(void **state)
     assert_true(isinf(fault.value));
 }
 
-static void contacts(void **state)
+TEST(contacts)
 {
-    (void)state;
     const double diameter[2] = {1, 2};
     const int64_t good[2] = {1, 2}, wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
     const vti_contacts right = {1, good, 1, vti_scalars_array(diameter), 5};
@@ -163,9 +160,8 @@ static void contacts(void **state)
 }
 
 /** An effect of nothing is refused, and then forces are as they were. */
-static void effects(void **state)
+TEST(effects)
 {
-    (void)state;
     double force[6] = {3, 3, 3, 3, 3, 3};
     const double before[6] = {3, 3, 3, 3, 3, 3};
     const int64_t pair[2] = {0, 1};
@@ -186,9 +182,8 @@ static void effects(void **state)
     assert_true(vti_energy(NULL, 0, &b) == 0.0);
 }
 
-static void steppers(void **state)
+TEST(steppers)
 {
-    (void)state;
     vti_stepper own = *vti_stepper_find("vti2");
     own.kick = NULL;
     assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_STEPPER);
@@ -206,9 +201,8 @@ static void steppers(void **state)
     assert_null(vti_stepper_at(-1));
 }
 
-static void measures(void **state)
+TEST(measures)
 {
-    (void)state;
     const double about[3] = {0, 0, 0};
     double r[3] = {0, 0, 0};
     vti_bodies stale = b;
@@ -241,9 +235,8 @@ static void measures(void **state)
     assert_true(vti_h1_distance(&b, &b) == 0.0);
 }
 
-static void stable(void **state)
+TEST(stable)
 {
-    (void)state;
     const int64_t far[2] = {0, 2}, below[2] = {0, -1}, good[2] = {0, 1};
     const double rest[4] = {1, 0, 0, 1}, one = 1;
     double scratch[2];
@@ -294,9 +287,8 @@ static void stable(void **state)
 }
 
 /** Lists of nothing, springs of no stiffness, and springs at bodies without mass: nothing oscillates. */
-static void nothing_oscillates(void **state)
+TEST(nothing_oscillates)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     const double rest[4] = {1, 0, 0, 1}, zero = 0, one = 1, plane[4] = {0, 0, 1, 0};
     const vti_bonds no_bonds = {0}, slack = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&zero)};
@@ -336,9 +328,8 @@ static void nothing_oscillates(void **state)
 }
 
 /** Scalars that are members of structs: a size that is no whole number of doubles is no mass. */
-static void members(void **state)
+TEST(members)
 {
-    (void)state;
     double force[6] = {0};
     const struct {
         double m, other;
@@ -355,18 +346,8 @@ static void members(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(rest, setup),
-        cmocka_unit_test_setup(bonds, setup),
-        cmocka_unit_test_setup(contacts, setup),
-        cmocka_unit_test_setup(effects, setup),
-        cmocka_unit_test_setup(steppers, setup),
-        cmocka_unit_test_setup(measures, setup),
-        cmocka_unit_test_setup(stable, setup),
-        cmocka_unit_test_setup(members, setup),
-        cmocka_unit_test_setup(nothing_oscillates, setup),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(rest, setup), cmocka_unit_test_setup(bonds, setup),
+          cmocka_unit_test_setup(contacts, setup), cmocka_unit_test_setup(effects, setup),
+          cmocka_unit_test_setup(steppers, setup), cmocka_unit_test_setup(measures, setup),
+          cmocka_unit_test_setup(stable, setup), cmocka_unit_test_setup(members, setup),
+          cmocka_unit_test_setup(nothing_oscillates, setup))
