@@ -39,6 +39,13 @@ static inline int leave_directory(void **state)
     return 0;
 }
 
+#define RUN_TESTS_IN_FOLDER(...)                                                                                       \
+    int main(void)                                                                                                     \
+    {                                                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        return cmocka_run_group_tests(tests, enter_directory, leave_directory);                                        \
+    }
+
 static inline void write_bytes(const char *path, const char *bytes, size_t size)
 {
     remove(path); /* some file systems flush a file that is cut to 0 and written again, which takes 1000 times longer */

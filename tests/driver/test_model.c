@@ -268,15 +268,7 @@ TEST(what_energies_allow)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_energies_allow),
-                                       cmocka_unit_test(what_is_there),
-                                       cmocka_unit_test(terms),
-                                       cmocka_unit_test(planes_are_made_unit),
-                                       cmocka_unit_test(contact_inside_bonds),
-                                       cmocka_unit_test(contacts_follow_the_bodies),
-                                       cmocka_unit_test(a_body_that_is_nowhere),
-                                       cmocka_unit_test(overlaps_and_stable_steps)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(what_energies_allow), cmocka_unit_test(what_is_there), cmocka_unit_test(terms),
+                    cmocka_unit_test(planes_are_made_unit), cmocka_unit_test(contact_inside_bonds),
+                    cmocka_unit_test(contacts_follow_the_bodies), cmocka_unit_test(a_body_that_is_nowhere),
+                    cmocka_unit_test(overlaps_and_stable_steps))

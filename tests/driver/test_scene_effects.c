@@ -217,9 +217,5 @@ TEST(paths_of_tables)
     assert_non_null(strstr(message.text, "aaa...' is too long; keep folder and name below 512 letters"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(refusals), cmocka_unit_test(refused_overrides),
-                                       cmocka_unit_test(too_many_planes), cmocka_unit_test(paths_of_tables)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(refusals), cmocka_unit_test(refused_overrides), cmocka_unit_test(too_many_planes),
+                    cmocka_unit_test(paths_of_tables))

@@ -110,10 +110,6 @@ TEST(deep_and_long_texts)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(names_of_files),      cmocka_unit_test(what_is_no_file),
-                                       cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
-                                       cmocka_unit_test(a_zero_inside),       cmocka_unit_test(deep_and_long_texts)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(names_of_files), cmocka_unit_test(what_is_no_file),
+                    cmocka_unit_test(long_and_wild_paths), cmocka_unit_test(a_huge_file),
+                    cmocka_unit_test(a_zero_inside), cmocka_unit_test(deep_and_long_texts))

@@ -161,8 +161,4 @@ TEST(overrides_are_refused)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(files_are_refused), cmocka_unit_test(overrides_are_refused)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(files_are_refused), cmocka_unit_test(overrides_are_refused))

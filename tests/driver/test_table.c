@@ -238,11 +238,6 @@ TEST(given_tables)
     table_destroy(&tables.bodies);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(reads),           cmocka_unit_test(reads_many_rows),
-                                       cmocka_unit_test(refusals),        cmocka_unit_test(what_is_no_file),
-                                       cmocka_unit_test(mismatches),      cmocka_unit_test(bodies_and_bonds),
-                                       cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
+                    cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
+                    cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))

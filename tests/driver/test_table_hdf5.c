@@ -199,10 +199,5 @@ TEST(damaged_files)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(reads), cmocka_unit_test(csv_and_none),
-                                       cmocka_unit_test(values), cmocka_unit_test(groups),
-                                       cmocka_unit_test(damaged_files)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(csv_and_none), cmocka_unit_test(values),
+                    cmocka_unit_test(groups), cmocka_unit_test(damaged_files))

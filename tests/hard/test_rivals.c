@@ -158,14 +158,5 @@ TEST(torsion)
         }
 }
 
-int main(int argc, char **argv)
-{
-    scenes = argc > 1 ? argv[1] : ".";
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(free_spin),
-        cmocka_unit_test(through_pi),
-        cmocka_unit_test(pendulum),
-        cmocka_unit_test(torsion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_OF_SCENES(cmocka_unit_test(free_spin), cmocka_unit_test(through_pi), cmocka_unit_test(pendulum),
+                    cmocka_unit_test(torsion))

@@ -206,9 +206,5 @@ TEST(bonds)
     assert_int_equal(turned(3.0), 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(angles),    cmocka_unit_test(errors), cmocka_unit_test(orders),
-                                       cmocka_unit_test(elsewhere), cmocka_unit_test(slopes), cmocka_unit_test(bonds)};
-    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
-}
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(angles), cmocka_unit_test(errors), cmocka_unit_test(orders),
+                    cmocka_unit_test(elsewhere), cmocka_unit_test(slopes), cmocka_unit_test(bonds))

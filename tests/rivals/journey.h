@@ -131,4 +131,13 @@ static inline double velocity_distance(const vti_bodies *a, const vti_bodies *b)
     return hypot(view_distance(&a->v, &b->v, a->count), view_distance(&a->omega, &b->omega, a->count));
 }
 
+/** A program of tests whose argument is the folder of the scenes. */
+#define RUN_TESTS_OF_SCENES(...)                                                                                       \
+    int main(int argc, char **argv)                                                                                    \
+    {                                                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        scenes = argc > 1 ? argv[1] : ".";                                                                             \
+        return cmocka_run_group_tests(tests, NULL, NULL);                                                              \
+    }
+
 #endif

@@ -106,10 +106,4 @@ TEST(rates_without_loads)
     }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(campello), cmocka_unit_test(rates_without_loads)};
-    assert_int_equal(argc, 2);
-    scenes = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_OF_SCENES(cmocka_unit_test(campello), cmocka_unit_test(rates_without_loads))

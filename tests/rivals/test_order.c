@@ -105,10 +105,4 @@ TEST(chain)
     orders(&ladder);
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pendulum), cmocka_unit_test(chain)};
-    assert_int_equal(argc, 2);
-    scenes = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_OF_SCENES(cmocka_unit_test(pendulum), cmocka_unit_test(chain))

@@ -394,15 +394,7 @@ TEST(refusals)
     model_destroy(&model);
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(list),        cmocka_unit_test(force_evals), cmocka_unit_test(looking),
-        cmocka_unit_test(reading),     cmocka_unit_test(units),       cmocka_unit_test(no_rotation),
-        cmocka_unit_test(free_flight), cmocka_unit_test(contacts),    cmocka_unit_test(refusals),
-        cmocka_unit_test(observed),    cmocka_unit_test(resumed),
-    };
-    assert_int_equal(argc, 2);
-    scenes = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_OF_SCENES(cmocka_unit_test(list), cmocka_unit_test(force_evals), cmocka_unit_test(looking),
+                    cmocka_unit_test(reading), cmocka_unit_test(units), cmocka_unit_test(no_rotation),
+                    cmocka_unit_test(free_flight), cmocka_unit_test(contacts), cmocka_unit_test(refusals),
+                    cmocka_unit_test(observed), cmocka_unit_test(resumed))

@@ -214,13 +214,5 @@ TEST(unequal_masses)
     }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(free_spin),       cmocka_unit_test(large_turns),    cmocka_unit_test(equivalents),
-        cmocka_unit_test(not_equivalents), cmocka_unit_test(unequal_masses), cmocka_unit_test(half_turns),
-    };
-    assert_int_equal(argc, 2);
-    scenes = argv[1];
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_OF_SCENES(cmocka_unit_test(free_spin), cmocka_unit_test(large_turns), cmocka_unit_test(equivalents),
+                    cmocka_unit_test(not_equivalents), cmocka_unit_test(unequal_masses), cmocka_unit_test(half_turns))
