@@ -98,12 +98,6 @@ static void task_progress(void *self, int64_t task, int64_t work)
     study_show(w->watch, "errors", w->done, w->all, MPI_Wtime() - w->start);
 }
 
-static int is_asked(void *self)
-{
-    const struct work *w = self;
-    return study_asked(w->watch);
-}
-
 static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
 {
     const int64_t n = ladders_of(w->plan);
@@ -115,7 +109,7 @@ static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
     w->start = MPI_Wtime();
     message->text[0] = '\0';
     recall(w, n);
-    const struct queue queue = {w, sizeof(struct cost_ladder), next_task, run_task, task_done, task_progress, is_asked};
+    const struct queue queue = {w, sizeof(struct cost_ladder), next_task, run_task, task_done, task_progress, w->watch};
     const int failed = queue_run(&queue, comm);
     free(w->order);
     if (failed == -1 && message->text[0] == '\0')

@@ -31,11 +31,6 @@ struct state {
     int told; /* 1 once rank 0 has been sent ASKED */
 };
 
-static int is_asked(const struct state *s)
-{
-    return s->queue->asked != NULL && s->queue->asked(s->queue->self);
-}
-
 /* ---- rank 0 ------------------------------------------------------------------------------------------------------ */
 
 static int64_t next_task(struct state *s)
@@ -86,7 +81,7 @@ static int poll_root(void *self, int64_t work)
             serve(s);
     }
     s->queue->progress(s->queue->self, s->own_task, work);
-    if (is_asked(s))
+    if (study_asked(s->queue->watch))
         stop(s, 0, WATCH_ASKED);
     return s->stopped;
 }
@@ -113,7 +108,7 @@ static int poll_worker(void *self, int64_t work)
     struct state *s = self;
     int told = 0;
     (void)work;
-    if (!s->told && is_asked(s)) {
+    if (!s->told && study_asked(s->queue->watch)) {
         s->told = 1;
         MPI_Send(NULL, 0, MPI_BYTE, 0, TAG_ASKED, s->comm);
     }

@@ -24,8 +24,7 @@ struct queue {
     int (*done)(void *self, int64_t task, int rank, const void *result);
     /** Rank 0: progress of its own task, -1 while it waits for those of others. */
     void (*progress)(void *self, int64_t task, int64_t work);
-    /** Any rank, often: whether somebody has asked for the end of the queue. May be NULL. */
-    int (*asked)(void *self);
+    const struct study_watch *watch; /* any rank asks it often whether the queue shall end; may be NULL */
 };
 
 /** Works the queue off. Collective; returns on all ranks 0, or -1 if done stopped it or memory ran out, or

@@ -134,12 +134,6 @@ static void task_progress(void *self, int64_t task, int64_t steps)
     show(self, task >= 0 ? steps : 0);
 }
 
-static int is_asked(void *self)
-{
-    const struct work *w = self;
-    return study_asked(w->watch);
-}
-
 /** Rows sorted by falling number of steps, equal ones by row. */
 static void longest_first(const struct study *study, int64_t *order)
 {
@@ -210,7 +204,7 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
     longest_first(study, work.order);
     message->text[0] = '\0';
     recall(&work);
-    const struct queue queue = {&work, sizeof(struct outcome), next_task, run_task, task_done, task_progress, is_asked};
+    const struct queue queue = {&work, sizeof(struct outcome), next_task, run_task, task_done, task_progress, watch};
     failed = queue_run(&queue, comm);
     free(work.order);
     study->seconds = MPI_Wtime() - work.start;

@@ -265,18 +265,12 @@ static void task_progress(void *self, int64_t task, int64_t work)
     show(self);
 }
 
-static int is_asked(void *self)
-{
-    const struct work *w = self;
-    return study_asked(w->watch);
-}
-
 int survey_run(const struct survey_plan *plan, MPI_Comm comm, const struct study_watch *watch,
                const struct store *store, struct survey *survey, struct message *message)
 {
     struct work work = {plan, watch, store, message, NULL, MPI_Wtime(), 0, survey_points(plan), 0, 0};
     const struct survey made = {plan, store, work.points, survey_runs(plan), 0.0};
-    const struct queue queue = {&work, survey_bytes(plan), next_point, run_task, task_done, task_progress, is_asked};
+    const struct queue queue = {&work, survey_bytes(plan), next_point, run_task, task_done, task_progress, watch};
     work.scratch = malloc((size_t)survey_bytes(plan));
     int failed = work.scratch == NULL ? -1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
