@@ -109,15 +109,4 @@ TEST(every_stepper_shows_its_order)
                       table[m].coarsest);
 }
 
-TEST(another_drift_spoils_it)
-{
-    const char *const names[] = {"srkn6", "srkn11", "srkn14"};
-    for (int law = VTI_LAW_CLOSED; law <= VTI_LAW_CAYLEY; ++law)
-        for (int m = 0; m < 3; ++m) {
-            vti_stepper own = *vti_stepper_find(names[m]);
-            own.law = law;
-            shows(&own, 5, CHAIN_ALPHA, 2, 32);
-        }
-}
-
-RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order), cmocka_unit_test(another_drift_spoils_it))
+RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order))

@@ -271,30 +271,6 @@ TEST(reading)
     }
 }
 
-static void assert_units(const vti_stepper *method, const char *where, double h, int64_t steps)
-{
-    struct scene scene;
-    struct journey j;
-    read_scene(where, &scene);
-    begin(&j, &scene, method, h);
-    go(&j, steps);
-    const vti_bodies b = travel_bodies(&j.travel);
-    for (int64_t k = 0; k < b.count && b.quat.xyzw[0] != NULL; ++k) {
-        const rotor q = attitude_of(&b, k);
-        assert_close(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-13);
-    }
-    end(&j);
-}
-
-/** After many steps, and after large ones. */
-TEST(units)
-{
-    for (int64_t i = 0; i < method_count(); ++i) {
-        assert_units(method_at(i), "chain", 1.0 / 512, 2000);
-        assert_units(method_at(i), "pendulum", 0.5, 20);
-    }
-}
-
 /* ---- absent physics ---------------------------------------------------------------------------------------------- */
 
 /** Chain without what turns it, or spheres without any effect: nothing has an attitude, and flight is straight. */
@@ -395,6 +371,6 @@ TEST(refusals)
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(list), cmocka_unit_test(force_evals), cmocka_unit_test(looking),
-                    cmocka_unit_test(reading), cmocka_unit_test(units), cmocka_unit_test(no_rotation),
-                    cmocka_unit_test(free_flight), cmocka_unit_test(contacts), cmocka_unit_test(refusals),
-                    cmocka_unit_test(observed), cmocka_unit_test(resumed))
+                    cmocka_unit_test(reading), cmocka_unit_test(no_rotation), cmocka_unit_test(free_flight),
+                    cmocka_unit_test(contacts), cmocka_unit_test(refusals), cmocka_unit_test(observed),
+                    cmocka_unit_test(resumed))
