@@ -48,10 +48,10 @@ def paths():
                               (["figures", "mine"], ["mine", "mine/torus/out.h5", "mine/pendulum"]),
                               (["figures"], ["figures"]),
                               (["cost", "prices", "pages"], ["prices", "pages", "prices/spin/vti1.h5"])):
-            for start, door in ((elsewhere, "../checkout/dev"), (root, "./dev")):
+            for start, dev in ((elsewhere, "../checkout/dev"), (root, "./dev")):
                 calls = folder / "calls"
                 calls.write_text("", encoding="utf-8")
-                result = subprocess.run([door, *words], cwd=start, env=dict(os.environ, CALLS=str(calls)), text=True, check=False,
+                result = subprocess.run([dev, *words], cwd=start, env=dict(os.environ, CALLS=str(calls)), text=True, check=False,
                                         timeout=60, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
                 named = {os.path.join(*line.split("|", 1)) for line in calls.read_text(encoding="utf-8").splitlines()}
                 lost = [path for path in wanted if str(start / path) not in named]

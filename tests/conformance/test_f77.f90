@@ -195,8 +195,8 @@ contains
         call bonds()
     end subroutine
 
-    subroutine step(m, h, n, lb, lc, nm, wanted, culprit, what)
-        integer, intent(in) :: m, n, lb, lc, nm, culprit
+    subroutine step(m, h, n, lb, lc, nm, wanted, body, what)
+        integer, intent(in) :: m, n, lb, lc, nm, body
         double precision, intent(in) :: h
         integer(c_int), intent(in) :: wanted
         character(len=*), intent(in) :: what
@@ -208,7 +208,7 @@ contains
         keep = reshape([x, v, a, w], [nmax, 3, 4])
         call vtibeg(m, h, n, lb, lc, x, v, f, a, w, t, nm, rm, nm, ri, ibody, value, ier(1))
         call expect_status(int(ier(1), c_int), wanted, 'F77 begin, '//what)
-        call expect(ibody == culprit, 'F77 begin, the culprit, '//what)
+        call expect(ibody == body, 'F77 begin, the body, '//what)
         if (wanted /= VTI_OK) call expect(all(abs(reshape([x, v, a, w], [nmax, 3, 4]) - keep) <= 0), &
             'F77 begin, nothing has changed, '//what)
         call vtistg(m, 1, h, n, lb, lc, x, v, f, a, w, t, nm, rm, nm, ri, ibody, value, ier(2))

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> Fortran arrays of any layout, and the packed door, move as C moves them: the same bits after 1000 steps, for every
+!> Fortran arrays of any layout, and packed arrays, move as C moves them: the same bits after 1000 steps, for every
 !> stepper of the library, and nothing else in the caller's arrays is touched.
 program test_fortran
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr
@@ -236,7 +236,7 @@ contains
         call expect(same_bits(transpose(quat), quat_run%quat), title()//'quaternions in rows')
     end subroutine
 
-    !> The packed door knows steppers of one stage and has no start and sync.
+    !> Packed arrays know steppers of one stage and no start and sync.
     subroutine packed(k)
         integer(c_int64_t), intent(in) :: k
         type(state), target :: s

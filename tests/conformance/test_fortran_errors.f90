@@ -207,20 +207,20 @@ contains
         s%omega(:, 5) = [0.0_c_double, 80.0_c_double, 0.0_c_double]
         s%omega(:, 2) = [0.0_c_double, 0.0_c_double, 70.0_c_double]
         moment = 0
-        call culprit(vti_step_begin(vti1, h, good, fault), 5_c_int64_t, 1.25_c_double, 'begin')
-        call culprit(vti_step_begin(vti1, h, vti_bodies_slice(good, 2_c_int64_t, 3_c_int64_t), fault), 2_c_int64_t, &
+        call too_far(vti_step_begin(vti1, h, good, fault), 5_c_int64_t, 1.25_c_double, 'begin')
+        call too_far(vti_step_begin(vti1, h, vti_bodies_slice(good, 2_c_int64_t, 3_c_int64_t), fault), 2_c_int64_t, &
             1.09375_c_double, 'a slice')
-        call culprit(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault), 5_c_int64_t, 1.25_c_double, 'drift')
+        call too_far(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault), 5_c_int64_t, 1.25_c_double, 'drift')
         status = vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, force, s%alpha, s%omega, moment, n, s%mass, n, s%inertia, &
             body, value)
         fault = vti_fault(body, value, VTI_QUANTITY_OMEGA) ! packed arrays have no quantity
-        call culprit(status, 5_c_int64_t, 1.25_c_double, 'packed')
+        call too_far(status, 5_c_int64_t, 1.25_c_double, 'packed')
         call expect_status(vti_step_begin(vti1, h, good), VTI_E_TOO_LARGE, 'begin without a fault to fill')
         moment = 0.25_c_double
         s = before
     end subroutine
 
-    subroutine culprit(status, wanted, turn, what)
+    subroutine too_far(status, wanted, turn, what)
         integer(c_int), intent(in) :: status
         integer(c_int64_t), intent(in) :: wanted
         real(c_double), intent(in) :: turn
@@ -232,7 +232,7 @@ contains
             'nothing has changed, '//what)
     end subroutine
 
-    subroutine blamed(status, wanted, element, what)
+    subroutine element_is(status, wanted, element, what)
         integer(c_int), intent(in) :: status, wanted
         integer, intent(in) :: element
         character(len=*), intent(in) :: what
@@ -242,28 +242,28 @@ contains
 
     !> Bonds, contacts and their bodies count from 1.
     subroutine lists()
-        call blamed(vti_bonds_rest(wrong_pair, good, rest, fault), VTI_E_COUNT, 0, 'pairs of three')
-        call blamed(vti_bonds_rest(pair, good, triples, fault), VTI_E_COUNT, 0, 'rest vectors of three')
-        call blamed(vti_bonds_rest(pair(:, :1), good, rest, fault), VTI_E_COUNT, 0, 'fewer pairs than rest vectors')
+        call element_is(vti_bonds_rest(wrong_pair, good, rest, fault), VTI_E_COUNT, 0, 'pairs of three')
+        call element_is(vti_bonds_rest(pair, good, triples, fault), VTI_E_COUNT, 0, 'rest vectors of three')
+        call element_is(vti_bonds_rest(pair(:, :1), good, rest, fault), VTI_E_COUNT, 0, 'fewer pairs than rest vectors')
         pair(1, 2) = 0
-        call blamed(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'body 0')
-        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_BOND, 2, 'a bond to body 0')
+        call element_is(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'body 0')
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_E_BOND, 2, 'a bond to body 0')
         call expect(abs(fault%value) <= 0 .and. fault%quantity == VTI_QUANTITY_NONE, 'body 0: the value')
         pair(:, 2) = [n + 1, 2_c_int64_t]
-        call blamed(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'a body behind the last')
+        call element_is(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'a body behind the last')
         call expect(nint(fault%value, c_int64_t) == n + 1, 'a body behind the last: the value')
-        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 2, 'a contact with a body behind the last')
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 2, 'a contact with a body behind the last')
         pair(:, 2) = [2, 3]
-        call blamed(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
-        call blamed(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
         bonds = vti_bonds_between(wrong_pair, rest)
-        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of pairs of three')
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of pairs of three')
         bonds = vti_bonds_between(pair, triples)
-        call blamed(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of rest vectors of three')
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of rest vectors of three')
         bonds = vti_bonds_between(pair(:, 1:0), rest(:, 1:0))
-        call blamed(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'no bonds')
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'no bonds')
         contacts = vti_contacts_between(wrong_pair, vti_scalars_one(one), 1.0_c_double)
-        call blamed(vti_contacts_check(contacts, n, fault), VTI_E_COUNT, 0, 'contacts of the wrong shape')
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_E_COUNT, 0, 'contacts of the wrong shape')
         call lists_are_good()
     end subroutine
 

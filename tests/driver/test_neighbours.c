@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * A new list of neighbours against brute force, and what is refused. */
-#include "bed.h"
+#include "packing.h"
 
 #include <sys/resource.h>
 
-static bed b;
+static packing b;
 
 /** Under the address sanitizer memory is to run out as it does without. */
 const char *__asan_default_options(void);
@@ -18,23 +18,23 @@ const char *__asan_default_options(void)
 /** A new list holds the pairs with a gap below the skin and no others. Returns how many. */
 static int64_t holds_the_near(double skin)
 {
-    bed_create(&b, skin);
-    assert_int_equal(bed_update(&b), 1);
+    packing_create(&b, skin);
+    assert_int_equal(packing_update(&b), 1);
     const int64_t count = b.list.count;
     assert_int_equal(assert_complete(&b, b.list.skin), count);
     neighbours_destroy(&b.list);
     return count;
 }
 
-TEST(finds_the_near_of_random_beds)
+TEST(finds_the_near_of_random_packings)
 {
     int64_t found = 0;
     for (uint64_t seed = 1; seed <= 60; ++seed) {
         rng g = rng_seed(seed);
         const double ratio = seed % 3 == 0 ? 6.0 : 1.0 + 0.5 * (double)(seed % 3);
-        bed_scatter(&b, &g, 1 + rng_below(&g, BED_MAX), uniform(&g, 0.4, 9.0), ratio);
+        packing_scatter(&b, &g, 1 + rng_below(&g, PACKING_MAX), uniform(&g, 0.4, 9.0), ratio);
         if (seed % 2 == 0)
-            bed_exclude(&b, &g, BED_MAX);
+            packing_exclude(&b, &g, PACKING_MAX);
         found += holds_the_near(seed % 5 == 0 ? 0.0 : uniform(&g, 0.01, 1.5));
     }
     assert_true(found > 10000);
@@ -45,7 +45,7 @@ TEST(finds_the_near_in_any_place)
     const double far[] = {0.0, -1e3, 1e6, -1e6, 1e9, 1e13, -1e15, 1e19, -1e300, DBL_MAX};
     for (size_t k = 0; k < sizeof far / sizeof far[0]; ++k) {
         rng g = rng_seed(100 + k);
-        bed_scatter(&b, &g, 300, 3.0, 2.0);
+        packing_scatter(&b, &g, 300, 3.0, 2.0);
         for (int i = 0; i < b.n; ++i)
             for (int c = 0; c < 3; ++c)
                 b.x[i][c] += i % 2 == 0 ? far[k] : -0.5 * far[k]; /* two groups */
@@ -83,7 +83,7 @@ TEST(finds_the_near_across_faces)
         double *const low = &b.x[0][k % 3], *const high = &b.x[1][k % 3];
         *low = nextafter(ldexp(reach * place[k / 3 % 3], rng_below(&g, 54)), -INFINITY);
         *high = *low + reach;
-        while (!(bed_gap(&b, 0, 1) < skin))
+        while (!(packing_gap(&b, 0, 1) < skin))
             *high = nextafter(*high, -INFINITY);
         assert_int_equal(holds_the_near(skin), 1);
     }
@@ -92,17 +92,17 @@ TEST(finds_the_near_across_faces)
 TEST(few_bodies_and_coincident_ones)
 {
     rng g = rng_seed(3);
-    bed_scatter(&b, &g, 0, 1.0, 1.0);
+    packing_scatter(&b, &g, 0, 1.0, 1.0);
     assert_int_equal(holds_the_near(0.0), 0);
     assert_int_equal(holds_the_near(1.0), 0);
-    bed_scatter(&b, &g, 1, 1.0, 1.0);
+    packing_scatter(&b, &g, 1, 1.0, 1.0);
     assert_int_equal(holds_the_near(0.0), 0);
-    bed_scatter(&b, &g, 2, 0.2, 1.0);
+    packing_scatter(&b, &g, 2, 0.2, 1.0);
     assert_int_equal(holds_the_near(0.0), 1);
-    bed_scatter(&b, &g, 2, 0.2, 1.0);
+    packing_scatter(&b, &g, 2, 0.2, 1.0);
     b.x[1][2] += 2.0;
     assert_int_equal(holds_the_near(0.01), 0);
-    bed_scatter(&b, &g, 100, 0.0, 1.0); /* all in one place */
+    packing_scatter(&b, &g, 100, 0.0, 1.0); /* all in one place */
     assert_int_equal(holds_the_near(0.0), 100 * 99 / 2);
 }
 
@@ -133,11 +133,11 @@ TEST(refuses_positions_that_are_no_numbers)
     const double bad[] = {NAN, INFINITY, -INFINITY};
     for (int k = 0; k < 18; ++k) {
         rng g = rng_seed((uint64_t)k);
-        bed_scatter(&b, &g, 20, 1.0, 1.0);
-        bed_create(&b, 0.0);
-        const vti_view x = bed_x(&b);
+        packing_scatter(&b, &g, 20, 1.0, 1.0);
+        packing_create(&b, 0.0);
+        const vti_view x = packing_x(&b);
         if (k < 9)
-            bed_update(&b);
+            packing_update(&b);
         const double good = b.x[17][k % 3];
         b.x[17][k % 3] = bad[k / 3 % 3];
         for (int again = 0; again < 2; ++again) {
@@ -146,7 +146,7 @@ TEST(refuses_positions_that_are_no_numbers)
             assert_int_equal(b.list.count, 0);
         }
         b.x[17][k % 3] = good;
-        assert_int_equal(bed_update(&b), 1);
+        assert_int_equal(packing_update(&b), 1);
         assert_true(assert_complete(&b, b.list.skin) > 0);
         neighbours_destroy(&b.list);
     }
@@ -221,7 +221,7 @@ TEST(tells_when_memory_is_out)
     memory_is_out(4000, 200u << 20, 1);  /* 134 MB to find them, as much to sort them */
 }
 
-RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_beds), cmocka_unit_test(finds_the_near_in_any_place),
+RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_packings), cmocka_unit_test(finds_the_near_in_any_place),
           cmocka_unit_test(finds_the_near_of_lattices), cmocka_unit_test(finds_the_near_across_faces),
           cmocka_unit_test(few_bodies_and_coincident_ones),
           cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The list of neighbours over time: no touching pair is missed, and what a list went through leaves no trace in the forces. */
-#include "bed.h"
+#include "packing.h"
 
-static bed b, other;
+static packing b, other;
 
-static void move(bed *bodies, double h)
+static void move(packing *bodies, double h)
 {
     for (int i = 0; i < bodies->n; ++i)
         for (int c = 0; c < 3; ++c)
@@ -12,13 +12,13 @@ static void move(bed *bodies, double h)
 }
 
 /** Forces of the contacts of the list, for the bits. */
-static void contact_forces(bed *bodies, double force[][3])
+static void contact_forces(packing *bodies, double force[][3])
 {
     const vti_contacts contacts = {bodies->list.count, bodies->list.pair, 0, vti_scalars_array(bodies->diameter), 1.0};
     const vti_effect effect = vti_contacts_effect(&contacts);
     vti_bodies view = vti_bodies_none(bodies->n);
     const double mass = 1.0;
-    view.x = bed_x(bodies);
+    view.x = packing_x(bodies);
     view.force = vti_view_packed(force[0]);
     view.mass = vti_scalars_one(&mass);
     assert_int_equal(vti_apply(&effect, 1, &view), VTI_OK);
@@ -27,21 +27,21 @@ static void contact_forces(bed *bodies, double force[][3])
 /** Whatever happened before, no touching pair is missed, and the forces have the bits that a new list gives. */
 TEST(no_touch_is_missed_in_motion)
 {
-    static double force[BED_MAX][3], expected[BED_MAX][3];
+    static double force[PACKING_MAX][3], expected[PACKING_MAX][3];
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         rng g = rng_seed(seed);
         int kept = 0;
-        bed_scatter(&b, &g, 300, 3.0, seed % 2 ? 1.0 : 3.0);
-        bed_exclude(&b, &g, 200);
+        packing_scatter(&b, &g, 300, 3.0, seed % 2 ? 1.0 : 3.0);
+        packing_exclude(&b, &g, 200);
         for (int i = 0; i < b.n; ++i)
             random_vector(&g, 1.0, b.v[i]);
-        bed_create(&b, 0.0);
+        packing_create(&b, 0.0);
         for (int step = 0; step < 300; ++step) {
-            kept += bed_update(&b) == 0;
+            kept += packing_update(&b) == 0;
             assert_true(assert_complete(&b, 0.0) > 0);
             other = b;
-            bed_create(&other, 0.05);
-            bed_update(&other);
+            packing_create(&other, 0.05);
+            packing_update(&other);
             contact_forces(&b, force);
             contact_forces(&other, expected);
             assert_same_bits(force, expected, 3 * b.n);
@@ -60,14 +60,14 @@ TEST(a_head_on_pair_is_listed_in_time)
     for (int k = 0; k < 2000; ++k) {
         rng g = rng_seed((uint64_t)k);
         const double h = uniform(&g, 1e-3, 0.1), offset = uniform(&g, -1e3, 1e3);
-        bed_scatter(&b, &g, 2, 0.0, 1.0);
+        packing_scatter(&b, &g, 2, 0.0, 1.0);
         b.x[0][k % 3] = offset - 1.0;
         b.x[1][k % 3] = offset + 1.0;
         b.v[0][k % 3] = 1.0;
         b.v[1][k % 3] = -1.0;
-        bed_create(&b, uniform(&g, 0.01, 0.5));
+        packing_create(&b, uniform(&g, 0.01, 0.5));
         for (int step = 0; (double)step * h < 1.0; ++step) {
-            bed_update(&b);
+            packing_update(&b);
             assert_complete(&b, 0.0);
             move(&b, h);
         }
@@ -83,16 +83,16 @@ TEST(rounding_hides_no_touch)
         const double skin = uniform(&g, 0.5, 8.0) * EPS, r = 1.0 + skin + uniform(&g, -4.0, 4.0) * EPS;
         double n[3];
         random_unit(&g, 3, n);
-        bed_scatter(&b, &g, 2, 1e-16, 1.0);
+        packing_scatter(&b, &g, 2, 1e-16, 1.0);
         for (int c = 0; c < 3; ++c) {
             b.v[0][c] = n[c];
             b.v[1][c] = -n[c];
             b.x[1][c] = r * n[c];
         }
-        bed_create(&b, skin);
-        bed_update(&b);
+        packing_create(&b, skin);
+        packing_update(&b);
         move(&b, 0.5 * skin);
-        bed_update(&b);
+        packing_update(&b);
         const double d[3] = {b.x[0][0] - b.x[1][0], b.x[0][1] - b.x[1][1], b.x[0][2] - b.x[1][2]};
         assert_true(b.list.count == 1 || !(vti_dot(d, d) < 1.0));
         neighbours_destroy(&b.list);
@@ -103,41 +103,41 @@ TEST(grows_and_shrinks_with_the_pairs)
 {
     const double sizes[] = {1e3, 6.0, 0.3, 6.0, 1e3, 0.0};
     rng g = rng_seed(13);
-    bed_scatter(&b, &g, BED_MAX, 1e3, 1.5);
-    bed_create(&b, 0.0);
+    packing_scatter(&b, &g, PACKING_MAX, 1e3, 1.5);
+    packing_create(&b, 0.0);
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
         for (int i = 0; i < b.n; ++i)
             random_vector(&g, sizes[k], b.x[i]);
-        assert_int_equal(bed_update(&b), 1);
+        assert_int_equal(packing_update(&b), 1);
         assert_int_equal(assert_complete(&b, b.list.skin), b.list.count);
     }
-    assert_int_equal(b.list.count, BED_MAX * (BED_MAX - 1) / 2);
+    assert_int_equal(b.list.count, PACKING_MAX * (PACKING_MAX - 1) / 2);
     neighbours_destroy(&b.list);
 }
 
 TEST(is_built_anew_after_half_the_skin)
 {
     rng g = rng_seed(5);
-    bed_scatter(&b, &g, 50, 3.0, 1.0);
-    bed_create(&b, 0.5);
-    assert_int_equal(bed_update(&b), 1);
-    assert_int_equal(bed_update(&b), 0);
+    packing_scatter(&b, &g, 50, 3.0, 1.0);
+    packing_create(&b, 0.5);
+    assert_int_equal(packing_update(&b), 1);
+    assert_int_equal(packing_update(&b), 0);
     for (int i = 0; i < b.n; ++i)
         for (int c = 0; c < 3; ++c) {
             const double x = b.x[i][c];
             b.x[i][c] = x + 0.2499;
-            assert_int_equal(bed_update(&b), 0);
+            assert_int_equal(packing_update(&b), 0);
             b.x[i][c] = x - 0.2501;
-            assert_int_equal(bed_update(&b), 1);
+            assert_int_equal(packing_update(&b), 1);
             assert_complete(&b, 0.5);
             b.x[i][c] = x;
-            bed_update(&b);
+            packing_update(&b);
         }
     assert_int_equal(b.list.builds, 1 + 2 * 3 * b.n);
     b.x[0][0] += 0.2;
-    assert_int_equal(bed_update(&b), 0);
+    assert_int_equal(packing_update(&b), 0);
     b.x[0][1] -= 0.2; /* 0.28 across */
-    assert_int_equal(bed_update(&b), 1);
+    assert_int_equal(packing_update(&b), 1);
     neighbours_destroy(&b.list);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The packed door: the bits of the views, one mass or n of them, absent arrays, and its refusals. */
+ * Packed arrays: the bits of the views, one mass or n of them, absent arrays, and its refusals. */
 #include "support.h"
 
 enum { N = 300, QUANTITIES = 6, DOUBLES = QUANTITIES * 3 * N };
@@ -117,7 +117,7 @@ TEST(refusals)
     assert_same_bits(ours, theirs, DOUBLES);
 }
 
-/** begin and finish are all that this door has: a stepper that needs more is refused by both. */
+/** begin and finish are all that there is: a stepper that needs more is refused by both. */
 TEST(several_stages)
 {
     int passed = 0;

@@ -14,7 +14,7 @@ TEST(found_by_name_and_index)
         assert_non_null(s);
         assert_string_equal(s->name, names[k]);
     }
-    /* the packed door promises these three indices */
+    /* packed arrays promise these three indices */
     for (int64_t k = 0; k < 3; ++k)
         assert_ptr_equal(vti_stepper_at(k), vti_stepper_find(names[k]));
     for (int64_t k = 0; k < vti_stepper_count(); ++k)

@@ -62,7 +62,7 @@ TEST(rest)
     assert_true(r[0] == -1.0 && r[3] == 1.0);
 }
 
-/** With a stiffness of shear its form is one that there is; the list is to blame, not a bond of it. */
+/** With a stiffness of shear its form is one that there is; the fault is the list's, not that of a bond. */
 static void forms_of_shear(vti_bonds some)
 {
     const double stiffness[] = {0, 3};
@@ -96,7 +96,7 @@ TEST(bonds)
     some.count = -1;
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_COUNT);
     nothing_of_bodies(&fault, -1);
-    const int64_t wrong[][3] = {{-1, 1, -1}, {2, 1, 2}, {0, -1, -1}, {0, 2, 2}, {1, 1, 1}}; /* the last is to blame */
+    const int64_t wrong[][3] = {{-1, 1, -1}, {2, 1, 2}, {0, -1, -1}, {0, 2, 2}, {1, 1, 1}}; /* the last is named */
     const double rest[4] = {1, 0, 0, 1}, endless[4] = {1, 0, 0, INFINITY};
     some.count = 1;
     some.rest = rest;
