@@ -85,29 +85,6 @@ TEST(reads)
     tables_destroy(&tables);
 }
 
-/** The same table as text gives the same model; a scene without tables has empty ones. */
-TEST(csv_and_none)
-{
-    struct scene scene;
-    struct model model;
-    struct tables tables;
-    struct message message;
-    write_text("b.csv", "x,y,z\n0,0,0\n");
-    write_text("t.yaml", "bodies: {table: b.csv, mass: 1}\n" TIME);
-    assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
-    assert_int_equal(tables_read(&scene, &tables, &message), 0);
-    assert_int_equal(tables.bodies.rows, 1);
-    assert_int_equal(tables.effect[EFFECT_binder].rows, 0);
-    tables_destroy(&tables);
-    write_text("t.yaml", "bodies: {chain: {count: 2, spacing: 1}, mass: 1}\nbinder: {axial: 1}\n" TIME);
-    assert_int_equal(scene_read("t.yaml", NULL, 0, &scene, &message), 0);
-    assert_int_equal(tables_read(&scene, &tables, &message), 0);
-    assert_int_equal(model_create(&scene, &model, &message), 0);
-    assert_int_equal(bonds_of(&model).count, 1);
-    model_destroy(&model);
-    tables_destroy(&tables);
-}
-
 /* ---- refusals --------------------------------------------------------------------------------------------------------- */
 
 static void refused(const struct table_kind *kind, const char *line)
@@ -199,5 +176,5 @@ TEST(damaged_files)
     }
 }
 
-RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(csv_and_none), cmocka_unit_test(values),
-                    cmocka_unit_test(groups), cmocka_unit_test(damaged_files))
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(values), cmocka_unit_test(groups),
+                    cmocka_unit_test(damaged_files))
