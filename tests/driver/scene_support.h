@@ -87,4 +87,35 @@ static inline void assert_refused(const char *what, int result, const struct mes
     assert_one_line(message);
 }
 
+/** A scene's text, or what follows --set, and the refusal behind its place, "t.yaml:" or "--set ...: ". */
+struct refusal {
+    const char *text, *line;
+};
+
+static inline void assert_files_refused(const struct refusal *refused, size_t n)
+{
+    for (size_t k = 0; k < n; ++k) {
+        struct scene scene;
+        struct message message;
+        char line[4096];
+        write_bytes("t.yaml", refused[k].text, strlen(refused[k].text));
+        snprintf(line, sizeof line, "t.yaml:%s", refused[k].line);
+        assert_refused(refused[k].text, scene_read("t.yaml", NULL, 0, &scene, &message), &message, line);
+    }
+}
+
+/** On the scene in t.yaml. */
+static inline void assert_sets_refused(const struct refusal *refused, size_t n)
+{
+    for (size_t k = 0; k < n; ++k) {
+        struct scene scene;
+        struct message message;
+        char line[4096];
+        snprintf(line, sizeof line, "--set %s: %s", refused[k].text, refused[k].line);
+        for (char *p = line; *p != '\0'; ++p)
+            *p = *p == '\n' ? '?' : *p;
+        assert_refused(refused[k].text, scene_read("t.yaml", &refused[k].text, 1, &scene, &message), &message, line);
+    }
+}
+
 #endif

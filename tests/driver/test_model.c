@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "model_support.h"
 
+#define MOMENTA "momentum_x momentum_y momentum_z angular_x angular_y angular_z"
 #define CHAIN "bodies: {mass: 1, chain: {count: 4, spacing: 1}"
 #define WALL "wall: {stiffness: 10, planes: [[0, 0, 2, -6]]}\n"
 
@@ -13,21 +14,16 @@ static const struct {
     int translates, force, turns, moment;
     const char *effects, *invariants;
 } cases[] = {
-    {CHAIN "}\n", 1, 0, 0, 0, "", "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
-    {CHAIN ", omega: [0, 0, 1]}\n", 1, 0, 1, 0, "", "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
-    {CHAIN ", random: {seed: 1, omega: 1}}\n", 1, 0, 1, 0, "",
-     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\n", 1, 0, 0, 0, "", MOMENTA},
+    {CHAIN ", omega: [0, 0, 1]}\n", 1, 0, 1, 0, "", MOMENTA},
+    {CHAIN ", random: {seed: 1, omega: 1}}\n", 1, 0, 1, 0, "", MOMENTA},
     {"bodies: {inertia: 1, alpha: [0, 0, 0], omega: [0, 0, 1]}\n", 0, 0, 1, 0, "", "angular_x angular_y angular_z"},
-    {CHAIN "}\nbinder: {axial: 1}\n", 1, 1, 0, 0, "binder",
-     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
-    {CHAIN "}\nbinder: {moment: 1}\n", 1, 0, 1, 1, "binder",
-     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
-    {CHAIN "}\nbinder: {shear: {stiffness: 1}}\n", 1, 1, 1, 1, "binder",
-     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\nbinder: {axial: 1}\n", 1, 1, 0, 0, "binder", MOMENTA},
+    {CHAIN "}\nbinder: {moment: 1}\n", 1, 0, 1, 1, "binder", MOMENTA},
+    {CHAIN "}\nbinder: {shear: {stiffness: 1}}\n", 1, 1, 1, 1, "binder", MOMENTA},
     {CHAIN "}\nbinder: {shear: {stiffness: 1, form: printed}}\n", 1, 1, 1, 1, "binder",
      "momentum_x momentum_y momentum_z spin_x spin_y spin_z"},
-    {CHAIN "}\ncontact: {stiffness: 1}\n", 1, 1, 0, 0, "contact",
-     "momentum_x momentum_y momentum_z angular_x angular_y angular_z"},
+    {CHAIN "}\ncontact: {stiffness: 1}\n", 1, 1, 0, 0, "contact", MOMENTA},
     {CHAIN "}\n" WALL, 1, 1, 0, 0, "wall", "momentum_x momentum_y angular_z"},
     /* what turns on its own keeps its spin at the wall, which turns nothing */
     {CHAIN ", omega: [0, 0, 1]}\n" WALL, 1, 1, 1, 0, "wall", "momentum_x momentum_y angular_z spin_x spin_y"},
