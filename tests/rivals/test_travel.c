@@ -155,13 +155,14 @@ TEST(observed)
     for (int64_t i = 0; i < method_count(); ++i) {
         struct scene scene;
         struct journey j;
-        struct eye eye = {0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        const struct observer observers[] = {{see, &eye, 5, 0}, {see, &(struct eye){0}, 7, 1}};
+        struct eye eye = {0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, seventh = eye;
+        const struct observer observers[] = {{see, &eye, 5, 0}, {see, &seventh, 7, 1}};
         read_scene("chain", &scene);
         begin(&j, &scene, method_at(i), 1.0 / 512);
         assert_int_equal(travel_show(&j.travel, 23, observers, 2, &j.message), 0);
         assert_int_equal(eye.calls, 6);
         assert_close(eye.sum, 5 + 10 + 15 + 20 + 23, 0.0);
+        assert_close(seventh.sum, 7 + 14 + 21 + 23, 0.0);
         assert_close(eye.t, 23.0 / 512, 0.0);
         const vti_bodies b = travel_bodies(&j.travel);
         assert_same_bits(&eye.x, &b.x.c[0][b.x.stride], 1);
