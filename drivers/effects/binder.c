@@ -157,8 +157,7 @@ static void deform(const struct effect *e, const vti_bodies *b, double energy, v
         at->strain = fmax(at->strain, fmin(sqrt(most), 1.0));
 }
 
-/* ---- bonds past half a turn ----------------------------------------------------------------------------------------
- * */
+/* ---- bonds past half a turn -------------------------------------------------------------------------------------- */
 
 static int start(struct effect *e)
 {
@@ -216,7 +215,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .settings = sizeof(struct binder_settings),
                                           .defaults = defaults,
                                           .check = check,
-                                          .traits = EFFECT_TRANSLATING | EFFECT_STIFF,
+                                          .traits = EFFECT_TRANSLATING,
                                           .gives_by = gives,
                                           .table = &binder_table,
                                           .check_tables = check_tables,

@@ -132,8 +132,7 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
     return 0;
 }
 
-/* ---- what a bond tells ---------------------------------------------------------------------------------------------
- * */
+/* ---- what a bond tells ------------------------------------------------------------------------------------------- */
 
 static const vti_bonds *bonds_of(const struct effect *e)
 {

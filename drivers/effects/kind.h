@@ -22,9 +22,7 @@ struct tables;
 /** What holds for an effect wherever a scene calls for it. */
 enum effect_trait {
     EFFECT_TRANSLATING = 1, /* acts on bodies that translate: they need positions */
-    EFFECT_SPHERES =
-        2,           /* acts where surfaces meet: bodies need diameters, and should not pass through them in a step */
-    EFFECT_STIFF = 4 /* steps above the scene's h may be unstable */
+    EFFECT_SPHERES = 2      /* acts where surfaces meet: bodies need diameters, and small steps to meet */
 };
 
 /** What it does to bodies. */

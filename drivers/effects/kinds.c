@@ -69,8 +69,7 @@ void *effect_memory(struct effect *e, size_t bytes, struct message *message)
     return e->self;
 }
 
-/* ---- what must not be forgotten ------------------------------------------------------------------------------------
- * */
+/* ---- what must not be forgotten ---------------------------------------------------------------------------------- */
 
 static int fail(int k, const char *about, const char *what, struct message *message)
 {
@@ -166,6 +165,9 @@ int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, str
 {
     if (made->name == NULL || made->apply == NULL || made->energy == NULL || made->self == NULL)
         return fail((int)kind->number, "make", "its effect lacks name, apply, energy or self", message);
+    if ((made->terms > 0) != (kind->terms_count > 0))
+        return fail((int)kind->number, "terms", "the effect has some and there are no rows for them, or the reverse",
+                    message);
     for (int64_t j = 0; j < made->terms; ++j) {
         int found = 0;
         for (int t = 0; t < kind->terms_count; ++t)

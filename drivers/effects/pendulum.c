@@ -54,8 +54,7 @@ static void centre(const struct effect *e, const vti_bodies *bodies, int64_t i, 
     vti_pendulum_arm(e->settings, bodies, i, x);
 }
 
-/* ---- what it keeps: the sphere's spin about its arm, and the arm's length ------------------------------------------
- * */
+/* ---- what it keeps: the sphere's spin about its arm, and the arm's length ---------------------------------------- */
 
 static const struct invariant kept[] = {{"arm_dot_omega", "$R\\rho_0\\cdot\\Omega$", 1},
                                         {"arm_length", "$|R\\rho_0|$", 0}};

@@ -92,6 +92,8 @@ int64_t scene_bodies(const struct scene *scene);
 const char *scene_positions_key(const struct scene *scene);
 /** Whether one of its effects has the trait (effect_trait of effects/kind.h). */
 int scene_has_trait(const struct scene *scene, int trait);
+/** Whether steps above its h may be unstable: something pushes its bodies, and not all of them alike. */
+int scene_is_stiff(const struct scene *scene);
 /** Why its forces are not smooth, NULL if they are. */
 const char *scene_kink(const struct scene *scene);
 

@@ -166,6 +166,14 @@ int scene_has_trait(const struct scene *scene, int trait)
     return 0;
 }
 
+int scene_is_stiff(const struct scene *scene)
+{
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        if (scene->has[k] && (kinds_at(k)->traits & EFFECT_TRANSLATING) != 0 && kinds_at(k)->field == NULL)
+            return 1;
+    return 0;
+}
+
 const char *scene_kink(const struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; ++k)

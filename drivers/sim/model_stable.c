@@ -128,8 +128,11 @@ void model_limit_text(const struct model *model, const vti_deformation *at, cons
         snprintf(text, size, "nothing oscillates");
     else if (k < model->rooms_count && model->rooms[k].kind->limit != NULL)
         model->rooms[k].kind->limit(at, stable, text, size);
-    else
+    else if (stable->j < 0)
         snprintf(text, size, "%s at body %lld", model->effects[k].name, (long long)stable->i);
+    else
+        snprintf(text, size, "%s of bodies %lld and %lld", model->effects[k].name, (long long)stable->i,
+                 (long long)stable->j);
 }
 
 int model_find_limits(const struct model *model, struct model_limits *l, struct message *message)

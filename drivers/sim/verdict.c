@@ -28,8 +28,7 @@ const char *verdict_word(int64_t grade)
     return grade == VERDICT_GOOD ? "good" : grade == VERDICT_DOUBTFUL ? "doubtful" : "bad";
 }
 
-/* ---- what the scene is --------------------------------------------------------------------------------------------
- * */
+/* ---- what the scene is ------------------------------------------------------------------------------------------- */
 
 /** Somebody outside the scene takes up momentum. */
 static int is_outer(const vti_effect *effect)
@@ -93,8 +92,7 @@ void verdict_destroy(struct verdict *v)
     modified_destroy(&v->modified);
 }
 
-/* ---- rows ----------------------------------------------------------------------------------------------------------
- * */
+/* ---- rows -------------------------------------------------------------------------------------------------------- */
 
 /** The larger; a NaN wins and stays. */
 static double larger(double most, double x)
@@ -221,8 +219,7 @@ void verdict_step(struct verdict *v, const vti_bodies *bodies)
         e->kind->watch->step(e, bodies);
 }
 
-/* ---- the judgement --------------------------------------------------------------------------------------------------
- * */
+/* ---- the judgement ----------------------------------------------------------------------------------------------- */
 
 /** A pair may be through within a step, and a wall be met at any depth. */
 static int passes(const struct verdict *v)

@@ -98,6 +98,10 @@ static void effects(void **state)
     made.terms = 2;
     assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
     assert_string_equal(message.text, "effects/wall.c: friction: the term has no row in terms");
+    made.terms = 0;
+    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_string_equal(message.text,
+                        "effects/wall.c: terms: the effect has some and there are no rows for them, or the reverse");
     made.energy = NULL;
     assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
     assert_string_equal(message.text, "effects/wall.c: make: its effect lacks name, apply, energy or self");
