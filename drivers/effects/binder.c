@@ -122,7 +122,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
 static void destroy(struct effect *e)
 {
     struct binder_self *self = e->self;
-    bond_turns_destroy(&self->turns);
+    free(self->turns.pair);
     free(self->pair);
     free(self->memory);
 }
@@ -157,52 +157,6 @@ static void deform(const struct effect *e, const vti_bodies *b, double energy, v
         at->strain = fmax(at->strain, fmin(sqrt(most), 1.0));
 }
 
-/* ---- bonds past half a turn -------------------------------------------------------------------------------------- */
-
-static int start(struct effect *e)
-{
-    struct binder_self *self = e->self;
-    bond_turns_destroy(&self->turns);
-    return bond_turns_create(&self->turns, &self->bonds);
-}
-
-static struct bond_turns *turns(const struct effect *e)
-{
-    return &((struct binder_self *)e->self)->turns;
-}
-
-static void row(struct effect *e, const vti_bodies *bodies, double energy)
-{
-    bond_turns_gate(turns(e), bodies, energy);
-}
-
-static void step(struct effect *e, const vti_bodies *bodies)
-{
-    bond_turns_follow(turns(e), bodies);
-}
-
-static int64_t turned(const struct effect *e)
-{
-    return (int64_t)turns(e)->turned;
-}
-
-static int64_t kept_size(const struct effect *e)
-{
-    return bond_turns_size(turns(e));
-}
-
-static void kept_get(const struct effect *e, double *state)
-{
-    bond_turns_get(turns(e), state);
-}
-
-static void kept_put(struct effect *e, const double *state)
-{
-    bond_turns_put(turns(e), state);
-}
-
-static const struct effect_watch watch = {start, row, step, turned, kept_size, kept_get, kept_put};
-
 /* ---- together ---------------------------------------------------------------------------------------------------- */
 
 static const struct effect_term terms[] = {{"binder_moment", "$U^{\\mathrm{m}}$", "bending and torsion", "#E69F00"},
@@ -226,4 +180,4 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .limit = limit,
                                           .deform = deform,
                                           .lines = &binder_lines,
-                                          .watch = &watch};
+                                          .watch = &binder_watch};

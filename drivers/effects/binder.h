@@ -3,7 +3,6 @@
 #ifndef VTI_BINDER_H
 #define VTI_BINDER_H
 
-#include "bond_turns.h"
 #include "kind.h"
 #include "model.h"
 #include "table.h"
@@ -18,6 +17,15 @@ struct binder_settings {
     int64_t shear_form; /* vti_shear */
 };
 
+/** Which bonds have turned past half a turn (bond_turns.c). */
+struct bond_turns {
+    const vti_bonds *bonds;
+    double least;    /* energy that takes the weakest bond to half a turn, K^m pi^2/2; infinite without such bonds */
+    double watching; /* 1 while there is as much */
+    double turned;   /* bonds that have */
+    double *pair;    /* [bonds][4]: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has turned */
+};
+
 struct binder_self {
     vti_bonds bonds;
     int64_t *pair;
@@ -29,6 +37,9 @@ extern const struct table_kind binder_table;
 
 /** Makes e->self->bonds. Returns 0, or -1 with one line in *message. */
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *table, struct message *message);
+
+/** Follows bonds to half a turn. */
+extern const struct effect_watch binder_watch;
 
 /** Of each bond: its energy, the sum over its terms, and its stretch r/L0 - 1. */
 extern const struct effect_lines binder_lines;

@@ -1,5 +1,7 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
-#include "bond_turns.h"
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Bonds whose bodies have turned past half a turn against each other: there the moment of a bond changes its side,
+ * which a binder does not. Attitudes alone do not show it; one has to follow them. */
+#include "binder.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,10 +13,18 @@ static double stiffness(const vti_bonds *bonds, int64_t k)
     return moment->p != NULL ? moment->p[k * moment->stride] : 0.0;
 }
 
-int bond_turns_create(struct bond_turns *b, const vti_bonds *bonds)
+static struct bond_turns *turns_of(const struct effect *e)
+{
+    return &((struct binder_self *)e->self)->turns;
+}
+
+static int start(struct effect *e)
 {
     const double half_pi_squared = 4.9348022005446793;
+    const vti_bonds *bonds = &((struct binder_self *)e->self)->bonds;
+    struct bond_turns *b = turns_of(e);
     const struct bond_turns made = {bonds, INFINITY, 0.0, 0.0, NULL};
+    free(b->pair);
     *b = made;
     for (int64_t k = 0; k < bonds->count; ++k)
         if (stiffness(bonds, k) > 0.0)
@@ -23,12 +33,6 @@ int bond_turns_create(struct bond_turns *b, const vti_bonds *bonds)
         return 0;
     b->pair = calloc((size_t)(4 * bonds->count), sizeof *b->pair);
     return b->pair != NULL ? 0 : -1;
-}
-
-void bond_turns_destroy(struct bond_turns *b)
-{
-    free(b->pair);
-    b->pair = NULL;
 }
 
 /** (v, w) of q_i q_j^-1; its sign means nothing. */
@@ -52,8 +56,11 @@ static int is_marked(const double *pair)
     return pair[0] == 0.0 && pair[1] == 0.0 && pair[2] == 0.0 && pair[3] == 0.0;
 }
 
-void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double energy)
+/** Looks whether bonds can get there at all: they cannot while twice the energy of the motion and of the springs is
+ *  below what it takes. */
+static void row(struct effect *e, const vti_bodies *bodies, double energy)
 {
+    struct bond_turns *b = turns_of(e);
     const int was = b->watching != 0.0, fresh = b->turned == 0.0;
     if (b->pair == NULL)
         return;
@@ -69,8 +76,9 @@ void bond_turns_gate(struct bond_turns *b, const vti_bodies *bodies, double ener
     }
 }
 
-void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
+static void step(struct effect *e, const vti_bodies *bodies)
 {
+    struct bond_turns *b = turns_of(e);
     for (int64_t k = 0; b->pair != NULL && b->watching != 0.0 && k < b->bonds->count; ++k) {
         double now[4], *pair = b->pair + 4 * k;
         if (is_marked(pair))
@@ -86,13 +94,20 @@ void bond_turns_follow(struct bond_turns *b, const vti_bodies *bodies)
     }
 }
 
-int64_t bond_turns_size(const struct bond_turns *b)
+static int64_t turned(const struct effect *e)
 {
+    return (int64_t)turns_of(e)->turned;
+}
+
+static int64_t size(const struct effect *e)
+{
+    const struct bond_turns *b = turns_of(e);
     return b->pair != NULL ? 2 + 4 * b->bonds->count : 0;
 }
 
-void bond_turns_get(const struct bond_turns *b, double *state)
+static void get(const struct effect *e, double *state)
 {
+    const struct bond_turns *b = turns_of(e);
     if (b->pair == NULL)
         return;
     state[0] = b->watching;
@@ -100,11 +115,14 @@ void bond_turns_get(const struct bond_turns *b, double *state)
     memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->bonds->count));
 }
 
-void bond_turns_put(struct bond_turns *b, const double *state)
+static void put(struct effect *e, const double *state)
 {
+    struct bond_turns *b = turns_of(e);
     if (b->pair == NULL)
         return;
     b->watching = state[0];
     b->turned = state[1];
     memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->bonds->count));
 }
+
+const struct effect_watch binder_watch = {start, row, step, turned, size, get, put};
