@@ -13,6 +13,7 @@ study | command:mpirun                    | openmpi-bin                | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
 study | pkg-config:libfyaml               | libfyaml-dev               | libfyaml-devel     | libfyaml          | libfyaml
 study | pkg-config:popt                  | libpopt-dev                | popt-devel         | popt              | popt
+study | pkg-config:sqlite3               | libsqlite3-dev             | sqlite-devel       | sqlite            | sqlite
 study | command:help2man                  | help2man                   | help2man           | help2man          | help2man
 study | python3:h5py                      | python3-h5py               | python3-h5py       | -                 | h5py
 study | python3:matplotlib                | python3-matplotlib         | python3-matplotlib | python-matplotlib | matplotlib

@@ -17,7 +17,7 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
                 void *self, struct message *message)
 {
     enum { BLOCK = 4096 };
-    const struct journal_file *file = &record->journal->rows;
+    struct journal_file *file = &record->journal->rows;
     double *rows = memory(BLOCK * file->mark.doubles, record, message);
     int failed = rows == NULL;
     for (int64_t first = 0; !failed && first < file->mark.count; first += BLOCK) {
@@ -32,7 +32,7 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
                   struct message *message)
 {
-    const struct journal_file *file = &record->journal->frames;
+    struct journal_file *file = &record->journal->frames;
     double *frame = memory(file->mark.doubles, record, message);
     int failed = frame == NULL;
     for (int64_t k = 0; !failed && k < file->mark.count; ++k)

@@ -17,6 +17,7 @@ struct record {
     struct frame_layout frames;
     int fields; /* fields.h */
     struct journal *journal;
+    char *identity;             /* of the run (identity.h) */
     struct judgement judgement; /* once it has ended */
 };
 
@@ -29,8 +30,8 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
                   struct message *message);
 
-/** The box, low to high, that just holds the spheres of all frames; points where there are no diameters. Returns 0, or -1 with one
- *  line in *message. */
+/** The box, low to high, that just holds the spheres of all frames; points where there are no diameters. Returns 0, or
+ *  -1 with one line in *message. */
 int record_box(const struct record *record, double low[3], double high[3], struct message *message);
 
 #endif

@@ -7,10 +7,10 @@
 
 #include "fields.h"
 #include "hdf5_sink.h"
+#include "identity.h"
 #include "interval.h"
 #include "loop.h"
 #include "number.h"
-#include "run_identity.h"
 #include "run_restart.h"
 #include "run_signals.h"
 #include "travel.h"
@@ -35,15 +35,39 @@ static int open_scene(struct run *run, struct message *message)
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
-    return run_identity(r->scene, r->sets, r->sets_count, &run->model, &run->checkpoint.identity, message);
+    return 0;
 }
 
-static int name_journal(struct run *run, struct message *message)
+/** What the run is. The end time is no part of it: a run may be prolonged. */
+static int identify(struct run *run, struct message *message)
 {
-    char stem[FOLDER_PATH];
-    snprintf(stem, sizeof stem, "%s", run->output);
-    stem[strlen(stem) - strlen(run->files.hdf5) + strlen(run->files.stem)] = '\0';
-    return journal_name(&run->journal, stem, message);
+    static const char *const without[] = {"t_end", NULL};
+    const struct columns *columns = &run->record.columns;
+    size_t size;
+    FILE *text = open_memstream(&run->record.identity, &size);
+    if (text == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
+    identity_version(text);
+    identity_scene(text, "", &run->scene, without);
+    fputs("columns:", text);
+    for (int c = 0; c < columns->count; ++c)
+        fprintf(text, " %s", columns->name[c]);
+    fprintf(text, "\nnumbers of a frame: %lld\n", (long long)run->record.frames.doubles);
+    return fclose(text) != 0 ? message_set(message, "%s: out of memory; use fewer bodies", run->scene.name) : 0;
+}
+
+static int open_journal(struct run *run, struct message *message)
+{
+    char path[FOLDER_PATH];
+    const int stem = (int)(strlen(run->output) - strlen(run->files.hdf5) + strlen(run->files.stem));
+    snprintf(path, sizeof path, "%.*s.run", stem, run->output);
+    if (identify(run, message) != 0)
+        return -1;
+    run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
+    if (keep_open(&run->journal.keep, path, "run", run->record.identity, run->request->resume, message) != 0)
+        return -1;
+    run->kept = run->journal.keep.there;
+    return 0;
 }
 
 static int open_files(struct run *run, struct message *message)
@@ -51,7 +75,7 @@ static int open_files(struct run *run, struct message *message)
     const int asked = run->request->output != NULL;
     snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
              asked ? "" : ".h5");
-    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0 || name_journal(run, message) != 0)
+    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0)
         return -1;
     run->files.force = run->request->force;
     run->files.xdmf = run->request->xdmf;
@@ -59,17 +83,8 @@ static int open_files(struct run *run, struct message *message)
     run->files.inputs_count = inputs_of(run->request->scene, &run->scene, run->inputs);
     if (run_files_check(&run->files, message) != 0)
         return -1;
-    const int there = journal_look(&run->journal, message);
-    if (there < 0)
-        return -1;
-    run->kept = there == JOURNAL_RUN;
-    run->early = there == JOURNAL_EARLY;
-    if (run->kept && !run->request->resume)
-        return message_set(
-            message, "%s: holds a run that was interrupted; go on with it by --resume, or delete it to start anew",
-            run->journal.folder);
     /* before hours of computing, not after */
-    return folder_create(run->files.folder, message);
+    return folder_create(run->files.folder, message) != 0 ? -1 : open_journal(run, message);
 }
 
 /** Steps between records: as asked for, as in the run that is resumed, or so that there are about so many. */
@@ -84,67 +99,65 @@ static int choose_every(const char *option, int64_t asked, int64_t resumed, int6
 }
 
 /** The end of a complete run, in its HDF5 file. Returns 1, 0 if there is no such file, or -1. */
-static int open_restart(struct run *run, struct message *message)
+static int open_restart(struct run *run, char path[FOLDER_PATH], struct message *message)
 {
-    char path[FOLDER_PATH];
-    unsigned char *bytes;
-    size_t size = 0;
-    const struct identity identity = run->checkpoint.identity;
+    struct run_restart restart;
+    struct message difference;
     if (folder_output(run->files.folder, run->files.hdf5, 0, path, message) != 0)
         return -1;
-    int result = run_restart_find(path, &bytes, &size, message);
-    if (result > 0 && checkpoint_take(bytes, size, path, NULL, &identity, &run->scene, &run->checkpoint,
-                                      &run->model.bodies, &run->verdict, message) != 0)
-        result = -1;
-    free(bytes);
+    int result = run_restart_find(path, &restart, message);
+    if (result > 0 && !identity_is(restart.identity, strlen(restart.identity), run->record.identity, &difference))
+        result = identity_refuse(path, "run", &difference, message);
+    else if (result > 0 &&
+             checkpoint_take(restart.bytes, restart.size, &run->checkpoint, &run->model.bodies, &run->verdict) != 0)
+        result = message_set(message,
+                             "%.600s: is damaged; start anew without --resume, or choose another place with -o", path);
+    run_restart_free(&restart);
     return result;
 }
 
-/** The journal, with what a complete run has recorded if it is that which goes on. */
-static int open_journal(struct run *run, struct message *message)
+/** That of a run that was interrupted. Returns 1 or -1. */
+static int take_checkpoint(struct run *run, struct message *message)
 {
-    const struct checkpoint *c = &run->checkpoint;
-    char path[FOLDER_PATH];
-    if (!run->restored)
-        return journal_open(&run->journal, c->rows, c->frames, message);
-    if (journal_open(&run->journal, journal_mark_start(c->rows.doubles), journal_mark_start(c->frames.doubles),
-                     message) != 0 ||
-        folder_output(run->files.folder, run->files.hdf5, 0, path, message) != 0)
+    size_t size;
+    unsigned char *bytes = checkpoint_read(&run->journal, &size, message);
+    if (bytes == NULL)
         return -1;
-    return run->done ? 0 : run_restart_fill(path, &run->record, c, message);
+    const int taken = checkpoint_take(bytes, size, &run->checkpoint, &run->model.bodies, &run->verdict) == 0;
+    free(bytes);
+    return taken ? 1 : keep_damaged(&run->journal.keep, "is damaged: its checkpoint is of other bodies", message);
 }
 
+/** Where the run begins, and with what in its journal. */
 static int open_checkpoint(struct run *run, struct message *message)
 {
-    const struct identity identity = run->checkpoint.identity;
+    char path[FOLDER_PATH];
     struct checkpoint *c = &run->checkpoint;
+    const struct journal_mark no_rows = journal_mark_start(run->record.columns.count),
+                              no_frames = journal_mark_start(run->record.frames.doubles);
     int found = 0;
-    if (run->request->resume && run->kept)
-        found = checkpoint_read(&run->journal, &identity, &run->scene, c, &run->model.bodies, &run->verdict, message);
+    if (run->journal.keep.holds)
+        found = take_checkpoint(run, message);
     else if (run->request->resume)
-        found = run->restored = open_restart(run, message);
-    if (found < 0 && run->early) /* that run has begun to replace whatever is there */
-        found = run->restored = 0;
+        found = run->restored = open_restart(run, path, message);
+    if (found < 0 && !run->journal.keep.holds && run->journal.keep.there)
+        found = run->restored = 0; /* a run that came to no checkpoint has begun to replace whatever is there */
     if (found < 0)
         return -1;
     run->from = c->step;
     run->done = run->restored && run->from == run->steps;
-    if (!found) {
-        c->rows = journal_mark_start(run->record.columns.count);
-        c->frames = journal_mark_start(run->record.frames.doubles);
-    }
-    if (found && (c->rows.doubles != run->record.columns.count || c->frames.doubles != run->record.frames.doubles))
-        return message_set(message, "%s: records other quantities than this program does; delete it and start anew",
-                           run->journal.folder);
     if (run->steps < run->from)
         return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
                            (double)run->from * run->scene.h);
     if (choose_every("--record", run->request->record_every, c->record_every,
-                     interval_choose(run->scene.h, run->steps, 1000), &c->record_every, message) != 0)
+                     interval_choose(run->scene.h, run->steps, 1000), &c->record_every, message) != 0 ||
+        choose_every("--frames", run->request->frames_every, c->frames_every,
+                     interval_choose(run->scene.h, run->steps, 100), &c->frames_every, message) != 0 ||
+        journal_start(&run->journal, run->restored || !found ? no_rows : c->rows,
+                      run->restored || !found ? no_frames : c->frames, message) != 0)
         return -1;
-    return choose_every("--frames", run->request->frames_every, c->frames_every,
-                        interval_choose(run->scene.h, run->steps, 100), &c->frames_every, message);
+    return run->restored && !run->done ? run_restart_fill(path, &run->record, c, message) : 0;
 }
 
 int run_open(const struct run_request *request, struct run *run, struct message *message)
@@ -169,17 +182,14 @@ int run_open(const struct run_request *request, struct run *run, struct message 
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
     if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)
         return -1;
-    run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
-    run->begun = 1;
-    return open_journal(run, message);
+    run->kept = run->journal.keep.holds;
+    return 0;
 }
 
 void run_close(struct run *run)
 {
-    if (run->begun && !run->kept)
-        journal_remove(&run->journal);
-    else
-        journal_close(&run->journal);
+    journal_end(&run->journal, !run->kept);
+    free(run->record.identity);
     free(run->frame);
     run->frame = NULL;
     verdict_destroy(&run->verdict);

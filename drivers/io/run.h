@@ -6,7 +6,7 @@
 #ifndef VTI_RUN_H
 #define VTI_RUN_H
 
-#include "checkpoint.h"
+#include "journal.h"
 #include "record.h"
 #include "run_files.h"
 #include "table_hdf5.h"
@@ -31,7 +31,8 @@ enum run_end {
     RUN_STOPPED, /* by a signal; it can be resumed */
     RUN_ENDED,   /* by a signal, before the first step: it leaves nothing */
     RUN_BROKEN,  /* a step was refused or a number is not finite; what was recorded before is in the files */
-    RUN_FAILED /* it did not start, or files cannot be written; what was recorded since a checkpoint is in the journal */
+    RUN_FAILED   /* it did not start, or files cannot be written; what was recorded up to a checkpoint is in the journal
+                  */
 };
 
 struct run {
@@ -47,12 +48,11 @@ struct run {
     struct record record;
     struct verdict verdict;
     int64_t from, steps;
-    int resumable;   /* all that the stepper goes on from is in the bodies: rivals keep more */
-    int done;        /* it was complete before: there is nothing to do */
-    int restored;    /* it goes on from the files of a complete run */
-    int early;       /* the journal is there, of a run that came to no checkpoint */
-    int begun, kept; /* the journal is this run's; there is a checkpoint in the journal */
-    double *frame;   /* one */
+    int resumable; /* all that the stepper goes on from is in the bodies: rivals keep more */
+    int done;      /* it was complete before: there is nothing to do */
+    int restored;  /* it goes on from the files of a complete run */
+    int kept;      /* the journal is to stay */
+    double *frame; /* one */
 
     /* while it goes */
     enum run_end end;

@@ -43,7 +43,8 @@ static void name_of(const struct run_files *files, int kind, char name[264])
         snprintf(name, 264, "%s%s", files->stem, endings[kind]);
 }
 
-/* ---- what is there ------------------------------------------------------------------------------------------------ */
+/* ---- what is there ------------------------------------------------------------------------------------------------
+ */
 
 /* LAMMPS, whose dumps may begin as ours, writes the numbers of its box with exponents that %g has not. */
 static const char *const of_lammps[] = {"e+0", "e-01", "e-02", "e-03", "e-04", NULL};
@@ -94,7 +95,8 @@ static int write_text(const struct run_files *files, const struct record *record
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
-/** One of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our business. */
+/** One of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our
+ *  business. */
 static void remove_earlier(const struct run_files *files, int kind)
 {
     char name[264], path[FOLDER_PATH];

@@ -21,8 +21,8 @@ struct run_files {
 /** Takes the name of the HDF5 file apart. Returns 0, or -1 with one line in *message. */
 int run_files_name(struct run_files *files, const char *output, int dump, struct message *message);
 
-/** The most frames for which OUT.xdmf is written unasked: it takes 1 to 8 kB of text for each, as much as the frame itself in
- *  OUT.h5 where bodies are few. */
+/** The most frames for which OUT.xdmf is written unasked: it takes 1 to 8 kB of text for each, as much as the frame
+ *  itself in OUT.h5 where bodies are few. */
 enum { RUN_XDMF_FRAMES = 2000 };
 
 /** Whether OUT.xdmf is written. */
@@ -30,8 +30,8 @@ int run_files_has_xdmf(const struct run_files *files, const struct record *recor
 /** Whether they may be written (overwrite.h). Returns 0, or -1 with one line in *message. */
 int run_files_check(const struct run_files *files, struct message *message);
 
-/** Checks again and writes the files: all under temporary names, to the disk, then all under their real ones, so that a failure
- *  leaves what was there before. Returns 0, or -1 with one line in *message. */
+/** Checks again and writes the files: all under temporary names, to the disk, then all under their real ones, so that a
+ *  failure leaves what was there before. Returns 0, or -1 with one line in *message. */
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message);
 
 #endif

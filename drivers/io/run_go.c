@@ -147,15 +147,18 @@ static enum run_end write_files(struct run *run)
     struct message problem;
     run->record.complete = run->end == RUN_COMPLETE;
     run->record.judgement = verdict_judge(&run->verdict, run->end == RUN_BROKEN, &run->judgement);
-    if (journal_sync(&run->journal, run->message) != 0)
+    if (journal_flush(&run->journal, run->message) != 0)
         return RUN_FAILED;
     if (record_rows(&run->record, measure_drift, run, &problem) == 0 &&
         run_files_write(&run->files, &run->record, &problem) == 0) {
         run->kept = 0;
         return run->end;
     }
-    message_set(run->message, "%.600s; the run is kept in %.300s: when that is mended go on with --resume",
-                problem.text, run->journal.folder);
+    if (run->journal.keep.holds)
+        message_set(run->message, "%.600s; the run is kept in %.300s: when that is mended go on with --resume",
+                    problem.text, run->journal.keep.path);
+    else
+        message_set(run->message, "%.600s; when that is mended start anew", problem.text);
     return RUN_FAILED;
 }
 

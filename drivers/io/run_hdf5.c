@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "checkpoint.h"
 #include "hdf5_sink.h"
 #include "quote.h"
 
@@ -116,19 +115,23 @@ static void verdict_write(const struct judgement *judgement, struct hdf5_sink *f
                        (const char *)judgement + verdict_numbers[k].offset);
 }
 
-/** /restart: the checkpoint at the end of a complete run, from which it goes on (run_restart.h). */
+/** /restart: what a complete run is and the checkpoint at its end, from which it goes on (run_restart.h). */
 static int restart_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
-    unsigned char *bytes;
-    size_t size = 0;
-    if (!record->complete)
+    size_t size;
+    const hsize_t length = (hsize_t)strlen(record->identity);
+    if (!record->complete || !record->journal->keep.holds)
         return 0;
-    const int found = checkpoint_bytes(record->journal, &bytes, &size, message);
+    unsigned char *bytes = checkpoint_read(record->journal, &size, message);
     const hsize_t count = (hsize_t)size;
-    if (found > 0)
-        hdf5_dataset(file, "restart", H5T_NATIVE_UINT8, 1, &count, bytes);
+    if (bytes == NULL)
+        return -1;
+    struct hdf5_sink group = hdf5_group(file, "restart");
+    hdf5_dataset(&group, "identity", H5T_NATIVE_UINT8, 1, &length, record->identity);
+    hdf5_dataset(&group, "checkpoint", H5T_NATIVE_UINT8, 1, &count, bytes);
+    hdf5_close(file, &group);
     free(bytes);
-    return found < 0 ? -1 : 0;
+    return file->failed ? -1 : 0;
 }
 
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
@@ -27,39 +28,48 @@ static int read_rows(hid_t file, const char *name, int64_t first, int64_t count,
     return ok ? 0 : -1;
 }
 
-/** 1, or 0 if it is not there. */
-static int read_restart(hid_t file, unsigned char **bytes, size_t *size)
+/** All bytes of a dataset of bytes, with a 0 behind them, from malloc; NULL if there are none. */
+static unsigned char *read_bytes(hid_t file, const char *name, size_t *size)
 {
     hsize_t length = 0;
-    const hid_t set = H5Dopen2(file, "restart", H5P_DEFAULT), space = H5Dget_space(set);
+    unsigned char *bytes = NULL;
+    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
     if (H5Sget_simple_extent_ndims(space) == 1 && H5Sget_simple_extent_dims(space, &length, NULL) == 1)
-        *bytes = malloc((size_t)length + 1);
+        bytes = calloc(1, (size_t)length + 1);
     *size = (size_t)length;
-    const int found = *bytes != NULL && H5Dread(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, *bytes) >= 0;
+    if (bytes != NULL && H5Dread(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes) < 0) {
+        free(bytes);
+        bytes = NULL;
+    }
     H5Sclose(space);
     H5Dclose(set);
-    return found;
+    return bytes;
 }
 
-int run_restart_find(const char *path, unsigned char **bytes, size_t *size, struct message *message)
+void run_restart_free(struct run_restart *restart)
+{
+    free(restart->identity);
+    free(restart->bytes);
+    memset(restart, 0, sizeof *restart);
+}
+
+int run_restart_find(const char *path, struct run_restart *restart, struct message *message)
 {
     struct stat info;
-    int found = 0;
-    *bytes = NULL;
+    size_t size;
+    memset(restart, 0, sizeof *restart);
     if (stat(path, &info) != 0 || info.st_size == 0)
         return 0;
     H5E_BEGIN_TRY
     {
         const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        found = file >= 0 && read_restart(file, bytes, size);
-        if (file >= 0)
-            H5Fclose(file);
+        restart->identity = (char *)read_bytes(file, "restart/identity", &size);
+        restart->bytes = read_bytes(file, "restart/checkpoint", &restart->size);
+        H5Fclose(file);
     }
     H5E_END_TRY;
-    if (found)
+    if (restart->identity != NULL && restart->bytes != NULL)
         return 1;
-    free(*bytes);
-    *bytes = NULL;
     return message_set(
         message,
         "%.600s: holds no run that came to its end, so that none can go on; start anew without --resume, "
@@ -67,7 +77,8 @@ int run_restart_find(const char *path, unsigned char **bytes, size_t *size, stru
         path);
 }
 
-/* ---- rows and frames ---------------------------------------------------------------------------------------------- */
+/* ---- rows and frames ----------------------------------------------------------------------------------------------
+ */
 
 static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
 {

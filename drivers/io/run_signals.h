@@ -3,7 +3,8 @@
 #ifndef VTI_RUN_SIGNALS_H
 #define VTI_RUN_SIGNALS_H
 
-/** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, and a file that grows too large is an error, not a signal. */
+/** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, and a file that grows too large is an error, not
+ *  a signal. */
 void run_signals_catch(void);
 /** "SIGTERM", say, if one has come, else NULL. */
 const char *run_signals_seen(void);

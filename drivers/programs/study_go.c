@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
 #include "study_go.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "hdf5_sink.h"
+#include "identity.h"
 #include "number.h"
 #include "terminal.h"
 #include "run_signals.h"
 #include "study_files.h"
-#include "study_identity.h"
 #include "survey_files.h"
+#include "tasks.h"
 
 /* ---- all ranks -------------------------------------------------------------------------------------------------- */
 
@@ -30,51 +33,71 @@ int study_agree(int failed, int rank, const struct message *message)
     return -1;
 }
 
-/* ---- the journal, which rank 0 has ------------------------------------------------------------------------------ */
+/* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
+
+static struct tasks tasks;
 
 static int check_files(const struct study_place *place, const struct output *files, int count, struct message *message)
 {
     return overwrite_check(files, count, place->inputs, place->inputs_count, place->force, message);
 }
 
+/** On rank 0; identify writes what the study is. */
+static int open_here(const struct study_place *place, const char *name, const struct output *files, int count,
+                     void (*identify)(FILE *text, const void *plan), const void *plan, size_t bytes,
+                     struct message *message)
+{
+    size_t size;
+    char *identity = NULL;
+    FILE *text = open_memstream(&identity, &size);
+    int failed = text == NULL ? -1 : 0;
+    if (failed == 0) {
+        identity_version(text);
+        identify(text, plan);
+        fprintf(text, "bytes of a result: %zu\n", bytes);
+        failed = fclose(text) != 0 ? -1 : 0;
+    }
+    if (failed == 0 && (check_files(place, files, count, message) != 0 || folder_create(place->folder, message) != 0 ||
+                        tasks_open(&tasks, place->folder, name, place->resume, identity, bytes, message) != 0))
+        failed = -1;
+    free(identity);
+    return failed;
+}
+
 /** Collective. */
-static int open_journal(struct task_journal *journal, const struct study_place *place, const char *name,
-                        const struct output *files, int count, const struct task_identity *identity, int rank)
+static int open_tasks(const struct study_place *place, const char *name, const struct output *files, int count,
+                      void (*identify)(FILE *text, const void *plan), const void *plan, int64_t all, size_t bytes,
+                      int rank)
 {
     struct message message = {""};
-    memset(journal, 0, sizeof *journal);
     hdf5_start();
-    int failed = rank == 0 ? check_files(place, files, count, &message) : 0;
-    if (failed == 0 && rank == 0)
-        failed = folder_create(place->folder, &message);
-    if (failed == 0 && rank == 0)
-        failed = task_journal_open(journal, place->folder, name, place->resume, identity, &message);
+    const int failed = rank == 0 ? open_here(place, name, files, count, identify, plan, bytes, &message) : 0;
     if (study_agree(failed, rank, &message) != 0)
         return -1;
-    if (rank == 0 && place->resume && journal->kept > 0)
-        printf("goes on: %lld of %lld runs are there already\n", (long long)journal->kept, (long long)journal->tasks);
+    if (rank == 0 && place->resume && tasks.kept > 0)
+        printf("goes on: %lld of %lld runs are there already\n", (long long)tasks.kept, (long long)all);
     else if (rank == 0 && place->resume)
         printf("no runs are there yet: starts\n");
     fflush(stdout);
     return 0;
 }
 
-static void close_journal(struct task_journal *journal, int done, int rank)
-{
-    if (rank == 0 && done)
-        task_journal_remove(journal);
-    else if (rank == 0)
-        task_journal_close(journal);
-}
-
 /** What is wrong with the files, and where the results are. */
-static int not_written(const struct task_journal *journal, const struct message *problem, struct message *message)
+static int not_written(const struct message *problem, struct message *message)
 {
+    if (tasks_commit(&tasks, message) != 0)
+        return -1;
     return message_set(message, "%.600s; the results are kept in %.300s: when that is mended go on with --resume",
-                       problem->text, journal->path);
+                       problem->text, tasks.keep.path);
 }
 
 /* ---- the person at the terminal --------------------------------------------------------------------------------- */
+
+static void show(const char *what, int64_t done, int64_t all, double seconds)
+{
+    tasks_settle(&tasks);
+    progress_show_what(what, done, all, seconds);
+}
 
 static int is_asked(void)
 {
@@ -84,26 +107,32 @@ static int is_asked(void)
 /** From now on whoever wants the study to end is heard. */
 static struct study_watch begin_watch(void)
 {
-    const struct study_watch watch = {progress_show_what, is_asked};
+    const struct study_watch watch = {show, is_asked};
     run_signals_catch();
     return watch;
 }
 
-static int say_stopped(const struct task_journal *journal, struct message *message)
+static int say_stopped(int64_t all, struct message *message)
 {
-    if (journal->kept == 0)
+    if (tasks_commit(&tasks, message) != 0)
+        return -1;
+    if (tasks.kept == 0)
         return message_set(message,
                            "stopped before the first run was done; the same command with --resume starts again");
     return message_set(message, "stopped; %lld of %lld runs are kept in %.300s: go on with --resume",
-                       (long long)journal->kept, (long long)journal->tasks, journal->path);
+                       (long long)tasks.kept, (long long)all, tasks.keep.path);
 }
 
-/** The end of a study that returned failed, on all ranks. */
-static int end_study(int failed, struct task_journal *journal, int done, int rank, struct message *message)
+/** The end of a study of so many runs that returned failed, on all ranks. */
+static int end_study(int failed, int64_t all, int done, int rank, struct message *message)
 {
+    struct message ignored;
     if (failed == WATCH_ASKED && rank == 0)
-        say_stopped(journal, message);
-    close_journal(journal, done, rank);
+        say_stopped(all, message);
+    else if (rank == 0 && !done)
+        tasks_commit(&tasks, &ignored);
+    if (rank == 0)
+        tasks_end(&tasks, done);
     const int agreed = study_agree(failed, rank, message);
     return failed == WATCH_ASKED ? failed : agreed;
 }
@@ -113,6 +142,70 @@ static int count_ranks(void)
     int ranks;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     return ranks;
+}
+
+/* ---- what a study is: what its scenes mean, and what it does with them ------------------------------------------ */
+
+/** How it runs one of its scenes. */
+static void identify_scene(FILE *text, const char *before, const struct scene *scene, const double *h, int64_t h_count,
+                           double t_end)
+{
+    static const char *const without[] = {"stepper", "h", "t_end", NULL};
+    identity_scene(text, before, scene, without);
+    fprintf(text, "%s--h:", before);
+    for (int64_t k = 0; k < h_count; ++k)
+        fprintf(text, " %s", NUMBER(h[k]));
+    fprintf(text, "\n%s--t-end: %s\n", before, NUMBER(t_end));
+}
+
+static void identify_steppers(FILE *text, const vti_stepper *const *steppers, int64_t count, double memory)
+{
+    fputs("--steppers:", text);
+    for (int64_t k = 0; k < count; ++k)
+        fprintf(text, " %s", steppers[k]->name);
+    fprintf(text, "\n--memory: %s\n", NUMBER(memory));
+}
+
+static void identify_study(FILE *text, const void *self)
+{
+    const struct plan *plan = self;
+    identify_scene(text, "", plan->scene, plan->h, plan->h_count, plan->t_end);
+    identify_steppers(text, plan->steppers, plan->steppers_count, plan->memory);
+}
+
+/** "scene 2, " */
+static const char *before_scene(int64_t k, char text[32])
+{
+    snprintf(text, 32, "scene %lld, ", (long long)k + 1);
+    return text;
+}
+
+/** Of the scenes at their first points, and of what is swept. */
+static void identify_survey(FILE *text, const void *self)
+{
+    const struct survey_plan *plan = self;
+    const struct plan *each = plan->each;
+    char before[32];
+    for (int k = 0; k < plan->scenes_count; ++k)
+        identify_scene(text, before_scene(k, before), &plan->first[k], each[k].h, each[k].h_count, each[k].t_end);
+    identify_steppers(text, each->steppers, each->steppers_count, each->memory);
+    for (int k = 0; k < plan->sweep->count; ++k) {
+        const struct sweep_axis *axis = &plan->sweep->axis[k];
+        fprintf(text, "--sweep %d: %s=%s %s %s %lld\n", k + 1, axis->key, axis->list != NULL ? axis->list : "",
+                NUMBER(axis->from), NUMBER(axis->step), (long long)axis->count);
+    }
+}
+
+/** How often times are taken is no part of it. */
+static void identify_cost(FILE *text, const void *self)
+{
+    const struct cost_plan *plan = self;
+    const struct cost_case *c = plan->cases;
+    char before[32];
+    for (int64_t k = 0; k < plan->cases_count; ++k)
+        identify_scene(text, before_scene(k, before), c[k].scene, plan->h, plan->h_count, c[k].t_end);
+    identify_steppers(text, plan->methods, plan->methods_count, plan->memory);
+    fprintf(text, "--evals: %lld\n", (long long)plan->most_evals);
 }
 
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
@@ -161,15 +254,15 @@ static int some_bad(const struct study *study, int rank)
 int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
     struct study study;
-    struct task_journal journal;
     struct message message = {""}, problem = {""};
-    const struct task_identity identity = study_identity(plan);
+    const int64_t all = plan->steppers_count * plan->h_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[STUDY_FILES];
     study_files_list(place->folder, files);
-    if (open_journal(&journal, place, "study.journal", files, STUDY_FILES, &identity, rank) != 0)
+    if (open_tasks(place, "study.journal", files, STUDY_FILES, identify_study, plan, all, sizeof(struct outcome),
+                   rank) != 0)
         return -1;
-    const struct store store = task_journal_store(&journal);
+    const struct store store = tasks_store(&tasks);
     if (rank == 0)
         say_plan(plan);
     int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
@@ -177,9 +270,9 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     if (failed == 0 && rank == 0 &&
         (check_files(place, files, STUDY_FILES, &problem) != 0 ||
          study_files_write(&study, place->folder, &problem) != 0))
-        failed = not_written(&journal, &problem, &message);
+        failed = not_written(&problem, &message);
     /* a run that is refused would be refused again */
-    failed = end_study(failed, &journal, failed == 0 || study.refused, rank, &message);
+    failed = end_study(failed, all, failed == 0 || study.refused, rank, &message);
     if (failed == 0 && rank == 0)
         say_study(&study, place->folder);
     if (failed == 0)
@@ -222,15 +315,14 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
 {
     struct survey survey;
     struct survey_counts counts = {{0}, 0};
-    struct task_journal journal;
     struct message message = {""}, problem = {""};
-    const struct task_identity identity = survey_identity(plan);
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[STUDY_FILES];
     study_files_list(place->folder, files);
-    if (open_journal(&journal, place, "study.journal", files, STUDY_FILES, &identity, rank) != 0)
+    if (open_tasks(place, "study.journal", files, STUDY_FILES, identify_survey, plan, survey_points(plan),
+                   (size_t)survey_bytes(plan), rank) != 0)
         return -1;
-    const struct store store = task_journal_store(&journal);
+    const struct store store = tasks_store(&tasks);
     if (rank == 0)
         say_survey_plan(plan);
     int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
@@ -239,8 +331,8 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
         (check_files(place, files, STUDY_FILES, &problem) != 0 ||
          survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
          say_survey(&survey, &counts, place->folder, &problem) != 0))
-        failed = not_written(&journal, &problem, &message);
-    failed = end_study(failed, &journal, failed == 0, rank, &message);
+        failed = not_written(&problem, &message);
+    failed = end_study(failed, survey_points(plan), failed == 0, rank, &message);
     int bad = counts.verdict[VERDICT_BAD] > 0 || counts.failed > 0;
     MPI_Bcast(&bad, 1, MPI_INT, 0, MPI_COMM_WORLD);
     return failed == 0 ? bad : failed;
@@ -269,23 +361,23 @@ static void say_cost(const struct cost *cost, const char *folder)
 int cost_go(const struct cost_plan *plan, const struct study_place *place, int rank)
 {
     static struct cost cost;
-    struct task_journal journal;
     struct message message = {""}, problem = {""};
-    const struct task_identity identity = cost_identity(plan);
+    const int64_t all = plan->cases_count * plan->methods_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[COST_FILES];
     cost_files_list(place->folder, files);
-    if (open_journal(&journal, place, "cost.journal", files, COST_FILES, &identity, rank) != 0)
+    if (open_tasks(place, "cost.journal", files, COST_FILES, identify_cost, plan, all, sizeof(struct cost_ladder),
+                   rank) != 0)
         return -1;
-    const struct store store = task_journal_store(&journal);
+    const struct store store = tasks_store(&tasks);
     if (rank == 0)
         say_cost_plan(plan);
     int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
         (check_files(place, files, COST_FILES, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
-        failed = not_written(&journal, &problem, &message);
-    failed = end_study(failed, &journal, failed == 0, rank, &message);
+        failed = not_written(&problem, &message);
+    failed = end_study(failed, all, failed == 0, rank, &message);
     if (failed == 0 && rank == 0)
         say_cost(&cost, place->folder);
     cost_destroy(&cost);

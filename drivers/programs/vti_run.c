@@ -48,7 +48,7 @@ static const struct option_row rows[] = {
      "start"},
     {"--list", "WHAT", OPTION_TEXT, &list, OPTION_ANY, "steppers, effects or keys of scenes, with what they are"},
     OPTION_PARAGRAPH(
-        "While it runs everything is kept in the folder OUT.run. After SIGTERM, SIGUSR1, SIGHUP, SIGXCPU or\n"
+        "While it runs everything is kept in the file OUT.run. After SIGTERM, SIGUSR1, SIGHUP, SIGXCPU or\n"
         "Ctrl-C it saves a checkpoint and ends with code 75; the same command with --resume goes on, after\n"
         "any other end too, and gives the same bytes as if nothing had happened. A run that is resumed may\n"
         "be given a later --t-end; all else must be as it was.\n"

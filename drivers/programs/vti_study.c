@@ -67,7 +67,7 @@ static const struct option_row rows[] = {
      "most force evaluations of a run (default 2^22 over the number of bodies)"},
     {"--repeats", "N", OPTION_WHOLE, &repeats, 1, COST_REPEATS, "5", "how often each run is timed (default 5)"},
     OPTION_PARAGRAPH(
-        "Every run is kept in the folder as soon as it is done. After any end before the last file is\n"
+        "Every run is kept in the folder half a second after it is done. After any end before the last file is\n"
         "written the same command with --resume goes on and gives the same bytes as if nothing had\n"
         "happened, timing.csv excepted. SIGTERM, SIGUSR1 and Ctrl-C end it with code 75; Open MPI's mpirun\n"
         "makes 1 of that, unless it was SIGUSR1, and talks over our message unless it is told to be\n"

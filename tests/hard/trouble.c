@@ -176,11 +176,23 @@ int fclose(FILE *file)
     return EOF;
 }
 
-int fsync(int fd)
-{
-    REAL("fsync", int, int);
-    return meet_file("fsync", fd) ? -1 : real(fd);
-}
+#define SYNC(NAME)                                                                                                     \
+    int NAME(int fd)                                                                                                   \
+    {                                                                                                                  \
+        REAL(#NAME, int, int);                                                                                         \
+        return meet_file("fsync", fd) ? -1 : real(fd);                                                                 \
+    }
+SYNC(fsync)
+SYNC(fdatasync)
+
+#define FTRUNCATE(NAME, OFFSET)                                                                                        \
+    int NAME(int fd, OFFSET size)                                                                                      \
+    {                                                                                                                  \
+        REAL(#NAME, int, int, OFFSET);                                                                                 \
+        return meet_file("ftruncate", fd) ? -1 : real(fd, size);                                                       \
+    }
+FTRUNCATE(ftruncate, off_t)
+FTRUNCATE(ftruncate64, off64_t)
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 

@@ -5,8 +5,8 @@
 
 #include "table.h"
 
-/** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by the attribute
- *  vti_version of their root. */
+/** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by
+ *  the attribute vti_version of their root. */
 struct mark {
     const char *begins, *holds; /* holds may be NULL; begins NULL is HDF5 */
     const char *const *lacks;   /* up to NULL, none of these; may be NULL itself */
@@ -33,8 +33,9 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list);
 /** Whether the file at path, links followed, is a result of ours; so is an empty one, in which nothing can be lost. */
 int mark_is_ours(const char *path, const struct mark *mark);
 
-/** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed), outputs whose
- *  folder is not there, and, but with force, files that are there and not ours. Returns 0, or -1 with one line in *message. */
+/** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed),
+ *  outputs whose folder is not there, and, but with force, files that are there and not ours. Returns 0, or -1 with one
+ *  line in *message. */
 int overwrite_check(const struct output *outputs, int outputs_count, const struct input *inputs, int inputs_count,
                     int force, struct message *message);
 

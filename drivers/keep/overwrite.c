@@ -55,7 +55,8 @@ int mark_is_ours(const char *path, const struct mark *mark)
     return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path) : is_text(path, mark));
 }
 
-/* ---- which file is which ------------------------------------------------------------------------------------------ */
+/* ---- which file is which ------------------------------------------------------------------------------------------
+ */
 
 static int is_same(const char *a, const char *b)
 {

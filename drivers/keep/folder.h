@@ -9,11 +9,12 @@
 
 enum { FOLDER_PATH = 4096 };
 
-/** Makes the folder and its parents if need be and checks that files can be made in it. Returns 0, or -1 with one line in
- *  *message. */
+/** Makes the folder and its parents if need be and checks that files can be made in it. Returns 0, or -1 with one line
+ *  in *message. */
 int folder_create(const char *folder, struct message *message);
 
-/** path = folder/name, or folder/name.part for the file while it is written. Returns 0, or -1 with *message if too long. */
+/** path = folder/name, or folder/name.part for the file while it is written. Returns 0, or -1 with *message if too
+ *  long. */
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
 
 /** The same for a file that is put out: links are followed, so that a link stays and what it leads to is written. */
@@ -22,7 +23,8 @@ int folder_output(const char *folder, const char *name, int part, char path[FOLD
 /** What to do about an error with a file that is written while a run or a study goes. */
 const char *folder_remedy(int error);
 
-/** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with errno. */
+/** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with
+ *  errno. */
 FILE *folder_new(const char *path);
 
 /** Opens folder/name.part for writing; NULL with *message if that cannot be. */
@@ -30,9 +32,9 @@ FILE *folder_open(const char *folder, const char *name, struct message *message)
 /** Closes it. Returns 0, or -1 with *message if not all that was written to it has got there. */
 int folder_close(FILE *file, const char *folder, const char *name, struct message *message);
 
-/** The end of files that belong together. If failed is 0, brings every folder/name.part, written and closed, to the disk and
- *  then gives all of them their real names; otherwise, and if that fails, removes them. Returns 0, or -1 with *message, which is
- *  as it was if failed is not 0. */
+/** The end of files that belong together. If failed is 0, brings every folder/name.part, written and closed, to the
+ *  disk and then gives all of them their real names; otherwise, and if that fails, removes them. Returns 0, or -1 with
+ *  *message, which is as it was if failed is not 0. */
 int folder_finish(const char *folder, const char *const *names, int count, int failed, struct message *message);
 
 #endif

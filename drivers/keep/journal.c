@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "journal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "digest.h"
+#include "state.h"
+
+enum { PIECE = 65536, BYTES = 8 * PIECE }; /* doubles of a piece; SQLite keeps no bytes beyond 1e9 in one */
+
+/* ---- streams ----------------------------------------------------------------------------------------------------- */
+
+struct journal_mark journal_mark_start(int64_t doubles)
+{
+    const struct journal_mark mark = {doubles, 0, DIGEST_START};
+    return mark;
+}
+
+static int put_piece(struct journal *journal, const struct journal_file *file, int64_t doubles, struct message *message)
+{
+    return keep_put(&journal->keep, file->table, file->loaded, file->piece, sizeof(double) * (size_t)doubles, message);
+}
+
+int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message)
+{
+    struct journal_mark *mark = &file->mark;
+    int64_t at = mark->doubles * mark->count;
+    mark->digest = digest_add(mark->digest, record, sizeof(double) * (size_t)mark->doubles);
+    ++mark->count;
+    for (int64_t left = mark->doubles; left > 0;) {
+        const int64_t room = PIECE - at % PIECE, n = left < room ? left : room;
+        memcpy(file->piece + at % PIECE, record, sizeof(double) * (size_t)n);
+        if (n == room && put_piece(journal, file, PIECE, message) != 0)
+            return -1;
+        at += n;
+        record += n;
+        left -= n;
+        file->loaded = at / PIECE;
+    }
+    return 0;
+}
+
+int journal_flush(struct journal *journal, struct message *message)
+{
+    const struct journal_file *const files[] = {&journal->rows, &journal->frames};
+    for (int k = 0; k < 2; ++k) {
+        const int64_t doubles = files[k]->mark.doubles * files[k]->mark.count % PIECE;
+        if (doubles != 0 && put_piece(journal, files[k], doubles, message) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/** Brings a piece into memory, with at least so many doubles. */
+static int load(struct journal *journal, struct journal_file *file, int64_t number, int64_t doubles,
+                struct message *message)
+{
+    const void *bytes;
+    size_t size;
+    if (file->loaded == number)
+        return 0;
+    const int found = keep_get(&journal->keep, file->table, number, &bytes, &size, message);
+    if (found < 0)
+        return -1;
+    if (found == 0 || size < sizeof(double) * (size_t)doubles || size > sizeof(double) * PIECE)
+        return keep_damaged(&journal->keep, "is damaged: it holds less than its checkpoint counts", message);
+    memcpy(file->piece, bytes, size);
+    file->loaded = number;
+    return 0;
+}
+
+int journal_read(struct journal *journal, struct journal_file *file, int64_t first, int64_t count, double *records,
+                 struct message *message)
+{
+    int64_t at = file->mark.doubles * first;
+    for (int64_t left = file->mark.doubles * count; left > 0;) {
+        const int64_t room = PIECE - at % PIECE, n = left < room ? left : room;
+        if (load(journal, file, at / PIECE, at % PIECE + n, message) != 0)
+            return -1;
+        memcpy(records, file->piece + at % PIECE, sizeof(double) * (size_t)n);
+        at += n;
+        records += n;
+        left -= n;
+    }
+    return 0;
+}
+
+/** Sets the stream to its mark. All that it holds is read once, so that damage is seen before anything is done. */
+static int start_stream(struct journal *journal, struct journal_file *file, enum keep_table table,
+                        struct journal_mark mark, struct message *message)
+{
+    const int64_t all = mark.doubles * mark.count;
+    file->table = table;
+    file->mark = mark;
+    file->loaded = -1;
+    file->piece = malloc(sizeof(double) * PIECE);
+    if (file->piece == NULL)
+        return message_set(message, "out of memory; use fewer bodies");
+    for (int64_t at = 0; at < all; at += PIECE)
+        if (load(journal, file, at / PIECE, all - at < PIECE ? all - at : PIECE, message) != 0)
+            return -1;
+    file->loaded = all / PIECE;
+    return 0;
+}
+
+int journal_start(struct journal *journal, struct journal_mark rows, struct journal_mark frames,
+                  struct message *message)
+{
+    return start_stream(journal, &journal->rows, KEEP_ROWS, rows, message) != 0
+               ? -1
+               : start_stream(journal, &journal->frames, KEEP_FRAMES, frames, message);
+}
+
+void journal_end(struct journal *journal, int removes)
+{
+    if (removes)
+        keep_remove(&journal->keep);
+    else
+        keep_close(&journal->keep);
+    free(journal->rows.piece);
+    free(journal->frames.piece);
+    journal->rows.piece = journal->frames.piece = NULL;
+}
+
+/* ---- checkpoints: this, the state, and the digest of both -------------------------------------------------------- */
+
+int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
+                     const struct verdict *verdict, struct message *message)
+{
+    checkpoint->rows = journal->rows.mark;
+    checkpoint->frames = journal->frames.mark;
+    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict);
+    const size_t size = sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles,
+                 whole = size + sizeof(uint64_t);
+    unsigned char *bytes = malloc(whole);
+    if (bytes == NULL)
+        return message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
+    double *state = (double *)(void *)(bytes + sizeof *checkpoint);
+    memcpy(bytes, checkpoint, sizeof *checkpoint);
+    state_get(bodies, state);
+    verdict_get(verdict, state + state_size(bodies));
+    const uint64_t digest = digest_add(DIGEST_START, bytes, size);
+    memcpy(bytes + size, &digest, sizeof digest);
+    int failed = journal_flush(journal, message);
+    for (size_t at = 0; failed == 0 && at < whole; at += BYTES)
+        failed = keep_put(&journal->keep, KEEP_CHECKPOINT, (int64_t)(at / BYTES), bytes + at,
+                          whole - at < BYTES ? whole - at : BYTES, message);
+    free(bytes);
+    return failed != 0 ? -1 : keep_commit(&journal->keep, message);
+}
+
+unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message)
+{
+    unsigned char *bytes = NULL;
+    const void *piece;
+    size_t more;
+    *size = 0;
+    for (int64_t k = 0;; ++k) {
+        const int found = keep_get(&journal->keep, KEEP_CHECKPOINT, k, &piece, &more, message);
+        unsigned char *longer = found > 0 ? realloc(bytes, *size + more) : NULL;
+        if (found == 0 && bytes != NULL)
+            return bytes;
+        if (found == 0)
+            keep_damaged(&journal->keep, "is damaged: it has no checkpoint", message);
+        else if (found > 0 && longer == NULL)
+            message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
+        if (longer == NULL) {
+            free(bytes);
+            return NULL;
+        }
+        bytes = longer;
+        memcpy(bytes + *size, piece, more);
+        *size += more;
+    }
+}
+
+int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,
+                    struct verdict *verdict)
+{
+    uint64_t digest;
+    const int64_t doubles = state_size(bodies) + verdict_size(verdict);
+    const size_t body = sizeof *checkpoint + sizeof(double) * (size_t)doubles;
+    if (size != body + sizeof digest)
+        return -1;
+    memcpy(&digest, bytes + body, sizeof digest);
+    if (digest != digest_add(DIGEST_START, bytes, body))
+        return -1;
+    memcpy(checkpoint, bytes, sizeof *checkpoint);
+    /* who starts anew from step 0 moves the velocities of a lagging method anew */
+    if (checkpoint->step > 0) {
+        const double *state = (const double *)(const void *)(bytes + sizeof *checkpoint);
+        state_put(state, bodies);
+        verdict_put(verdict, state + state_size(bodies));
+    }
+    return 0;
+}
