@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A host has its own time step looked at by the conformance kit: the step, behind the kit's callback. This one turns its
- * attitudes by exactly h|omega|.                                                     pkg-config --cflags --libs vti-check */
+ * A host has its own time step looked at by the conformance kit: the step, behind the kit's callback. This one turns
+ * its attitudes by exactly h|omega|.      pkg-config --cflags --libs vti-check */
 #include <math.h>
 
 #include "vti_check.h"

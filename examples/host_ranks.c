@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A host under MPI: each rank steps its own part of a chain of bonded spheres by VTI-2, and has its neighbours' as ghosts.
+ * A host under MPI: each rank steps its own part of a chain of bonded spheres by VTI-2, and has its neighbours' as
+ * ghosts.
  *     mpirun -n 3 host_ranks chain/bodies.csv                                                                        */
 #include <mpi.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * A host with threads (OpenMP): each steps a slice of the spheres, a chain of bonded spheres, by VTI-2.
- *     host_threads chain/bodies.csv                                                                                   */
+ *     host_threads chain/bodies.csv */
 #include <stdio.h>
 #include <stdlib.h>
 

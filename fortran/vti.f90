@@ -5,7 +5,7 @@
 !> prints.
 !>
 !> What is different because Fortran is:
-!>  - Bodies and steppers are counted from 1, in arguments and in vti_fault (0: no body is to blame). Two things keep
+!>  - Bodies and steppers are counted from 1, in arguments and in vti_fault (0: it is not about one). Two things keep
 !>    the numbers of C: first in vti_bodies, which vti_bodies_slice sets, and stages (vti_step_begin is stage 0).
 !>  - An array behind a view must have the TARGET attribute, which the compiler checks where the view is made, and must
 !>    stay where it is while the view is used. A procedure that takes a step and has the array as a dummy argument says
@@ -14,7 +14,7 @@
 !>  - Steppers are values. Where C answers NULL, stages is 0, and every call with that stepper returns VTI_E_STEPPER.
 !>
 !> use vti brings it all: types (vti_types), views of arrays (vti_views), measures (vti_c, vti_sums), steps (vti_steps),
-!> effects (vti_effects), the packed door (vti_packed), the algebra of rotations (vti_rrv).
+!> effects (vti_effects), packed arrays (vti_packed), the algebra of rotations (vti_rrv).
 module vti
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     use vti_c
@@ -30,7 +30,7 @@ module vti
     private :: c_bodies_check_values, c_drift, c_stepper_find, c_stepper_at, c_step_stage, c_step_finish, &
         c_step_next, c_step_probe, c_step_start, c_step_sync, c_packed_begin, c_packed_finish, c_status_text, &
         c_quantity_text, c_version, c_vector_units, c_strlen
-    private :: blame, handle
+    private :: from_one, handle
 
 contains
 
@@ -56,8 +56,8 @@ contains
         text = vti_text(c_version())
     end function
 
-    !> The vector units that its kernels use on this machine: 'AVX-512 and AVX2', 'AVX2' or 'those of the build'. The bits do not
-    !> depend on them.
+    !> The vector units that its kernels use on this machine: 'AVX-512 and AVX2', 'AVX2' or 'those of the build'. The
+    !> bits do not depend on them.
     function vti_vector_units() result(text)
         character(len=:), allocatable :: text
         text = vti_text(c_vector_units())

@@ -31,6 +31,15 @@ module vti_c
             integer(c_int) :: status
         end function
 
+        !> dalpha of the turn by omega for the time t: what a drift composes with an attitude.
+        subroutine vti_drift_increment(law, t, omega, dalpha) bind(c)
+            import :: c_double, c_int
+            integer(c_int), value :: law
+            real(c_double), value :: t
+            real(c_double), intent(in) :: omega(3)
+            real(c_double), intent(out) :: dalpha(3)
+        end subroutine
+
         !> Number of steppers that vti_stepper_at knows.
         function vti_stepper_count() result(n) bind(c)
             import :: c_int64_t

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_c_effects -- the functions of vti_effect.h as C has them, and the energy; called by module vti_effects only.
+!> vti_c_effects -- the functions of vti_effect.h and of the effects' headers as C has them; called by module
+!> vti_effects only.
 module vti_c_effects
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_int64_t, c_ptr
     use vti_types
@@ -15,6 +16,71 @@ module vti_c_effects
             integer(c_int64_t), value :: n
             type(vti_bodies), intent(in) :: bodies
             integer(c_int) :: status
+        end function
+
+        function c_effects_check(effects, n, bodies, fault) result(status) bind(c, name='vti_effects_check')
+            import :: c_int, c_int64_t, vti_bodies, vti_effect, vti_fault
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
+        function c_effects_flow(effects, n, t, drift, bodies) result(status) bind(c, name='vti_effects_flow')
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: t, drift
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        function c_effects_carry(effects, n, drifted, bodies) result(status) bind(c, name='vti_effects_carry')
+            import :: c_int, c_int64_t, vti_bodies, vti_drifted, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_drifted), intent(in) :: drifted
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        function c_effects_rupture(effects, n, bodies, broken) result(status) bind(c, name='vti_effects_rupture')
+            import :: c_int, c_int64_t, vti_bodies, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int64_t), intent(inout) :: broken
+            integer(c_int) :: status
+        end function
+
+        function c_effects_stage(method, k, h, effects, n, bodies, fault) result(status) &
+            bind(c, name='vti_effects_stage')
+            import :: c_double, c_int, c_int64_t, c_ptr, vti_bodies, vti_effect, vti_fault
+            type(c_ptr), value :: method
+            integer(c_int64_t), value :: k, n
+            real(c_double), value :: h
+            type(vti_effect), intent(in) :: effects(*)
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
+        function c_effects_finish(method, h, effects, n, bodies) result(status) bind(c, name='vti_effects_finish')
+            import :: c_double, c_int, c_int64_t, c_ptr, vti_bodies, vti_effect
+            type(c_ptr), value :: method
+            real(c_double), value :: h
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        function c_booked(effects, n) result(energy) bind(c, name='vti_booked')
+            import :: c_double, c_int64_t, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n
+            real(c_double) :: energy
         end function
 
         function c_energy(effects, n, bodies) result(energy) bind(c, name='vti_energy')

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_check_kit -- the conformance kit (vti_check.h) for a time step that is a Fortran procedure. Link with -lvti_check too.
+!> vti_check_kit -- the conformance kit (vti_check.h) for a time step that is a Fortran procedure. Link with -lvti_check
+!> too.
 !>
 !>     faults = vti_check('my code', advance)       the report goes to stdout; the number of faults
 !>     faults = vti_check('my code', advance, translation=.true.)     of a code that moves positions only
@@ -22,8 +23,8 @@ module vti_check_kit
     end type
 
     abstract interface
-        !> Takes n bodies so many steps of h further, with all that the host does before its first step. Returns 0, or anything
-        !> else if the host refuses.
+        !> Takes n bodies so many steps of h further, with all that the host does before its first step. Returns 0, or
+        !> anything else if the host refuses.
         function vti_check_advance(h, steps, n, x, v, quat, omega, mass, inertia, kit) result(status)
             import :: c_double, c_int, c_int64_t, vti_kit
             real(c_double), intent(in) :: h

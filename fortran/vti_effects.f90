@@ -6,18 +6,19 @@
 !> arrays: all of them have TARGET, stay where they are, and outlive the effect. Bodies in pairs count from 1.
 !>
 !> Arrays of the wrong shape give a count of -1: vti_bonds_check refuses it, and its effect, like that of a pointer to
-!> nothing, is refused by vti_apply and vti_step_check (VTI_E_NULL) and has energy NaN.
+!> nothing, is refused by vti_effects_check (VTI_E_NULL) and by all that ask it, and has energy NaN.
 module vti_effects
-    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_procpointer, c_funptr, c_int, c_int64_t, c_loc, &
         c_null_ptr, c_ptr
     use vti_c, only: vti_bodies_check
     use vti_c_effects
-    use vti_steps, only: blame, handle
+    use vti_steps, only: from_one, handle
     use vti_types
     implicit none
     private
-    public :: vti_apply, vti_energy, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
+    public :: vti_apply, vti_energy, vti_booked, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
+    public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
+    public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
@@ -39,8 +40,7 @@ contains
         type(vti_effect), intent(in) :: effects(:)
         type(vti_bodies), intent(in) :: bodies
         integer(c_int) :: status
-        status = VTI_E_NULL
-        if (exist(effects)) status = c_apply(effects, size(effects, kind=c_int64_t), bodies)
+        status = c_apply(effects, size(effects, kind=c_int64_t), bodies)
     end function
 
     !> Kinetic energies and all energies of the effects.
@@ -48,32 +48,106 @@ contains
         type(vti_effect), intent(in) :: effects(:)
         type(vti_bodies), intent(in) :: bodies
         real(c_double) :: energy
-        energy = ieee_value(energy, ieee_quiet_nan)
-        if (exist(effects)) energy = c_energy(effects, size(effects, kind=c_int64_t), bodies)
+        energy = c_energy(effects, size(effects, kind=c_int64_t), bodies)
     end function
 
-    !> Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates. No other call asks.
+    !> Sum of all booked energies: with vti_energy, what is constant.
+    function vti_booked(effects) result(energy)
+        type(vti_effect), intent(in) :: effects(:)
+        real(c_double) :: energy
+        energy = c_booked(effects, size(effects, kind=c_int64_t))
+    end function
+
+    !> Whether all of them may be used with the bodies. VTI_E_NEEDS, with fault%body the number of the effect and
+    !> fault%quantity what is missing, if one needs what the bodies do not have.
+    function vti_effects_check(effects, bodies, fault) result(status)
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_effects_check(effects, size(effects, kind=c_int64_t), bodies, found)
+        if (present(fault)) fault = from_one(found)
+    end function
+
+    !> Once before a run: VTI_E_DISSIPATES if method has a negative coefficient and some effect dissipates, flows,
+    !> carries or ruptures. vti_effects_begin asks it, vti_step_begin does not.
     function vti_step_check(method, effects) result(status)
         type(vti_stepper), intent(in), target :: method
         type(vti_effect), intent(in) :: effects(:)
         integer(c_int) :: status
-        status = VTI_E_NULL
-        if (exist(effects)) status = c_step_check(handle(method), effects, size(effects, kind=c_int64_t))
+        status = c_step_check(handle(method), effects, size(effects, kind=c_int64_t))
     end function
 
-    function exist(effects)
+    ! ---- steps with effects that flow, carry or rupture --------------------------------------------------------------
+
+    !> vti_step_begin with the effects' flows and carries. On VTI_E_TOO_LARGE the flow before the kick has been done.
+    function vti_effects_begin(method, h, effects, bodies, fault) result(status)
+        type(vti_stepper), intent(in), target :: method
+        real(c_double), intent(in) :: h
         type(vti_effect), intent(in) :: effects(:)
-        logical :: exist
-        integer :: k
-        exist = .true.
-        do k = 1, size(effects)
-            exist = exist .and. c_associated(effects(k)%apply) .and. c_associated(effects(k)%energy)
-        end do
+        type(vti_bodies), intent(in) :: bodies
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        status = vti_effects_stage(method, 0_c_int64_t, h, effects, bodies, fault)
     end function
 
-    !> A step that is stable for every stepper whose limit is h < 2/omega_max, while nothing is deformed by more than `at`, or
-    !> where the bodies are. scratch has room for the bodies of the slice, which are all that the springs name. VTI_E_SPRINGS if an
-    !> effect does not report its springs: stable%effect is its number.
+    !> vti_step_stage with them.
+    function vti_effects_stage(method, k, h, effects, bodies, fault) result(status)
+        type(vti_stepper), intent(in), target :: method
+        integer(c_int64_t), intent(in) :: k
+        real(c_double), intent(in) :: h
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_effects_stage(handle(method), k, h, effects, size(effects, kind=c_int64_t), bodies, found)
+        if (present(fault)) fault = from_one(found)
+    end function
+
+    !> vti_step_finish with them.
+    function vti_effects_finish(method, h, effects, bodies) result(status)
+        type(vti_stepper), intent(in), target :: method
+        real(c_double), intent(in) :: h
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int) :: status
+        status = c_effects_finish(handle(method), h, effects, size(effects, kind=c_int64_t), bodies)
+    end function
+
+    !> What breaks at the end of a step; broken is how many, and where it is not 0 vti_apply comes before the next step.
+    function vti_effects_rupture(effects, bodies, broken) result(status)
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int64_t), intent(inout) :: broken
+        integer(c_int) :: status
+        status = c_effects_rupture(effects, size(effects, kind=c_int64_t), bodies, broken)
+    end function
+
+    !> The flows of all effects for the time t >= 0 before a drift of that time, or after one of -drift.
+    function vti_effects_flow(effects, t, drift, bodies) result(status)
+        type(vti_effect), intent(in) :: effects(:)
+        real(c_double), intent(in) :: t, drift
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int) :: status
+        status = c_effects_flow(effects, size(effects, kind=c_int64_t), t, drift, bodies)
+    end function
+
+    !> Tells all effects that carry of a drift that has been done.
+    function vti_effects_carry(effects, drifted, bodies) result(status)
+        type(vti_effect), intent(in) :: effects(:)
+        type(vti_drifted), intent(in) :: drifted
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int) :: status
+        status = c_effects_carry(effects, size(effects, kind=c_int64_t), drifted, bodies)
+    end function
+
+    ! ---- the stable step ---------------------------------------------------------------------------------------------
+
+    !> A step that is stable for every stepper whose limit is h < 2/omega_max, while nothing is deformed by more than
+    !> `at`, or where the bodies are. scratch has room for the bodies of the slice, which are all that the springs name.
+    !> VTI_E_SPRINGS if an effect does not report its springs: stable%effect is its number.
     function vti_stable_step(effects, bodies, scratch, stable, at) result(status)
         type(vti_effect), intent(in) :: effects(:)
         type(vti_bodies), intent(in) :: bodies
@@ -86,8 +160,6 @@ contains
         if (present(at)) place = c_loc(at)
         status = VTI_E_COUNT
         if (size(scratch, kind=c_int64_t) < bodies%count) return
-        status = VTI_E_NULL
-        if (.not. exist(effects)) return
         status = c_stable_step(effects, size(effects, kind=c_int64_t), bodies, place, scratch, stable)
         if (status /= VTI_OK .and. status /= VTI_E_SPRINGS) return
         stable%effect = stable%effect + 1
@@ -134,7 +206,7 @@ contains
         if (associated(gravity)) effect = c_gravity_effect(c_loc(gravity))
     end function
 
-    ! ---- bonds --------------------------------------------------------------------------------------------------------
+    ! ---- bonds -------------------------------------------------------------------------------------------------------
 
     !> Bonds between the bodies pair(1,k) and pair(2,k), at rest as rest(4,k) says, still without stiffnesses.
     function vti_bonds_between(pair, rest) result(bonds)
@@ -177,7 +249,7 @@ contains
             if (body < 1 .or. body > bodies%first + bodies%count) return
         end do
         status = c_bonds_rest(size(pair, 2, c_int64_t), pair, 1_c_int64_t, bodies%x, rest, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite
@@ -189,7 +261,7 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_bonds_check(bonds, n, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     function vti_bonds_effect(bonds) result(effect)
@@ -199,7 +271,7 @@ contains
         if (bonds%count >= 0) effect = c_bonds_effect(c_loc(bonds))
     end function
 
-    ! ---- contacts and walls -------------------------------------------------------------------------------------------
+    ! ---- contacts and walls ------------------------------------------------------------------------------------------
 
     !> Contacts between the bodies pair(1,k) and pair(2,k), of which some may not touch.
     function vti_contacts_between(pair, diameter, stiffness) result(contacts)
@@ -216,8 +288,9 @@ contains
         if (contacts%count > 0) contacts%pair = c_loc(pair)
     end function
 
-    !> When the list has changed: every pair names two different bodies of the n that exist, of finite diameters > 0, and
-    !> the stiffness is finite and >= 0. VTI_E_CONTACT, with fault%body the number of the pair (from 1; 0 for the stiffness).
+    !> When the list has changed: every pair names two different bodies of the n that exist, of finite diameters > 0,
+    !> and the stiffness is finite and >= 0. VTI_E_CONTACT, with fault%body the number of the pair (from 1; 0 for the
+    !> stiffness).
     function vti_contacts_check(contacts, n, fault) result(status)
         type(vti_contacts), intent(in) :: contacts
         integer(c_int64_t), intent(in) :: n
@@ -225,7 +298,7 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_contacts_check(contacts, n, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> The effect; the list of contacts may change between steps.

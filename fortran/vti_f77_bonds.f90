@@ -4,10 +4,10 @@
 module vti_f77_bonds
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_int, c_int64_t, c_loc, c_ptr
     use vti
-    use vti_f77_door, only: view_of
+    use vti_f77_arrays, only: view_of
     implicit none
     private
-    public :: door_rest, door_bonds, door_bond_energies
+    public :: arrays_rest, arrays_bonds, arrays_bond_energies
 
     integer, parameter :: room = 256
 
@@ -38,7 +38,7 @@ contains
         k = 0
     end function
 
-    subroutine door_rest(nb, ipair, n, lb, lc, x, rest, fault, status)
+    subroutine arrays_rest(nb, ipair, n, lb, lc, x, rest, fault, status)
         integer, intent(in) :: nb, ipair(2, *), n, lb, lc
         real(c_double), intent(in), target :: x(*)
         real(c_double), intent(inout) :: rest(4, *)
@@ -60,7 +60,7 @@ contains
         end do
     end subroutine
 
-    !> What can be wrong with a list of bonds, before anything is touched; k is the bond to blame.
+    !> What can be wrong with a list of bonds, before anything is touched; k is the bond that is refused.
     subroutine check(nb, ipair, n, sk, iform, bodies, k, status)
         integer, intent(in) :: nb, ipair(2, *), n, iform
         real(c_double), intent(in) :: sk(3)
@@ -94,7 +94,7 @@ contains
     end function
 
     !> Adds forces to f and moments to t. Parts in order add what the whole adds, in the same order: the same bits.
-    subroutine door_bonds(nb, ipair, rest, sk, iform, n, lb, lc, x, a, f, t, k, status)
+    subroutine arrays_bonds(nb, ipair, rest, sk, iform, n, lb, lc, x, a, f, t, k, status)
         integer, intent(in) :: nb, ipair(2, *), iform, n, lb, lc
         real(c_double), intent(in), target :: rest(4, *), sk(3), x(*), a(*)
         real(c_double), intent(inout), target :: f(*), t(*)
@@ -122,7 +122,7 @@ contains
     end subroutine
 
     !> Energies of the moment, axial and shear terms; sums of the parts' sums, so equal to C's up to rounding.
-    subroutine door_bond_energies(nb, ipair, rest, sk, iform, n, lb, lc, x, a, energies, k, status)
+    subroutine arrays_bond_energies(nb, ipair, rest, sk, iform, n, lb, lc, x, a, energies, k, status)
         integer, intent(in) :: nb, ipair(2, *), iform, n, lb, lc
         real(c_double), intent(in), target :: rest(4, *), sk(3), x(*), a(*)
         real(c_double), intent(out) :: energies(3)

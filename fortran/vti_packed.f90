@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_packed -- the packed door, for codes with plain x(3,n) arrays that want neither types nor TARGET. Part of module
-!> vti. stepper as in vti_stepper_at. Arrays that are left out (call by keyword) are absent physics. masses and inertias:
-!> 1 (one value for all) or n. Same arithmetic, same bits as through views.
+!> vti_packed -- calls for codes with plain x(3,n) arrays that want neither types nor TARGET. Part of module vti.
+!> stepper as in vti_stepper_at. Arrays that are left out (call by keyword) are absent physics. masses and inertias: 1
+!> (one value for all) or n. Same arithmetic, same bits as through views.
 module vti_packed
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use vti_c
@@ -12,7 +12,7 @@ module vti_packed
 
 contains
 
-    !> vti_step_begin. On failure body receives the culprit, counted from 1 (or 0), and value its h|Omega|.
+    !> vti_step_begin. On failure body receives the number of the body, from 1 (or 0), and value its h|Omega|.
     function vti_packed_begin(stepper, h, n, x, v, force, alpha, omega, moment, masses, mass, inertias, inertia, body, &
         value) result(status)
         integer(c_int64_t), intent(in) :: stepper, n, masses, inertias

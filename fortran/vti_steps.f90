@@ -8,8 +8,9 @@ module vti_steps
     implicit none
     private
     public :: vti_bodies_check_values, vti_drift, vti_stepper_find, vti_stepper_at
-    public :: vti_step_begin, vti_step_stage, vti_step_finish, vti_step_next, vti_step_probe, vti_step_start, vti_step_sync
-    public :: blame, handle ! for the other modules here
+    public :: vti_step_begin, vti_step_stage, vti_step_finish, vti_step_next, vti_step_probe, vti_step_start, &
+        vti_step_sync
+    public :: from_one, handle ! for the other modules here
 
 contains
 
@@ -23,7 +24,7 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_bodies_check_values(bodies, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> x += t v, alpha <- alpha (+) dalpha(t Omega) by the law and frame. t finite, of either sign. If any body breaks
@@ -36,11 +37,11 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_drift(law, frame, t, bodies, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> A fault of C in the numbering of this module.
-    pure function blame(found) result(fault)
+    pure function from_one(found) result(fault)
         type(vti_fault), intent(in) :: found
         type(vti_fault) :: fault
         fault = found
@@ -114,7 +115,7 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_step_stage(handle(method), k, h, bodies, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> The last kick, and the last drift where there is one.
@@ -126,8 +127,8 @@ contains
         status = c_step_finish(handle(method), h, bodies)
     end function
 
-    !> vti_step_finish and the vti_step_begin of the next step in one pass, for steps after which nobody looks at velocities:
-    !> the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift.
+    !> vti_step_finish and the vti_step_begin of the next step in one pass, for steps after which nobody looks at
+    !> velocities: the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift.
     function vti_step_next(method, h, bodies, fault) result(status)
         type(vti_stepper), intent(in), target :: method
         real(c_double), intent(in) :: h
@@ -136,12 +137,12 @@ contains
         integer(c_int) :: status
         type(vti_fault) :: found
         status = c_step_next(handle(method), h, bodies, found)
-        if (present(fault)) fault = blame(found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> Where the forces of kick k are to be taken, by the methods that have a probe: writes x + probe(k) h^2 F/m and the
-    !> attitude turned by probe(k) h^2 RM/J into probed, whose x and attitude are arrays of their own and whose force and
-    !> moment may be those of bodies.
+    !> attitude turned by probe(k) h^2 RM/J into probed, whose x and attitude are arrays of their own and whose force
+    !> and moment may be those of bodies.
     function vti_step_probe(method, k, h, bodies, probed) result(status)
         type(vti_stepper), intent(in), target :: method
         integer(c_int64_t), intent(in) :: k

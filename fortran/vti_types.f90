@@ -12,8 +12,7 @@ module vti_types
     integer(c_int), parameter :: VTI_OK = 0, VTI_E_NULL = -1, VTI_E_ABI = -2, VTI_E_COUNT = -3, VTI_E_VIEW = -4, &
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
-        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, &
-        VTI_E_SPRINGS = -18
+        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -25,16 +24,16 @@ module vti_types
         VTI_QUANTITY_MOMENT = 7, VTI_QUANTITY_MASS = 8, VTI_QUANTITY_INERTIA = 9, VTI_QUANTITY_X_LOW = 10, &
         VTI_QUANTITY_V_LOW = 11, VTI_QUANTITY_ALPHA_LOW = 12, VTI_QUANTITY_OMEGA_LOW = 13
 
-    !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if no body is to blame),
-    !> the value, and the quantity that it is a value of (vti_quantity_text names it).
+    !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if it is not about
+    !> one), the value, and the quantity that it is a value of (vti_quantity_text names it).
     type, bind(c) :: vti_fault
         integer(c_int64_t) :: body = 0
         real(c_double) :: value = 0
         integer(c_int64_t) :: quantity = VTI_QUANTITY_NONE
     end type
 
-    !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles, and how
-    !> many there are (0: not known), so that a view of fewer than the bodies is refused.
+    !> n three-vectors in the caller's arrays: the addresses of the first one's components, the stride in doubles, and
+    !> how many there are (0: not known), so that a view of fewer than the bodies is refused.
     type, bind(c) :: vti_view
         type(c_ptr) :: c(3) = c_null_ptr
         integer(c_int64_t) :: stride = 0, count = 0
@@ -72,20 +71,31 @@ module vti_types
         type(c_ptr) :: kick = c_null_ptr, drift = c_null_ptr, probe = c_null_ptr, about = c_null_ptr
     end type
 
+    !> A drift that has been done, as effects are told of it.
+    type, bind(c) :: vti_drifted
+        real(c_double) :: t = 0
+        integer(c_int64_t) :: law = VTI_LAW_CAYLEY, frame = VTI_FRAME_SPACE
+    end type
+
     !> One line of physics. apply(self, bodies) and energy(self, bodies, energies) are bind(c) subroutines with
     !> type(c_ptr), value :: self; type(vti_bodies), intent(in) :: bodies; real(c_double), intent(inout) :: energies(*).
-    !> springs(self, bodies, at, visit, context) is a bind(c) function of an integer(c_int), VTI_OK if all is well, that calls
-    !> vti_show_spring(visit, context, spring) for each of its springs; type(c_ptr), value :: at, context (at is null or the
-    !> address of a vti_deformation); type(c_funptr), value :: visit. Without springs an effect has no bound on the step;
-    !> c_funloc(vti_springs_none) says that its force does not change with position.
+    !> flow(self, bodies, t, drift) is one with real(c_double), value :: t, drift, carry(self, bodies, drifted) one with
+    !> type(vti_drifted), intent(in) :: drifted; rupture(self, bodies) is a bind(c) function of an integer(c_int64_t).
+    !> needs and gives have a bit for each quantity: ibset(0_c_int64_t, VTI_QUANTITY_X). booked is the address of an
+    !> array of as many type(vti_sum) as books says. springs(self, bodies, at, visit, context) is a bind(c) function of
+    !> an integer(c_int), VTI_OK if all is well, that calls vti_show_spring(visit, context, spring) for each of its
+    !> springs; type(c_ptr), value :: at, context (at is null or the address of a vti_deformation); type(c_funptr),
+    !> value :: visit. Without springs an effect has no bound on the step; c_funloc(vti_springs_none) says that its
+    !> force does not change with position.
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
         type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr, &
-            springs = c_null_funptr
+            springs = c_null_funptr, flow = c_null_funptr, carry = c_null_funptr, rupture = c_null_funptr
         type(c_ptr) :: self = c_null_ptr
-        integer(c_int64_t) :: terms = 0
+        integer(c_int64_t) :: needs = 0, gives = 0, smooth = 0, breaks = 0, dissipates = 0, terms = 0
         type(c_ptr) :: term = c_null_ptr
-        integer(c_int64_t) :: breaks = 0, dissipates = 0
+        integer(c_int64_t) :: books = 0
+        type(c_ptr) :: book = c_null_ptr, booked = c_null_ptr
     end type
 
     !> Bodies that hang by their body-fixed arm rho0 from pivots in a field along +e3; weight is m g.
@@ -98,7 +108,8 @@ module vti_types
         real(c_double) :: g(3) = 0
     end type
 
-    !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is absent.
+    !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is
+    !> absent.
     type, bind(c) :: vti_bonds
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: pair = c_null_ptr
@@ -125,23 +136,23 @@ module vti_types
         real(c_double) :: stiffness = 0
     end type
 
-    !> A spring for vti_show_spring, between the bodies i and j or, for j = 0, between i and what does not move; element is
-    !> its number in the effect. All count from 1. The members are explained in vti.h: stiffnesses are energies.
+    !> A spring for vti_show_spring, between the bodies i and j or, for j = 0, between i and what does not move; element
+    !> is its number in the effect. All count from 1. The members are explained in vti.h: stiffnesses are energies.
     type, bind(c) :: vti_spring
         integer(c_int64_t) :: element = 0, i = 0, j = 0
         real(c_double) :: length = 1, axial = 0, across = 0, shear = 0, arm_i = 0.5_c_double, arm_j = 0.5_c_double, &
             bend = 0, twist = 0
     end type
 
-    !> How far bodies may get from rest: overlap of contacts as a share of D, strain of bonds as one of L0; meet = 1 if any two
-    !> bodies may touch, 0 if those of the lists may.
+    !> How far bodies may get from rest: overlap of contacts as a share of D, strain of bonds as one of L0; meet = 1 if
+    !> any two bodies may touch, 0 if those of the lists may.
     type, bind(c) :: vti_deformation
         real(c_double) :: overlap = 0, strain = 0
         integer(c_int64_t) :: meet = 0
     end type
 
-    !> A bound on the step and what sets it: numbers of the effect in the array, of its spring and of the bodies of that, from 1;
-    !> 0 is none.
+    !> A bound on the step and what sets it: numbers of the effect in the array, of its spring and of the bodies of
+    !> that, from 1; 0 is none.
     type, bind(c) :: vti_stable
         real(c_double) :: h = 0
         integer(c_int64_t) :: effect = 0, element = 0, i = 0, j = 0

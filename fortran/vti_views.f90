@@ -10,8 +10,8 @@
 !> The dummies are pointers so that the compiler refuses what has no address to keep: expressions, arrays without
 !> TARGET. (gfortran lets a vector subscript pass, as a copy: do not use one.) An array of no bodies, or a disassociated
 !> pointer, gives the absent view. An array of the wrong shape gives one that every call refuses with VTI_E_VIEW, so
-!> that constructors need no status. An array has its extent, which the view keeps: one of fewer bodies than are moved is
-!> refused with VTI_E_COUNT. Of members (vti_view_member, vti_scalars_member) no extent is known.
+!> that constructors need no status. An array has its extent, which the view keeps: one of fewer bodies than are moved
+!> is refused with VTI_E_COUNT. Of members (vti_view_member, vti_scalars_member) no extent is known.
 module vti_views
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int64_t, c_intptr_t, &
         c_loc, c_null_ptr, c_ptr

@@ -1,85 +1,58 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * Status codes, and bodies as views of the caller's memory. */
+ * Bodies as views of the caller's memory, and one table of what they consist of. */
 #ifndef VTI_BODIES_H
 #define VTI_BODIES_H
 
-#include <stdint.h>
-
 #include "vti_rrv.h"
-
-/** Layout of the structs of the interface; vti_bodies.abi must hold it, so that a stale header is refused. */
-#define VTI_ABI 1
-
-/** Marks what the shared library exports. */
-#if defined(__GNUC__)
-#define VTI_API __attribute__((visibility("default")))
-#else
-#define VTI_API
-#endif
+#include "vti_status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- status -------------------------------------------------------------------------------------------------- */
+/** What bodies consist of: ROW(constant, number, member, type, role) in the order of the members of vti_bodies. STATE
+ *  is what a step moves, LOAD what it moves it by, CONSTANT what that is divided by, LOW the rounding error of a state.
+ *  A new view stands here, in vti_bodies and in fortran/vti_types.f90. */
+/* clang-format off */
+#define VTI_QUANTITIES(ROW)                                                                                            \
+    ROW(VTI_QUANTITY_X, 1, x, vti_view, STATE)                                                                         \
+    ROW(VTI_QUANTITY_V, 2, v, vti_view, STATE)                                                                         \
+    ROW(VTI_QUANTITY_FORCE, 3, force, vti_view, LOAD)                                                                  \
+    ROW(VTI_QUANTITY_ALPHA, 4, alpha, vti_view, STATE)                                                                 \
+    ROW(VTI_QUANTITY_QUAT, 5, quat, vti_quat_view, STATE)                                                              \
+    ROW(VTI_QUANTITY_OMEGA, 6, omega, vti_view, STATE)                                                                 \
+    ROW(VTI_QUANTITY_MOMENT, 7, moment, vti_view, LOAD)                                                                \
+    ROW(VTI_QUANTITY_MASS, 8, mass, vti_scalars, CONSTANT)                                                             \
+    ROW(VTI_QUANTITY_INERTIA, 9, inertia, vti_scalars, CONSTANT)                                                       \
+    ROW(VTI_QUANTITY_X_LOW, 10, x_low, vti_view, LOW)                                                                  \
+    ROW(VTI_QUANTITY_V_LOW, 11, v_low, vti_view, LOW)                                                                  \
+    ROW(VTI_QUANTITY_ALPHA_LOW, 12, alpha_low, vti_view, LOW)                                                          \
+    ROW(VTI_QUANTITY_OMEGA_LOW, 13, omega_low, vti_view, LOW)
+/* clang-format on */
 
-/** What calls return; vti_status_text says what to do about it. */
-enum vti_status {
-    VTI_OK = 0,            /**< done */
-    VTI_E_NULL = -1,       /**< an argument that is needed is NULL; for a stepper it is VTI_E_STEPPER */
-    VTI_E_ABI = -2,        /**< header and library are of different versions */
-    VTI_E_COUNT = -3,      /**< a number of things is negative, or neither 1 nor n, or more than a view shows */
-    VTI_E_VIEW = -4,       /**< a view is given in part, or the attitude twice */
-    VTI_E_STRIDE = -5,     /**< a view of more than one body has stride 0, or one by which its components meet */
-    VTI_E_ALIAS = -6,      /**< two quantities, or two components of one, share memory */
-    VTI_E_TIME = -7,       /**< a time step is not finite, or not positive where it must be */
-    VTI_E_MASS = -8,       /**< mass is missing, not finite or not positive */
-    VTI_E_INERTIA = -9,    /**< inertia is missing, not finite or not positive */
-    VTI_E_TOO_LARGE = -10, /**< a body turns too far for the closed form */
-    VTI_E_STAGE = -11,     /**< the stepper has no such stage */
-    VTI_E_STEPPER = -12, /**< there is no such stepper or law: NULL, as vti_stepper_find gives, or without its lists */
-    VTI_E_FRAME = -13,   /**< there is no such frame */
-    VTI_E_BOND = -14,    /**< a bond is not between two bodies that exist apart, or is of no stiffness or form */
-    VTI_E_DISSIPATES = -15, /**< the stepper steps back in time, and an effect dissipates: vti_step_check only */
-    VTI_E_CONTACT = -16,    /**< a contact is not between two bodies that exist, or its size or stiffness is none */
-    VTI_E_STATE = -17,      /**< a position, velocity, attitude or spin is not finite, or a quaternion is zero */
-    VTI_E_SPRINGS = -18     /**< an effect does not report its springs, so that there is no bound on the step */
-};
-
-/** One English sentence for a status, remedy included; never NULL. */
-VTI_API const char *vti_status_text(int status);
-
-/** What bodies consist of, in the order of the members of vti_bodies. */
+/** A member of vti_bodies, as vti_fault names it. */
 enum vti_quantity {
-    VTI_QUANTITY_NONE = 0,       /**< none of them is to blame */
-    VTI_QUANTITY_X = 1,          /**< position of the centre */
-    VTI_QUANTITY_V = 2,          /**< velocity of the centre */
-    VTI_QUANTITY_FORCE = 3,      /**< force */
-    VTI_QUANTITY_ALPHA = 4,      /**< attitude as a rescaled Rodrigues vector */
-    VTI_QUANTITY_QUAT = 5,       /**< attitude as a quaternion */
-    VTI_QUANTITY_OMEGA = 6,      /**< angular velocity */
-    VTI_QUANTITY_MOMENT = 7,     /**< moment */
-    VTI_QUANTITY_MASS = 8,       /**< mass */
-    VTI_QUANTITY_INERTIA = 9,    /**< moment of inertia */
-    VTI_QUANTITY_X_LOW = 10,     /**< what x leaves out */
-    VTI_QUANTITY_V_LOW = 11,     /**< what v leaves out */
-    VTI_QUANTITY_ALPHA_LOW = 12, /**< what alpha leaves out */
-    VTI_QUANTITY_OMEGA_LOW = 13  /**< what omega leaves out */
+    VTI_QUANTITY_NONE = 0 /**< none of them */
+/** @cond */
+#define VTI_QUANTITY_CONSTANT(constant, number, member, type, role) , constant = (number)
+    VTI_QUANTITIES(VTI_QUANTITY_CONSTANT)
+#undef VTI_QUANTITY_CONSTANT
+    /** @endcond */
 };
 
-/** The member of vti_bodies that a vti_quantity is, by its name: "x", "alpha_low"; "value", which reads well in its place, for
- *  VTI_QUANTITY_NONE and for numbers that are no quantity. Never NULL. */
+/** The member of vti_bodies that a vti_quantity is, by its name: "x", "alpha_low"; "value", which reads well in its
+ *  place, for VTI_QUANTITY_NONE and for any other number. Never NULL. */
 VTI_API const char *vti_quantity_text(int64_t quantity);
 
-/** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If no body is to blame,
- *  body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA, else 0.
- *  quantity is what VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE and VTI_E_STATE are
- *  about, the first that was found; of two views that share memory, or that cannot go together, the one that
- *  vti_quantity has later. For VTI_E_COUNT it is the view that is too short, and value how many that shows, if one is.
- *  For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
+/** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If it is not about
+ *  one body, body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA,
+ *  else 0. quantity is what VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE and
+ *  VTI_E_STATE are about, the first that was found; of two views that share memory, or that cannot go together, the one
+ *  that vti_quantity has later. For VTI_E_COUNT it is the view that is too short, and value how many that shows, if one
+ *  is. For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
 typedef struct vti_fault {
-    int64_t body;     /**< index of the body, from 0; -1 if none is to blame */
+    int64_t body;     /**< index of the body, from 0; -1 if it is not about one */
     double value;     /**< what is wrong about it */
     int64_t quantity; /**< vti_quantity: what of the body is wrong, or of all bodies; vti_quantity_text names it */
 } vti_fault;
@@ -109,13 +82,13 @@ typedef struct vti_scalars {
 } vti_scalars;
 
 /** A slice of the caller's bodies. Absent views are absent physics: without x or v nothing translates, without an
- *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. Effects that read
- *  what is absent are refused. mass is needed for a force and for momenta, inertia for a moment and for spin. Give the
- *  attitude as alpha or as a quaternion, never as both. Mass and inertia are finite: a body that is held is one outside the
- *  slice that is stepped, as effects act across slices. Start from vti_bodies_none(). */
+ *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. Effects that
+ *  read what is absent are refused. mass is needed for a force and for momenta, inertia for a moment and for spin. Give
+ *  the attitude as alpha or as a quaternion, never as both. Mass and inertia are finite: a body that is held is one
+ *  outside the slice that is stepped, as effects act across slices. Start from vti_bodies_none(). */
 typedef struct vti_bodies {
     int64_t abi;         /**< VTI_ABI */
-    int64_t sealed;      /**< 0, or what vti_bodies_seal has put here */
+    int64_t sealed;      /**< 0, or what vti_bodies_seal has put here, good in this object only, not in a copy */
     int64_t first;       /**< index of the first body of the slice, 0-based */
     int64_t count;       /**< bodies in the slice, >= 0 */
     vti_view x;          /**< position of the centre */
@@ -191,11 +164,14 @@ static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 /** n bodies of which nothing is known yet. */
 static inline vti_bodies vti_bodies_none(int64_t n)
 {
-    const vti_view none = {{0, 0, 0}, 0, 0};
-    const vti_quat_view no_quat = {{0, 0, 0, 0}, 0, 0};
-    const vti_scalars no_scalars = {0, 0, 0};
-    const vti_bodies b = {VTI_ABI, 0,    0,          n,          none, none, none, none, no_quat,
-                          none,    none, no_scalars, no_scalars, none, none, none, none};
+    const vti_view no_vti_view = {{0, 0, 0}, 0, 0};
+    const vti_quat_view no_vti_quat_view = {{0, 0, 0, 0}, 0, 0};
+    const vti_scalars no_vti_scalars = {0, 0, 0};
+    /** @cond */
+#define VTI_NO_VIEW(constant, number, member, type, role) , no_##type
+    const vti_bodies b = {VTI_ABI, 0, 0, n VTI_QUANTITIES(VTI_NO_VIEW)};
+#undef VTI_NO_VIEW
+    /** @endcond */
     return b;
 }
 
@@ -207,24 +183,25 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
     return b;
 }
 
-/** What can be seen without looking at a body: ABI, counts, views that are half given or too short, strides of 0 or by which
- *  components meet, views that share memory, mass or inertia missing or, where there is one for all, not finite or not
- *  positive. Every call that moves bodies checks this first.
- *  Views share memory if one number of the slice belongs to both: members of structs lie between each other and do not.
- *  That is decided exactly from addresses, strides and count, in a time that does not depend on count; but for views of
- *  different strides of which one is 2^31 doubles or more, which pass. */
+/** What can be seen without looking at a body: ABI, counts, views that are half given or too short, strides of 0 or by
+ *  which components meet, views that share memory, mass or inertia missing or, where there is one for all, not finite
+ *  or not positive. Every call that moves bodies checks this first. Views share memory if one number of the slice
+ *  belongs to both: members of structs lie between each other and do not. That is decided exactly from addresses,
+ *  strides and count, in a time that does not depend on count; but for views of different strides of which one is 2^31
+ *  doubles or more, which pass. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
-/** vti_bodies_check once and for all: if it passes, the bodies are marked, and later calls with them, or with slices of
- *  them, do not check again. For hosts that step few bodies very often. Seal again after changing a view.
- *  A library that is built with -Dchecked=true heeds no seal: every call looks at all that vti_bodies_check_values looks at,
- *  and vti_apply at the lists of its effects, whose bodies are those that x (or the attitude) has by its count, or, where that
- *  is 0, those up to the end of the slice. For the day when a fault is hunted; otherwise it costs no instruction. */
+/** vti_bodies_check once and for all: if it passes, this object is marked, and later calls with it do not check again.
+ *  For hosts that step few bodies very often. A copy, as a slice is, is another object: it is looked at again, unless
+ *  it is sealed itself. Seal again after changing a view. A library that is built with -Dchecked=true heeds no seal:
+ *  every call looks at all that vti_bodies_check_values looks at, and vti_apply at the lists of its effects, whose
+ *  bodies are those that x (or the attitude) has by its count, or, where that is 0, those up to the end of the slice.
+ *  For the day when a fault is hunted; otherwise it costs no instruction. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
-/** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude and
- *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is wrong
- *  with which body, may be NULL. */
+/** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude
+ *  and spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is
+ *  wrong with which body, may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
 
 #ifdef __cplusplus

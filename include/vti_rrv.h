@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * vti_rrv.h -- the algebra of the rescaled Rodrigues rotation vector, inline and allocation-free.
+ *  vti_rrv.h -- the algebra of the rescaled Rodrigues rotation vector, inline and allocation-free.
  *
- * A rotation by the vector theta (right-handed, radians) is written
+ *  A rotation by the vector theta (right-handed, radians) is written
  *
  *     alpha = (tan(|theta|/2) / (|theta|/2)) theta,      |alpha| = 2 tan(|theta|/2),
  *
- * which is the unit quaternion (w, v) in projective coordinates: alpha = 2 v/w. R(alpha) takes body to space.
+ *  which is the unit quaternion (w, v) in projective coordinates: alpha = 2 v/w. R(alpha) takes body to space.
  *
- * Contracts that hold for every function here:
- *  - vectors are double[3]; matrices double[9], row by row; quaternions double[4] in the order x, y, z, w;
- *  - inputs must be finite; then so are the results, half turns and |alpha| up to DBL_MAX included. One thing is excepted:
+ *  Contracts that hold for every function here: - vectors are double[3]; matrices double[9], row by row; quaternions
+ *  double[4] in the order x, y, z, w; - inputs must be finite; then so are the results, half turns and |alpha| up to
+ *  DBL_MAX included. One thing is excepted:
  *    a quaternion of four zeros, as cleared memory holds, is no attitude, and what is made of it is NaN;
  *  - an attitude that is computed has |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which
  *    costs at most 3.5e-18 rad;
- *  - bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns;
- *  - the output may be the same array as an input, never a part of one.
+ *  - bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns; - the output may
+ *  be the same array as an input, never a part of one.
  *
- * The header stands alone (C99 and C++; libm and nothing else).
- */
+ *  The header stands alone (C99 and C++; libm and nothing else). */
 #ifndef VTI_RRV_H
 #define VTI_RRV_H
 
@@ -35,7 +34,8 @@
 /** 2^-520: the same for huge numbers, whose squares do not overflow then. */
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
-/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing. */
+/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing.
+ * */
 #if defined(__GNUC__)
 /** Inlined whole. */
 #define VTI_INLINE static inline __attribute__((always_inline))
@@ -86,8 +86,8 @@ static inline double vti_norm(const double a[3])
 
 /* ---- angles in plain arithmetic ----------------------------------------------------------------------------- */
 
-/* A libm picks its functions by the processor's vector units and their last bits differ: the same attitudes would have other
- * angles elsewhere. Additions, products, quotients and square roots are rounded alike everywhere. */
+/* A libm picks its functions by the processor's vector units and their last bits differ: the same attitudes would have
+ * other angles elsewhere. Additions, products, quotients and square roots are rounded alike everywhere. */
 
 /** atan2(y, x) of x, y >= 0, in [0, pi/2], within 1.5 ulp. With t the smaller over the larger of x and y,
  *
@@ -118,8 +118,8 @@ static inline double vti_arc(double y, double x)
     return angle[steep][k][0] + (steep ? angle[steep][k][1] - rest : angle[steep][k][1] + rest);
 }
 
-/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in three
- *  parts, of which n times the first two is exact. */
+/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in
+ *  three parts, of which n times the first two is exact. */
 static inline void vti_sin_cos(double t, double *sine, double *cosine)
 {
     if (fabs(t) > 1048576.0) {
@@ -231,19 +231,19 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
     }
 VTI_RRV_INCREMENTAL(vti_rrv_incremental, double)
 
-/** alpha <- alpha (+) dalpha with dalpha = 2 f u/c given as c, f and u: the quaternion (w, v) = (c, f u) of the increment up
- *  to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1: R(alpha) <- R(alpha) R(dalpha), an
- *  increment in the body's frame. With f = 1:
+/** alpha <- alpha (+) dalpha with dalpha = 2 f u/c given as c, f and u: the quaternion (w, v) = (c, f u) of the
+ *  increment up to a factor. side = +1: R(alpha) <- R(dalpha) R(alpha), a spatial increment. side = -1: R(alpha) <-
+ *  R(alpha) R(dalpha), an increment in the body's frame. With f = 1:
  *
  *      alpha + [4 u + 2 u x alpha + (u.alpha) alpha] / (2 c - u.alpha)       where |alpha . dalpha| < 1   (incremental)
  *      [2 c alpha + 4 u + 2 u x alpha] / (2 c - u.alpha)                     elsewhere                    (direct)
  *
  *  Both are a (+) b = 4/(4 - a.b) [a + b - (a x b)/2]; the first does not repeat the same rounding error each step
- *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes. Total. c
- *  and f u must be finite and not both 0.
- *  vti_rrv_increment returns the sum's second part in add and whether alpha is to be added to it (incremental form). f stands
- *  apart from u since it comes late: meanwhile the products with u are made. small: the caller knows already that 2^-60 < c <
- *  2^60 and |f u_i| < 2^29 c, which need not be found out then. */
+ *  (attitude error ~ sqrt(N) instead of N), the second is cut off at VTI_RRV_LARGE when its denominator vanishes.
+ *  Total. c and f u must be finite and not both 0. vti_rrv_increment returns the sum's second part in add and whether
+ *  alpha is to be added to it (incremental form). f stands apart from u since it comes late: meanwhile the products
+ *  with u are made. small: the caller knows already that 2^-60 < c < 2^60 and |f u_i| < 2^29 c, which need not be found
+ *  out then. */
 VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], int small, double side, const double a[3],
                                  double add[3])
 {
@@ -355,8 +355,8 @@ static inline double vti_rrv_distance(const double a[3], const double b[3])
     return vti_pair_distance(p, q);
 }
 
-/** alpha of the rotation vector theta (radians, of any length; taken modulo full turns). The same bits everywhere up to |theta| =
- *  2^21, beyond which libm's sine and cosine serve. */
+/** alpha of the rotation vector theta (radians, of any length; taken modulo full turns). The same bits everywhere up to
+ *  |theta| = 2^21, beyond which libm's sine and cosine serve. */
 static inline void vti_rrv_from_rotvec(const double theta[3], double a[3])
 {
     const double half[3] = {0.5 * theta[0], 0.5 * theta[1], 0.5 * theta[2]};
@@ -395,7 +395,8 @@ static inline void vti_rrv_to_quat_xyzw(const double a[3], double q[4])
     q[3] *= k;
 }
 
-/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. NaN of four zeros. */
+/** alpha of a quaternion x, y, z, w; it need not be normalised, and q and -q give the same attitude. NaN of four zeros.
+ *  */
 static inline void vti_rrv_from_quat_xyzw(const double q[4], double a[3])
 {
     vti_rrv_from_pair(q, a);

@@ -29,6 +29,10 @@ enum vti_frame {
 /** v += t F/m, Omega += t RM/J. t finite, of either sign. */
 VTI_API int vti_kick(double t, const vti_bodies *bodies);
 
+/** dalpha of the turn by omega for the time t, in the frame in which omega is: what a drift composes with an attitude.
+ *  t and omega finite; NaN if there is no such law, or where the closed form has none. */
+VTI_API void vti_drift_increment(int law, double t, const double omega[3], double dalpha[3]);
+
 /** x += t v, alpha <- alpha (+) dalpha(t Omega) by the law and frame. t finite, of either sign. All or nothing: if any
  *  body breaks the closed form's bound t|Omega| < 1 (NaN included), VTI_E_TOO_LARGE and nothing is written. */
 VTI_API int vti_drift(int law, int frame, double t, const vti_bodies *bodies, vti_fault *fault);
@@ -54,18 +58,18 @@ typedef struct vti_stepper {
     const char *about;   /**< what it is, in a line */
 } vti_stepper;
 
-/** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body" (VTI-1 in
- *  the body's frame). On the exact drift: "exact" (Verlet), "suzuki4", "kl6", "kl8" (compositions of it), "srkn6" (order 4),
- *  "srkn11", "srkn14" (order 6; Runge-Kutta-Nystroem splittings), "chin4" (order 4, no coefficient negative). NULL if there
- *  is none of that name, which every call with a stepper refuses with VTI_E_STEPPER. The objects are constants of the
- *  library. */
+/** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body"
+ *  (VTI-1 in the body's frame). On the exact drift: "exact" (Verlet), "suzuki4", "kl6", "kl8" (compositions of it),
+ *  "srkn6" (order 4), "srkn11", "srkn14" (order 6; Runge-Kutta-Nystroem splittings), "chin4" (order 4, no coefficient
+ *  negative). NULL if there is none of that name, which every call with a stepper refuses with VTI_E_STEPPER. The
+ *  objects are constants of the library. */
 VTI_API const vti_stepper *vti_stepper_find(const char *name);
 /** How many there are. */
 VTI_API int64_t vti_stepper_count(void);
 /** Each of them by number; NULL outside 0 <= index < vti_stepper_count(). */
 VTI_API const vti_stepper *vti_stepper_at(int64_t index);
 
-/*  The loop of a host:
+/* The loop of a host:
  *
  *      forces and moments at t = 0                         (once; the first kick needs them)
  *      vti_step_start(method, h, &bodies);                 (does nothing but for "vti3-leapfrog")
@@ -75,9 +79,10 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  *          vti_step_finish(method, h, &bodies);
  *      }
  *
- *  Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
- *  vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish; where method->probe is not NULL, each
- *  kick k with probe[k] != 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and > 0. */
+ * Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
+ * vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish; where method->probe is not NULL,
+ * each kick k with probe[k] != 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and >
+ * 0. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
  *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is not a number) and that value. */
@@ -87,13 +92,13 @@ VTI_API int vti_step_stage(const vti_stepper *method, int64_t k, double h, const
 /** The last kick, and the last drift where there is one. */
 VTI_API int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *bodies);
 
-/** vti_step_finish and the vti_step_begin of the next step in one pass over the bodies, for steps after which nobody looks at
- *  velocities: the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift. On
- *  VTI_E_TOO_LARGE nothing is written either: the step is not finished. */
+/** vti_step_finish and the vti_step_begin of the next step in one pass over the bodies, for steps after which nobody
+ *  looks at velocities: the same bits. VTI_E_STAGE, and nothing is written, for methods whose step ends with a drift.
+ *  On VTI_E_TOO_LARGE nothing is written either: the step is not finished. */
 VTI_API int vti_step_next(const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault);
 
-/** Where the forces of kick k are to be taken: writes x + probe[k] h^2 F/m and the attitude turned by probe[k] h^2 RM/J into
- *  probed, whose x and attitude are memory of their own and whose force and moment may be those of bodies. */
+/** Where the forces of kick k are to be taken: writes x + probe[k] h^2 F/m and the attitude turned by probe[k] h^2 RM/J
+ *  into probed, whose x and attitude are memory of their own and whose force and moment may be those of bodies. */
 VTI_API int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,
                            const vti_bodies *probed);
 
@@ -103,13 +108,13 @@ VTI_API int vti_step_start(const vti_stepper *method, double h, const vti_bodies
  *  copies. */
 VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *bodies);
 
-/* ---- the packed door ------------------------------------------------------------------------------------------- */
+/* ---- packed arrays ------------------------------------------------------------------------------------------- */
 
 /** For codes whose arrays are x[n][3] (Fortran x(3,n)) and that want no structs. stepper is an index for
  *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. Steppers of more than one stage need more calls than these two and are
- *  refused with VTI_E_STEPPER; "exact" is of one. NULL arrays are absent physics as above. masses and inertias: 1 (one value
- *  for all) or n. Same arithmetic, same bits as through views. On failure body receives the 0-based culprit (or -1) and
- *  value its h|Omega|; both may be NULL. */
+ *  refused with VTI_E_STEPPER; "exact" is of one. NULL arrays are absent physics as above. masses and inertias: 1 (one
+ *  value for all) or n. Same arithmetic, same bits as through views. On failure body receives the number of the body,
+ *  from 0 (or -1), and value its h|Omega|; both may be NULL. */
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
                              double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
                              int64_t inertias, const double *inertia, int64_t *body, double *value);

@@ -12,8 +12,8 @@ struct bodies_range {
     int64_t first, last;
 };
 
-/** What a view reaches: the words of its components for body 0, of which low and high are the outermost, and the outermost
- *  words of all bodies. */
+/** What a view reaches: the words of its components for body 0, of which low and high are the outermost, and the
+ *  outermost words of all bodies. */
 struct reach {
     int64_t word[4];
     int64_t components, stride, low, high, begin, end, quantity;
@@ -45,7 +45,8 @@ static inline int64_t word_of(const double *p)
     return (int64_t)((uintptr_t)p / sizeof(double));
 }
 
-/** Appends what a view reaches, if it is there; returns how many there are. w is the fourth component, where there is one. */
+/** Appends what a view reaches, if it is there; returns how many there are. w is the fourth component, where there is
+ *  one. */
 VTI_INLINE int add(struct reach *all, int n, double *const c[3], const double *w, int64_t stride,
                    const struct bodies_range *range, int64_t quantity)
 {
@@ -102,8 +103,8 @@ static int64_t ceiling(int64_t a, int64_t by)
     return a / by + (a % by > 0);
 }
 
-/** Whether i s - j t = d for some i and j of the range. Of i s = d (mod |t|) the solutions are i0 + k |t|/g, with g the divisor
- *  that s and t share; along them j goes in steps of s/g or -s/g. */
+/** Whether i s - j t = d for some i and j of the range. Of i s = d (mod |t|) the solutions are i0 + k |t|/g, with g the
+ *  divisor that s and t share; along them j goes in steps of s/g or -s/g. */
 static int strides_meet(int64_t d, int64_t s, int64_t t, const struct bodies_range *range)
 {
     const int64_t first = range->first, last = range->last < FAR ? range->last : FAR;
@@ -170,25 +171,21 @@ static int components_meet(const struct reach *a, const struct bodies_range *ran
 int vti_alias_check(const vti_bodies *b, vti_fault *fault)
 {
     const struct bodies_range range = {b->first, b->first + b->count - 1};
-    struct reach all[11];
+#define COUNT(constant, number, member, type, role) +1
+    struct reach all[VTI_QUANTITIES(COUNT)];
     int n = 0;
-    n = add(all, n, b->x.c, NULL, b->x.stride, &range, VTI_QUANTITY_X);
-    n = add(all, n, b->v.c, NULL, b->v.stride, &range, VTI_QUANTITY_V);
-    n = add(all, n, b->force.c, NULL, b->force.stride, &range, VTI_QUANTITY_FORCE);
-    n = add(all, n, b->alpha.c, NULL, b->alpha.stride, &range, VTI_QUANTITY_ALPHA);
-    n = add(all, n, b->quat.xyzw, b->quat.xyzw[3], b->quat.stride, &range, VTI_QUANTITY_QUAT);
-    n = add(all, n, b->omega.c, NULL, b->omega.stride, &range, VTI_QUANTITY_OMEGA);
-    n = add(all, n, b->moment.c, NULL, b->moment.stride, &range, VTI_QUANTITY_MOMENT);
-    n = add(all, n, b->x_low.c, NULL, b->x_low.stride, &range, VTI_QUANTITY_X_LOW);
-    n = add(all, n, b->v_low.c, NULL, b->v_low.stride, &range, VTI_QUANTITY_V_LOW);
-    n = add(all, n, b->alpha_low.c, NULL, b->alpha_low.stride, &range, VTI_QUANTITY_ALPHA_LOW);
-    n = add(all, n, b->omega_low.c, NULL, b->omega_low.stride, &range, VTI_QUANTITY_OMEGA_LOW);
+#define ADD_vti_view(member, quantity) n = add(all, n, b->member.c, NULL, b->member.stride, &range, quantity);
+#define ADD_vti_quat_view(member, quantity)                                                                            \
+    n = add(all, n, b->member.xyzw, b->member.xyzw[3], b->member.stride, &range, quantity);
+#define ADD_vti_scalars(member, quantity) /* only read */
+#define ADD(constant, number, member, type, role) ADD_##type(member, constant)
+    VTI_QUANTITIES(ADD)
     for (int i = 0; i < n; ++i) {
         if (components_meet(&all[i], &range))
-            return vti_blame(VTI_E_STRIDE, -1, 0.0, all[i].quantity, fault);
+            return vti_refuse(VTI_E_STRIDE, -1, 0.0, all[i].quantity, fault);
         for (int j = 0; j < i; ++j)
             if (views_meet(&all[i], &all[j], &range))
-                return vti_blame(VTI_E_ALIAS, -1, 0.0, all[i].quantity, fault);
+                return vti_refuse(VTI_E_ALIAS, -1, 0.0, all[i].quantity, fault);
     }
     return VTI_OK;
 }

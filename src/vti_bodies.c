@@ -2,16 +2,21 @@
  * What a stateless library can see of wrong use before it touches a body. */
 #include "vti_internal.h"
 
-/** Nothing about one body, but a quantity of all. Kept apart: what is rare costs sound bodies nothing. */
-VTI_APART int blame_all(int status, int64_t quantity, vti_fault *fault)
+/* The table of quantities has every member of vti_bodies, as it stands there. */
+#define SIZE(constant, number, member, type, role) +sizeof(((vti_bodies *)0)->member)
+typedef char table_is_complete[sizeof(vti_bodies) == 4 * sizeof(int64_t) VTI_QUANTITIES(SIZE) ? 1 : -1];
+#undef SIZE
+
+/** Not one body, but a quantity of all. Kept apart: what is rare costs sound bodies nothing. */
+VTI_APART int refuse_all(int status, int64_t quantity, vti_fault *fault)
 {
-    return vti_blame(status, -1, 0.0, quantity, fault);
+    return vti_refuse(status, -1, 0.0, quantity, fault);
 }
 
 /** A view of which the end is known shows all bodies. */
 VTI_INLINE int count_check(int64_t count, int64_t end, int64_t quantity, vti_fault *fault)
 {
-    return count != 0 && end > count ? vti_blame(VTI_E_COUNT, -1, (double)count, quantity, fault) : VTI_OK;
+    return count != 0 && end > count ? vti_refuse(VTI_E_COUNT, -1, (double)count, quantity, fault) : VTI_OK;
 }
 
 /** One view: all components or none, on different memory, and a stride if there is more than one body. */
@@ -21,11 +26,11 @@ VTI_INLINE int view_check(const vti_view *view, int64_t end, int64_t quantity, v
     if (c[0] == NULL && c[1] == NULL && c[2] == NULL)
         return VTI_OK;
     if (c[0] == NULL || c[1] == NULL || c[2] == NULL)
-        return blame_all(VTI_E_VIEW, quantity, fault);
+        return refuse_all(VTI_E_VIEW, quantity, fault);
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
-        return blame_all(VTI_E_ALIAS, quantity, fault);
+        return refuse_all(VTI_E_ALIAS, quantity, fault);
     if (view->stride == 0 && end > 1)
-        return blame_all(VTI_E_STRIDE, quantity, fault);
+        return refuse_all(VTI_E_STRIDE, quantity, fault);
     return count_check(view->count, end, quantity, fault);
 }
 
@@ -38,15 +43,15 @@ static int quat_check(const vti_bodies *b, int64_t end, vti_fault *fault)
     if (given == 0)
         return VTI_OK;
     if (given < 4 || vti_has(&b->alpha))
-        return blame_all(VTI_E_VIEW, VTI_QUANTITY_QUAT, fault);
+        return refuse_all(VTI_E_VIEW, VTI_QUANTITY_QUAT, fault);
     if (vti_has(&b->alpha_low)) /* goes with alpha */
-        return blame_all(VTI_E_VIEW, VTI_QUANTITY_ALPHA_LOW, fault);
+        return refuse_all(VTI_E_VIEW, VTI_QUANTITY_ALPHA_LOW, fault);
     for (int k = 0; k < 4; ++k)
         for (int j = 0; j < k; ++j)
             if (c[k] == c[j])
-                return blame_all(VTI_E_ALIAS, VTI_QUANTITY_QUAT, fault);
+                return refuse_all(VTI_E_ALIAS, VTI_QUANTITY_QUAT, fault);
     if (b->quat.stride == 0 && end > 1)
-        return blame_all(VTI_E_STRIDE, VTI_QUANTITY_QUAT, fault);
+        return refuse_all(VTI_E_STRIDE, VTI_QUANTITY_QUAT, fault);
     return count_check(b->quat.count, end, VTI_QUANTITY_QUAT, fault);
 }
 
@@ -59,9 +64,9 @@ static int is_positive(double value)
 static int scalars_check(const vti_scalars *s, int64_t end, int needed, int error, int64_t quantity, vti_fault *fault)
 {
     if (s->p == NULL)
-        return needed ? vti_blame(error, -1, 0.0, quantity, fault) : VTI_OK;
+        return needed ? vti_refuse(error, -1, 0.0, quantity, fault) : VTI_OK;
     if (s->stride == 0 && !is_positive(*s->p))
-        return vti_blame(error, -1, *s->p, quantity, fault);
+        return vti_refuse(error, -1, *s->p, quantity, fault);
     return count_check(s->count, end, quantity, fault);
 }
 
@@ -77,17 +82,12 @@ int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
         return VTI_OK;
 
     const int64_t end = b->first + b->count;
-    int status = view_check(&b->x, end, VTI_QUANTITY_X, fault);
-    status = status != VTI_OK ? status : view_check(&b->v, end, VTI_QUANTITY_V, fault);
-    status = status != VTI_OK ? status : view_check(&b->force, end, VTI_QUANTITY_FORCE, fault);
-    status = status != VTI_OK ? status : view_check(&b->alpha, end, VTI_QUANTITY_ALPHA, fault);
-    status = status != VTI_OK ? status : view_check(&b->omega, end, VTI_QUANTITY_OMEGA, fault);
-    status = status != VTI_OK ? status : view_check(&b->moment, end, VTI_QUANTITY_MOMENT, fault);
-    status = status != VTI_OK ? status : view_check(&b->x_low, end, VTI_QUANTITY_X_LOW, fault);
-    status = status != VTI_OK ? status : view_check(&b->v_low, end, VTI_QUANTITY_V_LOW, fault);
-    status = status != VTI_OK ? status : view_check(&b->alpha_low, end, VTI_QUANTITY_ALPHA_LOW, fault);
-    status = status != VTI_OK ? status : view_check(&b->omega_low, end, VTI_QUANTITY_OMEGA_LOW, fault);
-    status = status != VTI_OK ? status : quat_check(b, end, fault);
+    int status = VTI_OK;
+#define CHECK_vti_view(member, quantity) view_check(&b->member, end, quantity, fault)
+#define CHECK_vti_quat_view(member, quantity) quat_check(b, end, fault)
+#define CHECK_vti_scalars(member, quantity) VTI_OK /* below */
+#define CHECK(constant, number, member, type, role) status = status != VTI_OK ? status : CHECK_##type(member, constant);
+    VTI_QUANTITIES(CHECK)
     status = status != VTI_OK ? status : vti_alias_check(b, fault);
     if (status == VTI_OK)
         status =
@@ -107,7 +107,7 @@ int vti_bodies_seal(vti_bodies *b)
 {
     const int status = vti_bodies_check(b);
     if (b != NULL)
-        b->sealed = status == VTI_OK ? VTI_SEAL : 0;
+        b->sealed = status == VTI_OK ? vti_seal_of(b) : 0;
     return status;
 }
 
@@ -115,7 +115,7 @@ static int values_check(const vti_scalars *s, const vti_bodies *b, int error, in
 {
     for (int64_t i = b->first; s->p != NULL && i < b->first + b->count; ++i)
         if (!is_positive(vti_scalar(s, i)))
-            return vti_blame(error, i, vti_scalar(s, i), quantity, fault);
+            return vti_refuse(error, i, vti_scalar(s, i), quantity, fault);
     return VTI_OK;
 }
 
@@ -128,21 +128,34 @@ static int state_check(double *const *c, int n, int64_t at, int one, int64_t i, 
         bad = isfinite(c[k][at]) ? bad : c[k][at];
         some |= c[k][at] != 0.0;
     }
-    return some && bad == 0.0 ? VTI_OK : vti_blame(VTI_E_STATE, i, bad, quantity, fault);
+    return some && bad == 0.0 ? VTI_OK : vti_refuse(VTI_E_STATE, i, bad, quantity, fault);
+}
+
+/** What a step moves, of one body. */
+static int body_check(const vti_bodies *b, int64_t i, vti_fault *fault)
+{
+    int status = VTI_OK;
+#define STATE_vti_view(member, quantity) state_check(b->member.c, 3, i * b->member.stride, 0, i, quantity, fault)
+#define STATE_vti_quat_view(member, quantity)                                                                          \
+    state_check(b->member.xyzw, 4, i * b->member.stride, 1, i, quantity, fault)
+#define GIVEN_vti_view(member) vti_has(&b->member)
+#define GIVEN_vti_quat_view(member) (b->member.xyzw[0] != NULL)
+#define CHECK_STATE(constant, member, type)                                                                            \
+    if (GIVEN_##type(member) && status == VTI_OK)                                                                      \
+        status = STATE_##type(member, constant);
+#define CHECK_LOAD(constant, member, type)
+#define CHECK_CONSTANT(constant, member, type)
+#define CHECK_LOW(constant, member, type)
+#define CHECK_ROLE(constant, number, member, type, role) CHECK_##role(constant, member, type)
+    VTI_QUANTITIES(CHECK_ROLE)
+    return status;
 }
 
 static int states_check(const vti_bodies *b, vti_fault *fault)
 {
-    static const int64_t quantity[] = {VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_ALPHA, VTI_QUANTITY_OMEGA};
-    const vti_view *const views[] = {&b->x, &b->v, &b->alpha, &b->omega};
     int status = VTI_OK;
-    for (int64_t i = b->first; i < b->first + b->count && status == VTI_OK; ++i) {
-        for (int k = 0; k < 4 && status == VTI_OK; ++k)
-            if (vti_has(views[k]))
-                status = state_check(views[k]->c, 3, i * views[k]->stride, 0, i, quantity[k], fault);
-        if (b->quat.xyzw[0] != NULL && status == VTI_OK)
-            status = state_check(b->quat.xyzw, 4, i * b->quat.stride, 1, i, VTI_QUANTITY_QUAT, fault);
-    }
+    for (int64_t i = b->first; i < b->first + b->count && status == VTI_OK; ++i)
+        status = body_check(b, i, fault);
     return status;
 }
 
@@ -158,6 +171,6 @@ int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault)
 
 int vti_bodies_check_values(const vti_bodies *b, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     return vti_bodies_values_fault(b, fault);
 }

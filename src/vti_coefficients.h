@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The coefficients of the steppers, in the order in which a step uses them. Symmetric lists are written to their middle and
- * mirrored; what the print leaves to the sum is taken from the sum. Only vti_step.c includes this. */
+ * The coefficients of the steppers, in the order in which a step uses them. Symmetric lists are written to their middle
+ * and mirrored; what the print leaves to the sum is taken from the sum. Only vti_step.c includes this. */
 #ifndef VTI_COEFFICIENTS_H
 #define VTI_COEFFICIENTS_H
 
-/* ---- the paper's maps, and Verlet ------------------------------------------------------------------------------------ */
+/* ---- the paper's maps, and Verlet -------------------------------------------------------------------------------- */
 
 static const double half_half[] = {0.5, 0.5}, one_none[] = {1.0, 0.0};
 
-/* ---- compositions of a symmetric step S(h) = kick(h/2) drift(h) kick(h/2) -------------------------------------------- */
+/* ---- compositions of a symmetric step S(h) = kick(h/2) drift(h) kick(h/2) ---------------------------------------- */
 
 /* S(p h) S(p h) S((1 - 4p) h) S(p h) S(p h), p = 1/(4 - 4^(1/3)); M. Suzuki, Phys. Lett. A 146 (1990) 319 */
 #define P 0.41449077179437573714
@@ -57,7 +57,7 @@ static const double kl8_drift[] = {C1, C2, C3, C4, C5, C6, C7, C8, C9, C8, C7, C
 #undef C8
 #undef C9
 
-/* ---- Runge-Kutta-Nystroem splittings, S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313 ----------------- */
+/* ---- Runge-Kutta-Nystroem splittings, S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313 ------------ */
 
 /* SRKN6b, order 4 */
 #define B1 0.0829844064174052
@@ -139,10 +139,11 @@ static const double srkn14_drift[] = {A1, A2, A3, A4, A5, A6, A7, A8, A7, A6, A5
 #undef B6
 #undef B7
 
-/* ---- force gradient, S. A. Chin, Phys. Lett. A 226 (1997) 344 ----------------------------------------------------------- */
+/* ---- force gradient, S. A. Chin, Phys. Lett. A 226 (1997) 344 ---------------------------------------------------- */
 
 /* Algorithm A: kick(h/6) drift(h/2), kick(2h/3) by F + h^2/48 grad |F|^2/m, drift(h/2) kick(h/6). F at x + c h^2 F/m is
- * F + c h^2/2 grad |F|^2/m up to h^4: c = 1/24. That remainder is no gradient, so the step is symplectic only up to h^5. */
+ * F + c h^2/2 grad |F|^2/m up to h^4: c = 1/24. That remainder is no gradient, so the step is symplectic only up to
+ * h^5. */
 static const double chin4_kick[] = {1.0 / 6, 2.0 / 3, 1.0 / 6};
 static const double chin4_drift[] = {0.5, 0.5, 0.0};
 static const double chin4_probe[] = {0.0, 1.0 / 24, 0.0};

@@ -1,25 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Hertzian contact of spheres with each other and with walls (EQUATIONS 3, E4). With o = [1 - gap/D]_+ the overlap as a share
- * of D:
- *
- *     U = 2/5 K o^{5/2},     |F| = (K/D) o^{3/2}                                                                     */
-#include "vti_internal.h"
+ * Hertzian contact of spheres with each other (EQUATIONS 3, E4), with o = [1 - r/D]_+. */
+#include "vti_hertz.h"
 
-/** |F| of the overlap o > 0 on the length D. */
-static inline double hertz_force(double stiffness, double length, double o)
-{
-    return stiffness / length * o * sqrt(o);
-}
+/* ---- forces ------------------------------------------------------------------------------------------------------ */
 
-static inline double hertz_energy(double stiffness, double o)
-{
-    return 0.4 * stiffness * o * o * sqrt(o);
-}
-
-/* ---- pairs ---------------------------------------------------------------------------------------------------------- */
-
-/** d = x_i - x_j and D of pair k; returns 1 if they touch, or if a number is none, so that it shows. */
+/** d = x_i - x_j and D of pair k; returns 1 if they touch, or if a number is NaN, so that it shows. */
 static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, double d[3], double *length, double *r2)
 {
     const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
@@ -42,16 +28,13 @@ static int list_check(const vti_contacts *p)
 }
 
 /** The list may be another one than when the effect was made. */
-static int contacts_check(const void *self, const vti_bodies *b)
+static int check(const void *self, const vti_bodies *b)
 {
-    const int status = list_check(self);
-    if (status == VTI_OK && !vti_has(&b->x))
-        return VTI_E_NULL;
-    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : status;
+    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : list_check(self);
 }
 
 /** F_i = (K/D) o^{3/2} n = -F_j */
-static void contacts_apply(const void *self, const vti_bodies *b)
+static void apply(const void *self, const vti_bodies *b)
 {
     const vti_contacts *p = self;
     for (int64_t k = 0; vti_has(&b->force) && k < p->count; ++k) {
@@ -59,37 +42,32 @@ static void contacts_apply(const void *self, const vti_bodies *b)
         if (!touch(p, b, k, d, &length, &r2))
             continue;
         const double r = sqrt(r2), inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
-        const double f = hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
+        const double f = vti_hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
         const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
         vti_add(&b->force, p->pair[2 * k] - p->base, force);
         vti_add(&b->force, p->pair[2 * k + 1] - p->base, back);
     }
 }
 
-static void contacts_energy(const void *self, const vti_bodies *b, double *energies)
+static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     const vti_contacts *p = self;
     vti_sum sum = {0.0, 0.0};
     for (int64_t k = 0; k < p->count; ++k) {
         double d[3], length, r2;
         if (touch(p, b, k, d, &length, &r2))
-            vti_sum_add(&sum, hertz_energy(p->stiffness, 1.0 - sqrt(r2) / length));
+            vti_sum_add(&sum, vti_hertz_energy(p->stiffness, 1.0 - sqrt(r2) / length));
     }
     energies[0] = vti_sum_value(&sum);
 }
 
-/* ---- springs of pairs ----------------------------------------------------------------------------------------------- */
-
-/** Hertz: d^2U/do^2 = (3/2) K o^{1/2} */
-static double hertz_stiffness(double stiffness, double o)
-{
-    return 1.5 * stiffness * sqrt(o >= 0.0 ? o : NAN);
-}
+/* ---- springs ----------------------------------------------------------------------------------------------- */
 
 /** What may come (EQUATIONS 6.10): each body i in a cage of as many neighbours as have room around it, or as there are
- *  bodies, none smaller than the smallest. As |u_i - u_j|^2 <= 2 |u_i|^2 + 2 |u_j|^2, contacts are no stiffer than one spring of
- *  2 z_i k_i that holds every body to its place. Those that touch with an overlap of up to o are 2 psi apart and more, seen from i,
- *  sin psi = (1 - o) D_min/(D_i + D_min), and z_i caps of that angle cover a sphere at most: z_i (1 - cos psi) <= 2. */
+ *  bodies, none smaller than the smallest. As |u_i - u_j|^2 <= 2 |u_i|^2 + 2 |u_j|^2, contacts are no stiffer than one
+ *  spring of 2 z_i k_i that holds every body to its place. Those that touch with an overlap of up to o are 2 psi apart
+ *  and more, seen from i, sin psi = (1 - o) D_min/(D_i + D_min), and z_i caps of that angle cover a sphere at most: z_i
+ *  (1 - cos psi) <= 2. */
 static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spring_visit *visit, void *context)
 {
     double least = INFINITY;
@@ -99,15 +77,16 @@ static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spri
         const double length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * least;
         const double sine = o < 1.0 ? (1.0 - o) * (0.5 * least / length) : 0.0, s2 = sine * sine;
         const double z = fmin((double)(b->count - 1), 2.0 * (1.0 + sqrt(1.0 - s2)) / s2);
-        const double stiffness = 2.0 * z * hertz_stiffness(p->stiffness, o);
+        const double stiffness = 2.0 * z * vti_hertz_stiffness(p->stiffness, o);
         const vti_spring s = {.element = i, .i = i, .j = -1, .length = length, .axial = stiffness, .across = stiffness};
         visit(context, &s);
     }
 }
 
-/** Pairs of the list, all of them at the overlap of *at, or those that touch as they do. What pushes takes off across. */
-static int contacts_in_list(const vti_contacts *p, const vti_bodies *b, const vti_deformation *at,
-                            vti_spring_visit *visit, void *context)
+/** Pairs of the list, all of them at the overlap of *at, or those that touch as they do. What pushes takes off across.
+ *  */
+static int in_list(const vti_contacts *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
 {
     for (int64_t k = 0; k < p->count; ++k) {
         double d[3], length, r2;
@@ -119,43 +98,43 @@ static int contacts_in_list(const vti_contacts *p, const vti_bodies *b, const vt
             length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
         const double o = at != NULL ? at->overlap : touches ? 1.0 - sqrt(r2) / length : 0.0;
         const vti_spring s = {
-            .element = k, .i = i, .j = j, .length = length, .axial = hertz_stiffness(p->stiffness, o)};
+            .element = k, .i = i, .j = j, .length = length, .axial = vti_hertz_stiffness(p->stiffness, o)};
         if (touches)
             visit(context, &s);
     }
     return VTI_OK;
 }
 
-static int contacts_springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
-                            void *context)
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
 {
     if (at == NULL || !at->meet)
-        return contacts_in_list(self, b, at, visit, context);
+        return in_list(self, b, at, visit, context);
     cages(self, b, at->overlap, visit, context);
     return VTI_OK;
 }
 
-/* ---- the effect of pairs -------------------------------------------------------------------------------------------- */
+/* ---- the effect -------------------------------------------------------------------------------------------- */
 
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     const int status = contacts == NULL ? VTI_E_NULL : list_check(contacts);
     if (status != VTI_OK)
         return status;
     if (n < 0)
         return VTI_E_COUNT;
     if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
-        return vti_blame(VTI_E_CONTACT, -1, contacts->stiffness, VTI_QUANTITY_NONE, fault);
+        return vti_refuse(VTI_E_CONTACT, -1, contacts->stiffness, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < contacts->count; ++k)
         for (int side = 0; side < 2; ++side) {
             const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
             const int64_t sizes = contacts->diameter.count;
             if (i < 0 || i >= n || pair[0] == pair[1] || (sizes != 0 && i >= sizes))
-                return vti_blame(VTI_E_CONTACT, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
+                return vti_refuse(VTI_E_CONTACT, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
             const double diameter = vti_scalar(&contacts->diameter, i);
             if (!(isfinite(diameter) && diameter > 0.0))
-                return vti_blame(VTI_E_CONTACT, k, diameter, VTI_QUANTITY_NONE, fault);
+                return vti_refuse(VTI_E_CONTACT, k, diameter, VTI_QUANTITY_NONE, fault);
         }
     return VTI_OK;
 }
@@ -166,116 +145,14 @@ vti_effect vti_contacts_effect(const vti_contacts *contacts)
     if (contacts == NULL || list_check(contacts) != VTI_OK)
         return vti_effect_none();
     const vti_effect effect = {.name = "contact",
-                               .apply = contacts_apply,
-                               .energy = contacts_energy,
-                               .check = contacts_check,
-                               .springs = contacts_springs,
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = springs,
                                .self = contacts,
+                               .needs = 1 << VTI_QUANTITY_X,
+                               .gives = 1 << VTI_QUANTITY_FORCE,
                                .terms = 1,
                                .term = term};
-    return effect;
-}
-
-/* ---- walls ---------------------------------------------------------------------------------------------------------- */
-
-/** Overlap with a plane of a body of radius D/2: positive if they touch; not a number if something is none, which must show. */
-static inline double wall_overlap(const vti_walls *p, const vti_bodies *b, const double *plane, int64_t i,
-                                  double *radius)
-{
-    double x[3];
-    vti_load(&b->x, i, x);
-    *radius = 0.5 * vti_scalar(&p->diameter, i);
-    return 1.0 - (vti_dot(plane, x) - plane[3]) / *radius;
-}
-
-/** VTI_E_CONTACT unless normals are of length 1, offsets and stiffness finite, and diameters positive. */
-static int walls_look(const vti_walls *p, const vti_bodies *b)
-{
-    if (p->count > 0 && (p->plane == NULL || p->diameter.p == NULL))
-        return VTI_E_NULL;
-    int good = p->count <= 0 || (isfinite(p->stiffness) && p->stiffness >= 0.0);
-    for (int64_t w = 0; w < p->count; ++w)
-        good &= fabs(vti_dot(p->plane + 4 * w, p->plane + 4 * w) - 1.0) < 1e-12 && isfinite(p->plane[4 * w + 3]);
-    for (int64_t i = b->first; p->count > 0 && i < b->first + b->count; ++i)
-        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0;
-    return good ? VTI_OK : VTI_E_CONTACT;
-}
-
-static int walls_check(const void *self, const vti_bodies *b)
-{
-    const vti_walls *p = self;
-    if (p->count > 0 && !vti_has(&b->x))
-        return VTI_E_NULL;
-    return VTI_LOOKS ? walls_look(p, b) : VTI_OK;
-}
-
-/** F = (K/(D/2)) o^{3/2} along the normal */
-static void walls_apply(const void *self, const vti_bodies *b)
-{
-    const vti_walls *p = self;
-    for (int64_t w = 0; vti_has(&b->force) && w < p->count; ++w) {
-        const double *plane = p->plane + 4 * w;
-        for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius;
-            const double o = wall_overlap(p, b, plane, i, &radius);
-            if (o <= 0.0)
-                continue;
-            const double f = hertz_force(p->stiffness, radius, o),
-                         force[3] = {f * plane[0], f * plane[1], f * plane[2]};
-            vti_add(&b->force, i, force);
-        }
-    }
-}
-
-static void walls_energy(const void *self, const vti_bodies *b, double *energies)
-{
-    const vti_walls *p = self;
-    vti_sum sum = {0.0, 0.0};
-    for (int64_t w = 0; w < p->count; ++w)
-        for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius;
-            const double o = wall_overlap(p, b, p->plane + 4 * w, i, &radius);
-            if (!(o <= 0.0))
-                vti_sum_add(&sum, hertz_energy(p->stiffness, o));
-        }
-    energies[0] = vti_sum_value(&sum);
-}
-
-/** Every body at every plane, or those that touch one, as they do. */
-static int walls_springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
-                         void *context)
-{
-    const vti_walls *p = self;
-    for (int64_t w = 0; w < p->count; ++w)
-        for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius = 0.5 * vti_scalar(&p->diameter, i);
-            const double o = at != NULL ? at->overlap : wall_overlap(p, b, p->plane + 4 * w, i, &radius);
-            const vti_spring s = {
-                .element = w, .i = i, .j = -1, .length = radius, .axial = hertz_stiffness(p->stiffness, o)};
-            if (at != NULL || !(o <= 0.0))
-                visit(context, &s);
-        }
-    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
-}
-
-vti_effect vti_walls_effect(const vti_walls *walls)
-{
-    static const char *const term[] = {"wall"};
-    if (walls == NULL || (walls->count > 0 && (walls->diameter.p == NULL || walls->plane == NULL)))
-        return vti_effect_none();
-    int64_t breaks = 0;
-    for (int64_t w = 0; w < walls->count; ++w)
-        for (int k = 0; k < 3; ++k)
-            if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
-                breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
-    const vti_effect effect = {.name = "wall",
-                               .apply = walls_apply,
-                               .energy = walls_energy,
-                               .check = walls_check,
-                               .springs = walls_springs,
-                               .self = walls,
-                               .terms = 1,
-                               .term = term,
-                               .breaks = breaks};
     return effect;
 }

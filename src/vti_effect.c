@@ -38,9 +38,41 @@ static inline void clear_loads(const vti_bodies *b)
         (b->count <= VTI_FEW ? clear_few : clear)(&b->moment, begin, end);
 }
 
-int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
+/** The first quantity that is needed and absent, or VTI_QUANTITY_NONE. An attitude is one in either form. */
+static inline int64_t lacking(int64_t needs, const vti_bodies *b)
 {
-    const int status = vti_bodies_ready(b);
+    const int64_t attitude = 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_QUAT;
+    if (needs & attitude && !vti_has_attitude(b))
+        return VTI_QUANTITY_ALPHA;
+#define START_vti_view(member) b->member.c[0]
+#define START_vti_quat_view(member) b->member.xyzw[0]
+#define START_vti_scalars(member) b->member.p
+#define LACKS_STATE(constant, member, type)                                                                            \
+    if (needs & ~attitude & 1 << (constant) && START_##type(member) == NULL)                                           \
+        return constant;
+#define LACKS_CONSTANT(constant, member, type) LACKS_STATE(constant, member, type)
+#define LACKS_LOAD(constant, member, type)
+#define LACKS_LOW(constant, member, type)
+#define LACKS(constant, number, member, type, role) LACKS_##role(constant, member, type)
+    VTI_QUANTITIES(LACKS)
+    return VTI_QUANTITY_NONE;
+}
+
+static inline int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *quantity)
+{
+    *quantity = VTI_QUANTITY_NONE;
+    if (e->apply == NULL && e->flow == NULL)
+        return VTI_E_NULL;
+    if (e->needs != 0)
+        *quantity = lacking(e->needs, b);
+    if (*quantity != VTI_QUANTITY_NONE)
+        return VTI_E_NEEDS;
+    return e->check != NULL ? e->check(e->self, b) : VTI_OK;
+}
+
+int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
+{
+    const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
     if (n < 0)
@@ -48,30 +80,28 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
     if (n > 0 && effects == NULL)
         return VTI_E_NULL;
     for (int64_t k = 0; k < n; ++k) {
-        const int refused = effects[k].apply == NULL ? VTI_E_NULL : vti_effect_check(&effects[k], b);
+        int64_t quantity;
+        const int refused = effect_check(&effects[k], b, &quantity);
         if (refused != VTI_OK)
-            return refused;
+            return vti_refuse(refused, k, 0.0, quantity, fault);
     }
-    clear_loads(b);
-    for (int64_t k = 0; k < n; ++k)
-        effects[k].apply(effects[k].self, b);
     return VTI_OK;
 }
 
-int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
+int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
 {
-    if (method == NULL || method->kick == NULL || method->drift == NULL)
-        return VTI_E_STEPPER;
-    if (effects == NULL && n > 0)
-        return VTI_E_NULL;
-    if (n < 0)
-        return VTI_E_COUNT;
-    if (method->stages < 1)
-        return VTI_E_STAGE;
-    int backwards = 0, dissipates = 0;
-    for (int64_t k = 0; k <= method->stages; ++k)
-        backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;
-    for (int64_t e = 0; e < n; ++e)
-        dissipates |= effects[e].dissipates != 0;
-    return backwards && dissipates ? VTI_E_DISSIPATES : VTI_OK;
+    vti_refuse_none(VTI_OK, fault);
+    return vti_effects_fault(effects, n, b, fault);
+}
+
+int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
+{
+    const int status = vti_effects_fault(effects, n, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    clear_loads(b);
+    for (int64_t k = 0; k < n; ++k)
+        if (effects[k].apply != NULL)
+            effects[k].apply(effects[k].self, b);
+    return VTI_OK;
 }

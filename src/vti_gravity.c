@@ -2,12 +2,6 @@
  * Uniform gravity: F = m g, U = -m g.x. */
 #include "vti_internal.h"
 
-static int check(const void *self, const vti_bodies *b)
-{
-    (void)self;
-    return b->mass.p != NULL ? VTI_OK : VTI_E_MASS;
-}
-
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_gravity *p = self;
@@ -43,9 +37,11 @@ vti_effect vti_gravity_effect(const vti_gravity *gravity)
     const vti_effect effect = {.name = "gravity",
                                .apply = apply,
                                .energy = energy,
-                               .check = check,
                                .springs = vti_springs_none,
                                .self = gravity,
+                               .needs = 1 << VTI_QUANTITY_MASS,
+                               .gives = 1 << VTI_QUANTITY_FORCE,
+                               .smooth = 1,
                                .terms = 1,
                                .term = term,
                                .breaks = breaks};

@@ -7,8 +7,9 @@
 
 #include "vti.h"
 
-/** Says in fault, where there is one, what is to blame, for which value and of which quantity. Returns the status. */
-static inline int vti_blame(int status, int64_t body, double value, int64_t quantity, vti_fault *fault)
+/** Says in fault, where there is one, which body is refused, for which value and of which quantity. Returns the status.
+ *  */
+static inline int vti_refuse(int status, int64_t body, double value, int64_t quantity, vti_fault *fault)
 {
     if (fault != NULL) {
         fault->body = body;
@@ -18,10 +19,10 @@ static inline int vti_blame(int status, int64_t body, double value, int64_t quan
     return status;
 }
 
-/** The same where nothing about the bodies is to blame. */
-static inline int vti_blame_none(int status, vti_fault *fault)
+/** The same where it is not about the bodies. */
+static inline int vti_refuse_none(int status, vti_fault *fault)
 {
-    return vti_blame(status, -1, 0.0, VTI_QUANTITY_NONE, fault);
+    return vti_refuse(status, -1, 0.0, VTI_QUANTITY_NONE, fault);
 }
 
 static inline int vti_has(const vti_view *view)
@@ -86,10 +87,14 @@ static inline int vti_pair_check(const vti_bodies *b, int64_t i, int64_t j)
     return i >= first && i < end && j >= first && j < end ? VTI_OK : VTI_E_BOND;
 }
 
-/** Marks sealed bodies: a number that memory does not hold by chance. */
-#define VTI_SEAL INT64_C(0x7674692d7365616c)
+/** Marks sealed bodies: a number that memory does not hold by chance, and that is another one for a copy. */
+static inline int64_t vti_seal_of(const vti_bodies *b)
+{
+    return INT64_C(0x7674692d7365616c) ^ (int64_t)(intptr_t)b;
+}
 
-/** vti_bodies_check that says in fault, where there is one, which quantity is wrong; where none is, fault stays as it was. */
+/** vti_bodies_check that says in fault, where there is one, which quantity is wrong; where none is, fault stays as it
+ *  was. */
 int vti_bodies_fault(const vti_bodies *b, vti_fault *fault);
 
 /** VTI_E_STRIDE if components of one view meet, VTI_E_ALIAS if two views share memory. Each view is whole or absent. */
@@ -98,7 +103,8 @@ int vti_alias_check(const vti_bodies *b, vti_fault *fault);
 /** vti_bodies_check_values, but where nothing is wrong fault stays as it was. */
 int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault);
 
-/** 1 if the library was built with -Dchecked=true: every call then looks at all of its bodies and lists, sealed or not. */
+/** 1 if the library was built with -Dchecked=true: every call then looks at all of its bodies and lists, sealed or not.
+ *  */
 #ifdef VTI_CHECKED
 enum { VTI_LOOKS = 1 };
 #else
@@ -112,10 +118,11 @@ static inline int vti_bodies_ready_or(const vti_bodies *b, vti_fault *fault)
         return VTI_E_NULL;
     if (VTI_LOOKS)
         return vti_bodies_values_fault(b, fault);
-    return b->sealed == VTI_SEAL ? VTI_OK : vti_bodies_fault(b, fault);
+    return b->sealed == vti_seal_of(b) ? VTI_OK : vti_bodies_fault(b, fault);
 }
 
-/** How many bodies lists may name, as far as is known: those that the views show, or else those up to the end of the slice. */
+/** How many bodies lists may name, as far as is known: those that the views show, or else those up to the end of the
+ *  slice. */
 static inline int64_t vti_bodies_named(const vti_bodies *b)
 {
     const int64_t shown[] = {b->x.count, b->alpha.count, b->quat.count, b->first + b->count};
@@ -130,17 +137,15 @@ static inline int vti_bodies_ready(const vti_bodies *b)
     return vti_bodies_ready_or(b, NULL);
 }
 
-/** What an effect of nothing is: vti_apply refuses it. */
+/** What an effect of nothing is: vti_effects_check refuses it. */
 static inline vti_effect vti_effect_none(void)
 {
     const vti_effect none = {.name = NULL};
     return none;
 }
 
-static inline int vti_effect_check(const vti_effect *effect, const vti_bodies *b)
-{
-    return effect->check != NULL ? effect->check(effect->self, b) : VTI_OK;
-}
+/** vti_effects_check, but where nothing is wrong fault stays as it was. */
+int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault);
 
 /** Whether the kernels for these vector units were compiled, and serve here. */
 static inline int vti_serves_avx2(void)
@@ -164,8 +169,8 @@ static inline int vti_serves_avx512(void)
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 
-/** Bodies that are done one number at a time: a wide load of numbers that have just been stored one by one, as forces are,
- *  has to wait until they are in the cache, which only the bodies that follow can hide. */
+/** Bodies that are done one number at a time: a wide load of numbers that have just been stored one by one, as forces
+ *  are, has to wait until they are in the cache, which only the bodies that follow can hide. */
 enum { VTI_FEW = 4 };
 
 /** VTI_OK if the library has such a law and frame. */

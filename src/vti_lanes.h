@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Lanes: a vector of numbers, one of each of WIDTH bodies, as wide as the file is compiled for. +, -, * and / are C's own and do in
- * every lane what they do with one number, so that the bits do not depend on the width. Where the compiler has no such vectors,
- * VTI_WIDTH is not defined, and bodies are moved one by one.
+ * Lanes: a vector of numbers, one of each of WIDTH bodies, as wide as the file is compiled for. +, -, * and / are C's
+ * own and do in every lane what they do with one number, so that the bits do not depend on the width. Where the
+ * compiler has no such vectors, VTI_WIDTH is not defined, and bodies are moved one by one.
  *
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
@@ -10,7 +10,7 @@
  *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
  *     lanes_triples  those of three-vectors at p[0 ... 2], p[s ... s + 2], ...             lanes_untriple  the way back
  *     lanes_quads    those of four numbers at p[0 ... 3], p[s ... s + 3], ...              lanes_unquad    the way back
- *     lanes_spread   k of each body three times, as the components of packed vectors lie                              */
+ *     lanes_spread   k of each body three times, as the components of packed vectors lie */
 #ifndef VTI_LANES_H
 #define VTI_LANES_H
 
@@ -76,7 +76,7 @@ VTI_INLINE void pair_store(double *p, pair a)
     *(pair_there *)p = a;
 }
 
-/* ---- two ------------------------------------------------------------------------------------------------------------- */
+/* ---- two --------------------------------------------------------------------------------------------------------- */
 
 #if VTI_WIDTH == 2
 
@@ -151,7 +151,7 @@ VTI_INLINE void lanes_unquad(double *p, int64_t s, const lanes a[4])
 
 #else
 
-/* ---- four: what eight are made of, too --------------------------------------------------------------------------------- */
+/* ---- four: what eight are made of, too --------------------------------------------------------------------------- */
 
 typedef double four VECTOR(4);
 typedef double four_there THERE(4);
@@ -261,7 +261,7 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
 
 #else
 
-/* ---- eight ------------------------------------------------------------------------------------------------------------- */
+/* ---- eight ------------------------------------------------------------------------------------------------------- */
 
 VTI_INLINE lanes two_fours(four a, four b)
 {

@@ -4,7 +4,7 @@
  * conservation law is the integrator's rounding, not their own. */
 #include "vti_internal.h"
 
-/** Where to write is there; if the bodies are not sound, or what else is needed is not there, three times no number is. */
+/** Where to write is there; if the bodies are not sound, or what else is needed is not there, r is three times NaN. */
 static int can_measure(const vti_bodies *b, const void *needed, double r[3])
 {
     if (r == NULL)
@@ -43,15 +43,16 @@ double vti_kinetic_rotation(const vti_bodies *b)
 double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
     vti_sum sum = {0.0, 0.0};
-    if (vti_bodies_ready(b) != VTI_OK || n < 0 || (n > 0 && effects == NULL))
+    if (vti_effects_fault(effects, n, b, NULL) != VTI_OK)
         return NAN;
     vti_sum_add(&sum, vti_kinetic_translation(b));
     vti_sum_add(&sum, vti_kinetic_rotation(b));
     for (int64_t k = 0; k < n; ++k) {
         double energies[VTI_TERMS] = {0.0};
-        if (effects[k].terms > VTI_TERMS || effects[k].energy == NULL || vti_effect_check(&effects[k], b) != VTI_OK)
+        if (effects[k].terms > VTI_TERMS || (effects[k].energy == NULL && effects[k].apply != NULL))
             return NAN;
-        effects[k].energy(effects[k].self, b, energies);
+        if (effects[k].energy != NULL)
+            effects[k].energy(effects[k].self, b, energies);
         for (int64_t j = 0; j < effects[k].terms; ++j)
             vti_sum_add(&sum, energies[j]);
     }

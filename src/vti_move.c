@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Kick and drift, the two primitives of every stepper, for one body after the other; where there are many, by kernels that give
- * the same bits (vti_move_kernels.h). */
+ * Kick and drift, the two primitives of every stepper, for one body after the other; where there are many, by kernels
+ * that give the same bits (vti_move_kernels.h). */
 #include "vti_move.h"
 
 VTI_MOVE_LAW(law_of, double, (double), sqrt)
@@ -14,7 +14,7 @@ static inline double add_compensated(double a, double b, double *low)
     return s;
 }
 
-/* ---- kick and translation ------------------------------------------------------------------------------------------------ */
+/* ---- kick and translation ---------------------------------------------------------------------------------------- */
 
 /** a += t by of one body, with its residual where there is one. */
 VTI_INLINE void add_by(double t, const double by[3], const vti_view *low, int64_t i, double a[3])
@@ -53,7 +53,7 @@ static void translate(const struct vti_move *move, const vti_bodies *b, int64_t 
     }
 }
 
-/* ---- turn ---------------------------------------------------------------------------------------------------------------- */
+/* ---- turn -------------------------------------------------------------------------------------------------------- */
 
 /** The increment dalpha = 2 f u/c. small: as in vti_rrv_increment. */
 struct increment {
@@ -61,8 +61,8 @@ struct increment {
     int small;
 };
 
-/** As VTI_MOVE_LAW has it. Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as good as
- *  any. Below s^2 = 8, c > 0.36 in both of the exact. */
+/** As VTI_MOVE_LAW has it. Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as
+ *  good as any. Below s^2 = 8, c > 0.36 in both of the exact. */
 VTI_INLINE struct increment increment(int law, const double u[3])
 {
     struct increment d = {{2.0, 1.0}, 0};
@@ -192,10 +192,10 @@ void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
     turn_of(&drift, b)(&drift, b, i, i + 1);
 }
 
-/* ---- many ---------------------------------------------------------------------------------------------------------------- */
+/* ---- many -------------------------------------------------------------------------------------------------------- */
 
-/** The kernels for so many bodies and this machine's vector units, widest first, then NULL: what one leaves over, the next may
- *  take. None is for few bodies, or for such as carry residuals. */
+/** The kernels for so many bodies and this machine's vector units, widest first, then NULL: what one leaves over, the
+ *  next may take. None is for few bodies, or for such as carry residuals. */
 static inline const struct vti_move_kernels *const *kernels(int64_t bodies, int carry)
 {
     static const struct vti_move_kernels *const all[] = {
@@ -252,9 +252,10 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
     }
 }
 
-/* ---- the bound of the closed form ----------------------------------------------------------------------------------------- */
+/* ---- the bound of the closed form -------------------------------------------------------------------------------- */
 
-/** u = t Omega of body i after the kicks, by their operations, so that what is tested is what the square root will see. */
+/** u = t Omega of body i after the kicks, by their operations, so that what is tested is what the square root will see.
+ *  */
 static void turn_ahead(const struct vti_move *move, const vti_bodies *b, int64_t i, double u[3])
 {
     double low[3], m[3];
@@ -283,7 +284,7 @@ static void name_worst(const struct vti_move *move, const vti_bodies *b, vti_fau
         const double s = vti_norm(u);
         if (!(s <= worst)) {
             worst = s;
-            vti_blame(VTI_E_TOO_LARGE, i, s, VTI_QUANTITY_OMEGA, fault);
+            vti_refuse(VTI_E_TOO_LARGE, i, s, VTI_QUANTITY_OMEGA, fault);
         }
     }
 }
@@ -307,7 +308,7 @@ int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *
     return refused ? VTI_E_TOO_LARGE : VTI_OK;
 }
 
-/* ---- the public primitives --------------------------------------------------------------------------------------------------- */
+/* ---- the public primitives --------------------------------------------------------------------------------------- */
 
 int vti_kick(double t, const vti_bodies *b)
 {
@@ -321,14 +322,24 @@ int vti_kick(double t, const vti_bodies *b)
     return VTI_OK;
 }
 
+void vti_drift_increment(int law, double t, const double omega[3], double dalpha[3])
+{
+    const double u[3] = {t * omega[0], t * omega[1], t * omega[2]};
+    struct increment d = {{NAN, NAN}, 0};
+    if (vti_law_check(law, VTI_FRAME_SPACE) == VTI_OK)
+        d = increment(law, u);
+    for (int k = 0; k < 3; ++k)
+        dalpha[k] = 2.0 * d.cf[1] * u[k] / d.cf[0];
+}
+
 int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     int status = vti_bodies_ready_or(b, fault);
     if (status == VTI_OK)
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))
-        status = vti_blame(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
+        status = vti_refuse(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
     const struct vti_move move = {0.0, 0.0, t, 1, law, frame};
     if (status == VTI_OK)
         status = vti_move_check(&move, b, fault);

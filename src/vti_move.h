@@ -6,7 +6,8 @@
  *     kick(kick):    the same                             the first of this one
  *     drift(drift):  x += t v,  alpha <- alpha (+) dalpha(t Omega)
  *
- * vti_move.c moves bodies one by one, and picks kernels that do many at once (vti_move_kernels.h), with the same bits. */
+ * vti_move.c moves bodies one by one, and picks kernels that do many at once (vti_move_kernels.h), with the same bits.
+ * */
 #ifndef VTI_MOVE_H
 #define VTI_MOVE_H
 
@@ -28,8 +29,8 @@ int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *
 /** Turns one body by the drift: what the kernels leave out. */
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
 
-/** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the layout
- *  is not for them. Nothing that carries residuals is for them. */
+/** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the
+ *  layout is not for them. Nothing that carries residuals is for them. */
 struct vti_move_kernels {
     int64_t least; /* bodies; for fewer it does not pay to start */
     int64_t (*translate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Moves of many bodies at once, a body to a lane. Vectors that lie packed are kicked and moved as they lie, and only the attitude
- * and t Omega are sorted by component; all others are sorted as they are read. A turn is the incremental form of vti_rrv.h without
- * its branch; where it is not allowed in some lane, the bodies of all lanes are turned one by one.
+ * Moves of many bodies at once, a body to a lane. Vectors that lie packed are kicked and moved as they lie, and only
+ * the attitude and t Omega are sorted by component; all others are sorted as they are read. A turn is the incremental
+ * form of vti_rrv.h without its branch; where it is not allowed in some lane, the bodies of all lanes are turned one by
+ * one.
  *
- * The files vti_move_*.c include this and nothing else: each is compiled for vector units of its own, and defines MOVE_KERNELS, the
- * name of its table. */
+ * The files vti_move_*.c include this and nothing else: each is compiled for vector units of its own, and defines
+ * MOVE_KERNELS, the name of its table. */
 #include "vti_lanes.h"
 #include "vti_move.h"
 
@@ -14,10 +15,10 @@
 VTI_RRV_INCREMENTAL(incremental, lanes)
 VTI_MOVE_LAW(law_of, lanes, lanes_of, lanes_sqrt)
 
-/* ---- what lies how ----------------------------------------------------------------------------------------------------- */
+/* ---- what lies how ----------------------------------------------------------------------------------------------- */
 
-/** PACKED: as vectors lie in memory, x y z x y z ..., three vectors of lanes. SEPARATE: an array for each component. MIXED: of
- *  components that lie side by side at any stride, and of separate ones. */
+/** PACKED: as vectors lie in memory, x y z x y z ..., three vectors of lanes. SEPARATE: an array for each component.
+ *  MIXED: of components that lie side by side at any stride, and of separate ones. */
 enum order { PACKED, SEPARATE, MIXED };
 
 /** A view, in variables of its own: what nobody else can change stays in registers. */
@@ -65,7 +66,7 @@ VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes 
             lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
 }
 
-/* ---- kick -------------------------------------------------------------------------------------------------------------- */
+/* ---- kick -------------------------------------------------------------------------------------------------------- */
 
 /** The kicks of a move of one quantity: a += t/m by, once or twice. */
 struct kicks {
@@ -196,7 +197,7 @@ static int quat_is_adjacent(const vti_quat_view *q)
     return q->xyzw[1] == q->xyzw[0] + 1 && q->xyzw[2] == q->xyzw[0] + 2 && q->xyzw[3] == q->xyzw[0] + 3;
 }
 
-/* ---- turn -------------------------------------------------------------------------------------------------------------- */
+/* ---- turn -------------------------------------------------------------------------------------------------------- */
 
 /** u = t Omega after its kicks, by component. Returns u.u. */
 VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct stream omega, int writes, int64_t i,
@@ -225,8 +226,8 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
         vti_move_turn(move, b, i + l);
 }
 
-/** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c <= 2 and
- *  rounding keeps order, one sum that is less than c^2 tells. */
+/** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c
+ *  <= 2 and rounding keeps order, one sum that is less than c^2 tells. */
 VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
                            int64_t begin, int64_t end)
 {
@@ -362,7 +363,7 @@ static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t 
     return stop;
 }
 
-/* ---- the bound of the closed form ----------------------------------------------------------------------------------------- */
+/* ---- the bound of the closed form -------------------------------------------------------------------------------- */
 
 static int reaches(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The packed door: the same calls on plain x[n][3] arrays, without structs. */
+ * The same calls on plain x[n][3] arrays, without structs. */
 #include "vti_internal.h"
 
 static vti_view packed(const double *p)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The formulas of a bonded pair (EQUATIONS 3), each once: what a kernel of vti_bond.c evaluates for one bond. `terms` and
- * `form` are literals at every call, so that a kernel holds the instructions of its own terms only; no branch depends on the
- * data, so that the compiler can do many bonds at once.
+ * The formulas of a bonded pair (EQUATIONS 3), each once: what a kernel of vti_binder.c evaluates for one bond. `terms`
+ * and `form` are literals at every call, so that a kernel holds the instructions of its own terms only; no branch
+ * depends on the data, so that the compiler can do many bonds at once.
  *
  * Attitudes are pairs q ~ (v, w) of any length. P u = u - (u.n) n. */
 #ifndef VTI_PAIR_H

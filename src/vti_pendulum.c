@@ -31,18 +31,13 @@ VTI_INLINE void swing(const double q[4], const double pull[3], const vti_view *m
     moment->c[1][i * moment->stride] -= arm[0];
 }
 
-/** The same of a quaternion, or of an alpha that has to be scaled; apart, so that the others need not wait for either. */
+/** The same of a quaternion, or of an alpha that has to be scaled; apart, so that the others need not wait for either.
+ *  */
 VTI_APART void swing_any(const vti_bodies *b, const double pull[3], int64_t i)
 {
     double q[4];
     vti_load_pair(b, i, q);
     swing(q, pull, &b->moment, i);
-}
-
-static int check(const void *self, const vti_bodies *b)
-{
-    (void)self;
-    return vti_has_attitude(b) ? VTI_OK : VTI_E_NULL;
 }
 
 static void apply(const void *self, const vti_bodies *b)
@@ -99,9 +94,11 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
     const vti_effect effect = {.name = "pendulum",
                                .apply = apply,
                                .energy = energy,
-                               .check = check,
                                .springs = springs,
                                .self = pendulum,
+                               .needs = 1 << VTI_QUANTITY_ALPHA,
+                               .gives = 1 << VTI_QUANTITY_MOMENT,
+                               .smooth = 1,
                                .terms = 1,
                                .term = term,
                                .breaks = 0xdf};

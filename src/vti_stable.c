@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A rigorous bound of the stable step (EQUATIONS 5 and 6.10, with a tighter element and better shares). The system is split
- * into elements, one for each spring that an effect reports, and every body into shares for the elements at it: K = sum K_e,
- * M = sum M_e. If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx, nor is the whole. */
+ * A rigorous bound of the stable step (EQUATIONS 5 and 6.10, with a tighter element and better shares). The system is
+ * split into elements, one for each spring that an effect reports, and every body into shares for the elements at it: K
+ * = sum K_e, M = sum M_e. If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx,
+ * nor is the whole. */
 #include <limits.h>
 
 #include "vti_internal.h"
 
-/* ---- numbers of any size ------------------------------------------------------------------------------------------ */
+/* ---- numbers of any size ----------------------------------------------------------------------------------------- */
 
-/** x 2^(256 e) >= 0 with x in [2^-128, 2^128), or x = 0, infinite or NaN and e = 0: squares and products of what a double
- *  holds, m = 1e-300 and L0 = 1e-100 among them. Where e is 0 all along, the bits are those of doubles. */
+/** x 2^(256 e) >= 0 with x in [2^-128, 2^128), or x = 0, infinite or NaN and e = 0: squares and products of what a
+ *  double holds, m = 1e-300 and L0 = 1e-100 among them. Where e is 0 all along, the bits are those of doubles. */
 struct wide {
     double x;
     int e;
@@ -89,9 +90,9 @@ static struct wide eigenvalue(struct wide p, struct wide q, struct wide r)
 
 /** omega_max^2 of a spring with 1/zi and 1/zj of its bodies; a = (zi/m_i + zj/m_j)/L^2, b = z/J.
  *
- *  Along n it is K^axial a and K^twist (b_i + b_j). In each of two planes through n the energy is, with
- *  q = (u_i, u_j, theta_i, theta_j), K^shear/2 (g.q)^2 + K^bend/2 (d.q)^2 + K^across/2 [(u_i - u_j)/L]^2,
- *  g = (1/L, -1/L, -s_i, -s_j), s the arms, and d = (0, 0, 1, -1). The omega^2 of the first two terms are the eigenvalues of
+ *  Along n it is K^axial a and K^twist (b_i + b_j). In each of two planes through n the energy is, with q = (u_i, u_j,
+ *  theta_i, theta_j), K^shear/2 (g.q)^2 + K^bend/2 (d.q)^2 + K^across/2 [(u_i - u_j)/L]^2, g = (1/L, -1/L, -s_i, -s_j),
+ *  s the arms, and d = (0, 0, 1, -1). The omega^2 of the first two terms are the eigenvalues of
  *      [ K^shear gg                    (K^shear K^bend)^{1/2} gd ]    gg = g.M^-1 g = a + s_i^2 b_i + s_j^2 b_j,
  *      [ (K^shear K^bend)^{1/2} gd     K^bend dd                 ]    gd = s_j b_j - s_i b_i,  dd = b_i + b_j,
  *  and the third adds at most K^across a. */
@@ -134,10 +135,13 @@ static int exists(const vti_spring *s, struct tally *t)
     return t->status == VTI_OK;
 }
 
-/** An element weighs as much as it is fast with its bodies whole: slow ones need little of a body. Any weights will do for a
- *  bound, so that of elements which are slower by 2^256 and more it is enough to say that they are there. */
-static double weight(const vti_spring *s, const struct tally *t, struct wide *whole)
+/** An element weighs as much as it is fast with its bodies whole: slow ones need little of a body. Any weights will do
+ *  for a bound, so that of elements which are slower by 2^256 and more it is enough to say that they are there. 0 if it
+ *  is slack, or if its bodies are not there. */
+static double weight(const vti_spring *s, struct tally *t, struct wide *whole)
 {
+    if (!exists(s, t))
+        return 0.0;
     *whole = omega2(s, t->b, 1.0, 1.0);
     if (whole->x == 0.0)
         return 0.0;
@@ -148,8 +152,6 @@ static void add_weight(void *context, const vti_spring *s)
 {
     struct tally *t = context;
     struct wide whole;
-    if (!exists(s, t))
-        return;
     const double w = weight(s, t, &whole);
     if (w == 0.0)
         return;
@@ -170,8 +172,6 @@ static void find_most(void *context, const vti_spring *s)
 {
     struct tally *t = context;
     struct wide whole;
-    if (!exists(s, t))
-        return;
     const double w = weight(s, t, &whole);
     if (w == 0.0)
         return;
@@ -185,7 +185,8 @@ static void find_most(void *context, const vti_spring *s)
     name(s, whole, t);
 }
 
-/** By shares that are as the weights all elements at a body come out alike: it is the heaviest there that sets the step. */
+/** By shares that are as the weights all elements at a body come out alike: it is the heaviest there that sets the
+ *  step. */
 static void name_heaviest(void *context, const vti_spring *s)
 {
     struct tally *t = context;
@@ -231,34 +232,26 @@ int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_defor
     return VTI_OK;
 }
 
-static int effects_check(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_stable *stable)
+/** Whether all of them report their springs; else *stable names the first that does not. */
+static int springs_check(const vti_effect *effects, int64_t n, vti_stable *stable)
 {
-    if (n < 0)
-        return VTI_E_COUNT;
-    if (n > 0 && effects == NULL)
-        return VTI_E_NULL;
-    for (int64_t k = 0; k < n; ++k) {
-        const int refused = effects[k].apply == NULL ? VTI_E_NULL : vti_effect_check(&effects[k], b);
-        if (refused != VTI_OK)
-            return refused;
+    for (int64_t k = 0; k < n; ++k)
         if (effects[k].springs == NULL) {
             const vti_stable unknown = {NAN, k, -1, -1, -1};
             *stable = unknown;
             return VTI_E_SPRINGS;
         }
-    }
     return VTI_OK;
 }
 
 int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, const vti_deformation *at,
                     double *scratch, vti_stable *stable)
 {
-    int status = vti_bodies_ready(b);
-    if (status != VTI_OK)
-        return status;
-    if (scratch == NULL || stable == NULL)
-        return VTI_E_NULL;
-    status = effects_check(effects, n, b, stable);
+    int status = vti_effects_fault(effects, n, b, NULL);
+    if (status == VTI_OK && (scratch == NULL || stable == NULL))
+        status = VTI_E_NULL;
+    if (status == VTI_OK)
+        status = springs_check(effects, n, stable);
     if (status != VTI_OK)
         return status;
     struct tally t = {b, scratch, 0, 0, VTI_OK, 0, {0.0, 0}, {0.0, 0}, {-1, -1}, {INFINITY, -1, -1, -1, -1}};
@@ -273,6 +266,6 @@ int vti_stable_step(const vti_effect *effects, int64_t n, const vti_bodies *b, c
     if (isfinite(t.most.x))
         stable->h = t.most.x > 0.0 ? ldexp(2.0 / sqrt(t.most.x), -128 * t.most.e) : INFINITY;
     else
-        stable->h = 0.0; /* what is infinite, or no number, is infinitely fast */
+        stable->h = 0.0; /* what is infinite, or NaN, is infinitely fast */
     return VTI_OK;
 }

@@ -6,8 +6,8 @@
  *     VTI-2 (the second)              kick(h/2) drift(h) kick(h/2), Cayley
  *     VTI-3 (Campello's, phi = 1)     kick(h) drift(h), Cayley
  *
- * All three are exactly variational (E14, E15); VTI-3 = kick(-h/2) VTI-2 kick(h/2). The others are longer lists of the same two,
- * with the exact drift; with another one they fall to order 2. */
+ * All three are exactly variational (E14, E15); VTI-3 = kick(-h/2) VTI-2 kick(h/2). The others are longer lists of the
+ * same two, with the exact drift; with another one they fall to order 2. */
 #include <string.h>
 
 #include "vti_coefficients.h"
@@ -49,7 +49,7 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_f
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    return isfinite(h) && h > 0.0 ? VTI_OK : vti_blame(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
+    return isfinite(h) && h > 0.0 ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
 }
 
 /** kick(before h), kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
@@ -68,7 +68,7 @@ VTI_INLINE int play(const vti_stepper *method, double before, int64_t k, double 
 
 int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     int status = check(method, h, b, fault);
     if (status == VTI_OK && (k < 0 || k >= method->stages))
         status = VTI_E_STAGE;
@@ -103,7 +103,7 @@ int vti_step_finish(const vti_stepper *method, double h, const vti_bodies *b)
 
 int vti_step_next(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     const int status = check(method, h, b, fault);
     if (status != VTI_OK)
         return status;
@@ -124,14 +124,16 @@ int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *b)
     return status == VTI_OK ? kick_share(method->lag, h, b) : status;
 }
 
-/* ---- force gradients ---------------------------------------------------------------------------------------------- */
+/* ---- force gradients --------------------------------------------------------------------------------------------- */
 
 /** Whether a is where any quantity of the bodies begins. */
 static int is_of(const vti_bodies *b, const double *a)
 {
-    const double *const all[] = {b->x.c[0],         b->v.c[0],     b->force.c[0],    b->alpha.c[0],
-                                 b->quat.xyzw[0],   b->omega.c[0], b->moment.c[0],   b->x_low.c[0],
-                                 b->alpha_low.c[0], b->v_low.c[0], b->omega_low.c[0]};
+#define START_vti_view(member) b->member.c[0],
+#define START_vti_quat_view(member) b->member.xyzw[0],
+#define START_vti_scalars(member) b->member.p,
+#define START(constant, number, member, type, role) START_##type(member)
+    const double *const all[] = {VTI_QUANTITIES(START)};
     int found = 0;
     for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k)
         found |= a != NULL && all[k] == a;
@@ -164,8 +166,8 @@ static void copy_configuration(const vti_bodies *b, const vti_bodies *to)
     }
 }
 
-/** A drift by F/m and RM/J instead of v and Omega, body by body where masses differ; by the exact law, which has no bound.
- *  What has no v does not translate here either, and what has no Omega does not turn. */
+/** A drift by F/m and RM/J instead of v and Omega, body by body where masses differ; by the exact law, which has no
+ *  bound. What has no v does not translate here either, and what has no Omega does not turn. */
 static void displace(int frame, double t, const vti_bodies *b, const vti_bodies *to)
 {
     const int translates = vti_has(&b->v) && vti_has(&b->force), turns = vti_has(&b->omega) && vti_has(&b->moment);

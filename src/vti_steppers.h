@@ -3,7 +3,8 @@
 #ifndef VTI_STEPPERS_H
 #define VTI_STEPPERS_H
 
-/* ROW(name, law, frame, order, reversible, symplectic, stages, evals, lag, reach, kick, drift, probe, about) for each */
+/* ROW(name, law, frame, order, reversible, symplectic, stages, evals, lag, reach, kick, drift, probe, about) for each
+ * */
 /* clang-format off */
 #define VTI_STEPPERS(ROW)                                                                                              \
     ROW("vti1", VTI_LAW_CLOSED, VTI_FRAME_SPACE, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,                   \

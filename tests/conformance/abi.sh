@@ -13,7 +13,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$project"
 
 # Constants have no type in the functions' signatures, so abidw does not see them.
-grep -ohE 'VTI_[A-Z0-9_]+ = -?[0-9]+|define VTI_(ABI|TERMS) [0-9]+' include/*.h | sed 's/define //; s/ = / /' |
+grep -ohE 'VTI_[A-Z0-9_]+ = -?[0-9]+|ROW\(VTI_[A-Z0-9_]+, -?[0-9]+|define VTI_(ABI|TERMS) [0-9]+' include/*.h |
+    sed 's/define //; s/ = / /; s/ROW(//; s/,//' |
     LC_ALL=C sort >"$work/constants.txt"
 [ "$(wc -l <"$work/constants.txt")" -gt 20 ]
 

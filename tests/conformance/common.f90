@@ -18,13 +18,6 @@ module common
             integer(c_int64_t) :: count
         end function
 
-        function shim_constants(room, values) result(count) bind(c)
-            import :: c_int64_t
-            integer(c_int64_t), value :: room
-            integer(c_int64_t), intent(out) :: values(room)
-            integer(c_int64_t) :: count
-        end function
-
         subroutine shim_forces(bodies) bind(c)
             import :: vti_bodies
             type(vti_bodies), intent(in) :: bodies

@@ -33,20 +33,8 @@ static const int64_t layout[] = {
     AT(vti_bodies, sealed),
     AT(vti_bodies, first),
     AT(vti_bodies, count),
-    AT(vti_bodies, x),
-    AT(vti_bodies, v),
-    AT(vti_bodies, force),
-    AT(vti_bodies, alpha),
-    AT(vti_bodies, quat),
-    AT(vti_bodies, omega),
-    AT(vti_bodies, moment),
-    AT(vti_bodies, mass),
-    AT(vti_bodies, inertia),
-    AT(vti_bodies, x_low),
-    AT(vti_bodies, v_low),
-    AT(vti_bodies, alpha_low),
-    AT(vti_bodies, omega_low),
-    SIZE(vti_stepper),
+#define AT_MEMBER(constant, number, member, type, role) AT(vti_bodies, member),
+    VTI_QUANTITIES(AT_MEMBER) SIZE(vti_stepper),
     AT(vti_stepper, name),
     AT(vti_stepper, law),
     AT(vti_stepper, frame),
@@ -67,11 +55,24 @@ static const int64_t layout[] = {
     AT(vti_effect, energy),
     AT(vti_effect, check),
     AT(vti_effect, springs),
+    AT(vti_effect, flow),
+    AT(vti_effect, carry),
+    AT(vti_effect, rupture),
     AT(vti_effect, self),
-    AT(vti_effect, terms),
-    AT(vti_effect, term),
+    AT(vti_effect, needs),
+    AT(vti_effect, gives),
+    AT(vti_effect, smooth),
     AT(vti_effect, breaks),
     AT(vti_effect, dissipates),
+    AT(vti_effect, terms),
+    AT(vti_effect, term),
+    AT(vti_effect, books),
+    AT(vti_effect, book),
+    AT(vti_effect, booked),
+    SIZE(vti_drifted),
+    AT(vti_drifted, t),
+    AT(vti_drifted, law),
+    AT(vti_drifted, frame),
     SIZE(vti_pendulum),
     AT(vti_pendulum, weight),
     AT(vti_pendulum, rho0),
@@ -128,71 +129,15 @@ static const int64_t layout[] = {
     AT(vti_integral, values),
 };
 
-static const int64_t constants[] = {VTI_ABI,
-                                    VTI_TERMS,
-                                    VTI_SHEAR_OBJECTIVE,
-                                    VTI_SHEAR_QUARTIC,
-                                    VTI_SHEAR_PRINTED,
-                                    VTI_OK,
-                                    VTI_E_NULL,
-                                    VTI_E_ABI,
-                                    VTI_E_COUNT,
-                                    VTI_E_VIEW,
-                                    VTI_E_STRIDE,
-                                    VTI_E_ALIAS,
-                                    VTI_E_TIME,
-                                    VTI_E_MASS,
-                                    VTI_E_INERTIA,
-                                    VTI_E_TOO_LARGE,
-                                    VTI_E_STAGE,
-                                    VTI_E_STEPPER,
-                                    VTI_E_FRAME,
-                                    VTI_E_BOND,
-                                    VTI_E_DISSIPATES,
-                                    VTI_E_CONTACT,
-                                    VTI_E_STATE,
-                                    VTI_E_SPRINGS,
-                                    VTI_LAW_CLOSED,
-                                    VTI_LAW_CAYLEY,
-                                    VTI_LAW_EXACT,
-                                    VTI_LAW_EXACT9,
-                                    VTI_FRAME_SPACE,
-                                    VTI_FRAME_BODY,
-                                    VTI_QUANTITY_NONE,
-                                    VTI_QUANTITY_X,
-                                    VTI_QUANTITY_V,
-                                    VTI_QUANTITY_FORCE,
-                                    VTI_QUANTITY_ALPHA,
-                                    VTI_QUANTITY_QUAT,
-                                    VTI_QUANTITY_OMEGA,
-                                    VTI_QUANTITY_MOMENT,
-                                    VTI_QUANTITY_MASS,
-                                    VTI_QUANTITY_INERTIA,
-                                    VTI_QUANTITY_X_LOW,
-                                    VTI_QUANTITY_V_LOW,
-                                    VTI_QUANTITY_ALPHA_LOW,
-                                    VTI_QUANTITY_OMEGA_LOW};
-
 int64_t shim_layout(int64_t room, int64_t *values);
-int64_t shim_constants(int64_t room, int64_t *values);
-
-static int64_t give(const int64_t *from, size_t bytes, int64_t room, int64_t *values)
-{
-    const int64_t n = (int64_t)(bytes / sizeof *from);
-    for (int64_t i = 0; i < n && i < room; ++i)
-        values[i] = from[i];
-    return n;
-}
 
 /** Writes at most room numbers and returns how many there are. */
 int64_t shim_layout(int64_t room, int64_t *values)
 {
-    return give(layout, sizeof layout, room, values);
-}
-
-int64_t shim_constants(int64_t room, int64_t *values)
-{
-    return give(constants, sizeof constants, room, values);
+    const int64_t n = (int64_t)(sizeof layout / sizeof layout[0]);
+    for (int64_t i = 0; i < n && i < room; ++i)
+        values[i] = layout[i];
+    return n;
 }
 
 /* ---- runs ------------------------------------------------------------------------------------------------------- */

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The kernels of bonds for AVX2 give the bits of those for any processor: every combination of terms and forms,
- * few bonds and many, alpha and quaternions. Their tables are private to the library, and declared here as in src/vti_bond.h. */
+ * few bonds and many, alpha and quaternions. Their tables are private to the library, and declared here as in src/vti_binder_table.h. */
 #include "crowd.h"
 
 struct bond_kernel {
     void (*apply)(const void *self, const vti_bodies *b);
     void (*energy)(const void *self, const vti_bodies *b, double *energies);
 };
-extern const struct bond_kernel vti_bond_baseline[4][4], vti_bond_avx2[4][4];
+extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4];
 
 static crowd c, wide;
 static web w;
@@ -35,10 +35,10 @@ static void avx2(void **state)
         const vti_bodies b = crowd_bodies(&c), other = crowd_bodies(&wide);
         const int row = terms & SHEAR ? form : 0, column = terms & (MOMENT | AXIAL);
         double energies[3] = {0, 0, 0}, others[3] = {0, 0, 0};
-        vti_bond_baseline[row][column].apply(&w.bonds, &b);
-        vti_bond_baseline[row][column].energy(&w.bonds, &b, energies);
-        vti_bond_avx2[row][column].apply(&w.bonds, &other);
-        vti_bond_avx2[row][column].energy(&w.bonds, &other, others);
+        vti_binder_baseline[row][column].apply(&w.bonds, &b);
+        vti_binder_baseline[row][column].energy(&w.bonds, &b, energies);
+        vti_binder_avx2[row][column].apply(&w.bonds, &other);
+        vti_binder_avx2[row][column].energy(&w.bonds, &other, others);
         assert_same_bits(wide.force[0], c.force[0], 3 * n);
         assert_same_bits(wide.moment[0], c.moment[0], 3 * n);
         assert_same_bits(others, energies, 3);

@@ -3,7 +3,8 @@
  * Every status that the interface names is what some call returns, and says what to do in a sentence of its own. */
 #include "hard.h"
 
-enum { LOWEST = VTI_E_SPRINGS };
+#define COUNT(constant, value, text) +1
+enum { LOWEST = -(0 VTI_STATUSES(COUNT)) };
 
 static crowd c;
 static vti_fault fault;
@@ -70,7 +71,12 @@ static int reached(int status)
         effect = vti_contacts_effect(&contacts);
         effect.springs = NULL;
         return vti_stable_step(&effect, 1, &b, NULL, rest, &stable);
+    case VTI_E_NEEDS:
+        effect = vti_contacts_effect(&contacts);
+        b.x = vti_view_none();
+        return vti_effects_check(&effect, 1, &b, &fault);
     case VTI_E_DISSIPATES:
+        effect = vti_contacts_effect(&contacts);
         effect.dissipates = 1;
         return vti_step_check(vti_stepper_find("srkn11"), &effect, 1);
     default:
@@ -79,12 +85,13 @@ static int reached(int status)
     return vti_step_begin(vti1, 0.1, &b, &fault);
 }
 
-/** The quantity that the spoiled step blames. */
-static int64_t blamed(int status)
+/** The quantity that the spoiled step names. */
+static int64_t named(int status)
 {
     switch (status) {
     case VTI_E_VIEW:
     case VTI_E_STRIDE:
+    case VTI_E_NEEDS:
         return VTI_QUANTITY_X;
     case VTI_E_ALIAS:
         return VTI_QUANTITY_V;
@@ -109,7 +116,7 @@ static void every_status(void **state)
                              ? VTI_QUANTITY_NONE
                              : -7; /* those calls have no fault to fill */
         assert_int_equal(reached(status), status);
-        assert_int_equal(fault.quantity, blamed(status));
+        assert_int_equal(fault.quantity, named(status));
         if (status == VTI_E_TOO_LARGE)
             assert_int_equal(fault.body, 1);
         for (int other = LOWEST; other < status; ++other)

@@ -8,8 +8,8 @@ static void no_step_back(void **state)
 {
     (void)state;
     const char *const forwards[] = {"vti1", "vti2", "vti3", "vti3-leapfrog", "vti1-body", "exact", "chin4"};
-    vti_effect effects[2];
-    memset(effects, 0, sizeof effects);
+    const vti_gravity gravity = {{0, 0, 1}};
+    vti_effect effects[2] = {vti_gravity_effect(&gravity), vti_gravity_effect(&gravity)};
     int64_t passed = 0;
     for (int64_t k = 0; k < vti_stepper_count(); ++k)
         for (int where = 0; where < 3; ++where) {
@@ -39,9 +39,9 @@ static void no_step_back(void **state)
     }
     /* the library's own effects take nothing out */
     const vti_pendulum pendulum = {1, {0, 0, 1}};
-    const vti_gravity gravity = {{0, 0, 1}};
     const vti_bonds bonds = {0};
-    const vti_contacts contacts = {0};
+    const double one = 1;
+    const vti_contacts contacts = {.diameter = vti_scalars_one(&one)};
     const vti_walls walls = {0};
     const vti_effect all[] = {vti_pendulum_effect(&pendulum), vti_gravity_effect(&gravity), vti_bonds_effect(&bonds),
                               vti_contacts_effect(&contacts), vti_walls_effect(&walls)};

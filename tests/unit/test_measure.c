@@ -233,14 +233,23 @@ static void many_energies(const void *self, const vti_bodies *b, double *energie
         energies[k] = k;
 }
 
-/** An effect may have VTI_TERMS terms; with more there is no telling the energy. */
+static void no_loads(const void *self, const vti_bodies *b)
+{
+    (void)self;
+    (void)b;
+}
+
+/** An effect may have VTI_TERMS terms; with more there is no telling the energy, nor of a force without one. */
 static void effects_of_many_terms(void **state)
 {
     (void)state;
-    vti_effect effect = {.name = "many", .energy = many_energies, .terms = TERMS};
+    vti_effect effect = {.name = "many", .apply = no_loads, .energy = many_energies, .terms = TERMS};
     const vti_bodies b = bodies();
     assert_close(vti_energy(&effect, 1, &b), 37.25 + TERMS * (TERMS - 1) / 2, 0);
     effect.terms = TERMS + 1;
+    assert_true(isnan(vti_energy(&effect, 1, &b)));
+    effect.terms = 0;
+    effect.energy = NULL;
     assert_true(isnan(vti_energy(&effect, 1, &b)));
 }
 

@@ -130,7 +130,7 @@ static void absent_views(void **state)
     (void)state;
     vti_bodies none = b;
     none.alpha = vti_view_none();
-    assert_int_equal(vti_apply(&effect, 1, &none), VTI_E_NULL);
+    assert_int_equal(vti_apply(&effect, 1, &none), VTI_E_NEEDS);
     assert_true(isnan(vti_energy(&effect, 1, &none)));
     none = b;
     none.moment = vti_view_none();

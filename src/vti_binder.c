@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The binder: which kernels are its, and making and checking its list. */
-#include "vti_bond.h"
+#include "vti_binder_table.h"
 
-/* ---- the effect -------------------------------------------------------------------------------------------------------- */
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
 
 /** The kernels for this machine's vector units. (Wider ones than AVX2 were no faster: most lists leave lanes empty.) */
 static const struct bond_kernel (*kernels(void))[4]
 {
 #ifdef VTI_HAS_AVX2
     if (vti_serves_avx2())
-        return vti_bond_avx2;
+        return vti_binder_avx2;
 #endif
-    return vti_bond_baseline;
+    return vti_binder_baseline;
 }
 
 static int has_list(const vti_bonds *bonds)
@@ -24,15 +24,13 @@ static int form_is_known(const vti_bonds *bonds)
     return bonds->shear_form >= VTI_SHEAR_OBJECTIVE && bonds->shear_form <= VTI_SHEAR_PRINTED;
 }
 
-/** What the terms read, and the list, if it is another one than when the effect was made. */
+/** The list may be another one than when the effect was made. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_bonds *p = self;
-    const int reads_x = p->axial.p != NULL || p->shear.p != NULL, turns = p->moment.p != NULL || p->shear.p != NULL;
     if (p->count <= 0)
         return VTI_OK;
-    const int lacks = !has_list(p) || (reads_x && !vti_has(&b->x)) || (turns && !vti_has_attitude(b));
-    if (lacks)
+    if (!has_list(p))
         return VTI_E_NULL;
     if (VTI_LOOKS)
         return vti_bonds_check(p, vti_bodies_named(b), NULL);
@@ -57,12 +55,12 @@ static double stiffness_or_none(const vti_scalars *s, int64_t k)
     return s->p != NULL ? stiffness(s, k) : 0.0;
 }
 
-/** Bond k where it is shorter than L0 by the ratio, under a pull of K^a/L0 pull/(1 - pull). Not bent, it has K^a/L0^2 along n at any
- *  r; across it K^s/r^2, of which |n - mh| turns with the bodies, and U'(r)/r = K^a/L0^2 pull; K^m against turning apart. A
- *  push would take off across, and is left out.
+/** Bond k where it is shorter than L0 by the ratio, under a pull of K^a/L0 pull/(1 - pull). Not bent, it has K^a/L0^2
+ *  along n at any r; across it K^s/r^2, of which |n - mh| turns with the bodies, and U'(r)/r = K^a/L0^2 pull; K^m
+ *  against turning apart. A push would take off across, and is left out.
  *
- *  Shear with an exponent of 4 has no stiffness at rest. Bent by 60 degrees it has K^s, at most it has 9/8 K^s: it counts as K^s.
- *  As printed it is n against R_j^T R_i n0 that bends, with arms of 1 and -1. */
+ *  Shear with an exponent of 4 has no stiffness at rest. Bent by 60 degrees it has K^s, at most it has 9/8 K^s: it
+ *  counts as K^s. As printed it is n against R_j^T R_i n0 that bends, with arms of 1 and -1. */
 static vti_spring spring(const vti_bonds *p, int64_t k, double ratio, double pull)
 {
     const double axial = stiffness_or_none(&p->axial, k), shear = stiffness_or_none(&p->shear, k);
@@ -109,6 +107,7 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                                 {shear}, {moment, shear}, {axial, shear}, {moment, axial, shear}};
     const int has_moment = bonds->moment.p != NULL, has_axial = bonds->axial.p != NULL,
               has_shear = bonds->shear.p != NULL;
+    const int pulls = has_axial || has_shear, turns = has_moment || has_shear;
     /* any kernel will do for a form that is none: check refuses it */
     const int form = has_shear ? (form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE) : 0;
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
@@ -120,13 +119,16 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                .check = check,
                                .springs = springs,
                                .self = bonds,
+                               .needs = pulls << VTI_QUANTITY_X | turns << VTI_QUANTITY_ALPHA,
+                               .gives = pulls << VTI_QUANTITY_FORCE | turns << VTI_QUANTITY_MOMENT,
+                               .smooth = 1,
                                .terms = has_moment + has_axial + has_shear,
                                .term = names[has_moment + 2 * has_axial + 4 * has_shear],
                                .breaks = breaks};
     return effect;
 }
 
-/* ---- making and checking a list ----------------------------------------------------------------------------------------- */
+/* ---- making and checking a list ---------------------------------------------------------------------------------- */
 
 /** d = x_i - x_j of one pair; returns |d|. */
 static double separation(const int64_t pair[2], int64_t base, const vti_view *x, double d[3])
@@ -145,18 +147,18 @@ static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vt
     for (int64_t k = 0; k < count; ++k) {
         for (int side = 0; side < 2; ++side)
             if (pair[2 * k + side] < base)
-                return vti_blame(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
+                return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
         double d[3];
         const double length = separation(pair + 2 * k, base, x, d);
         if (!(length > 0.0) || !isfinite(length))
-            return vti_blame(VTI_E_BOND, k, length, VTI_QUANTITY_NONE, fault);
+            return vti_refuse(VTI_E_BOND, k, length, VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;
 }
 
 int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     if (count < 0)
         return VTI_E_COUNT;
     if (count == 0)
@@ -164,7 +166,7 @@ int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_v
     if (pair == NULL || x == NULL || rest == NULL)
         return VTI_E_NULL;
     if (x->c[0] == NULL || x->c[1] == NULL || x->c[2] == NULL)
-        return vti_blame(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X, fault);
+        return vti_refuse(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X, fault);
     const int status = rest_check(count, pair, base, x, fault);
     for (int64_t k = 0; status == VTI_OK && k < count; ++k) {
         double d[3];
@@ -189,27 +191,27 @@ static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
-    vti_blame_none(VTI_OK, fault);
+    vti_refuse_none(VTI_OK, fault);
     if (bonds == NULL || !has_list(bonds))
         return VTI_E_NULL;
     if (bonds->count < 0 || n < 0)
         return VTI_E_COUNT;
     if (bonds->count > 0 && bonds->shear.p != NULL && !form_is_known(bonds))
-        return vti_blame(VTI_E_BOND, -1, (double)bonds->shear_form, VTI_QUANTITY_NONE, fault);
+        return vti_refuse(VTI_E_BOND, -1, (double)bonds->shear_form, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
         const double *rest = bonds->rest + 4 * k;
         if (i < 0 || i >= n)
-            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k], VTI_QUANTITY_NONE, fault);
+            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k], VTI_QUANTITY_NONE, fault);
         if (j < 0 || j >= n || i == j)
-            return vti_blame(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
+            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
         if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
-            return vti_blame(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
+            return vti_refuse(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return vti_blame(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : stiffness(all[c], k),
-                                 VTI_QUANTITY_NONE, fault);
+                return vti_refuse(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : stiffness(all[c], k),
+                                  VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;
 }

@@ -1,16 +1,16 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_f77_door -- what stands behind the procedures of vti_f77.f90: arrays that may have any layout with constant
+!> vti_f77_arrays -- what stands behind the procedures of vti_f77.f90: arrays that may have any layout with constant
 !> distances, default integers, no types. The dummies have TARGET here, so that views of them are valid until the call
 !> returns.
-module vti_f77_door
+module vti_f77_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc
     use vti
     implicit none
     private
     public :: view_of, give_fault
-    public :: door_stage, door_finish, door_shift, door_kick, door_drift, door_turn, door_turn_quat, door_check, &
-        door_kinetic, door_momenta
+    public :: arrays_stage, arrays_finish, arrays_shift, arrays_kick, arrays_drift, arrays_turn, arrays_turn_quat, &
+        arrays_check, arrays_kinetic, arrays_momenta
 
 contains
 
@@ -23,8 +23,8 @@ contains
         if (method%stages == 0 .and. status == VTI_OK) status = VTI_E_STEPPER
     end function
 
-    !> n vectors from a on: lb doubles from a body to the next, lc from a component to the next. Those by which components
-    !> meet are refused where the view is used.
+    !> n vectors from a on: lb doubles from a body to the next, lc from a component to the next. Those by which
+    !> components meet are refused where the view is used.
     function view_of(n, lb, lc, a) result(view)
         integer, intent(in) :: n, lb, lc
         real(c_double), intent(in), target :: a(*)
@@ -74,7 +74,7 @@ contains
 
     ! ---- steps ------------------------------------------------------------------------------------------------------
 
-    subroutine door_stage(m, k, h, n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, status)
+    subroutine arrays_stage(m, k, h, n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, status)
         integer, intent(in) :: m, k, n, lb, lc, nm, ni
         real(c_double), intent(in) :: h
         real(c_double), intent(inout), target :: x(*), v(*), a(*), w(*)
@@ -88,7 +88,7 @@ contains
         if (status == VTI_OK) status = vti_step_stage(method, int(k, c_int64_t), h, bodies, fault)
     end subroutine
 
-    subroutine door_finish(m, h, n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, status)
+    subroutine arrays_finish(m, h, n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, status)
         integer, intent(in) :: m, n, lb, lc, nm, ni
         real(c_double), intent(in) :: h
         real(c_double), intent(inout), target :: x(*), v(*), a(*), w(*)
@@ -102,7 +102,7 @@ contains
     end subroutine
 
     !> Velocities to where the method keeps them (side = -1), or back to the time of the positions (side = 1).
-    subroutine door_shift(m, side, h, n, lb, lc, v, f, w, t, nm, rm, ni, ri, status)
+    subroutine arrays_shift(m, side, h, n, lb, lc, v, f, w, t, nm, rm, ni, ri, status)
         integer, intent(in) :: m, side, n, lb, lc, nm, ni
         real(c_double), intent(in) :: h
         real(c_double), intent(inout), target :: v(*), w(*)
@@ -121,7 +121,7 @@ contains
     ! ---- the primitives ---------------------------------------------------------------------------------------------
 
     !> One formula, so that v, F, m and Omega, RM, J go by the same call.
-    subroutine door_kick(t, n, lb, lc, v, f, nm, rm, status)
+    subroutine arrays_kick(t, n, lb, lc, v, f, nm, rm, status)
         integer, intent(in) :: n, lb, lc, nm
         real(c_double), intent(in) :: t
         real(c_double), intent(inout), target :: v(*)
@@ -136,7 +136,7 @@ contains
         if (status == VTI_OK) status = vti_kick(t, bodies)
     end subroutine
 
-    subroutine door_drift(t, n, lb, lc, x, v, status)
+    subroutine arrays_drift(t, n, lb, lc, x, v, status)
         integer, intent(in) :: n, lb, lc
         real(c_double), intent(in) :: t
         real(c_double), intent(inout), target :: x(*)
@@ -149,7 +149,7 @@ contains
         status = vti_drift(VTI_LAW_CAYLEY, VTI_FRAME_SPACE, t, bodies)
     end subroutine
 
-    subroutine door_turn(m, t, n, lb, lc, a, w, fault, status)
+    subroutine arrays_turn(m, t, n, lb, lc, a, w, fault, status)
         integer, intent(in) :: m, n, lb, lc
         real(c_double), intent(in) :: t
         real(c_double), intent(inout), target :: a(*)
@@ -167,7 +167,7 @@ contains
             status = vti_drift(int(method%law, c_int), int(method%frame, c_int), t, bodies, fault)
     end subroutine
 
-    subroutine door_turn_quat(m, t, n, lq, lcq, q, lb, lc, w, fault, status)
+    subroutine arrays_turn_quat(m, t, n, lq, lcq, q, lb, lc, w, fault, status)
         integer, intent(in) :: m, n, lq, lcq, lb, lc
         real(c_double), intent(in) :: t
         real(c_double), intent(inout), target :: q(*)
@@ -189,7 +189,7 @@ contains
 
     ! ---- checks and measures ----------------------------------------------------------------------------------------
 
-    subroutine door_check(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, status)
+    subroutine arrays_check(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, fault, status)
         integer, intent(in) :: n, lb, lc, nm, ni
         real(c_double), intent(in), target :: x(*), v(*), f(*), a(*), w(*), t(*), rm(*), ri(*)
         type(vti_fault), intent(out) :: fault
@@ -199,7 +199,7 @@ contains
         if (status == VTI_OK) status = vti_bodies_check_values(bodies, fault)
     end subroutine
 
-    subroutine door_kinetic(n, lb, lc, v, nm, rm, energy, status)
+    subroutine arrays_kinetic(n, lb, lc, v, nm, rm, energy, status)
         integer, intent(in) :: n, lb, lc, nm
         real(c_double), intent(in), target :: v(*), rm(*)
         real(c_double), intent(out) :: energy
@@ -215,7 +215,7 @@ contains
     end subroutine
 
     !> Linear momentum, and angular momentum about a point.
-    subroutine door_momenta(n, lb, lc, x, v, w, nm, rm, ni, ri, about, p, l, status)
+    subroutine arrays_momenta(n, lb, lc, x, v, w, nm, rm, ni, ri, about, p, l, status)
         integer, intent(in) :: n, lb, lc, nm, ni
         real(c_double), intent(in), target :: x(*), v(*), w(*), rm(*), ri(*)
         real(c_double), intent(in) :: about(3)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The kernels of bonds, for the vector units that there may be. */
-#ifndef VTI_BOND_H
-#define VTI_BOND_H
+#ifndef VTI_BINDER_TABLE_H
+#define VTI_BINDER_TABLE_H
 
 #include "vti_pair.h"
 
@@ -16,6 +16,6 @@ struct bond_kernel {
 };
 
 /** [form of shear, 0 for none][moment + 2 axial]; the same bits from each. */
-extern const struct bond_kernel vti_bond_baseline[4][4], vti_bond_avx2[4][4];
+extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4];
 
 #endif

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Bonds: every combination of terms and every form of shear is a kernel of its own, made from the formulas of vti_pair.h with
- * literal masks and picked once. Bonds are done in blocks: gather what they need of the bodies, evaluate all lanes without
- * branches, add the loads to the bodies in the order of the bonds, so that the bits do not depend on the vector width.
+ * Bonds: every combination of terms and every form of shear is a kernel of its own, made from the formulas of
+ * vti_pair.h with literal masks and picked once. Bonds are done in blocks: gather what they need of the bodies,
+ * evaluate all lanes without branches, add the loads to the bodies in the order of the bonds, so that the bits do not
+ * depend on the vector width.
  *
- * The files vti_bond_*.c include this and nothing else: each is compiled for vector units of its own, and defines
+ * The files vti_binder_*.c include this and nothing else: each is compiled for vector units of its own, and defines
  * BOND_KERNELS, the name of its table. */
-#include "vti_bond.h"
+#include "vti_binder_table.h"
 
 /** A block, one array per number. */
 struct block {
@@ -15,7 +16,7 @@ struct block {
     double force[3][VTI_LANES], moment_i[3][VTI_LANES], moment_j[3][VTI_LANES], energy[TERMS][VTI_LANES];
 };
 
-/* ---- gather ------------------------------------------------------------------------------------------------------------ */
+/* ---- gather ------------------------------------------------------------------------------------------------------ */
 
 VTI_INLINE void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
                        struct block *s)
@@ -49,7 +50,7 @@ VTI_INLINE void gather(int terms, const vti_bonds *bonds, const vti_bodies *b, i
     }
 }
 
-/* ---- evaluate ---------------------------------------------------------------------------------------------------------- */
+/* ---- evaluate ---------------------------------------------------------------------------------------------------- */
 
 VTI_INLINE void load_lane(int terms, const struct block *s, int l, struct bond_state *b)
 {
@@ -94,7 +95,7 @@ VTI_INLINE void evaluate_energies(int terms, int form, struct block *s, int lane
     }
 }
 
-/* ---- scatter ----------------------------------------------------------------------------------------------------------- */
+/* ---- scatter ----------------------------------------------------------------------------------------------------- */
 
 VTI_INLINE void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int lanes,
                         const struct block *s)
@@ -115,7 +116,7 @@ VTI_INLINE void scatter(int terms, const vti_bonds *bonds, const vti_bodies *b, 
     }
 }
 
-/* ---- kernels ----------------------------------------------------------------------------------------------------------- */
+/* ---- kernels ----------------------------------------------------------------------------------------------------- */
 
 VTI_INLINE void apply_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *b)
 {

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * The effect of bonds between bodies. */
+#ifndef VTI_BINDER_H
+#define VTI_BINDER_H
+
+#include "vti_effect.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Forms of the shear energy; c is the cosine between the bond and where the bodies' attitudes would have it. */
+enum vti_shear {
+    VTI_SHEAR_OBJECTIVE = 1, /**< K (1 - c), c = n.(b_i + b_j)/|b_i + b_j|: the default */
+    VTI_SHEAR_QUARTIC = 2,   /**< K/2 (1 - c)^2 with the same c: objective, with the printed exponent */
+    VTI_SHEAR_PRINTED = 3    /**< K/2 (1 - c)^2 with c = (R_i n0).(R_j n): as printed, not objective (E11) */
+};
+
+/** Bonds between bodies, in the caller's memory. With d = x_i - x_j, r = |d|, n = d/r and b = R n0:
+ *      moment  K/2 |theta_ij|^2, exp S(theta_ij) = R_i R_j^T
+ *      axial   K/2 (r/L0 - 1)^2
+ *      shear   as vti_shear says
+ *  A stiffness that is absent (p = NULL) is a term that is absent, and costs nothing. Attitudes are those that have
+ *  turned the bodies since the rest configuration, in which R = I. Coincident centres have no direction: no force. */
+typedef struct vti_bonds {
+    int64_t count;       /**< bonds in the list */
+    const int64_t *pair; /**< [count][2]: i, j */
+    int64_t base;        /**< index of the first body in pair: 0, or 1 in Fortran */
+    const double *rest;  /**< [count][4]: n0, L0 with x_i0 - x_j0 = L0 n0; see vti_bonds_rest */
+    vti_scalars moment;  /**< K^m, energy */
+    vti_scalars axial;   /**< K^a, energy; the axial stiffness is K^a/L0^2 */
+    vti_scalars shear;   /**< K^s, energy */
+    int64_t shear_form;  /**< vti_shear; ignored without shear */
+} vti_bonds;
+
+/** rest[count][4] of the pairs from the positions x of the rest configuration. VTI_E_BOND, with fault->body the number
+ *  of the bond (from 0), if its bodies coincide or one comes before the first; how many there are is not known here. */
+VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest,
+                           vti_fault *fault);
+/** Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite and
+ *  >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong. */
+VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault);
+/** The effect of *bonds, which must outlive it. It acts on all of its bonds, whatever the slice of bodies. Energy
+ *  terms, of those that are present: "binder_moment", "binder_axial", "binder_shear". */
+VTI_API vti_effect vti_bonds_effect(const vti_bonds *bonds);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Status codes: one table, from which the constants and their texts come. */
+#ifndef VTI_STATUS_H
+#define VTI_STATUS_H
+
+#include <stdint.h>
+
+/** Layout of the structs of the interface; vti_bodies.abi must hold it, so that a stale header is refused. */
+#define VTI_ABI 1
+
+/** Marks what the shared library exports. */
+#if defined(__GNUC__)
+#define VTI_API __attribute__((visibility("default")))
+#else
+#define VTI_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** All that a call may return but VTI_OK: ROW(constant, value, text), where a text says what is wrong and, after a
+ *  semicolon, the remedy. VTI_STEPPER_NAMES is put in where the texts are compiled. fortran/vti_types.f90 has the same
+ *  constants. */
+/* clang-format off */
+#define VTI_STATUSES(ROW)                                                                                              \
+    ROW(VTI_E_NULL, -1, "a required argument is NULL; pass bodies, lists and effects that exist")                      \
+    ROW(VTI_E_ABI, -2,                                                                                                 \
+        "the bodies were made with another version of vti.h than this library; recompile against its header")          \
+    ROW(VTI_E_COUNT, -3,                                                                                               \
+        "a number of bodies, effects or values is negative, neither 1 nor n, or more than a view shows; correct it")   \
+    ROW(VTI_E_VIEW, -4,                                                                                                \
+        "a view is given in part, or the attitude both as alpha and as a quaternion; give all components or none")     \
+    ROW(VTI_E_STRIDE, -5,                                                                                              \
+        "a view of more than one body has stride 0, or one by which its components meet; give the distance of "        \
+        "consecutive bodies in doubles")                                                                               \
+    ROW(VTI_E_ALIAS, -6, "two views, or two components of one, share memory; give each quantity its own")              \
+    ROW(VTI_E_TIME, -7, "the time step is not finite, or not positive where it must be; pass a finite h > 0")          \
+    ROW(VTI_E_MASS, -8,                                                                                                \
+        "mass is missing, not finite or not positive; give one value or one for each body, > 0")                       \
+    ROW(VTI_E_INERTIA, -9,                                                                                             \
+        "inertia is missing, not finite or not positive; give one value or one for each body, > 0")                    \
+    ROW(VTI_E_TOO_LARGE, -10,                                                                                          \
+        "a body turns too far for the closed form: h|Omega| < 1 is needed; reduce h, or use vti2, which has no limit") \
+    ROW(VTI_E_STAGE, -11, "the stepper has no such stage; use 0 <= k < stages")                                        \
+    ROW(VTI_E_STEPPER, -12,                                                                                            \
+        "there is no such stepper or drift law, or it has more stages than the packed calls can play; known "          \
+        "steppers are " VTI_STEPPER_NAMES "as vti_stepper_at lists them")                                              \
+    ROW(VTI_E_FRAME, -13, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY")                             \
+    ROW(VTI_E_BOND, -14,                                                                                               \
+        "a bond is not between two different bodies that exist at different places, or a stiffness of it is "          \
+        "negative or not finite, or there is no such form of shear; mend that bond")                                   \
+    ROW(VTI_E_DISSIPATES, -15,                                                                                         \
+        "the stepper steps back in time, which turns dissipation into gain; use one without negative "                 \
+        "coefficients: vti2, exact or chin4")                                                                          \
+    ROW(VTI_E_CONTACT, -16,                                                                                            \
+        "a contact is not between two different bodies that exist, or a diameter is not positive and finite, or the "  \
+        "stiffness negative or not finite; mend that pair")                                                            \
+    ROW(VTI_E_STATE, -17,                                                                                              \
+        "a position, velocity, attitude or spin is not finite, or a quaternion is zero; set all of them before the "   \
+        "first step, an unturned quaternion to real part 1")                                                           \
+    ROW(VTI_E_SPRINGS, -18,                                                                                            \
+        "an effect does not report its springs, so that the stable step has no bound; give it springs, "               \
+        "vti_springs_none if its force does not change with position, or leave it out to bound the others")            \
+    ROW(VTI_E_NEEDS, -19,                                                                                              \
+        "an effect needs what the bodies do not have: x, v, an attitude, omega, mass or inertia, as its needs say; "   \
+        "give the bodies that view, or leave the effect out")
+/* clang-format on */
+
+/** What calls return; vti_status_text says what to do about it. */
+enum vti_status {
+    VTI_OK = 0 /**< done */
+/** @cond */
+#define VTI_STATUS_CONSTANT(constant, value, text) , constant = (value)
+    VTI_STATUSES(VTI_STATUS_CONSTANT)
+#undef VTI_STATUS_CONSTANT
+    /** @endcond */
+};
+
+/** One English sentence for a status, remedy included; never NULL. */
+VTI_API const char *vti_status_text(int status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

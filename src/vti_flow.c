@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Steps with effects that damp, remember or break (EQUATIONS 6.1, 6.8): kicks of time b h and drifts of time a h, with
+ *
+ *     flow(b h)    forward before the first kick, backward after the last; half of it on either side of others
+ *     carry(a h)   after each drift
+ *
+ * and each flow beside the drift over which it takes its means. */
+#include "vti_internal.h"
+
+static int any_flows(const vti_effect *effects, int64_t n)
+{
+    int any = 0;
+    for (int64_t k = 0; k < n; ++k)
+        any |= effects[k].flow != NULL;
+    return any;
+}
+
+static int any_carries(const vti_effect *effects, int64_t n)
+{
+    int any = 0;
+    for (int64_t k = 0; k < n; ++k)
+        any |= effects[k].carry != NULL;
+    return any;
+}
+
+int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
+{
+    if (method == NULL || method->kick == NULL || method->drift == NULL)
+        return VTI_E_STEPPER;
+    if (effects == NULL && n > 0)
+        return VTI_E_NULL;
+    if (n < 0)
+        return VTI_E_COUNT;
+    if (method->stages < 1)
+        return VTI_E_STAGE;
+    int backwards = 0, dissipates = any_flows(effects, n) || any_carries(effects, n);
+    for (int64_t k = 0; k <= method->stages; ++k)
+        backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;
+    for (int64_t e = 0; e < n; ++e) {
+        if (effects[e].apply == NULL && effects[e].flow == NULL)
+            return VTI_E_NULL;
+        dissipates |= effects[e].dissipates != 0 || effects[e].rupture != NULL;
+    }
+    return backwards && dissipates ? VTI_E_DISSIPATES : VTI_OK;
+}
+
+/* ---- the calls of the effects ------------------------------------------------------------------------------------ */
+
+/** Of effects and bodies that have been checked. */
+static void flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *b)
+{
+    for (int64_t k = 0; t > 0.0 && k < n; ++k) {
+        const vti_effect *e = &effects[drift < 0.0 ? n - 1 - k : k];
+        if (e->flow != NULL)
+            e->flow(e->self, b, t, drift);
+    }
+}
+
+static void carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted, const vti_bodies *b)
+{
+    for (int64_t k = 0; k < n; ++k)
+        if (effects[k].carry != NULL)
+            effects[k].carry(effects[k].self, b, drifted);
+}
+
+int vti_effects_flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *b)
+{
+    const int status = vti_effects_fault(effects, n, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    if (!(isfinite(t) && t >= 0.0 && isfinite(drift)))
+        return VTI_E_TIME;
+    flow(effects, n, t, drift, b);
+    return VTI_OK;
+}
+
+int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted, const vti_bodies *b)
+{
+    if (drifted == NULL)
+        return VTI_E_NULL;
+    int status = vti_effects_fault(effects, n, b, NULL);
+    if (status == VTI_OK)
+        status = vti_law_check((int)drifted->law, (int)drifted->frame);
+    if (status == VTI_OK && !isfinite(drifted->t))
+        status = VTI_E_TIME;
+    if (status == VTI_OK && drifted->frame != VTI_FRAME_SPACE && any_carries(effects, n))
+        status = VTI_E_FRAME;
+    if (status == VTI_OK)
+        carry(effects, n, drifted, b);
+    return status;
+}
+
+int vti_effects_rupture(const vti_effect *effects, int64_t n, const vti_bodies *b, int64_t *broken)
+{
+    if (broken == NULL)
+        return VTI_E_NULL;
+    const int status = vti_effects_fault(effects, n, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    *broken = 0;
+    for (int64_t k = 0; k < n; ++k)
+        if (effects[k].rupture != NULL)
+            *broken += effects[k].rupture(effects[k].self, b);
+    return VTI_OK;
+}
+
+double vti_booked(const vti_effect *effects, int64_t n)
+{
+    vti_sum sum = {0.0, 0.0};
+    if (n < 0 || (n > 0 && effects == NULL))
+        return NAN;
+    for (int64_t k = 0; k < n; ++k)
+        for (int64_t j = 0; j < effects[k].books; ++j) {
+            vti_sum_add(&sum, effects[k].booked[j].high);
+            vti_sum_add(&sum, effects[k].booked[j].low);
+        }
+    return vti_sum_value(&sum);
+}
+
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
+
+static int check(const vti_stepper *method, double h, const vti_effect *effects, int64_t n, const vti_bodies *b,
+                 vti_fault *fault)
+{
+    vti_refuse_none(VTI_OK, fault);
+    int status = vti_step_check(method, effects, n);
+    if (status == VTI_OK)
+        status = vti_effects_fault(effects, n, b, fault);
+    if (status == VTI_OK)
+        status = vti_law_check((int)method->law, (int)method->frame);
+    if (status == VTI_OK && !(isfinite(h) && h > 0.0))
+        status = vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
+    if (status == VTI_OK && method->frame != VTI_FRAME_SPACE && any_carries(effects, n))
+        status = VTI_E_FRAME;
+    return status;
+}
+
+/** Kick k between two drifts: half of its flow on either side, and the drift that follows. */
+static int between_drifts(const vti_stepper *method, int64_t k, double h, const vti_effect *effects, int64_t n,
+                          const vti_bodies *b, vti_fault *fault)
+{
+    const double kick = method->kick[k] * h, before = method->drift[k - 1] * h, after = method->drift[k] * h;
+    flow(effects, n, 0.5 * kick, -before, b);
+    const int status = vti_kick(kick, b);
+    if (status != VTI_OK)
+        return status;
+    flow(effects, n, 0.5 * kick, after, b);
+    return vti_drift((int)method->law, (int)method->frame, after, b, fault);
+}
+
+/** Tells of drift k, if it was done. */
+static int carry_after(int status, const vti_stepper *method, int64_t k, double h, const vti_effect *effects, int64_t n,
+                       const vti_bodies *b)
+{
+    const vti_drifted drifted = {method->drift[k] * h, method->law, method->frame};
+    if (status == VTI_OK)
+        carry(effects, n, &drifted, b);
+    return status;
+}
+
+int vti_effects_stage(const vti_stepper *method, int64_t k, double h, const vti_effect *effects, int64_t n,
+                      const vti_bodies *b, vti_fault *fault)
+{
+    int status = check(method, h, effects, n, b, fault);
+    if (status == VTI_OK && (k < 0 || k >= method->stages))
+        status = VTI_E_STAGE;
+    if (status != VTI_OK)
+        return status;
+    if (k > 0 && any_flows(effects, n))
+        status = between_drifts(method, k, h, effects, n, b, fault);
+    else {
+        flow(effects, n, method->kick[k] * h, method->drift[k] * h, b);
+        status = vti_step_stage(method, k, h, b, fault);
+    }
+    return carry_after(status, method, k, h, effects, n, b);
+}
+
+int vti_effects_begin(const vti_stepper *method, double h, const vti_effect *effects, int64_t n, const vti_bodies *b,
+                      vti_fault *fault)
+{
+    return vti_effects_stage(method, 0, h, effects, n, b, fault);
+}
+
+int vti_effects_finish(const vti_stepper *method, double h, const vti_effect *effects, int64_t n, const vti_bodies *b)
+{
+    int status = check(method, h, effects, n, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    const int64_t last = method->stages;
+    if (method->drift[last] == 0.0) {
+        status = vti_step_finish(method, h, b);
+        if (status == VTI_OK)
+            flow(effects, n, method->kick[last] * h, -method->drift[last - 1] * h, b);
+        return status;
+    }
+    status =
+        any_flows(effects, n) ? between_drifts(method, last, h, effects, n, b, NULL) : vti_step_finish(method, h, b);
+    return carry_after(status, method, last, h, effects, n, b);
+}

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What an effect says of itself is so: it is refused where something is absent that it needs, by one place for all
+ * effects, and what it gives is what it writes. */
+#include "bodies.h"
+#include "support.h"
+
+enum { N = 2, DOUBLES = 3 * N };
+
+static double x[DOUBLES], v[DOUBLES], f[DOUBLES], a[DOUBLES], w[DOUBLES], m[DOUBLES], quat[4 * N];
+static const double mass[N] = {1, 2}, inertia[N] = {3, 4};
+static vti_bodies b;
+
+static int sound(void **state)
+{
+    (void)state;
+    for (int i = 0; i < DOUBLES; ++i) {
+        x[i] = 0.1 * (i + 1) * (i + 1);
+        a[i] = 0.2 * i;
+        v[i] = w[i] = 0.1;
+        f[i] = m[i] = 7;
+    }
+    b = bodies_packed(N, x, v, f, a, NULL, w, m, mass, inertia);
+    return 0;
+}
+
+static int applied;
+
+static void count(const void *self, const vti_bodies *some)
+{
+    (void)self;
+    (void)some;
+    ++applied;
+}
+
+/** Every quantity that may be needed, of a host's effect; the first effect is sound, so that the second is named. */
+static void refused_by_one_place(void **state)
+{
+    (void)state;
+    static const int needed[] = {VTI_QUANTITY_X,     VTI_QUANTITY_V,    VTI_QUANTITY_ALPHA,
+                                 VTI_QUANTITY_OMEGA, VTI_QUANTITY_MASS, VTI_QUANTITY_INERTIA};
+    double scratch[N];
+    for (int k = 0; k < 6; ++k) {
+        const vti_effect own[] = {
+            {.name = "magnet", .apply = count, .springs = vti_springs_none},
+            {.name = "magnet", .apply = count, .springs = vti_springs_none, .needs = 1 << needed[k]}};
+        vti_fault fault = {7, 7, 7};
+        vti_stable found;
+        applied = 0;
+        assert_int_equal(vti_effects_check(own, 2, &b, &fault), VTI_OK);
+        assert_true(fault.body == -1 && fault.quantity == VTI_QUANTITY_NONE);
+        assert_int_equal(vti_apply(own, 2, &b), VTI_OK);
+        assert_int_equal(applied, 2);
+        vti_bodies less = b;
+        vti_view *const views[] = {&less.x, &less.v, &less.alpha, &less.omega};
+        if (k < 4)
+            *views[k] = vti_view_none();
+        else {
+            less.v = less.omega = vti_view_none(); /* nothing is moved that mass or inertia would divide */
+            (k == 4 ? &less.mass : &less.inertia)->p = NULL;
+        }
+        for (int i = 0; i < DOUBLES; ++i)
+            f[i] = 7;
+        assert_int_equal(vti_effects_check(own, 2, &less, &fault), VTI_E_NEEDS);
+        assert_int_equal(fault.body, 1);
+        assert_int_equal(fault.quantity, needed[k]);
+        assert_int_equal(vti_effects_check(own, 2, &less, NULL), VTI_E_NEEDS);
+        assert_int_equal(vti_apply(own, 2, &less), VTI_E_NEEDS);
+        assert_int_equal(vti_stable_step(own, 2, &less, NULL, scratch, &found), VTI_E_NEEDS);
+        assert_true(isnan(vti_energy(own, 2, &less)));
+        assert_true(applied == 2 && f[0] == 7);
+        assert_int_equal(vti_effects_check(own, 1, &less, NULL), VTI_OK);
+    }
+}
+
+/** A quaternion serves whoever needs an attitude, and alpha serves whoever says quaternion. */
+static void attitudes(void **state)
+{
+    (void)state;
+    for (int needed = VTI_QUANTITY_ALPHA; needed <= VTI_QUANTITY_QUAT; ++needed) {
+        const vti_effect own = {.name = "magnet", .apply = count, .needs = 1 << needed};
+        vti_bodies other = b;
+        vti_fault fault;
+        assert_int_equal(vti_effects_check(&own, 1, &other, NULL), VTI_OK);
+        other.alpha = vti_view_none();
+        assert_int_equal(vti_effects_check(&own, 1, &other, &fault), VTI_E_NEEDS);
+        assert_int_equal(fault.quantity, VTI_QUANTITY_ALPHA);
+        for (int k = 0; k < 4; ++k)
+            other.quat.xyzw[k] = quat + k;
+        other.quat.stride = 4;
+        assert_int_equal(vti_effects_check(&own, 1, &other, NULL), VTI_OK);
+    }
+}
+
+static void of_nothing(void **state)
+{
+    (void)state;
+    const vti_effect none[] = {{.name = "good", .apply = count}, {.name = "nothing"}};
+    vti_fault fault;
+    assert_int_equal(vti_effects_check(none, 2, &b, &fault), VTI_E_NULL);
+    assert_true(fault.body == 1 && fault.quantity == VTI_QUANTITY_NONE);
+    assert_int_equal(vti_step_check(vti_stepper_find("vti2"), none, 2), VTI_E_NULL);
+    assert_int_equal(vti_effects_check(NULL, 1, &b, &fault), VTI_E_NULL);
+    assert_int_equal(vti_effects_check(NULL, -1, &b, &fault), VTI_E_COUNT);
+    b.x.stride = 0;
+    assert_int_equal(vti_effects_check(none, 1, &b, &fault), VTI_E_STRIDE);
+    assert_int_equal(fault.quantity, VTI_QUANTITY_X);
+}
+
+/** The library's effects write forces if they say force, moments if they say moment, and nothing else. */
+static void gives(void **state)
+{
+    (void)state;
+    const int64_t pair[2] = {0, 1};
+    const double one = 1, large = 30, plane[4] = {0, 0, 1, 0}, zero[DOUBLES] = {0};
+    double rest[4];
+    const vti_scalars k = vti_scalars_one(&one), d = vti_scalars_one(&large), none = {NULL, 0, 0};
+    assert_int_equal(vti_bonds_rest(1, pair, 0, &b.x, rest, NULL), VTI_OK);
+    rest[3] *= 0.5;
+    const vti_pendulum pendulum = {1, {0.3, 0, 1}};
+    const vti_gravity gravity = {{0, 1, 2}};
+    const vti_bonds moments = {1, pair, 0, rest, k, none, none, VTI_SHEAR_OBJECTIVE},
+                    axial = {1, pair, 0, rest, none, k, none, VTI_SHEAR_OBJECTIVE},
+                    shear = {1, pair, 0, rest, none, none, k, VTI_SHEAR_OBJECTIVE};
+    const vti_contacts contacts = {1, pair, 0, d, 5};
+    const vti_walls walls = {1, plane, d, 5};
+    const int F = 1 << VTI_QUANTITY_FORCE, M = 1 << VTI_QUANTITY_MOMENT;
+    const struct {
+        vti_effect effect;
+        int gives, smooth;
+    } all[] = {{vti_pendulum_effect(&pendulum), M, 1}, {vti_gravity_effect(&gravity), F, 1},
+               {vti_bonds_effect(&moments), M, 1},     {vti_bonds_effect(&axial), F, 1},
+               {vti_bonds_effect(&shear), F | M, 1},   {vti_contacts_effect(&contacts), F, 0},
+               {vti_walls_effect(&walls), F, 0}};
+    for (size_t e = 0; e < sizeof all / sizeof all[0]; ++e) {
+        assert_int_equal(vti_apply(&all[e].effect, 1, &b), VTI_OK);
+        assert_int_equal(memcmp(f, zero, sizeof f) != 0 ? F : 0, all[e].gives & F);
+        assert_int_equal(memcmp(m, zero, sizeof m) != 0 ? M : 0, all[e].gives & M);
+        assert_int_equal(all[e].effect.gives, all[e].gives);
+        assert_int_equal(all[e].effect.smooth, all[e].smooth);
+        assert_true(all[e].effect.flow == NULL && all[e].effect.carry == NULL && all[e].effect.rupture == NULL);
+        assert_true(all[e].effect.dissipates == 0 && all[e].effect.books == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(refused_by_one_place, sound),
+        cmocka_unit_test_setup(attitudes, sound),
+        cmocka_unit_test_setup(of_nothing, sound),
+        cmocka_unit_test_setup(gives, sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
