@@ -64,6 +64,15 @@ static void fill(rng *g, int closed, const vti_bodies *b)
         for (int k = 0; k < 4 && b->quat.xyzw[0] != NULL; ++k)
             b->quat.xyzw[k][i * b->quat.stride] = uniform(g, -1, 1);
     }
+    if (b->alpha.c[0] != NULL) { /* one is huge, and turns about an axis across it: only its size tells */
+        double *const *alpha = b->alpha.c, *const *omega = b->omega.c, *const *moment = b->moment.c;
+        const int64_t i = 16, w = i * b->omega.stride, m = i * b->moment.stride, a = i * b->alpha.stride;
+        for (int k = 0; k < 3; ++k)
+            moment[k][m] = 0.5 * omega[k][w];
+        alpha[0][a] = -1e12 * omega[1][w];
+        alpha[1][a] = 1e12 * omega[0][w];
+        alpha[2][a] = 0.0;
+    }
 }
 
 /** The move body by body, by the public primitives: fewer bodies than any kernel takes. */

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Kicks and translations of many bodies at once, a body to a lane. Vectors that lie packed are kicked and moved as they
+ * lie; all others are sorted by component as they are read. Included by vti_move_kernels.h only. */
+#ifndef VTI_KICK_KERNELS_H
+#define VTI_KICK_KERNELS_H
+
+#include "vti_lanes.h"
+#include "vti_move.h"
+
+/* ---- what lies how ----------------------------------------------------------------------------------------------- */
+
+/** PACKED: as vectors lie in memory, x y z x y z ..., three vectors of lanes. SEPARATE: an array for each component.
+ *  MIXED: of components that lie side by side at any stride, and of separate ones. */
+enum order { PACKED, SEPARATE, MIXED };
+
+/** A view, in variables of its own: what nobody else can change stays in registers. */
+struct stream {
+    double *c[3];
+    int64_t stride;
+    int adjacent; /* its components lie side by side */
+};
+
+VTI_INLINE struct stream stream_of(const vti_view *v)
+{
+    const int adjacent = vti_has(v) && v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
+    const struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
+    return s;
+}
+
+/** The order in which lanes are filled from it alone; -1 if they cannot be. */
+VTI_INLINE int order_of(struct stream s)
+{
+    return s.adjacent ? (s.stride == 3 ? PACKED : MIXED) : s.stride == 1 ? SEPARATE : -1;
+}
+
+/** The same of two together. */
+VTI_INLINE int order_with(int order, struct stream s)
+{
+    const int other = order_of(s);
+    return order == other ? order : order < 0 || other < 0 ? -1 : MIXED;
+}
+
+VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
+{
+    if (order == MIXED && s.adjacent)
+        lanes_triples(s.c[0] + i * s.stride, s.stride, r);
+    else
+        for (int k = 0; k < 3; ++k)
+            r[k] = lanes_load(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i);
+}
+
+VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes r[3])
+{
+    if (order == MIXED && s.adjacent)
+        lanes_untriple(s.c[0] + i * s.stride, s.stride, r);
+    else
+        for (int k = 0; k < 3; ++k)
+            lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
+}
+
+/* ---- kick -------------------------------------------------------------------------------------------------------- */
+
+/** The kicks of a move of one quantity: a += t/m by, once or twice. */
+struct kicks {
+    int count;
+    double t[2];
+    struct stream by;
+    const double *m;
+    int64_t stride;
+    lanes quotient[2]; /* where one m serves all */
+};
+
+VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by, const vti_scalars *over)
+{
+    struct kicks k = {0, {0.0, 0.0}, stream_of(by), over->p, over->stride, {lanes_of(0.0), lanes_of(0.0)}};
+    if (!vti_has(by))
+        return k;
+    if (move->before != 0.0)
+        k.t[k.count++] = move->before;
+    if (move->kick != 0.0)
+        k.t[k.count++] = move->kick;
+    for (int n = 0; n < k.count && k.stride == 0; ++n)
+        k.quotient[n] = lanes_of(k.t[n] / *k.m);
+    return k;
+}
+
+VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lanes a[3])
+{
+    lanes each[3] = {quotient, quotient, quotient};
+    if (order == PACKED)
+        lanes_spread(quotient, each);
+    for (int c = 0; c < 3; ++c)
+        a[c] += each[c] * by[c];
+}
+
+VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
+{
+    lanes by[3], first = k.quotient[0], second = k.quotient[1];
+    load(order, k.by, i, by);
+    if (k.stride != 0) {
+        const lanes m = k.stride == 1 ? lanes_load(k.m + i) : lanes_gather(k.m + i * k.stride, k.stride);
+        first = k.t[0] / m;
+        second = k.count > 1 && k.t[1] != k.t[0] ? k.t[1] / m : first;
+    }
+    add_by(order, first, by, a);
+    if (k.count > 1)
+        add_by(order, second, by, a);
+}
+
+/** a is kicked, and x += t a where x moves. */
+VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
+                              int64_t begin, int64_t end)
+{
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes v[3], place[3];
+        load(order, a, i, v);
+        if (k.count > 0) {
+            kick(order, k, i, v);
+            store(order, a, i, v);
+        }
+        if (!moves)
+            continue;
+        load(order, x, i, place);
+        for (int c = 0; c < 3; ++c)
+            place[c] += t * v[c];
+        store(order, x, i, place);
+    }
+}
+
+/** The same, body by body: of vectors whose components lie side by side, at any strides. */
+VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, int moves, struct stream x, int64_t begin,
+                                   int64_t end)
+{
+    double q[2] = {k.quotient[0][0], k.quotient[1][0]};
+    for (int64_t i = begin; i < end; ++i) {
+        double *const v = a.c[0] + i * a.stride, *const place = x.c[0] + i * x.stride;
+        pair xy = pair_load(v);
+        double z = v[2];
+        for (int n = 0; n < k.count; ++n) {
+            const double *const by = k.by.c[0] + i * k.by.stride;
+            if (k.stride != 0)
+                q[n] = k.t[n] / k.m[i * k.stride];
+            xy += q[n] * pair_load(by);
+            z += q[n] * by[2];
+        }
+        if (k.count > 0) {
+            pair_store(v, xy);
+            v[2] = z;
+        }
+        if (moves) {
+            pair_store(place, pair_load(place) + t * xy);
+            place[2] += t * z;
+        }
+    }
+}
+
+/** Whichever of the two suits. */
+VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, int moves, struct stream x,
+                                     int64_t begin, int64_t end)
+{
+    const struct stream by = k.count > 0 ? k.by : a;
+    const int order = order_with(order_with(order_of(a), x), by);
+    if (order == MIXED && a.adjacent && x.adjacent && by.adjacent) {
+        kick_and_move_each(k, t, a, moves, x, begin, end);
+        return end;
+    }
+    if (order == PACKED)
+        kick_and_move(PACKED, k, t, a, moves, x, begin, end);
+    else if (order == SEPARATE)
+        kick_and_move(SEPARATE, k, t, a, moves, x, begin, end);
+    else
+        return begin;
+    return begin + (end - begin) / WIDTH * WIDTH;
+}
+
+static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (end - begin < WIDTH)
+        return begin;
+    const struct stream v = stream_of(&b->v);
+    const struct kicks k = kicks_of(move, &b->force, &b->mass);
+    if (!move->drifts || !vti_has(&b->x))
+        return kick_and_move_any(k, 0.0, v, 0, v, begin, end);
+    return kick_and_move_any(k, move->drift, v, 1, stream_of(&b->x), begin, end);
+}
+
+#endif

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Turns of many bodies at once, a body to a lane: the incremental form of vti_rrv.h without its branch; where it is not
+ * allowed in some lane, the bodies of all lanes are turned one by one. Only the attitude and t Omega are sorted by
+ * component. Included by vti_move_kernels.h only. */
+#ifndef VTI_TURN_KERNELS_H
+#define VTI_TURN_KERNELS_H
+
+#include "vti_kick_kernels.h"
+
+VTI_RRV_INCREMENTAL(incremental, lanes)
+VTI_MOVE_LAW(law_of, lanes, lanes_of, lanes_sqrt)
+
+static int quat_is_adjacent(const vti_quat_view *q)
+{
+    return q->xyzw[1] == q->xyzw[0] + 1 && q->xyzw[2] == q->xyzw[0] + 2 && q->xyzw[3] == q->xyzw[0] + 3;
+}
+
+/* ---- turn -------------------------------------------------------------------------------------------------------- */
+
+/** u = t Omega after its kicks, by component. Returns u.u. */
+VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct stream omega, int writes, int64_t i,
+                             lanes u[3])
+{
+    lanes w[3];
+    load(order, omega, i, w);
+    if (k.count > 0) {
+        kick(order, k, i, w);
+        if (writes)
+            store(order, omega, i, w);
+    }
+    for (int c = 0; c < 3; ++c)
+        w[c] *= t;
+    if (order == PACKED)
+        lanes_split(w, u);
+    else
+        for (int c = 0; c < 3; ++c)
+            u[c] = w[c];
+    return u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+}
+
+VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b, int64_t i)
+{
+    for (int l = 0; l < WIDTH; ++l)
+        vti_move_turn(move, b, i + l);
+}
+
+/** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c
+ *  <= 2 and rounding keeps order, one sum that is less than c^2 tells. */
+VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
+                           int64_t begin, int64_t end)
+{
+    const struct stream omega = stream_of(&b->omega), alpha = stream_of(&b->alpha);
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const double t = move->drift;
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes u[3], there[3], a[3], add[3], cf[2];
+        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+        load(order, alpha, i, there);
+        if (order == PACKED)
+            lanes_split(there, a);
+        else
+            for (int n = 0; n < 3; ++n)
+                a[n] = there[n];
+        law_of(law, s2, cf);
+        const lanes d = incremental(cf[0], cf[1], u, side, a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
+        if (!lanes_all(near)) {
+            turn_one_by_one(move, b, i);
+            continue;
+        }
+        for (int n = 0; n < 3; ++n)
+            a[n] += add[n];
+        if (order == PACKED) {
+            lanes_join(a, there);
+            store(order, alpha, i, there);
+        } else
+            store(order, alpha, i, a);
+    }
+}
+
+/** q <- normalise((u, c) q), or q (u, c) in the body's frame, where u is small enough for its square. */
+VTI_INLINE void turn_quat(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
+                          int64_t begin, int64_t end)
+{
+    const struct stream omega = stream_of(&b->omega);
+    const vti_quat_view quat = b->quat;
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const double t = move->drift;
+    const int adjacent = quat_is_adjacent(&quat);
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        lanes u[3], q[4], r[4], cf[2];
+        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+        if (adjacent)
+            lanes_quads(quat.xyzw[0] + i * quat.stride, quat.stride, q);
+        else
+            for (int n = 0; n < 4; ++n)
+                q[n] = lanes_load(quat.xyzw[n] + i);
+        if (!lanes_all(s2 < 8.0)) {
+            turn_one_by_one(move, b, i);
+            continue;
+        }
+        law_of(law, s2, cf);
+        for (int n = 0; n < 3; ++n)
+            u[n] *= cf[1];
+        const lanes x[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
+        for (int n = 0; n < 3; ++n)
+            r[n] = cf[0] * q[n] + q[3] * u[n] + side * x[n];
+        r[3] = cf[0] * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
+        const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
+        for (int n = 0; n < 4; ++n)
+            r[n] *= scale;
+        if (adjacent)
+            lanes_unquad(quat.xyzw[0] + i * quat.stride, quat.stride, r);
+        else
+            for (int n = 0; n < 4; ++n)
+                lanes_store(quat.xyzw[n] + i, r[n]);
+    }
+}
+
+/* Literal arguments, so that each order, law and frame is a loop of its own. */
+typedef void turn(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+#define TURN(KEPT, ORDER, LAW, FRAME, SIDE)                                                                            \
+    static void KEPT##_##ORDER##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b, int64_t begin,      \
+                                                 int64_t end)                                                          \
+    {                                                                                                                  \
+        turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, begin, end);                                                  \
+    }
+#define LAWS(KEPT, ORDER, FRAME, SIDE)                                                                                 \
+    TURN(KEPT, ORDER, CLOSED, FRAME, SIDE)                                                                             \
+    TURN(KEPT, ORDER, CAYLEY, FRAME, SIDE)                                                                             \
+    TURN(KEPT, ORDER, EXACT, FRAME, SIDE)                                                                              \
+    TURN(KEPT, ORDER, EXACT9, FRAME, SIDE)
+LAWS(alpha, PACKED, space, 1.0)
+LAWS(alpha, PACKED, body, -1.0)
+LAWS(alpha, SEPARATE, space, 1.0)
+LAWS(alpha, SEPARATE, body, -1.0)
+LAWS(alpha, MIXED, space, 1.0)
+LAWS(alpha, MIXED, body, -1.0)
+LAWS(quat, PACKED, space, 1.0)
+LAWS(quat, PACKED, body, -1.0)
+LAWS(quat, SEPARATE, space, 1.0)
+LAWS(quat, SEPARATE, body, -1.0)
+LAWS(quat, MIXED, space, 1.0)
+LAWS(quat, MIXED, body, -1.0)
+
+#define BY_LAW(KEPT, ORDER, FRAME)                                                                                     \
+    {                                                                                                                  \
+        NULL, KEPT##_##ORDER##_CLOSED_##FRAME, KEPT##_##ORDER##_CAYLEY_##FRAME, KEPT##_##ORDER##_EXACT_##FRAME,        \
+            KEPT##_##ORDER##_EXACT9_##FRAME                                                                            \
+    }
+#define BY_FRAME(KEPT, ORDER)                                                                                          \
+    {                                                                                                                  \
+        BY_LAW(KEPT, ORDER, space), BY_LAW(KEPT, ORDER, body)                                                          \
+    }
+/** [attitude is a quaternion][order of omega, moment and alpha][frame is the body's][law] */
+static turn *const turns[2][3][2][VTI_LAW_EXACT9 + 1] = {
+    {BY_FRAME(alpha, PACKED), BY_FRAME(alpha, SEPARATE), BY_FRAME(alpha, MIXED)},
+    {BY_FRAME(quat, PACKED), BY_FRAME(quat, SEPARATE), BY_FRAME(quat, MIXED)}};
+
+static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (end - begin < WIDTH)
+        return begin;
+    const struct stream w = stream_of(&b->omega);
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    if (!move->drifts || !vti_has_attitude(b))
+        return kick_and_move_any(k, 0.0, w, 0, w, begin, end);
+    const int by_quat = !vti_has(&b->alpha);
+    int order = order_with(order_of(w), k.count > 0 ? k.by : w);
+    if (!by_quat)
+        order = order_with(order, stream_of(&b->alpha));
+    else if (b->quat.stride != 1 && !quat_is_adjacent(&b->quat))
+        order = -1;
+    if (order < 0 || (order == MIXED && WIDTH > 4)) /* eight are sorted more slowly than twice four */
+        return begin;
+    const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
+    struct vti_move rest = *move;
+    if (order == MIXED && k.count > 0 && kick_and_move_any(k, 0.0, w, 0, w, begin, stop) == stop)
+        rest.before = rest.kick = 0.0;
+    turns[by_quat][order][move->frame == VTI_FRAME_BODY][move->law](&rest, b, begin, stop);
+    return stop;
+}
+
+/* ---- the bound of the closed form -------------------------------------------------------------------------------- */
+
+static int reaches(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped)
+{
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const struct stream omega = stream_of(&b->omega), by = k.count > 0 ? k.by : omega;
+    lanes_mask below = lanes_of(0.0) < 1.0;
+    int64_t i = begin;
+    lanes u[3];
+    const int order = order_with(order_of(omega), by);
+    if (order == PACKED)
+        for (; i + WIDTH <= end; i += WIDTH)
+            below &= kicked_turn(PACKED, k, move->drift, omega, 0, i, u) < 1.0;
+    else if (order >= 0)
+        for (; i + WIDTH <= end; i += WIDTH)
+            below &= kicked_turn(MIXED, k, move->drift, omega, 0, i, u) < 1.0;
+    *stopped = i;
+    return !lanes_all(below);
+}
+
+#endif
