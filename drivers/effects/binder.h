@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The parts of the binder, in files of their own. */
-#ifndef VTI_BINDER_H
-#define VTI_BINDER_H
+#ifndef VTI_EFFECTS_BINDER_H
+#define VTI_EFFECTS_BINDER_H
 
 #include "kind.h"
 #include "model.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * What Hertzian contact between spheres and with walls have in common. */
-#ifndef VTI_HERTZ_H
-#define VTI_HERTZ_H
+#ifndef VTI_EFFECTS_HERTZ_H
+#define VTI_EFFECTS_HERTZ_H
 
 #include <math.h>
 
