@@ -54,6 +54,7 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
     status = status != VTI_OK ? status : vti_stable_step(all, EFFECTS, &b, &at, scratch, &stable);
     results[0] = stable.h;
     status = status != VTI_OK ? status : vti_apply(all, effects, &b);
+    status = status != VTI_OK ? status : vti_step_start(method, h, &b);
     for (int64_t i = 0; status == VTI_OK && i < steps; ++i) {
         for (int64_t k = 0; status == VTI_OK && k < method->stages; ++k) {
             status = vti_step_stage(method, k, h, &b, NULL);
@@ -61,6 +62,7 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
         }
         status = status != VTI_OK ? status : vti_step_finish(method, h, &b);
     }
+    status = status != VTI_OK ? status : vti_step_sync(method, h, &b);
     results[1] = vti_energy(all, effects, &b);
     all[0].energy(all[0].self, &b, energies);
     results[2] = energies[1];

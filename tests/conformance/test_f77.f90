@@ -51,11 +51,7 @@ contains
         type(vti_stepper) :: method
         double precision :: results(11)
         integer :: n, nb, ier
-        if (name == 'vti3-leapfrog') then
-            call leapfrog(counts, theirs)
-        else
-            theirs = run_in_c(name, counts, 1)
-        end if
+        theirs = run_in_c(name, counts, 1)
         call fill(new_crowd(counts))
         n = size(theirs%mass)
         nb = size(theirs%pair, 2)
@@ -64,7 +60,6 @@ contains
         call expect_status(int(ier, c_int), VTI_OK, name//', F77 rows')
         call compare(theirs, transpose(x(:n, :)), transpose(v(:n, :)), transpose(a(:n, :)), transpose(w(:n, :)), &
             rest(:, :nb), name//', F77 rows, '//what)
-        if (name == 'vti3-leapfrog') return
         ! parts of at most 256 bonds are summed each for itself: two roundings more
         call expect(abs(sum(results(1:5)) - theirs%results(2)) <= 8*epsilon(1d0)*theirs%results(2), &
             name//', F77 energies, '//what)
@@ -86,47 +81,6 @@ contains
             l = l + c%mass(i)*(cshift(c%x(:, i), 1)*cshift(c%v(:, i), 2) - cshift(c%x(:, i), 2)*cshift(c%v(:, i), 1))
         end do
     end function
-
-    !> The run of C has no start and sync: from the module, which test_fortran compares with C.
-    subroutine leapfrog(counts, c)
-        integer, intent(in) :: counts(3)
-        type(crowd), intent(out), target :: c
-        real(c_double), allocatable, target :: force(:, :), moment(:, :)
-        real(c_double), target :: k(3)
-        type(vti_bodies) :: b
-        type(vti_bonds), target :: bonds
-        type(vti_effect) :: effect
-        type(vti_stepper) :: method
-        integer(c_int) :: status
-        integer :: i
-        c = new_crowd(counts)
-        allocate (force, moment, mold=c%x)
-        k = bond_energy
-        b = vti_bodies_none(size(c%mass, kind=kind(b%count)))
-        b%x = vti_view_columns(c%x)
-        b%v = vti_view_columns(c%v)
-        b%force = vti_view_columns(force)
-        b%alpha = vti_view_columns(c%alpha)
-        b%omega = vti_view_columns(c%omega)
-        b%moment = vti_view_columns(moment)
-        b%mass = vti_scalars_array(c%mass)
-        b%inertia = vti_scalars_array(c%inertia)
-        status = vti_bonds_rest(c%pair, b, c%rest)
-        bonds = vti_bonds_between(c%pair, c%rest)
-        bonds%moment = vti_scalars_one(k(1))
-        bonds%axial = vti_scalars_one(k(2))
-        bonds%shear = vti_scalars_one(k(3))
-        effect = vti_bonds_effect(bonds)
-        method = vti_stepper_find('vti3-leapfrog')
-        status = vti_apply([effect], b)
-        status = vti_step_start(method, h, b)
-        do i = 1, int(steps)
-            status = vti_step_begin(method, h, b)
-            status = vti_apply([effect], b)
-            status = vti_step_finish(method, h, b)
-        end do
-        status = vti_step_sync(method, h, b)
-    end subroutine
 
     subroutine columns(counts, what)
         integer, intent(in) :: counts(3)
