@@ -70,7 +70,7 @@ static inline int effect_check(const vti_effect *e, const vti_bodies *b, int64_t
     return e->check != NULL ? e->check(e->self, b) : VTI_OK;
 }
 
-int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
+VTI_INLINE int look(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
 {
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
@@ -88,6 +88,11 @@ int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b,
     return VTI_OK;
 }
 
+int vti_effects_fault(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
+{
+    return look(effects, n, b, fault);
+}
+
 int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *b, vti_fault *fault)
 {
     vti_refuse_none(VTI_OK, fault);
@@ -96,7 +101,7 @@ int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *b,
 
 int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
-    const int status = vti_effects_fault(effects, n, b, NULL);
+    const int status = look(effects, n, b, NULL);
     if (status != VTI_OK)
         return status;
     clear_loads(b);
