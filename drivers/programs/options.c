@@ -136,7 +136,7 @@ static void make_tables(const struct option_row *rows, struct poptOption *top, s
     *top = end;
 }
 
-static int refuse(const struct options *options, poptContext context, int code, struct message *message)
+static enum options_end refuse(const struct options *options, poptContext context, int code, struct message *message)
 {
     const char *what = code == POPT_ERROR_NOARG         ? "needs a value"
                        : code == POPT_ERROR_BADOPT      ? "is not an option"
