@@ -85,17 +85,17 @@ def test_pictures(program, folder):
 def test_contacts(program, folder):
     """Neighbours of this ring overlap, and all are bonded: whether they touch, the file says."""
     run, said = os.path.join(folder, "out.h5"), {}
-    for touching in (None, 0, 1, 2):
+    for touching in (None, 1, 2):
         write_run(run, walls=False, squeeze=0.7, touching=touching)
         said[touching] = draws(program, run, os.path.join(folder, str(touching)))[0][3]
-    assert said[None] == said[0] == said[1] != said[2], "contacts inside bonds are not drawn as the file has them"
+    assert said[None] == said[1] != said[2], "contacts inside bonds are not drawn as the file has them"
 
 
 def test_looks(program, folder):
     """Energies are shown as the file says, those of which it does not by their names."""
     run, drawn = os.path.join(folder, "out.h5"), []
     for colour in ("#00FF00", None):
-        write_run(run)
+        write_run(run, count=6, frames=2, rows=50)
         with h5py.File(run, "a") as file:
             attributes = file["energies/binder_moment"].attrs
             if colour:
