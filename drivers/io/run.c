@@ -13,7 +13,6 @@
 #include "number.h"
 #include "run_restart.h"
 #include "run_signals.h"
-#include "travel.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
@@ -24,18 +23,12 @@ static int open_scene(struct run *run, struct message *message)
         tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
-    run->resumable = method_rival(run->scene.stepper) == NULL;
-    if (r->resume && !run->resumable)
-        return message_set(message,
-                           "--resume: %s keeps what no checkpoint holds, so that no run by it can go on; start it "
-                           "anew without --resume",
-                           run->scene.stepper->name);
     if (fields_check(r->fields, &run->model, message) != 0)
         return -1;
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
-    return 0;
+    return travel_create(&run->travel, run->scene.stepper, &run->model, run->scene.h, message);
 }
 
 /** What the run is. The end time is no part of it: a run may be prolonged. */
@@ -98,6 +91,13 @@ static int choose_every(const char *option, int64_t asked, int64_t resumed, int6
     return 0;
 }
 
+static int take_bytes(struct run *run, const unsigned char *bytes, size_t size)
+{
+    int64_t count;
+    double *more = travel_state(&run->travel, &count);
+    return checkpoint_take(bytes, size, &run->checkpoint, &run->model.bodies, &run->verdict, more, count);
+}
+
 /** The end of a complete run, in its HDF5 file. Returns 1, 0 if there is no such file, or -1. */
 static int open_restart(struct run *run, char path[FOLDER_PATH], struct message *message)
 {
@@ -108,8 +108,7 @@ static int open_restart(struct run *run, char path[FOLDER_PATH], struct message 
     int result = run_restart_find(path, &restart, message);
     if (result > 0 && !identity_is(restart.identity, strlen(restart.identity), run->record.identity, &difference))
         result = identity_refuse(path, "run", &difference, message);
-    else if (result > 0 &&
-             checkpoint_take(restart.bytes, restart.size, &run->checkpoint, &run->model.bodies, &run->verdict) != 0)
+    else if (result > 0 && take_bytes(run, restart.bytes, restart.size) != 0)
         result = message_set(message,
                              "%.600s: is damaged; start anew without --resume, or choose another place with -o", path);
     run_restart_free(&restart);
@@ -123,7 +122,7 @@ static int take_checkpoint(struct run *run, struct message *message)
     unsigned char *bytes = checkpoint_read(&run->journal, &size, message);
     if (bytes == NULL)
         return -1;
-    const int taken = checkpoint_take(bytes, size, &run->checkpoint, &run->model.bodies, &run->verdict) == 0;
+    const int taken = take_bytes(run, bytes, size) == 0;
     free(bytes);
     return taken ? 1 : keep_damaged(&run->journal.keep, "is damaged: its checkpoint is of other bodies", message);
 }
@@ -145,6 +144,7 @@ static int open_checkpoint(struct run *run, struct message *message)
     if (found < 0)
         return -1;
     run->from = c->step;
+    travel_resume(&run->travel, run->from);
     run->done = run->restored && run->from == run->steps;
     if (run->steps < run->from)
         return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
@@ -193,6 +193,7 @@ void run_close(struct run *run)
     free(run->frame);
     run->frame = NULL;
     verdict_destroy(&run->verdict);
+    travel_destroy(&run->travel);
     model_destroy(&run->model);
     tables_destroy(&run->tables);
 }

@@ -10,6 +10,7 @@
 #include "record.h"
 #include "run_files.h"
 #include "table_hdf5.h"
+#include "travel.h"
 
 struct run_request {
     const char *scene;       /* path of the file */
@@ -48,7 +49,7 @@ struct run {
     struct record record;
     struct verdict verdict;
     int64_t from, steps;
-    int resumable; /* all that the stepper goes on from is in the bodies: rivals keep more */
+    struct travel travel;
     int done;      /* it was complete before: there is nothing to do */
     int restored;  /* it goes on from the files of a complete run */
     int kept;      /* the journal is to stay */

@@ -9,7 +9,6 @@
 #include "number.h"
 #include "run_signals.h"
 #include "state.h"
-#include "travel.h"
 
 static double now(void)
 {
@@ -51,17 +50,16 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
 
 /* ---- observers --------------------------------------------------------------------------------------------------- */
 
-/** What a rival keeps beside the bodies is in no checkpoint. */
 static int save(struct run *run, int64_t step, double t, const vti_bodies *bodies)
 {
     struct message ignored = {""};
+    int64_t count;
     if (state_watch(bodies, INFINITY, &ignored) != 0)
         return broken(run, step, t, bodies, NULL);
-    if (!run->resumable)
-        return 0;
+    const double *more = travel_state(&run->travel, &count);
     run->checkpoint.step = step;
     run->saved = now();
-    if (checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, run->message) != 0)
+    if (checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, more, count, run->message) != 0)
         return stop(run, RUN_FAILED);
     run->kept = 1;
     return 0;
@@ -80,7 +78,7 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct run *run = p->run;
     if (step == run->steps)
         return save(run, step, t, bodies);
-    if (run_signals_seen() != NULL && (step == 0 || !run->resumable))
+    if (run_signals_seen() != NULL && step == 0)
         return stop(run, RUN_ENDED);
     if (run_signals_seen() != NULL) {
         if (save(run, step, t, bodies) != 0)
@@ -93,7 +91,7 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
     if (step % run->poll_every != 0)
         return 0;
     p->progress(step - run->from, run->steps - run->from, now() - run->began);
-    return run->resumable && now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
+    return now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
 }
 
 static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -162,18 +160,6 @@ static enum run_end write_files(struct run *run)
     return RUN_FAILED;
 }
 
-/** All steps that are left. Returns as travel_show does. */
-static int take_steps(struct run *run, const struct observer *observers, int observers_count, struct message *message)
-{
-    struct travel travel;
-    if (travel_create(&travel, run->scene.stepper, &run->model, run->scene.h, message) != 0)
-        return -1;
-    travel.steps = run->from;
-    const int result = travel_show(&travel, run->steps - run->from, observers, observers_count, message);
-    travel_destroy(&travel);
-    return result;
-}
-
 enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
                     struct message *message)
 {
@@ -187,7 +173,7 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
     run->end = RUN_COMPLETE;
     run->began = run->saved = now();
     run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
-    if (take_steps(run, observers, 4, message) < 0)
+    if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {
         run->end = RUN_FAILED; /* nothing has happened that files could tell of */

@@ -126,11 +126,11 @@ void journal_end(struct journal *journal, int removes)
 /* ---- checkpoints: this, the state, and the digest of both -------------------------------------------------------- */
 
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                     const struct verdict *verdict, struct message *message)
+                     const struct verdict *verdict, const double *more, int64_t more_count, struct message *message)
 {
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
-    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict);
+    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count;
     const size_t size = sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles,
                  whole = size + sizeof(uint64_t);
     unsigned char *bytes = malloc(whole);
@@ -140,6 +140,8 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     memcpy(bytes, checkpoint, sizeof *checkpoint);
     state_get(bodies, state);
     verdict_get(verdict, state + state_size(bodies));
+    if (more_count > 0)
+        memcpy(state + state_size(bodies) + verdict_size(verdict), more, sizeof *more * (size_t)more_count);
     const uint64_t digest = digest_add(DIGEST_START, bytes, size);
     memcpy(bytes + size, &digest, sizeof digest);
     int failed = journal_flush(journal, message);
@@ -176,10 +178,10 @@ unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct mes
 }
 
 int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                    struct verdict *verdict)
+                    struct verdict *verdict, double *more, int64_t more_count)
 {
     uint64_t digest;
-    const int64_t doubles = state_size(bodies) + verdict_size(verdict);
+    const int64_t doubles = state_size(bodies) + verdict_size(verdict) + more_count;
     const size_t body = sizeof *checkpoint + sizeof(double) * (size_t)doubles;
     if (size != body + sizeof digest)
         return -1;
@@ -192,6 +194,8 @@ int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *
         const double *state = (const double *)(const void *)(bytes + sizeof *checkpoint);
         state_put(state, bodies);
         verdict_put(verdict, state + state_size(bodies));
+        if (more_count > 0)
+            memcpy(more, state + state_size(bodies) + verdict_size(verdict), sizeof *more * (size_t)more_count);
     }
     return 0;
 }

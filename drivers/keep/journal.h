@@ -30,7 +30,8 @@ struct journal {
     struct journal_file rows, frames;
 };
 
-/** How far a run is. With it goes the state of the bodies and of the verdict so far. */
+/** How far a run is. With it goes the state of the bodies and of the verdict so far, and as more what else the stepper
+ *  keeps (travel_state). */
 struct checkpoint {
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */
@@ -58,7 +59,7 @@ int journal_read(struct journal *journal, struct journal_file *file, int64_t fir
 /** Commits the journal with a checkpoint of the bodies and of the verdict so far; marks and sizes in *checkpoint are
  *  set. Returns 0, or -1 with one line in *message and the checkpoint before it as it was. */
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                     const struct verdict *verdict, struct message *message);
+                     const struct verdict *verdict, const double *more, int64_t more_count, struct message *message);
 
 /** The bytes of the checkpoint in the journal, from malloc; NULL with one line in *message. */
 unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message);
@@ -67,7 +68,7 @@ unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct mes
  *  state, or stay as they are if that is of step 0: they are at t = 0 already. Returns 0, or -1: it is none, or is
  *  damaged. */
 int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,
-                    struct verdict *verdict);
+                    struct verdict *verdict, double *more, int64_t more_count);
 
 /** Closes the journal and leaves it, with its last checkpoint, or removes it. */
 void journal_end(struct journal *journal, int removes);

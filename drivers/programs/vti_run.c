@@ -110,9 +110,6 @@ static void say_step(const struct run *run, FILE *file)
     const vti_stepper *stepper = run->scene.stepper;
     struct model_limits limits;
     struct message trouble = {""};
-    if (!run->resumable)
-        fprintf(file, "note: %s keeps what no checkpoint holds: this run cannot be resumed if it is interrupted\n",
-                stepper->name);
     fprintf(file, "%s, h = %s: %lld steps to t = %.10g", stepper->name, NUMBER(h), (long long)run->steps,
             (double)run->steps * h);
     if (run->record.frames.turns)

@@ -137,6 +137,12 @@ static void show(struct course *c)
         quat_unit_of(c->q + 4 * i, c->q + 4 * i);
 }
 
+static void resume(struct course *c)
+{
+    for (int64_t i = 0; i < c->n && c->q != NULL; ++i)
+        quat_of_matrix(c->own + MATRIX * i, c->q + 4 * i);
+}
+
 const struct rival rival_lgvi = {
     .stepper = RIVAL_STEPPER(
         "lgvi", 2, 0.0, 1, 2.0,
@@ -146,5 +152,6 @@ const struct rival rival_lgvi = {
     .prepare = prepare,
     .go = go,
     .show = show,
+    .resume = resume,
     .takes_forces = 1,
 };

@@ -119,7 +119,6 @@ static int start(struct course *c)
 {
     const int status = c->rival->takes_forces ? course_forces(c) : VTI_OK;
     c->begun = 1;
-    c->evals -= c->steps > 0 && c->rival->takes_forces; /* counted before */
     return status != VTI_OK || c->rival->stepper.lag == 0.0 || c->steps > 0
                ? status
                : vti_kick(-c->rival->stepper.lag * c->h, &c->bodies);
@@ -136,6 +135,14 @@ static int refused(const struct course *c, int status, struct message *message)
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
     return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->stepper.name, NUMBER(c->h),
                        (double)c->steps * c->h, model_text(c->model, status));
+}
+
+int course_begin(struct course *c, struct message *message)
+{
+    if (!c->begun && c->rival->resume != NULL)
+        c->rival->resume(c);
+    const int status = c->begun ? VTI_OK : start(c);
+    return status == VTI_OK ? 0 : refused(c, status, message);
 }
 
 int course_go(struct course *c, int64_t steps, struct message *message)

@@ -29,6 +29,8 @@ struct rival {
     int (*go)(struct course *course, int64_t steps);
     /** Makes course->bodies presentable, q as units; NULL if they are. */
     void (*show)(struct course *course);
+    /** Before it goes on from a checkpoint: undoes what show has done to the memory; NULL if that is nothing. */
+    void (*resume)(struct course *course);
     void (*dismiss)(struct course *course); /* NULL if there is nothing to free */
     int takes_forces;                       /* 1: go begins with the forces of the bodies as they stand */
 };
@@ -57,11 +59,14 @@ struct course {
     vti_fault fault;
 };
 
-enum { COURSE_NUMBERS = 4, COURSE_EVALS = COURSE_NUMBERS - 1 /* where evals stand in a checkpoint */ };
+enum { COURSE_NUMBERS = 3 };
 
 /** The model at t = 0 with a rival that steps it by h. Returns NULL with one line in *message if that cannot be. */
 struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message);
 void course_destroy(struct course *course);
+/** Forces of the bodies as they stand, of a course that was put where it is (steps > 0). Returns 0, or -1 with one line in
+ *  *message. */
+int course_begin(struct course *course, struct message *message);
 /** Takes it so many steps further. Returns 0, or -1 with one line in *message. */
 int course_go(struct course *course, int64_t steps, struct message *message);
 /** The bodies after these steps, velocities as the rival keeps them. */

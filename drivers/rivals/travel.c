@@ -161,19 +161,14 @@ double *travel_state(struct travel *travel, int64_t *count)
 {
     struct course *course = travel->course;
     *count = course != NULL ? course->memory_doubles : 0;
-    if (course == NULL)
-        return NULL;
-    course->number[COURSE_EVALS] = (double)course->evals;
-    return course->memory;
+    return course != NULL ? course->memory : NULL;
 }
 
 void travel_resume(struct travel *travel, int64_t steps)
 {
     travel->steps = steps;
-    if (travel->course == NULL)
-        return;
-    travel->course->steps = steps;
-    travel->course->evals = (int64_t)travel->course->number[COURSE_EVALS];
+    if (travel->course != NULL)
+        travel->course->steps = steps;
 }
 
 /** A copy of the view at p, if there is one. */
@@ -252,6 +247,8 @@ static int64_t steps_to_look(int64_t step, int64_t last, const struct observer *
 static int course_show(struct travel *travel, int64_t last, const struct observer *observers, int n,
                        struct message *message)
 {
+    if (travel->steps > 0 && course_begin(travel->course, message) != 0)
+        return -1;
     int stopped = n > 0 && show(travel, last, observers, n);
     while (!stopped && travel->steps < last) {
         const int64_t steps = steps_to_look(travel->steps, last, observers, n);

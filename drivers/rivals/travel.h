@@ -64,7 +64,7 @@ vti_bodies travel_bodies(struct travel *travel);
  *  NULL and 0 for a stepper of the core. */
 double *travel_state(struct travel *travel, int64_t *count);
 /** After the model's bodies, as a raw observer saw them, and travel_state are what they were after so many steps: a
- *  fresh travel goes on from there with the same bits. */
+ *  fresh travel goes on from there with the same bits. Force evaluations of a rival are counted anew. */
 void travel_resume(struct travel *travel, int64_t steps);
 
 /** Force evaluations of a run to here without a stop, the first at t = 0 included: what a stop costs (a stepper

@@ -470,7 +470,6 @@ def refused(base):
         ("no time between checkpoints", [scene("spin"), "--checkpoint", "0"], ["--checkpoint", "'0'"]),
         ("negative h", [scene("spin"), "--h", "-1"], ["h", "'-1'"]),
         ("unknown stepper", [scene("spin"), "--stepper", "rk5"], ["stepper", "'rk5'"]),
-        ("resumed rival", [scene("spin"), "--stepper", "spiral", "--resume"], ["--resume", "spiral", "start it anew"]),
         ("unknown path", [scene("spin"), "--set", "bodies.inertai=1"], ["bodies.inertai"]),
         ("wrong ending", [scene("spin"), "-o", f"{base}/out.yaml"], ["-o", "out.yaml", ".h5"]),
         ("unwritable place", [scene("spin"), "-o", f"{blocked}/out.h5"], [blocked, "-o"]),
@@ -486,22 +485,13 @@ def refused(base):
     check(result.returncode == 1 and one_line(result, f"{blocked}.run"), f"... nor with --resume: {result.stderr.strip()}")
 
 
-def interrupted_rival(base):
-    """It keeps more than a checkpoint holds: that is said at the start, and a signal leaves nothing."""
-    begun = subprocess.Popen([RUN, scene("pendulum"), "--stepper", "rk4", "--h", "2^-18", "--t-end", "100", "-o", f"{base}/rival.h5"],
-                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    said = [begun.stdout.readline() for _ in range(3)][2]
-    begun.send_signal(signal.SIGTERM)
-    begun.communicate(timeout=60)
-    check("note: rk4 keeps what no checkpoint holds: this run cannot be resumed" in said, f"a rival: {said.strip()}")
-    check(begun.returncode == -signal.SIGTERM and os.listdir(base) == [], f"... and a signal ends it: {os.listdir(base)}")
-
-
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
+          lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h", "1/64", "--t-end", "20"),
+          lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"), lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, fields, continued, refused_ends, prolonged_from_nothing, broken, refused_resumes,
-          refused, interrupted_rival]
+          refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
