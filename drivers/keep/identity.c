@@ -85,12 +85,6 @@ void identity_scene(FILE *text, const char *before, const struct scene *scene, c
     static struct scene copy;
     const struct scene_field *field;
     copy = *scene;
-    fprintf(text, "%smotion: %d %d %d\n%seffects:", before, (int)scene->arrangement, scene->translates, scene->turns,
-            before);
-    for (int e = 0; e < EFFECT_COUNT; ++e)
-        if (scene->has[e])
-            fprintf(text, " %s", kinds_at(e)->key);
-    fputc('\n', text);
     for (int k = 0; (field = scene_field_at(k)) != NULL; ++k) {
         const void *value = scene_field_place(field, &copy);
         if (value == NULL || is_one_of(field->path, without))
@@ -99,6 +93,12 @@ void identity_scene(FILE *text, const char *before, const struct scene *scene, c
         write_value(text, field, value);
         fputc('\n', text);
     }
+    fprintf(text, "%smotion: %d %d %d\n%seffects:", before, (int)scene->arrangement, scene->translates, scene->turns,
+            before);
+    for (int e = 0; e < EFFECT_COUNT; ++e)
+        if (scene->has[e])
+            fprintf(text, " %s", kinds_at(e)->key);
+    fputc('\n', text);
     if (scene->tables == NULL)
         return;
     write_table(text, before, &scene->tables->bodies);
