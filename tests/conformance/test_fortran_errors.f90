@@ -289,6 +289,9 @@ contains
         call no_effect(vti_contacts_effect(other_contacts), 'contacts of the wrong shape')
         other_walls = vti_walls_at(triples, vti_scalars_one(one), 1.0_c_double)
         call no_effect(vti_walls_effect(other_walls), 'planes of the wrong shape')
+        b = good
+        b%alpha = vti_view()
+        call expect_status(vti_apply(effects(:1), b), VTI_E_NEEDS, 'bonds without attitudes')
     end subroutine
 
     subroutine no_effect(effect, what)

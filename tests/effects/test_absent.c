@@ -47,9 +47,8 @@ static double act(const vti_effect *effect, int absent, int status)
     return energy;
 }
 
-static void effects_need_what_they_read(void **state)
+TEST(effects_need_what_they_read)
 {
-    (void)state;
     rng g = rng_seed(41);
     const int64_t pair[4] = {0, 1, 1, 2};
     const double diameter = 3, plane[4] = {0, 0.6, 0.8, 0};
@@ -88,9 +87,8 @@ static void effects_need_what_they_read(void **state)
 }
 
 /** Planes that are not there do nothing. */
-static void no_walls(void **state)
+TEST(no_walls)
 {
-    (void)state;
     const double diameter = 3;
     const vti_walls none = {0, NULL, {NULL, 0, 0}, 5}, nowhere = {1, NULL, vti_scalars_one(&diameter), 5};
     const vti_effect effect = vti_walls_effect(&none);
@@ -100,9 +98,8 @@ static void no_walls(void **state)
 }
 
 /** Bonds have no meaning on bodies without what their terms read: refused, and forces are as they were. */
-static void bonds_are_refused(void **state)
+TEST(bonds_are_refused)
 {
-    (void)state;
     rng g = rng_seed(42);
     web w;
     crowd_clear(&c, 5, CROWD_ALPHA);
@@ -153,9 +150,8 @@ static int no_field(const void *self, const vti_bodies *b)
 }
 
 /** Somebody else's effect reads what it likes, and may refuse as it likes, before any effect has touched anything. */
-static void others_may_refuse(void **state)
+TEST(others_may_refuse)
 {
-    (void)state;
     const double field = 1;
     const vti_bodies none = vti_bodies_none(1);
     vti_effect own[2] = {{.name = "magnet", .apply = count_calls, .self = &field},
@@ -169,9 +165,8 @@ static void others_may_refuse(void **state)
 }
 
 /** A list of contacts may change after the effect was made, and then lack something: refused, and no number is its energy. */
-static void contacts_are_looked_at_again(void **state)
+TEST(contacts_are_looked_at_again)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     const double diameter = 3;
     const vti_contacts right = {1, pair, 0, vti_scalars_one(&diameter), 7};
@@ -203,14 +198,6 @@ static void contacts_are_looked_at_again(void **state)
     assert_true(c.force[1][0] == 0 && vti_energy(&effect, 1, &b) == 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(effects_need_what_they_read),
-        cmocka_unit_test(no_walls),
-        cmocka_unit_test(bonds_are_refused),
-        cmocka_unit_test(others_may_refuse),
-        cmocka_unit_test(contacts_are_looked_at_again),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(effects_need_what_they_read), cmocka_unit_test(no_walls),
+          cmocka_unit_test(bonds_are_refused), cmocka_unit_test(others_may_refuse),
+          cmocka_unit_test(contacts_are_looked_at_again))

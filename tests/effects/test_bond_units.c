@@ -13,9 +13,8 @@ extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4]
 static crowd c, wide;
 static web w;
 
-static void avx2(void **state)
+TEST(avx2)
 {
-    (void)state;
     if (!__builtin_cpu_supports("avx2"))
         skip();
     rng g = rng_seed(3071);
@@ -45,10 +44,4 @@ static void avx2(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(avx2),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(avx2))

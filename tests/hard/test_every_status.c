@@ -107,9 +107,8 @@ static int64_t named(int status)
     }
 }
 
-static void every_status(void **state)
+TEST(every_status)
 {
-    (void)state;
     int count = 0;
     for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
         fault.quantity = status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS
@@ -130,10 +129,4 @@ static void every_status(void **state)
            count);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_status),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(every_status))

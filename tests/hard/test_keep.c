@@ -27,14 +27,13 @@ static void open_as(struct tasks *tasks, int resume, size_t bytes)
         fail_msg("%s", message.text);
 }
 
-static void test_million(void **state)
+TEST(test_million)
 {
     const int64_t n = 1 << 20, most = 40 << 10;
     struct tasks tasks;
     struct message message = {""};
     struct result result;
     struct rusage before, after;
-    (void)state;
     memset(&result, 0, sizeof result);
     getrusage(RUSAGE_SELF, &before);
     open_as(&tasks, 0, sizeof result);
@@ -80,12 +79,11 @@ static int take_turns(const char *held, int times)
     return 0;
 }
 
-static void test_many_at_once(void **state)
+TEST(test_many_at_once)
 {
     enum { PROCESSES = 4, TURNS = 200 };
     char held[sizeof path + 5];
     int code, wrong = 0;
-    (void)state;
     snprintf(held, sizeof held, "%s.held", path);
     for (int k = 0; k < PROCESSES; ++k) {
         const pid_t child = fork();

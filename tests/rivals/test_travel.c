@@ -238,9 +238,8 @@ static void assert_resumes(const vti_stepper *method, const char *where, double 
     end(&second);
 }
 
-static void resumed(void **state)
+TEST(resumed)
 {
-    (void)state;
     for (int64_t i = 0; i < method_count(); ++i) {
         assert_resumes(method_at(i), "pendulum", 1.0 / 16);
         assert_resumes(method_at(i), "chain", 1.0 / 512);

@@ -4,9 +4,8 @@
 #include "support.h"
 
 /** Dissipation stepped back in time is gain: steppers with a negative kick or drift refuse it, and no others. */
-static void no_step_back(void **state)
+TEST(no_step_back)
 {
-    (void)state;
     const char *const forwards[] = {"vti1", "vti2", "vti3", "vti3-leapfrog", "vti1-body", "exact", "chin4"};
     const vti_gravity gravity = {{0, 0, 1}};
     vti_effect effects[2] = {vti_gravity_effect(&gravity), vti_gravity_effect(&gravity)};
@@ -48,10 +47,4 @@ static void no_step_back(void **state)
     assert_int_equal(vti_step_check(vti_stepper_find("kl8"), all, 5), VTI_OK);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_step_back),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(no_step_back))

@@ -197,9 +197,8 @@ static double error_at(const vti_stepper *method, double h, double *ledger)
     return most;
 }
 
-static void orders(void **state)
+TEST(orders)
 {
-    (void)state;
     const struct {
         const char *name;
         double order;
@@ -272,9 +271,8 @@ static void play(const vti_stepper *method, double h)
     assert_int_equal(vti_effects_finish(method, h, both, 2, &b), VTI_OK);
 }
 
-static void places(void **state)
+TEST(places)
 {
-    (void)state;
     const double h = 0.25, half = 0.125;
     const struct call verlet[] = {{'f', 0, half, h}, {'c', 0, h, VTI_LAW_CAYLEY}, {'f', 0, half, -h}};
     play(vti_stepper_find("vti2"), h);
@@ -340,9 +338,8 @@ static void same_bits(void **state)
 
 /* ---- what breaks, and what is refused ---------------------------------------------------------------------------- */
 
-static void rupture(void **state)
+TEST(rupture)
 {
-    (void)state;
     vti_sum lost = {0.0, 0.0};
     int holds = 1;
     int64_t broken = 7;
@@ -368,9 +365,8 @@ static void rupture(void **state)
     assert_int_equal(vti_step_check(vti_stepper_find("kl6"), effects, 2), VTI_OK);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const vti_stepper *const vti1 = vti_stepper_find("vti1"), *const body = vti_stepper_find("vti1-body");
     const vti_effect flows = {.name = "flows", .flow = note_flow, .self = "1"};
     vti_effect needy = first, carries = first;
@@ -449,13 +445,7 @@ static void increments(void **state)
     assert_true(isnan(turn[0]));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(free_flight, bodies), cmocka_unit_test_setup(orders, bodies),
-        cmocka_unit_test_setup(places, bodies),      cmocka_unit_test_setup(same_bits, bodies),
-        cmocka_unit_test_setup(rupture, bodies),     cmocka_unit_test_setup(refusals, bodies),
-        cmocka_unit_test_setup(increments, bodies),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(free_flight, bodies), cmocka_unit_test_setup(orders, bodies),
+          cmocka_unit_test_setup(places, bodies), cmocka_unit_test_setup(same_bits, bodies),
+          cmocka_unit_test_setup(rupture, bodies), cmocka_unit_test_setup(refusals, bodies),
+          cmocka_unit_test_setup(increments, bodies))

@@ -23,9 +23,8 @@ static vti_bodies bodies(void)
     return b;
 }
 
-static void kinetic_energies(void **state)
+TEST(kinetic_energies)
 {
-    (void)state;
     vti_bodies b = bodies();
     /* (2 * 5 + 1 * 10 + 4 * 5)/2 and (1 * 4 + 0.5 * 25 + 2 * 9)/2 */
     assert_close(vti_kinetic_translation(&b), 20, 0);
@@ -42,9 +41,8 @@ static void kinetic_energies(void **state)
     assert_close(vti_energy(NULL, 0, &b), 0, 0);
 }
 
-static void momenta(void **state)
+TEST(momenta)
 {
-    (void)state;
     const vti_bodies b = bodies();
     double r[3];
     const double p[3] = {5, 7, 8}, s[3] = {4, 5.5, 6};
@@ -62,9 +60,8 @@ static void momenta(void **state)
     assert_close3(r, about_c, 0);
 }
 
-static void momenta_of_what_is_absent(void **state)
+TEST(momenta_of_what_is_absent)
 {
-    (void)state;
     vti_bodies b = bodies();
     const double zero[3] = {0, 0, 0}, s[3] = {4, 5.5, 6}, orbit[3] = {28, 6, 15};
     double r[3];
@@ -85,9 +82,8 @@ static void momenta_of_what_is_absent(void **state)
 }
 
 /** What has no mass has no energy and no momentum, whatever its velocity. */
-static void massless(void **state)
+TEST(massless)
 {
-    (void)state;
     const double zero[3] = {0, 0, 0}, s[3] = {4, 5.5, 6}, orbit[3] = {28, 6, 15};
     double r[3];
     vti_bodies b = bodies();
@@ -108,9 +104,8 @@ static void massless(void **state)
     assert_close3(r, orbit, 0);
 }
 
-static void sums_are_compensated(void **state)
+TEST(sums_are_compensated)
 {
-    (void)state;
     double big[] = {1, 0, 0, 1e100, 0, 0, 1, 0, 0, -1e100, 0, 0}, r[3];
     const double one = 1, two[3] = {2, 0, 0};
     vti_bodies b = vti_bodies_none(4);
@@ -127,9 +122,8 @@ static void sums_are_compensated(void **state)
     assert_close3(r, two, 0);
 }
 
-static void turn_per_step(void **state)
+TEST(turn_per_step)
 {
-    (void)state;
     vti_bodies b = bodies();
     assert_close(vti_max_turn(0.5, &b), 2.5, 0);
     assert_close(vti_max_turn(-0.5, &b), 2.5, 0);
@@ -144,9 +138,8 @@ static void turn_per_step(void **state)
     assert_close(vti_max_turn(0.5, &b), 0, 0);
 }
 
-static void norms(void **state)
+TEST(norms)
 {
-    (void)state;
     vti_bodies b = bodies();
     /* |x|^2: 14 + 17 + 8; |v|^2: 20; |Omega|^2: 38; theta^2: 3 (pi/2)^2. Rounding: a few eps of each sum. */
     const double turns = 3 * PI * PI / 4, tolerance = 8 * EPS * 105;
@@ -206,9 +199,8 @@ static void distances(void **state)
 }
 
 /** The reference has to have what the bodies have; what it has besides is not looked at. No bodies are no distance apart. */
-static void what_can_be_compared(void **state)
+TEST(what_can_be_compared)
 {
-    (void)state;
     const size_t offsets[] = {offsetof(vti_bodies, x), offsetof(vti_bodies, v), offsetof(vti_bodies, omega),
                               offsetof(vti_bodies, alpha)};
     const vti_bodies b = bodies(), none = vti_bodies_none(0);
@@ -240,9 +232,8 @@ static void no_loads(const void *self, const vti_bodies *b)
 }
 
 /** An effect may have VTI_TERMS terms; with more there is no telling the energy, nor of a force without one. */
-static void effects_of_many_terms(void **state)
+TEST(effects_of_many_terms)
 {
-    (void)state;
     vti_effect effect = {.name = "many", .apply = no_loads, .energy = many_energies, .terms = TERMS};
     const vti_bodies b = bodies();
     assert_close(vti_energy(&effect, 1, &b), 37.25 + TERMS * (TERMS - 1) / 2, 0);
@@ -253,19 +244,7 @@ static void effects_of_many_terms(void **state)
     assert_true(isnan(vti_energy(&effect, 1, &b)));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(kinetic_energies),
-        cmocka_unit_test(momenta),
-        cmocka_unit_test(momenta_of_what_is_absent),
-        cmocka_unit_test(massless),
-        cmocka_unit_test(sums_are_compensated),
-        cmocka_unit_test(turn_per_step),
-        cmocka_unit_test(norms),
-        cmocka_unit_test(distances),
-        cmocka_unit_test(what_can_be_compared),
-        cmocka_unit_test(effects_of_many_terms),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(kinetic_energies), cmocka_unit_test(momenta), cmocka_unit_test(momenta_of_what_is_absent),
+          cmocka_unit_test(massless), cmocka_unit_test(sums_are_compensated), cmocka_unit_test(turn_per_step),
+          cmocka_unit_test(norms), cmocka_unit_test(distances), cmocka_unit_test(what_can_be_compared),
+          cmocka_unit_test(effects_of_many_terms))

@@ -125,15 +125,13 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
     }
 }
 
-static void baseline(void **state)
+TEST(baseline)
 {
-    (void)state;
     agree(&vti_move_baseline, 2);
 }
 
-static void avx2(void **state)
+TEST(avx2)
 {
-    (void)state;
 #ifdef VTI_HAS_AVX2
     if (__builtin_cpu_supports("avx2")) {
         agree(&vti_move_avx2, 4);
@@ -143,9 +141,8 @@ static void avx2(void **state)
     skip();
 }
 
-static void avx512(void **state)
+TEST(avx512)
 {
-    (void)state;
 #ifdef VTI_HAS_AVX512
     if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
         agree(&vti_move_avx512, 8);
@@ -156,9 +153,8 @@ static void avx512(void **state)
 }
 
 /** The bound sees a body that reaches 1, or is NaN, wherever it stands; nothing is written then. */
-static void the_bound_sees_every_body(void **state)
+TEST(the_bound_sees_every_body)
 {
-    (void)state;
     rng g = rng_seed(5);
     const vti_stepper *vti1 = vti_stepper_find("vti1");
     for (int trial = 0; trial < 2 * LAYOUTS * N; ++trial) {
@@ -179,9 +175,8 @@ static void the_bound_sees_every_body(void **state)
     }
 }
 
-static void next_is_finish_and_begin(void **state)
+TEST(next_is_finish_and_begin)
 {
-    (void)state;
     rng g = rng_seed(7);
     for (int64_t s = 0; s < vti_stepper_count(); ++s)
         for (int layout = 0; layout < LAYOUTS; ++layout) {
@@ -205,14 +200,5 @@ static void next_is_finish_and_begin(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(baseline),
-        cmocka_unit_test(avx2),
-        cmocka_unit_test(avx512),
-        cmocka_unit_test(the_bound_sees_every_body),
-        cmocka_unit_test(next_is_finish_and_begin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512),
+          cmocka_unit_test(the_bound_sees_every_body), cmocka_unit_test(next_is_finish_and_begin))

@@ -34,9 +34,8 @@ static void count(const void *self, const vti_bodies *some)
 }
 
 /** Every quantity that may be needed, of a host's effect; the first effect is sound, so that the second is named. */
-static void refused_by_one_place(void **state)
+TEST(refused_by_one_place)
 {
-    (void)state;
     static const int needed[] = {VTI_QUANTITY_X,     VTI_QUANTITY_V,    VTI_QUANTITY_ALPHA,
                                  VTI_QUANTITY_OMEGA, VTI_QUANTITY_MASS, VTI_QUANTITY_INERTIA};
     double scratch[N];
@@ -74,9 +73,8 @@ static void refused_by_one_place(void **state)
 }
 
 /** A quaternion serves whoever needs an attitude, and alpha serves whoever says quaternion. */
-static void attitudes(void **state)
+TEST(attitudes)
 {
-    (void)state;
     for (int needed = VTI_QUANTITY_ALPHA; needed <= VTI_QUANTITY_QUAT; ++needed) {
         const vti_effect own = {.name = "magnet", .apply = count, .needs = 1 << needed};
         vti_bodies other = b;
@@ -92,9 +90,8 @@ static void attitudes(void **state)
     }
 }
 
-static void of_nothing(void **state)
+TEST(of_nothing)
 {
-    (void)state;
     const vti_effect none[] = {{.name = "good", .apply = count}, {.name = "nothing"}};
     vti_fault fault;
     assert_int_equal(vti_effects_check(none, 2, &b, &fault), VTI_E_NULL);
@@ -108,9 +105,8 @@ static void of_nothing(void **state)
 }
 
 /** The library's effects write forces if they say force, moments if they say moment, and nothing else. */
-static void gives(void **state)
+TEST(gives)
 {
-    (void)state;
     const int64_t pair[2] = {0, 1};
     const double one = 1, large = 30, plane[4] = {0, 0, 1, 0}, zero[DOUBLES] = {0};
     double rest[4];
@@ -143,13 +139,5 @@ static void gives(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(refused_by_one_place, sound),
-        cmocka_unit_test_setup(attitudes, sound),
-        cmocka_unit_test_setup(of_nothing, sound),
-        cmocka_unit_test_setup(gives, sound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(refused_by_one_place, sound), cmocka_unit_test_setup(attitudes, sound),
+          cmocka_unit_test_setup(of_nothing, sound), cmocka_unit_test_setup(gives, sound))

@@ -44,9 +44,8 @@ static void as_quaternions(void)
 /* 8 eps of rotation, as in test_rrv_table.c, and a unit quaternion rounded to 4 eps more */
 #define ARM (12 * EPS * 1.3)
 
-static void arm_moment_and_energy(void **state)
+TEST(arm_moment_and_energy)
 {
-    (void)state;
     for (int stored = 0; stored < 2; ++stored) {
         hang(NULL);
         if (stored)
@@ -71,9 +70,8 @@ static void arm_moment_and_energy(void **state)
 }
 
 /** The paper's state: 135 degrees about e2, E0 = 0.04 + 1/sqrt 2. */
-static void of_the_paper(void **state)
+TEST(of_the_paper)
 {
-    (void)state;
     const vti_pendulum paper = {1, {0, 0, 1}};
     const vti_effect gravity = vti_pendulum_effect(&paper);
     const double theta[3] = {0, 0.75 * PI, 0}, one = 1, turning[3] = {0, -sqrt(0.5), 0};
@@ -89,9 +87,8 @@ static void of_the_paper(void **state)
     assert_close(vti_energy(&gravity, 1, &b), 0.04 + sqrt(0.5), 4 * EPS);
 }
 
-static void what_it_says_of_itself(void **state)
+TEST(what_it_says_of_itself)
 {
-    (void)state;
     assert_string_equal(effect.name, "pendulum");
     assert_int_equal(effect.terms, 1);
     assert_string_equal(effect.term[0], "pendulum");
@@ -102,9 +99,8 @@ static void what_it_says_of_itself(void **state)
 }
 
 /** Twice in the list is twice the moment; an empty list clears; outside the slice nothing is written. */
-static void lists_and_slices(void **state)
+TEST(lists_and_slices)
 {
-    (void)state;
     double once[3 * N];
     const vti_effect twice[] = {effect, effect};
     vti_apply(&effect, 1, &b);
@@ -125,9 +121,8 @@ static void lists_and_slices(void **state)
         assert_true(moment[i] == 0 && force[i] == 0);
 }
 
-static void absent_views(void **state)
+TEST(absent_views)
 {
-    (void)state;
     vti_bodies none = b;
     none.alpha = vti_view_none();
     assert_int_equal(vti_apply(&effect, 1, &none), VTI_E_NEEDS);
@@ -141,9 +136,8 @@ static void absent_views(void **state)
 }
 
 /** The arm of a body that there is not, or that has no attitude, is no number. */
-static void no_arm(void **state)
+TEST(no_arm)
 {
-    (void)state;
     vti_bodies still = b;
     still.alpha = vti_view_none();
     const struct {
@@ -158,12 +152,6 @@ static void no_arm(void **state)
     vti_pendulum_arm(&pendulum, &b, 0, NULL); /* nowhere to write to */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(arm_moment_and_energy, hang),  cmocka_unit_test_setup(of_the_paper, hang),
-        cmocka_unit_test_setup(what_it_says_of_itself, hang), cmocka_unit_test_setup(lists_and_slices, hang),
-        cmocka_unit_test_setup(absent_views, hang),           cmocka_unit_test_setup(no_arm, hang),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test_setup(arm_moment_and_energy, hang), cmocka_unit_test_setup(of_the_paper, hang),
+          cmocka_unit_test_setup(what_it_says_of_itself, hang), cmocka_unit_test_setup(lists_and_slices, hang),
+          cmocka_unit_test_setup(absent_views, hang), cmocka_unit_test_setup(no_arm, hang))

@@ -95,9 +95,8 @@ static void refused(vti_bodies bad, int status, int64_t quantity)
     assert_same_bits(before, after, 6 * DOUBLES);
 }
 
-static void texts(void **state)
+TEST(texts)
 {
-    (void)state;
     for (int i = LOWEST; i <= VTI_OK; ++i) {
         assert_true(strlen(vti_status_text(i)) > 4);
         assert_string_not_equal(vti_status_text(i), vti_status_text(LOWEST - 1));
@@ -112,9 +111,8 @@ static void texts(void **state)
 }
 
 /** A quantity goes by the name of its member, and they are numbered in the order of the struct. */
-static void quantities(void **state)
+TEST(quantities)
 {
-    (void)state;
     for (int k = 0; k < MEMBERS; ++k) {
         assert_int_equal(members[k].quantity, k + 1);
         assert_string_equal(vti_quantity_text(k + 1), members[k].name);
@@ -125,9 +123,8 @@ static void quantities(void **state)
         assert_string_equal(vti_quantity_text(none[k]), "value");
 }
 
-static void sound_bodies_pass(void **state)
+TEST(sound_bodies_pass)
 {
-    (void)state;
     vti_fault fault = {5, 5, 5};
     assert_int_equal(vti_bodies_check(&b), VTI_OK);
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
@@ -136,9 +133,8 @@ static void sound_bodies_pass(void **state)
     assert_int_equal(vti_bodies_check(&none), VTI_OK);
 }
 
-static void null(void **state)
+TEST(null)
 {
-    (void)state;
     vti_fault fault;
     assert_int_equal(vti_bodies_check(NULL), VTI_E_NULL);
     assert_int_equal(vti_bodies_check_values(NULL, NULL), VTI_E_NULL);
@@ -153,9 +149,8 @@ static void null(void **state)
 }
 
 /** What vti_stepper_find gives for a name that is none is no stepper to any call, and the text says which there are. */
-static void no_stepper(void **state)
+TEST(no_stepper)
 {
-    (void)state;
     const vti_stepper *none = vti_stepper_find("vti22");
     const vti_fault stale = {7, 7, 7};
     vti_fault fault = stale;
@@ -177,9 +172,8 @@ static void no_stepper(void **state)
     }
 }
 
-static void abi_and_count(void **state)
+TEST(abi_and_count)
 {
-    (void)state;
     vti_bodies bad = b;
     bad.abi = VTI_ABI + 1;
     refused(bad, VTI_E_ABI, VTI_QUANTITY_NONE);
@@ -206,9 +200,8 @@ static vti_view *view_at(vti_bodies *bodies, int k)
 }
 
 /** Each of the vector views in turn, in each of the ways to spoil it. */
-static void views(void **state)
+TEST(views)
 {
-    (void)state;
     static double low[4][DOUBLES];
     b.x_low = vti_view_packed(low[0]);
     b.v_low = vti_view_packed(low[1]);
@@ -246,9 +239,8 @@ static void views(void **state)
     }
 }
 
-static void quaternion_views(void **state)
+TEST(quaternion_views)
 {
-    (void)state;
     b.quat = quats_packed(quat_);
     refused(b, VTI_E_VIEW, VTI_QUANTITY_QUAT); /* alpha and quaternion */
     b.alpha = vti_view_none();
@@ -280,9 +272,8 @@ static void quaternion_views(void **state)
     refused(bad, VTI_E_ALIAS, VTI_QUANTITY_OMEGA);
 }
 
-static void masses(void **state)
+TEST(masses)
 {
-    (void)state;
     const double wrong[] = {0.0, -0.0, -1.0, NAN, INFINITY, -INFINITY};
     for (int k = 0; k < 6; ++k) {
         vti_bodies bad = b;
@@ -327,9 +318,8 @@ static void masses(void **state)
 }
 
 /** The state before the first step: finite, and no quaternion that memory has been cleared to. Forces need not be there yet. */
-static void states(void **state)
+TEST(states)
 {
-    (void)state;
     const double wrong[] = {NAN, INFINITY, -INFINITY};
     double *const all[] = {x, v, a, w};
     const int64_t quantity[] = {VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_ALPHA, VTI_QUANTITY_OMEGA};
@@ -370,9 +360,8 @@ static void states(void **state)
 
 /** A seal is for bodies that pass: others lose one that they had, and are looked at again. It is of one object: a copy that is given
  *  other views is looked at, whoever made it, and so is a slice. */
-static void seal(void **state)
+TEST(seal)
 {
-    (void)state;
     assert_int_equal(vti_bodies_seal(NULL), VTI_E_NULL);
     assert_int_equal(vti_bodies_seal(&b), VTI_OK);
     const vti_bodies sealed = b;
@@ -395,9 +384,8 @@ static void seal(void **state)
     assert_int_equal(vti_kick(0, &copy), VTI_E_COUNT);
 }
 
-static void time(void **state)
+TEST(time)
 {
-    (void)state;
     const double wrong[] = {NAN, INFINITY, -INFINITY, 0.0, -1.0};
     for (int k = 0; k < 5; ++k) {
         vti_fault fault = {7, 7, 7};
@@ -417,9 +405,8 @@ static void time(void **state)
     }
 }
 
-static void law_frame_stage_stepper_bond(void **state)
+TEST(law_frame_stage_stepper_bond)
 {
-    (void)state;
     assert_int_equal(vti_drift(0, VTI_FRAME_SPACE, 0.1, &b, NULL), VTI_E_STEPPER);
     assert_int_equal(vti_drift(VTI_LAW_EXACT9 + 1, VTI_FRAME_BODY, 0.1, &b, NULL), VTI_E_STEPPER);
     assert_int_equal(vti_drift(VTI_LAW_CLOSED, 0, 0.1, &b, NULL), VTI_E_FRAME);
@@ -448,22 +435,9 @@ static void law_frame_stage_stepper_bond(void **state)
     assert_int_equal(vti_packed_begin(99, 0.1, N, x, v, f, a, w, m, N, mass, N, inertia, NULL, NULL), VTI_E_STEPPER);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texts),
-        cmocka_unit_test(quantities),
-        cmocka_unit_test_setup(sound_bodies_pass, sound),
-        cmocka_unit_test_setup(null, sound),
-        cmocka_unit_test_setup(no_stepper, sound),
-        cmocka_unit_test_setup(abi_and_count, sound),
-        cmocka_unit_test_setup(views, sound),
-        cmocka_unit_test_setup(quaternion_views, sound),
-        cmocka_unit_test_setup(masses, sound),
-        cmocka_unit_test_setup(states, sound),
-        cmocka_unit_test_setup(seal, sound),
-        cmocka_unit_test_setup(time, sound),
-        cmocka_unit_test_setup(law_frame_stage_stepper_bond, sound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(cmocka_unit_test(texts), cmocka_unit_test(quantities), cmocka_unit_test_setup(sound_bodies_pass, sound),
+          cmocka_unit_test_setup(null, sound), cmocka_unit_test_setup(no_stepper, sound),
+          cmocka_unit_test_setup(abi_and_count, sound), cmocka_unit_test_setup(views, sound),
+          cmocka_unit_test_setup(quaternion_views, sound), cmocka_unit_test_setup(masses, sound),
+          cmocka_unit_test_setup(states, sound), cmocka_unit_test_setup(seal, sound),
+          cmocka_unit_test_setup(time, sound), cmocka_unit_test_setup(law_frame_stage_stepper_bond, sound))
