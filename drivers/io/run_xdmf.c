@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-#include "fields.h"
+#include "record.h"
 #include "number.h"
 #include "shape.h"
 

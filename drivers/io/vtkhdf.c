@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
+#include "record.h"
 #include "shape.h"
 
 /* ---- small arrays ------------------------------------------------------------------------------------------------ */

@@ -10,7 +10,7 @@
 #include "identity.h"
 #include "number.h"
 #include "terminal.h"
-#include "run_signals.h"
+#include "signals.h"
 #include "study_files.h"
 #include "survey_files.h"
 #include "tasks.h"

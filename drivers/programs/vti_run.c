@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
+#include "record.h"
 #include "number.h"
 #include "options.h"
 #include "terminal.h"
 #include "run.h"
-#include "run_signals.h"
+#include "signals.h"
 #include "scene_list.h"
 #include "shape.h"
 #include "travel.h"

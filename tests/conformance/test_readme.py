@@ -71,7 +71,20 @@ def versions():
     check(len(set(found.values())) == 1, f"one version: {found}")
 
 
+def maps():
+    """What architecture.md and CONTRIBUTING.md name is there: paths, and names of files in the rooms."""
+    files = {path.name for folder in ("include", "src", "drivers", "fortran", "tests", "scenes", "examples", "docs")
+             for path in (project / folder).rglob("*")}
+    for page in ("docs/architecture.md", "CONTRIBUTING.md"):
+        named = set(re.findall(r"`([\w./-]+\.(?:c|h|py|sh|txt|md|yaml|yml|f90|build)|[\w-]+/[\w./-]*)`",
+                               (project / page).read_text(encoding="utf-8")))
+        lost = [name for name in named if "NAME" not in name and not (project / name).exists()
+                and ("/" in name or (name not in files and not (project / name).exists()))]
+        check(len(named) > 20 and not lost, f"{page}: all {len(named)} files that it names are there {lost}")
+
+
 versions()
+maps()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")

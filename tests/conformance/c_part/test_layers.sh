@@ -6,7 +6,7 @@
 #     L2  drivers/scene, effects, sim    L0 and libc; no GSL, HDF5 or MPI; scene sees what effects declare
 #     L3  drivers/rivals             what is below, and GSL
 #         then reference, study, cost  what is below, and the kit
-#         drivers/io, drivers/keep     what is below, and each other
+#         drivers/keep, io, run        what is below, and each other
 #     L4  drivers/programs       L3 and below; of the libraries MPI at most, which main has to initialise, and popt
 # The core neither allocates nor prints nor ends the program.
 #     test_layers.sh SOURCE_DIRECTORY
@@ -87,9 +87,9 @@ for room in reference study cost; do
     below="$below drivers/$room"
     from "$(own_headers drivers/$room/*.[ch])" include $below
 done
-below="$below drivers/io drivers/keep"
+below="$below drivers/keep drivers/io drivers/run"
 # shellcheck disable=SC2086  # several folders
-for room in io keep; do
+for room in keep io run; do
     [ ! -d drivers/$room ] || from "$(own_headers drivers/$room/*.[ch])" include $below
 done
 without "$(system_headers drivers/programs/*.[ch])" 'gsl/|hdf5|H5'

@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
+#include "record.h"
 #include "hdf5_sink.h"
 #include "identity.h"
 #include "interval.h"
 #include "loop.h"
 #include "number.h"
 #include "run_restart.h"
-#include "run_signals.h"
+#include "signals.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 

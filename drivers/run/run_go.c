@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "number.h"
-#include "run_signals.h"
+#include "signals.h"
 #include "state.h"
 
 static double now(void)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #define _XOPEN_SOURCE 700 /* SIGXFSZ */
-#include "run_signals.h"
+#include "signals.h"
 
 #include <signal.h>
 #include <stddef.h>

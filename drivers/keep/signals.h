@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Signals that ask a run to stop: batch systems send SIGTERM or SIGUSR1 before they kill, people press Ctrl-C. */
-#ifndef VTI_RUN_SIGNALS_H
-#define VTI_RUN_SIGNALS_H
+#ifndef VTI_SIGNALS_H
+#define VTI_SIGNALS_H
 
 /** From now on SIGTERM, SIGUSR1, SIGINT, SIGHUP and SIGXCPU are noted, and a file that grows too large is an error, not
  *  a signal. */
