@@ -245,8 +245,8 @@ static int make_tables(struct keep *keep, struct message *message)
 static int prepare_all(struct keep *keep, struct message *message)
 {
     for (int k = 0; k < KEEP_TABLES; ++k) {
-        keep->put[k] = prepare(keep, "INSERT OR REPLACE INTO", k, "VALUES (?, ?, ?)");
-        keep->get[k] = prepare(keep, "SELECT number, bytes, digest FROM", k, "WHERE number = ?");
+        keep->put[k] = prepare(keep, "INSERT OR REPLACE INTO", (enum keep_table)k, "VALUES (?, ?, ?)");
+        keep->get[k] = prepare(keep, "SELECT number, bytes, digest FROM", (enum keep_table)k, "WHERE number = ?");
         if (keep->put[k] == NULL || keep->get[k] == NULL)
             return fail(keep, message);
     }
