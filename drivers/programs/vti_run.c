@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * vti-run: one scene over time. Arguments in, files out; the work is in sim/ and io/. */
+ * vti-run: one scene over time. Arguments in, files out; the work is in run/, sim/ and io/. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
