@@ -83,8 +83,16 @@ def maps():
         check(len(named) > 20 and not lost, f"{page}: all {len(named)} files that it names are there {lost}")
 
 
+def statuses():
+    """Fortran's constants of statuses are those of the table."""
+    rows = dict(re.findall(r"ROW\((VTI_E_\w+), (-\d+)", (project / "include/vti_status.h").read_text(encoding="utf-8")))
+    fortran = dict(re.findall(r"\b(VTI_E_\w+) = (-\d+)", (project / "fortran/vti_types.f90").read_text(encoding="utf-8")))
+    check(len(rows) > 15 and rows == fortran, f"vti_types.f90 has the statuses of vti_status.h {set(rows.items()) ^ set(fortran.items())}")
+
+
 versions()
 maps()
+statuses()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")
