@@ -151,7 +151,7 @@ static double weight(const vti_spring *s, struct tally *t, struct wide *whole)
 static void add_weight(void *context, const vti_spring *s)
 {
     struct tally *t = context;
-    struct wide whole;
+    struct wide whole = {0.0, 0};
     const double w = weight(s, t, &whole);
     if (w == 0.0)
         return;
@@ -171,7 +171,7 @@ static void name(const vti_spring *s, struct wide whole, struct tally *t)
 static void find_most(void *context, const vti_spring *s)
 {
     struct tally *t = context;
-    struct wide whole;
+    struct wide whole = {0.0, 0};
     const double w = weight(s, t, &whole);
     if (w == 0.0)
         return;

@@ -76,6 +76,7 @@ static int write_csv(const struct survey *survey, const char *folder, const char
                      struct survey_counts *counts, struct message *message)
 {
     struct csv csv = {survey->plan, folder_open(folder, names[1], message), NULL, counts};
+    struct message later; /* of what fails after the first */
     if (csv.runs == NULL)
         return -1;
     csv.times = folder_open(folder, names[2], message);
@@ -87,9 +88,9 @@ static int write_csv(const struct survey *survey, const char *folder, const char
     }
     /* what could not be written is said when a file is closed */
     const int unread = failed != 0 && message->text[0] != '\0';
-    failed |= folder_close(csv.runs, folder, names[1], unread ? &(struct message){""} : message);
+    failed |= folder_close(csv.runs, folder, names[1], unread ? &later : message);
     if (csv.times != NULL)
-        failed |= folder_close(csv.times, folder, names[2], failed ? &(struct message){""} : message);
+        failed |= folder_close(csv.times, folder, names[2], failed ? &later : message);
     return failed ? -1 : 0;
 }
 

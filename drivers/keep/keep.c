@@ -256,8 +256,8 @@ static int prepare_all(struct keep *keep, struct message *message)
 /** What is there is of this very run or study. */
 static int check_identity(struct keep *keep, const char *identity, struct message *message)
 {
-    const void *bytes;
-    size_t size;
+    const void *bytes = NULL;
+    size_t size = 0;
     struct message difference;
     const int found = keep_get(keep, KEEP_IDENTITY, 0, &bytes, &size, message);
     if (found <= 0)

@@ -39,7 +39,10 @@ static int add_key(const struct option_row *row, const char *value, struct messa
     sprintf(text, "%s=%s", name, value);
     for (char *at = text; *at != '='; ++at)
         *at = *at == '-' ? '_' : *at;
-    return add(row->to, row, text, message);
+    const int result = add(row->to, row, text, message);
+    if (result != 0)
+        free(text);
+    return result; /* NOLINT(clang-analyzer-unix.Malloc): the list keeps it as long as the program runs */
 }
 
 static int read_number(const struct option_row *row, const char *text, struct message *message)

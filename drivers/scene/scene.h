@@ -65,8 +65,8 @@ struct scene {
     double mass, inertia, diameter; /* of all bodies; 0 if the file does not say */
     double x[3];                    /* of a single body */
     double v[3], alpha[3], omega[3];
-    int has_v, has_alpha, has_omega; /* the file gives them */
     struct scene_random random;
+    int has_v, has_alpha, has_omega; /* the file gives them */
 
     int has[EFFECT_COUNT];          /* which effects it calls for, by their numbers (effects/kinds.h) */
     union effect_settings settings; /* what it says of them: kinds_settings_of */

@@ -138,12 +138,14 @@ int scene_reader_fail(const struct scene_reader *reader, const char *path, const
 {
     char text[SCENE_TEXT_SIZE];
     const struct scene_value *value = given_around(reader, path);
+    const struct place start = reader->start;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    return scene_reader_say(reader, value != NULL ? value->set : NULL, value != NULL ? &value->place : &reader->start,
-                            path, text);
+    if (value != NULL)
+        return scene_reader_say(reader, value->set, &value->place, path, text);
+    return scene_reader_say(reader, NULL, &start, path, text);
 }
 
 int scene_reader_fail_item(const struct scene_reader *reader, const struct scene_field *field, int64_t item,

@@ -12,13 +12,18 @@ void shape_centre(const struct model *model, const vti_bodies *bodies, int64_t i
             model->rooms[k].kind->centre(&model->rooms[k], bodies, i, x);
 }
 
+static int64_t lines_of(const struct effect *e)
+{
+    return e->kind->lines != NULL ? e->kind->lines->count(e) : 0;
+}
+
 int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECTS])
 {
     int n = 0;
     int64_t first = 0;
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *e = &model->rooms[k];
-        const int64_t count = e->kind->lines != NULL ? e->kind->lines->count(e) : 0;
+        const int64_t count = lines_of(e);
         const struct shape_group group = {e, first, count};
         if (count > 0)
             list[n++] = group;
@@ -29,18 +34,18 @@ int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECT
 
 int64_t shape_lines(const struct model *model)
 {
-    struct shape_group list[MODEL_EFFECTS];
-    const int n = shape_groups(model, list);
-    return n > 0 ? list[n - 1].first + list[n - 1].count : 0;
+    int64_t count = 0;
+    for (int64_t r = 0; r < model->rooms_count; ++r)
+        count += lines_of(&model->rooms[r]);
+    return count;
 }
 
 void shape_line(const struct model *model, int64_t k, int64_t pair[2])
 {
-    struct shape_group list[MODEL_EFFECTS];
-    int g = shape_groups(model, list) - 1;
-    while (k < list[g].first)
-        --g;
-    list[g].effect->kind->lines->ends(list[g].effect, k - list[g].first, pair);
+    const struct effect *e = model->rooms;
+    for (; k >= lines_of(e); ++e)
+        k -= lines_of(e);
+    e->kind->lines->ends(e, k, pair);
 }
 
 int shape_has_diameters(const struct model *model)

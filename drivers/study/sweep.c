@@ -57,7 +57,7 @@ static int read_number(const char *from, const char *to, double *value, const ch
 static int read_range(struct sweep_axis *axis, const char *range, const char *text, struct message *message)
 {
     const char *first = strchr(range, ':'), *second = strchr(first + 1, ':'), *end = range + strlen(range);
-    double to;
+    double to = 0.0;
     axis->step = 1.0;
     if (read_number(range, first, &axis->from, text, message) != 0 ||
         read_number(first + 1, second != NULL ? second : end, &to, text, message) != 0 ||
