@@ -84,9 +84,18 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | Ctrl-C, SIGTERM or SIGUSR1, to `./dev study` or to any rank | vti-study | ends with 75, by `mpirun` itself with 1 but after SIGUSR1 (that of Open MPI 5 holds our message back then); what is done is kept; the same bytes after --resume | study_terminal, hard study_resume |
 | a reference that does not fit into memory | vti-study | is held in windows of up to --memory, which each run integrates again | study_windows |
 | one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
-| two studies in one folder | vti-study | the second is refused: another vti-study is writing there | hard study_resume, hard task_journal |
-| a checkpoint, its records or a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged, or of another run | hard damaged, hard task_journal |
+| two studies in one folder, two runs into one file | vti-study, vti-run | the second is refused: another vti-study is writing there | hard study_resume, hard keep, run_resume |
+| OUT.run or a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged; or, where SQLite does not use the bit, the right bytes | hard damaged |
+| --resume with another scene, option or table | the same | reported: the first line that differs, `h: 0.01 there, 0.02 here` | run_resume, hard study_resume |
 | scenes, tables and --set of random bytes | all | reported: the line, the value and the remedy; no fault of memory (`./dev fuzz`) | hard fuzz scene, table, set |
+
+What survives a kill is one SQLite file: `OUT.run` beside the output of a run, `study.journal` or `cost.journal` in the folder of a
+study (and, while one works there or after it was killed, `OUT.run-journal`, which belongs to it: keep both). A run commits its rows,
+frames and checkpoint every minute (`--checkpoint`), a study its results every half second, or less often where that takes long: what was
+done since is done again. After a kill, and after a machine has stopped, the last commit is there. On a network file system that
+holds as far as that keeps its word: two programs at once are refused if locks of fcntl work there (NFS with its lock service,
+Lustre with -o flock); where there are none at all they are not noticed. Other programs can read such a file once nobody writes
+(`sqlite3 OUT.run 'select bytes from identity'`).
 
 ## Compilers and machines
 
