@@ -188,7 +188,6 @@ vti_bodies travel_bodies(struct travel *travel)
     vti_bodies b = travel->course != NULL ? *course_bodies(travel->course) : travel->model->bodies;
     if (travel->copies == NULL || travel->steps == 0)
         return b;
-    b.sealed = 0;
     b.v = copied(&b.v, b.count, travel->copies);
     b.omega = copied(&b.omega, b.count, travel->copies + 3 * b.count);
     b.v_low = b.omega_low = vti_view_none();
@@ -212,7 +211,6 @@ static vti_bodies turned_to_alpha(const struct travel *travel, vti_bodies b)
     b.alpha = travel->model->bodies.alpha;
     for (int k = 0; k < 4; ++k)
         b.quat.xyzw[k] = NULL;
-    b.sealed = 0;
     return b;
 }
 

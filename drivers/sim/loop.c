@@ -46,7 +46,6 @@ static int reader_create(struct reader *reader, const struct model *model, const
         reader->bodies.v = vti_view_packed(reader->memory);
     if (b->omega.c[0] != NULL)
         reader->bodies.omega = vti_view_packed(reader->memory + 3 * b->count);
-    reader->bodies.sealed = 0; /* its views are others */
     return vti_bodies_seal(&reader->bodies) == VTI_OK ? 0 : -1;
 }
 
@@ -87,7 +86,6 @@ static int probe_create(struct probe *probe, const struct model *model, const vt
         probe->bodies.x = vti_view_packed(probe->memory);
     if (b->alpha.c[0] != NULL)
         probe->bodies.alpha = vti_view_packed(probe->memory + 3 * b->count);
-    probe->bodies.sealed = 0;
     return vti_bodies_seal(&probe->bodies) == VTI_OK ? 0 : -1;
 }
 

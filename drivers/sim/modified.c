@@ -37,7 +37,6 @@ int modified_create(struct modified *m, struct model *model, const vti_stepper *
         if (list[k]->c[0] != NULL)
             *list[k] = vti_view_packed(m->memory + 3 * n * k);
     m->probe.x_low = m->probe.v_low = m->probe.alpha_low = m->probe.omega_low = vti_view_none();
-    m->probe.sealed = 0;
     return vti_bodies_seal(&m->probe) == VTI_OK ? 0 : -1;
 }
 
