@@ -25,8 +25,8 @@ enum effect_trait {
     EFFECT_SPHERES = 2      /* acts where surfaces meet: bodies need diameters, and small steps to meet */
 };
 
-/** What it does to bodies. */
-enum effect_gift { EFFECT_FORCE = 1, EFFECT_MOMENT = 2 };
+/** What it does to bodies, in the bits of vti_effect. */
+enum effect_gift { EFFECT_FORCE = 1 << VTI_QUANTITY_FORCE, EFFECT_MOMENT = 1 << VTI_QUANTITY_MOMENT };
 
 /** Which pairs of bodies that overlap are in contact: all but those that lines hold, or all. */
 enum effect_touch { EFFECT_TOUCH_APART = 1, EFFECT_TOUCH_ALL = 2 };

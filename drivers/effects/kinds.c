@@ -165,6 +165,10 @@ int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, str
 {
     if (made->name == NULL || made->apply == NULL || made->energy == NULL || made->self == NULL)
         return fail((int)kind->number, "make", "its effect lacks name, apply, energy or self", message);
+    if (kind->gives != 0 && kind->gives != made->gives)
+        return fail((int)kind->number, "gives", "is not what its effect gives", message);
+    if ((kind->kink == NULL) != (made->smooth != 0))
+        return fail((int)kind->number, "kink", "its effect is smooth and it is not, or the reverse", message);
     if ((made->terms > 0) != (kind->terms_count > 0))
         return fail((int)kind->number, "terms", "the effect has some and there are no rows for them, or the reverse",
                     message);

@@ -102,6 +102,13 @@ static void effects(void **state)
     assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
     assert_string_equal(message.text,
                         "effects/wall.c: terms: the effect has some and there are no rows for them, or the reverse");
+    made.gives = 1 << VTI_QUANTITY_MOMENT;
+    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_string_equal(message.text, "effects/wall.c: gives: is not what its effect gives");
+    made.gives = 1 << VTI_QUANTITY_FORCE;
+    made.smooth = 1;
+    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_string_equal(message.text, "effects/wall.c: kink: its effect is smooth and it is not, or the reverse");
     made.energy = NULL;
     assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
     assert_string_equal(message.text, "effects/wall.c: make: its effect lacks name, apply, energy or self");
