@@ -12,6 +12,7 @@
 #include "terminal.h"
 #include "signals.h"
 #include "study_files.h"
+#include "study_identity.h"
 #include "survey_files.h"
 #include "tasks.h"
 
@@ -144,70 +145,6 @@ static int count_ranks(void)
     return ranks;
 }
 
-/* ---- what a study is: what its scenes mean, and what it does with them ------------------------------------------ */
-
-/** How it runs one of its scenes. */
-static void identify_scene(FILE *text, const char *before, const struct scene *scene, const double *h, int64_t h_count,
-                           double t_end)
-{
-    static const char *const without[] = {"stepper", "h", "t_end", NULL};
-    identity_scene(text, before, scene, without);
-    fprintf(text, "%s--h:", before);
-    for (int64_t k = 0; k < h_count; ++k)
-        fprintf(text, " %s", NUMBER(h[k]));
-    fprintf(text, "\n%s--t-end: %s\n", before, NUMBER(t_end));
-}
-
-static void identify_steppers(FILE *text, const vti_stepper *const *steppers, int64_t count, double memory)
-{
-    fputs("--steppers:", text);
-    for (int64_t k = 0; k < count; ++k)
-        fprintf(text, " %s", steppers[k]->name);
-    fprintf(text, "\n--memory: %s\n", NUMBER(memory));
-}
-
-static void identify_study(FILE *text, const void *self)
-{
-    const struct plan *plan = self;
-    identify_scene(text, "", plan->scene, plan->h, plan->h_count, plan->t_end);
-    identify_steppers(text, plan->steppers, plan->steppers_count, plan->memory);
-}
-
-/** "scene 2, " */
-static const char *before_scene(int64_t k, char text[32])
-{
-    snprintf(text, 32, "scene %lld, ", (long long)k + 1);
-    return text;
-}
-
-/** Of the scenes at their first points, and of what is swept. */
-static void identify_survey(FILE *text, const void *self)
-{
-    const struct survey_plan *plan = self;
-    const struct plan *each = plan->each;
-    char before[32];
-    for (int k = 0; k < plan->scenes_count; ++k)
-        identify_scene(text, before_scene(k, before), &plan->first[k], each[k].h, each[k].h_count, each[k].t_end);
-    identify_steppers(text, each->steppers, each->steppers_count, each->memory);
-    for (int k = 0; k < plan->sweep->count; ++k) {
-        const struct sweep_axis *axis = &plan->sweep->axis[k];
-        fprintf(text, "--sweep %d: %s=%s %s %s %lld\n", k + 1, axis->key, axis->list != NULL ? axis->list : "",
-                NUMBER(axis->from), NUMBER(axis->step), (long long)axis->count);
-    }
-}
-
-/** How often times are taken is no part of it. */
-static void identify_cost(FILE *text, const void *self)
-{
-    const struct cost_plan *plan = self;
-    const struct cost_case *c = plan->cases;
-    char before[32];
-    for (int64_t k = 0; k < plan->cases_count; ++k)
-        identify_scene(text, before_scene(k, before), c[k].scene, plan->h, plan->h_count, c[k].t_end);
-    identify_steppers(text, plan->methods, plan->methods_count, plan->memory);
-    fprintf(text, "--evals: %lld\n", (long long)plan->most_evals);
-}
-
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
 
 /** The first line: what will be done. */
@@ -259,7 +196,7 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[STUDY_FILES];
     study_files_list(place->folder, files);
-    if (open_tasks(place, "study.journal", files, STUDY_FILES, identify_study, plan, all, sizeof(struct outcome),
+    if (open_tasks(place, "study.journal", files, STUDY_FILES, study_identify, plan, all, sizeof(struct outcome),
                    rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
@@ -319,7 +256,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[STUDY_FILES];
     study_files_list(place->folder, files);
-    if (open_tasks(place, "study.journal", files, STUDY_FILES, identify_survey, plan, survey_points(plan),
+    if (open_tasks(place, "study.journal", files, STUDY_FILES, survey_identify, plan, survey_points(plan),
                    (size_t)survey_bytes(plan), rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
@@ -366,7 +303,7 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     struct output files[COST_FILES];
     cost_files_list(place->folder, files);
-    if (open_tasks(place, "cost.journal", files, COST_FILES, identify_cost, plan, all, sizeof(struct cost_ladder),
+    if (open_tasks(place, "cost.journal", files, COST_FILES, cost_identify, plan, all, sizeof(struct cost_ladder),
                    rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
