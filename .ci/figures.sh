@@ -44,7 +44,7 @@ figures() {
     study "$1/torus-study" torus --t-end 10 --h $steps
     study "$1/torus-printed-study-short" torus-printed --t-end 2 --h $steps
     study "$1/torus-printed-study" torus-printed --t-end 10 --h 1/2000:1/32000
-    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.figures "$1"
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.figures "$1"
 }
 
 # cost FOLDER [INTO]: what accuracy costs, on scenes that are smooth, on some with contacts, and of five million steps of spin.
@@ -58,5 +58,5 @@ cost() {
         build/drivers/vti-run --no-dump scenes/spin.yaml --stepper $stepper --h 0.01 --t-end 50000 --record 5000000 \
             --frames 5000000 -o "$1/spin/$stepper.h5" >"$1/spin/$stepper.txt" 2>&1
     done
-    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.accuracy "$1" ${2:+--into "$2"}
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.accuracy "$1" ${2:+--into "$2"}
 }

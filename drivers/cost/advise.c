@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "plain.h"
-#include "search.h"
 
 /* the solution is known to this share of the error asked for */
 static const double known_share = 0.03;

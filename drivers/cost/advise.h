@@ -3,7 +3,33 @@
 #ifndef VTI_ADVISE_H
 #define VTI_ADVISE_H
 
-#include "pilot.h"
+#include "trial.h"
+
+/* ---- pilot runs -------------------------------------------------------------------------------------------------- */
+
+/* Pilot runs: one stepper over the whole time of a scene, of which only the end and the time taken are kept. */
+
+struct pilot {
+    int64_t steps, force_evals;
+    int failed;       /* a step was refused, or the end is not finite; message says why */
+    double seconds;   /* of the steps alone */
+    double max_omega; /* largest |Omega| at some 64 times */
+    vti_bodies end;   /* v and alpha at t_end, of those that the scene has */
+    double *memory;
+    struct message message;
+};
+
+/** Runs the trial. Returns 0, or -1 with one line in *message if there is no memory or no model; a
+ *  run that fails on its way is pilot->failed. */
+int pilot_run(const struct scene *scene, const struct trial *trial, struct pilot *pilot, struct message *message);
+void pilot_destroy(struct pilot *pilot);
+
+/** How far the end of a run is from that of the solution: the largest |log(R R_s^T)| of a body, radians; where
+ *  nothing turns the relative error of the velocities, (sum |v - v_s|^2 / sum |v_s|^2)^(1/2). Infinite if either run
+ *  has failed. */
+double pilot_error(const struct pilot *pilot, const struct pilot *solution);
+
+/* ---- advice ------------------------------------------------------------------------------------------------------ */
 
 enum { ADVICE_MOST = 32 };
 
@@ -34,5 +60,30 @@ struct advice {
 int advise(const struct scene *scene, double target, double t_end, double budget, const vti_stepper *const *steppers,
            int64_t count, void (*say)(const char *stepper, int64_t steps), struct advice *advice,
            struct message *message);
+
+/* ---- the search of one stepper ----------------------------------------------------------------------------------- */
+
+/* One stepper's way to an error: which number of steps meets it. */
+
+struct search {
+    const struct scene *scene;
+    struct advice *advice;
+    struct pilot solution;
+    double omega0;
+    double stable_h; /* of contacts as they are listed and bonds at rest: searches begin there */
+    double limit;    /* force evaluations beyond which runs are too dear */
+    double budget;   /* seconds to spend on the solution */
+    void (*say)(const char *stepper, int64_t steps);
+    struct message *message;
+};
+
+/** A pilot run. Returns 0, or -1 with one line in *s->message. */
+int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
+/** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound; at
+ *  least 4. */
+int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
+/** Fills in the offer of o->stepper by runs of up to limit force evaluations, compared with s->solution. Returns
+ *  likewise. */
+int search_stepper(struct search *s, struct offer *o, double limit);
 
 #endif

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cost_time.h"
 #include "queue.h"
 
 /** What all ranks share while they work. */

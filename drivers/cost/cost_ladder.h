@@ -1,10 +1,52 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * One method over one case, at one step after the other. Times are taken elsewhere (cost_time.h). */
+ * One method over one case, at one step after the other. Times are taken elsewhere (cost.h, cost_time). */
 #ifndef VTI_COST_LADDER_H
 #define VTI_COST_LADDER_H
 
 #include "cost_plan.h"
-#include "race.h"
+#include "reference.h"
+#include "trial.h"
+
+/* ---- one run ----------------------------------------------------------------------------------------------------- */
+
+/* One method at one h over one scene: how far off it is at the end, and how long it takes. The two are found in
+ * separate runs, so that no time is that of a measurement. */
+
+/** What came out. A flat record, so that it can travel as bytes. */
+struct race_result {
+    int64_t failed; /* 0, or 1 and the reason in message */
+    int64_t steps, force_evals;
+    double attitude_error; /* largest |log(R_h R^T)| over the bodies at t_end, radians; 0 if nothing turns */
+    /** At t_end, of v and Omega together as far as the scene has them: the square root of
+     *  sum |v_h - v|^2 + |Omega_h - Omega|^2 over sum |v|^2 + |Omega|^2. */
+    double velocity_error;
+    double energy_error;            /* largest |E_h - E_0|/|E_0| of RACE_LOOKS looks (absolute if E_0 = 0) */
+    double momentum_error;          /* largest deviation of a conserved momentum from its initial value, same looks */
+    double seconds, seconds_spread; /* race_settle; NaN before */
+    struct message message;
+};
+
+enum { RACE_LOOKS = 64 };
+
+/** Steps of h to t_end, of which h must be a whole fraction (to rounding). */
+int64_t race_steps(double t_end, double h);
+
+/** A run on a fresh model of scene, and its errors against the reference, which must know t_end. A step that is
+ *  refused or a state that is not finite is a failed run. Fills in all but the times. */
+void race_measure(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
+                  struct reference *reference, struct race_result *result);
+
+/** Seconds of processor time, which is wall-clock time on a core of one's own, of the run alone: without model,
+ *  start and observers. One sample is the mean of as many fresh runs in a row as fill a millisecond, at least one.
+ *  Returns it, or NaN with one line in *message if the run failed. */
+double race_sample(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
+                   struct message *message);
+
+/** seconds: the least of n samples. seconds_spread: how far their median is above it, as a share of it, which one burst
+ *  of noise does not move. Sorts the samples. */
+void race_settle(double *samples, int n, struct race_result *result);
+
+/* ---- the runs of one method -------------------------------------------------------------------------------------- */
 
 enum { COST_RUNGS = 64, COST_WORK = 1 << 22 };
 

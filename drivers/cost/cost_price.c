@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "cost_price.h"
+#include "cost.h"
 
 #include <gsl/gsl_fit.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "cost_time.h"
+#include "cost.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "pilot.h"
+#include "advise.h"
 
 #include <math.h>
 #include <stdlib.h>

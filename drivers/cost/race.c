@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "race.h"
+#include "cost_ladder.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * From its largest stable step on a stepper is run with ever more steps, each number chosen by the order seen so
  * far, until it meets the error from below, or would cost several times what the best has needed; then its order
  * tells the rest. */
-#include "search.h"
+#include "advise.h"
 
 #include <math.h>
 #include <stddef.h>

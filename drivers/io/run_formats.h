@@ -13,7 +13,7 @@
 /** out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off), and
  *  what the scene says yes or no to for its effects, such as contact.bonded. /VTKHDF: the trajectory (below).
  *  /energies: a dataset per column of out.csv, and their order in its attribute "columns". /walls: planes n.x = d as
- *  rows nx, ny, nz, d, of the effect that has any. /restart: what a complete run goes on from (run_restart.h), as the
+ *  rows nx, ny, nz, d, of the effect that has any. /restart: what a complete run goes on from (run/run.h), as the
  *  bytes of its last checkpoint. The bytes of the file depend on the scene, the options and the results only. */
 int run_hdf5_write(const struct record *record, const char *path, struct message *message);
 

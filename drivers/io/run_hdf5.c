@@ -115,7 +115,7 @@ static void verdict_write(const struct judgement *judgement, struct hdf5_sink *f
                        (const char *)judgement + verdict_numbers[k].offset);
 }
 
-/** /restart: what a complete run is and the checkpoint at its end, from which it goes on (run_restart.h). */
+/** /restart: what a complete run is and the checkpoint at its end, from which it goes on (run/run.h). */
 static int restart_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
     size_t size;

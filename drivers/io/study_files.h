@@ -8,6 +8,7 @@
 #include "cost.h"
 #include "overwrite.h"
 #include "study.h"
+#include "survey.h"
 
 /* ---- a study ---------------------------------------------------------------------------------------------------- */
 
@@ -50,5 +51,22 @@ void cost_files_list(const char *folder, struct output files[COST_FILES]);
  *  under their real ones, so that a failure leaves what was there before. Rows are ordered by case, method and
  *  falling h; runs that failed have none. Returns 0, or -1 with one line in *message. */
 int cost_files_write(const struct cost *cost, const char *folder, struct message *message);
+
+/* ---- a survey ---------------------------------------------------------------------------------------------------- */
+
+/* The files of a survey, together: study.csv and timing.csv with the swept values as further
+ * columns, study.h5 with a table for runs, points, orders, means and spreads. */
+
+/** What is counted while they are written. */
+struct survey_counts {
+    int64_t verdict[3], failed; /* runs */
+};
+
+/** Writes study.h5, study.csv and timing.csv into folder, as study_files_write does. Returns likewise. */
+int survey_files_write(const struct survey *survey, const char *folder, struct survey_counts *counts,
+                       struct message *message);
+
+/** study.h5 alone. failed: runs. */
+int survey_hdf5_write(const struct survey *survey, const char *path, int64_t failed, struct message *message);
 
 #endif

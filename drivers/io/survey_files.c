@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "survey_files.h"
+#include "study_files.h"
 
 #include <string.h>
 

@@ -8,13 +8,13 @@
  * [groups x steppers x steps]: over the values of the first key at each value of the others and in each scene; point
  * is the first of the group, runs how many went well; mean and spread (standard deviation) of each error.
  * /ensemble_orders [groups x steppers x measures]: the same of fitted orders. */
-#include "survey_files.h"
+#include "study_files.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "hdf5_table.h"
+#include "hdf5_sink.h"
 #include "number.h"
 
 enum { NAME = 64, MEASURES = STUDY_MEASURES, COLUMNS_MOST = 32 };

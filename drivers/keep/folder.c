@@ -9,8 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sync.h"
-
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
 {
     const int length = snprintf(path, FOLDER_PATH, "%s/%s%s", folder, name, part ? ".part" : "");
@@ -173,4 +171,28 @@ int folder_finish(const char *folder, const char *const *names, int count, int f
     for (int k = 0; failed != 0 && k < count; ++k)
         drop(folder, names[k]);
     return failed == 0 && sync_path(folder) != 0 ? fail(folder, message) : failed;
+}
+
+/* ---- to the disk ------------------------------------------------------------------------------------------------- */
+
+int sync_end(FILE *file, int (*end)(FILE *file))
+{
+    const int before = ferror(file);
+    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
+    return end(file) != 0 || before ? -1 : 0;
+}
+
+int sync_file(FILE *file)
+{
+    return fflush(file) != 0 || fsync(fileno(file)) != 0 ? -1 : 0;
+}
+
+int sync_path(const char *path)
+{
+    const int fd = open(path, O_RDONLY);
+    if (fd < 0)
+        return -1;
+    /* some file systems cannot sync a folder and need not */
+    const int failed = fsync(fd) != 0 && errno != EINVAL;
+    return close(fd) != 0 || failed ? -1 : 0;
 }

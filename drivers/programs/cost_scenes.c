@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #define _POSIX_C_SOURCE 200809L
-#include "cost_scenes.h"
+#include "study_go.h"
 
 #include <stdio.h>
 #include <string.h>

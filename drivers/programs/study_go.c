@@ -12,8 +12,6 @@
 #include "terminal.h"
 #include "signals.h"
 #include "study_files.h"
-#include "study_identity.h"
-#include "survey_files.h"
 #include "tasks.h"
 
 /* ---- all ranks -------------------------------------------------------------------------------------------------- */

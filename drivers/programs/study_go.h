@@ -6,8 +6,11 @@
 #include <stdio.h>
 
 #include "cost.h"
+#include "cost_plan.h"
+#include "message.h"
 #include "overwrite.h"
 #include "survey.h"
+#include "table.h"
 
 /** Where it goes and whether one that was interrupted there goes on. */
 struct study_place {
@@ -37,5 +40,44 @@ int survey_table_write(const struct survey *survey, FILE *file, struct message *
 void study_print_h(double h, FILE *file);
 /** The price list of every case, and what the next digit costs. */
 void cost_table_write(const struct cost *cost, FILE *file);
+
+/* ---- files beside the programs ----------------------------------------------------------------------------------- */
+
+/* Files that belong to the programs, found relative to the running program: in the build tree as when installed. */
+
+enum { BESIDE_PATH = 4096 };
+
+/** The path of a shipped scene, "pendulum.yaml". Returns 0, or -1 if there is none. */
+int beside_scene(const char *name, char path[BESIDE_PATH]);
+/** Pictures: runs "vti-plot folder/name" and waits for it. Returns 0, or -1 with one line in *message. */
+int pictures_draw(const char *folder, const char *name, struct message *message);
+
+/* ---- the scenes of a cost study ---------------------------------------------------------------------------------- */
+
+/* The scenes of a cost study, as they are named on the command line: SCENE.yaml, or SCENE.yaml@10,100 with their
+ * ends. */
+
+/** Scenes and what their tables hold. Must not be moved while a plan looks at it. */
+struct cost_scenes {
+    int count;
+    char paths[COST_CASES][SCENE_PATH_SIZE]; /* of the scenes' files */
+    struct scene scenes[COST_CASES];
+    struct tables tables[COST_CASES];
+};
+
+/** Reads n scenes, with the overrides sets, and adds them to the plan; t_end (may be NULL) holds the ends of those
+ *  without "@", as --t-end has them. Returns 0, or -1 with one line in *message; cost_scenes_destroy in either case. */
+int cost_scenes_read(const char *const *names, int n, const char *const *sets, int sets_count, const char *t_end,
+                     struct cost_scenes *scenes, struct cost_plan *plan, struct message *message);
+void cost_scenes_destroy(struct cost_scenes *scenes);
+
+/* ---- what a study is --------------------------------------------------------------------------------------------- */
+
+/* What a study is: what its scenes mean, and what it does with them. It goes on with --resume only as the same. */
+
+/** Write the lines "key: value" (identity.h) of a struct plan, survey_plan or cost_plan. */
+void study_identify(FILE *text, const void *plan);
+void survey_identify(FILE *text, const void *plan);
+void cost_identify(FILE *text, const void *plan);
 
 #endif

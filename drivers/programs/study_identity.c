@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "study_identity.h"
+#include "study_go.h"
 
 #include "cost.h"
 #include "identity.h"

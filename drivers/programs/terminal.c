@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "sync.h"
+#include "folder.h"
 
 int output_end(struct message *message)
 {
@@ -87,7 +87,7 @@ static FILE *launchers(int stream)
     return file;
 }
 
-/** A stream that leads to a terminal; or NULL. Of a launcher's it is one of our own, past its pipes: see progress.h. */
+/** A stream that leads to a terminal; or NULL. Of a launcher's it is one of our own, past its pipes: see terminal.h. */
 static FILE *find_terminal(void)
 {
     const char *told = getenv("VTI_TERMINAL");

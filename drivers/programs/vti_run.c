@@ -11,7 +11,7 @@
 #include "terminal.h"
 #include "run.h"
 #include "signals.h"
-#include "scene_list.h"
+#include "scene.h"
 #include "shape.h"
 #include "travel.h"
 

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beside.h"
-#include "cost_scenes.h"
 #include "folder.h"
 #include "number.h"
 #include "options.h"

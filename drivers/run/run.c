@@ -11,7 +11,6 @@
 #include "interval.h"
 #include "loop.h"
 #include "number.h"
-#include "run_restart.h"
 #include "signals.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */

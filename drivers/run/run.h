@@ -23,7 +23,7 @@ struct run_request {
     int dump;   /* write the LAMMPS dump */
     int xdmf;   /* write the XDMF index of however many frames */
     int force;  /* replace files that are not ours */
-    int fields; /* fields.h */
+    int fields; /* FIELD_ (record.h) */
 };
 
 /** How a run has ended. */
@@ -72,10 +72,31 @@ struct run {
 int run_open(const struct run_request *request, struct run *run, struct message *message);
 
 /** Runs and writes the files. The line in *message is that of all ends but RUN_COMPLETE. progress is shown as in
- *  progress.h. */
+ *  terminal.h. */
 enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
                     struct message *message);
 
 void run_close(struct run *run);
+
+/* ---- from the end of a complete run ------------------------------------------------------------------------------ */
+
+/* A complete run goes on from its HDF5 file: /restart there holds its identity and the checkpoint at its end, byte for
+ * byte, and rows and frames are those of /energies and /VTKHDF. */
+
+struct run_restart {
+    char *identity;       /* text (identity.h) */
+    unsigned char *bytes; /* of the checkpoint */
+    size_t size;
+};
+
+/** What the file of the run says of its end; run_restart_free is due. Returns 1, 0 if there is no such file, or -1 with
+ *  one line in *message: the file holds no run that can go on. */
+int run_restart_find(const char *path, struct run_restart *restart, struct message *message);
+void run_restart_free(struct run_restart *restart);
+
+/** Adds the records that *checkpoint counts to the open, empty journal of *record. Returns 0, or -1 with one line in
+ *  *message: they are not those of the checkpoint. */
+int run_restart_fill(const char *path, const struct record *record, const struct checkpoint *checkpoint,
+                     struct message *message);
 
 #endif

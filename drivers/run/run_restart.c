@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #define _POSIX_C_SOURCE 200809L
-#include "run_restart.h"
+#include "run.h"
 
 #include <hdf5.h>
 #include <math.h>

@@ -6,6 +6,8 @@
 #ifndef VTI_SCENE_H
 #define VTI_SCENE_H
 
+#include <stdio.h>
+
 #include "kinds.h"
 #include "message.h"
 #include "vti.h"
@@ -96,5 +98,13 @@ int scene_has_trait(const struct scene *scene, int trait);
 int scene_is_stiff(const struct scene *scene);
 /** Why its forces are not smooth, NULL if they are. */
 const char *scene_kink(const struct scene *scene);
+
+/* ---- lists for people -------------------------------------------------------------------------------------------- */
+
+/* What a scene may name, for people: the tables that scenes are read by. */
+
+/** Prints the steppers, the effects or the keys of scenes, one a line: name, tabulator, what it is. Returns 0, or -1
+ *  with one line in *message if what is none of "steppers", "effects" and "keys". */
+int scene_list(const char *what, FILE *file, struct message *message);
 
 #endif

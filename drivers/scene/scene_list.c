@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "scene_list.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "scene_yaml.h"
+#include "scene_reader.h"
 
 #include <libfyaml.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * One run: a stepper at one h over one scene. What is measured on it is up to observers, and to whoever reads its
- * end: errors at every step (outcome.h), errors at the end and times (race.h), the end alone (pilot.h). */
+ * end: errors at every step (outcome.h), errors at the end and times (cost_ladder.h), the end alone (advise.h). */
 #ifndef VTI_TRIAL_H
 #define VTI_TRIAL_H
 

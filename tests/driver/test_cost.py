@@ -76,7 +76,7 @@ def evaluations(base):
 
 
 def price(ladder, error, target):
-    """The rule of cost_price.h, once more. One of srkn6's first runs on the chain is good by chance and must not count."""
+    """The rule of cost.h, once more. One of srkn6's first runs on the chain is good by chance and must not count."""
     good = [float(row[error]) <= target for row in ladder]
     reaching = [k for k in range(len(ladder)) if all(good[k:k + 3])]
     if not reaching:

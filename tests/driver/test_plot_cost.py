@@ -20,7 +20,7 @@ ENERGY = "pendulum-1000-energy.png"     # the one picture of energy that is on t
 
 def accuracy(program, *given):
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(program), "PYTHONDONTWRITEBYTECODE": "1"}
-    return subprocess.run([sys.executable, "-m", "plot.accuracy", *given], capture_output=True, text=True, check=False,
+    return subprocess.run([sys.executable, "-m", "plot.pages.accuracy", *given], capture_output=True, text=True, check=False,
                           env=beside)
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """An effect is one room: outside drivers/effects nobody in drivers/ names one, by an identifier, a key or a column. Left out are
-drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the pictures.
+drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the pictures. No room holds
+more files than can be overseen.
 test_rooms.py ROOT VTI_RUN"""
 import glob
 import io
@@ -56,6 +57,11 @@ for path in sorted(files):
         text = file.read()
     found = list((named_in_python if path.endswith(".py") else named_in_c)(text))
     check(not found, f"{place} names no effect: {found}")
+
+MOST = 25
+for room, _, inside in os.walk(os.path.join(root, "drivers")):
+    sources = [name for name in inside if name.endswith((".c", ".h", ".py", ".build"))]
+    check(len(sources) <= MOST + 1, f"{os.path.relpath(room, root)} is one room: {len(sources)} files with its meson.build, at most {MOST + 1}")
 
 rooms = []
 for path in glob.glob(os.path.join(root, "drivers", "effects", "*.c")):

@@ -5,7 +5,7 @@
 
 #include <errno.h>
 
-#include "sync.h"
+#include "folder.h"
 
 struct disk {
     int fails; /* writes from now on that find no space */

@@ -44,7 +44,7 @@ NOTES = {
                  "energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
-    "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/sim/verdict.h): good, doubtful, bad. Bad is an energy that grows by "
+    "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. Bad is an energy that grows by "
                "more than a quarter of what moves (S, the largest T + U without fields; by H and by H - (h^2/8) sum(F^2/m + RM^2/J), or "
                "by 0.7 of S by H alone), a body that travels by more than a diameter per step where bodies meet something, and a run "
                "that breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "

@@ -5,7 +5,6 @@
 #include "hard.h"
 
 #include "../driver/model_support.h"
-#include "turning.h"
 #include "verdict.h"
 
 /* ---- angles ---------------------------------------------------------------------------------------------------------- */

@@ -10,11 +10,12 @@ import sys
 
 import numpy as np
 
-from . import advice, claims, methods, price_list, steady_spin, style, work_precision
+from .. import methods, style
+from ..trouble import Trouble
+from . import advice, claims, price_list, steady_spin, work_precision
 from .cost_file import read_cost
 from .page import Page
 from .price_list import power, three
-from .trouble import Trouble
 
 NOISY = 0.1             # of a time: a spread that no quiet machine shows
 PICTURES = 9            # at most on a page made for a folder of documents

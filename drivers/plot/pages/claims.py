@@ -3,7 +3,8 @@
 every quaternion Verlet at equal time."""
 import numpy as np
 
-from . import methods, price_list
+from .. import methods
+from . import price_list
 from .price_list import three
 
 # scene, error, most that the best of ours may take of the time of the best rival, and how that is written

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "turning.h"
+#include "verdict.h"
 
 #include <stddef.h>
 

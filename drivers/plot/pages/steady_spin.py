@@ -8,9 +8,9 @@ from decimal import Decimal, localcontext
 
 import numpy as np
 
-from .hdf5_file import RUN, Reader, opened
-from .run_file import read_run
-from .trouble import Trouble
+from ..hdf5_file import RUN, Reader, opened
+from ..run_file import read_run
+from ..trouble import Trouble
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
 

@@ -7,13 +7,13 @@ import sys
 
 import numpy as np
 
-from . import curves, energy_error, momenta, style, words
-from .convergence import LOST
+from .. import curves, energy_error, momenta, style, words
+from ..convergence import LOST
+from ..run_file import read_run
+from ..study_file import read_study
+from ..trouble import Trouble
+from ..words import plain_number as number
 from .page import Page
-from .run_file import read_run
-from .study_file import read_study
-from .trouble import Trouble
-from .words import plain_number as number
 
 VERDICTS = {True: "**Agrees.**", False: "**Does not agree.**", None: "**Cannot be told.**"}
 E, Q, H1 = "e_error", "q_error", "h1_error"

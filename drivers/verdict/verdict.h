@@ -16,10 +16,32 @@
 #define VTI_VERDICT_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "columns.h"
 #include "modified.h"
-#include "trend.h"
+#include "vti.h"
+
+/* ---- the slope of a series --------------------------------------------------------------------------------------- */
+
+/* The slope of a long series in little memory: means over blocks that grow with the series, and a line through them. */
+
+enum { TREND_BLOCKS = 64 };
+
+/** All doubles, so that it can be kept as a row of numbers. Start from zeros. */
+struct trend {
+    double blocks, width, filled;            /* whole blocks, values in each, values in the one that is being filled */
+    double t[TREND_BLOCKS], y[TREND_BLOCKS]; /* means */
+    double t_sum, y_sum;                     /* of the block that is being filled */
+};
+
+void trend_add(struct trend *s, double t, double y);
+
+/** Least squares over the whole blocks: y per t, and its standard error by what the line leaves. Values that lie near each
+ *  other in time are not independent; means over the 32 to 64 blocks of a long series nearly are. NaN below four blocks. */
+void trend_slope(const struct trend *s, double *slope, double *error);
+
+/* ---- the verdict ------------------------------------------------------------------------------------------------- */
 
 enum verdict_grade { VERDICT_GOOD, VERDICT_DOUBTFUL, VERDICT_BAD };
 
@@ -95,5 +117,22 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
 int64_t verdict_size(const struct verdict *v);
 void verdict_get(const struct verdict *v, double *state);
 void verdict_put(struct verdict *v, const double *state);
+
+/* ---- angles of a step -------------------------------------------------------------------------------------------- */
+
+/* By what angle a step turns a body, and how far that is from h|Omega| (EQUATIONS 2). Nothing here calls libm but for
+ * square roots, so that what is reported has the same bits everywhere. */
+
+/** The angle, from 0 on and not folded at full turns, by which a drift of the law (vti_law) turns a body of t|Omega| = s >= 0:
+ *  asin s (closed; s <= 1 is taken for more), 2 atan(s/2) (Cayley), 2 atan2(v, c) of the pair (c, v) of the exact laws. */
+double turning_angle(int64_t law, double s);
+
+/** Sum over the stepper's drifts a_k h of | turning_angle(a_k s) - a_k s |, as a share of s = h|Omega|. 0 for s = 0, and for a
+ *  stepper that is not made of drifts. */
+double turning_error(const vti_stepper *stepper, double s);
+
+/** The largest turning_error that is no cause for a remark. Exact laws are meant to turn by h|Omega|: 1e-3. The angles of
+ *  the others err as s^2/12 and s^2/6, which their order says already: 0.1, at h|Omega| = 1.2 (Cayley) and 0.7 (closed). */
+double turning_tolerance(const vti_stepper *stepper);
 
 #endif

@@ -2,7 +2,7 @@
 """The price list: what an error costs with each method, which is the cheapest, and what a factor of ten more costs."""
 import numpy as np
 
-from . import methods
+from .. import methods
 
 REACHED_BY_MOST = 0.5       # of the methods
 SORTED_BY = 1e-6            # unless so few reach it

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "turning.h"
-
 #define MEMBER(NAME, IS_INTEGER)                                                                                       \
     {                                                                                                                  \
 #NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \

@@ -2,7 +2,8 @@
 """Which stepper when: the words, with what a cost study has to say filled in. What the scenes are is told here too."""
 import numpy as np
 
-from . import methods, price_list
+from .. import methods
+from . import price_list
 from .price_list import listing, power, three
 
 # The name that a scene's begins with -> whether bodies or walls touch in it, and what it is

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import methods
-from .trouble import Trouble
+from .. import methods
+from ..trouble import Trouble
 
 TEXTS = ("scene", "stepper", "kind")
 COST = ("h", "steps", "force_evals", "seconds", "seconds_spread", "attitude_error", "velocity_error", "energy_error",

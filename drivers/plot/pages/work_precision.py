@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import methods, price_list, style, words
+from .. import methods, style, words
+from . import price_list
 
 HEIGHT = 5.6
 MARKS = 7               # of a curve; a ladder by sqrt(2) has up to 64 runs
