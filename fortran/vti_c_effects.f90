@@ -111,6 +111,12 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
+        function c_drag_effect(drag) result(effect) bind(c, name='vti_drag_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: drag
+            type(vti_effect) :: effect
+        end function
+
         function c_bonds_effect(bonds) result(effect) bind(c, name='vti_bonds_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: bonds

@@ -12,7 +12,8 @@ module vti_types
     integer(c_int), parameter :: VTI_OK = 0, VTI_E_NULL = -1, VTI_E_ABI = -2, VTI_E_COUNT = -3, VTI_E_VIEW = -4, &
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
-        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19
+        VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
+        VTI_E_DAMPING = -20
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -106,6 +107,15 @@ module vti_types
     !> Uniform field: F = m g.
     type, bind(c) :: vti_gravity
         real(c_double) :: g(3) = 0
+    end type
+
+    !> Drag: F = -linear u - quadratic |u| u with u = v - medium, RM = -angular Omega; coefficients that are absent do
+    !> nothing. lost is the address of an array of two type(vti_sum), zeros at the start: what drag has taken out of
+    !> translation and out of rotation.
+    type, bind(c) :: vti_drag
+        type(vti_scalars) :: linear, quadratic, angular
+        real(c_double) :: medium(3) = 0
+        type(c_ptr) :: lost = c_null_ptr
     end type
 
     !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
  *  The interface of an effect: a line of physics with its forces, moments and energies, and what it says of itself. The
- *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h); a host's
- *  is served alike. */
+ *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h, vti_drag.h);
+ *  a host's is served alike. */
 #ifndef VTI_EFFECT_H
 #define VTI_EFFECT_H
 

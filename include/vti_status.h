@@ -65,7 +65,10 @@ extern "C" {
         "vti_springs_none if its force does not change with position, or leave it out to bound the others")            \
     ROW(VTI_E_NEEDS, -19,                                                                                              \
         "an effect needs what the bodies do not have: x, v, an attitude, omega, mass or inertia, as its needs say; "   \
-        "give the bodies that view, or leave the effect out")
+        "give the bodies that view, or leave the effect out")                                                          \
+    ROW(VTI_E_DAMPING, -20,                                                                                            \
+        "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \
+        "finite; give finite coefficients >= 0")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

@@ -22,7 +22,8 @@ struct tables;
 /** What holds for an effect wherever a scene calls for it. */
 enum effect_trait {
     EFFECT_TRANSLATING = 1, /* acts on bodies that translate: they need positions */
-    EFFECT_SPHERES = 2      /* acts where surfaces meet: bodies need diameters, and small steps to meet */
+    EFFECT_SPHERES = 2,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
+    EFFECT_FLOWS = 4        /* acts on velocities by its flow alone, and gives neither force nor moment */
 };
 
 /** What it does to bodies, in the bits of vti_effect. */
@@ -34,11 +35,12 @@ enum effect_touch { EFFECT_TOUCH_APART = 1, EFFECT_TOUCH_ALL = 2 };
 /** An effect of a model. */
 struct effect {
     const struct effect_kind *kind;
-    const void *settings; /* kind->settings bytes: what the scene says */
-    void *self;           /* what it acts with: from effect_memory, or NULL */
+    const void *settings;      /* kind->settings bytes: what the scene says */
+    void *self;                /* what it acts with: from effect_memory, or NULL */
+    vti_sum booked[VTI_TERMS]; /* its booked energies, which make points to where it has some; a run keeps them */
 };
 
-/** A term of its energy, in pictures. */
+/** A term of its energy, or an entry of what it has booked, in pictures. */
 struct effect_term {
     const char *name;    /* as in the library and in files */
     const char *symbol;  /* mathtext */
@@ -125,7 +127,7 @@ struct effect_kind {
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
     /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
-    const struct effect_term *terms; /* of all energies that it may have */
+    const struct effect_term *terms; /* of all energies that it may have, and may book */
     int terms_count;
 
     /* What it tells of itself. */

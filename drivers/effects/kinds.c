@@ -58,7 +58,7 @@ void kinds_defaults(union effect_settings *all)
 
 int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table)
 {
-    return kind->gives != 0 ? kind->gives : kind->gives_by(kinds_settings_of(kind, all), table);
+    return kind->gives_by != NULL ? kind->gives_by(kinds_settings_of(kind, all), table) : kind->gives;
 }
 
 void *effect_memory(struct effect *e, size_t bytes, struct message *message)
@@ -133,8 +133,8 @@ int kinds_check_kind(int k, const struct effect_kind *kind, struct message *mess
         return fail(k, "number", "is not that of the list in kinds.h", message);
     if (kind->key == NULL || kind->fields == NULL || kind->fields_count < 1)
         return fail(k, "", "has no key, or no row for it", message);
-    if ((kind->gives == 0) == (kind->gives_by == NULL))
-        return fail(k, "", "gives neither force nor moment: one of gives and gives_by", message);
+    if ((kind->gives != 0) + (kind->gives_by != NULL) + ((kind->traits & EFFECT_FLOWS) != 0) != 1)
+        return fail(k, "", "gives neither force nor moment: one of gives, gives_by and EFFECT_FLOWS", message);
     if (kind->make == NULL)
         return fail(k, "", "has no make", message);
     if ((kind->gives & EFFECT_FORCE) != 0 && (kind->traits & EFFECT_TRANSLATING) == 0)
@@ -161,23 +161,32 @@ int kinds_check(struct message *message)
     return 0;
 }
 
+/** Each has a row in terms. */
+static int check_names(const struct effect_kind *kind, const char *const *name, int64_t count, struct message *message)
+{
+    for (int64_t j = 0; j < count; ++j) {
+        int found = 0;
+        for (int t = 0; t < kind->terms_count; ++t)
+            found |= strcmp(kind->terms[t].name, name[j]) == 0;
+        if (!found)
+            return fail((int)kind->number, name[j], "the term has no row in terms", message);
+    }
+    return 0;
+}
+
 int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message)
 {
-    if (made->name == NULL || made->apply == NULL || made->energy == NULL || made->self == NULL)
+    const int flows = (kind->traits & EFFECT_FLOWS) != 0, acts = made->apply != NULL && made->energy != NULL;
+    if (made->name == NULL || made->self == NULL || !(flows ? made->flow != NULL : acts))
         return fail((int)kind->number, "make", "its effect lacks name, apply, energy or self", message);
     if (kind->gives != 0 && kind->gives != made->gives)
         return fail((int)kind->number, "gives", "is not what its effect gives", message);
     if ((kind->kink == NULL) != (made->smooth != 0))
         return fail((int)kind->number, "kink", "its effect is smooth and it is not, or the reverse", message);
-    if ((made->terms > 0) != (kind->terms_count > 0))
+    if (!flows && (made->terms > 0) != (kind->terms_count > 0))
         return fail((int)kind->number, "terms", "the effect has some and there are no rows for them, or the reverse",
                     message);
-    for (int64_t j = 0; j < made->terms; ++j) {
-        int found = 0;
-        for (int t = 0; t < kind->terms_count; ++t)
-            found |= strcmp(kind->terms[t].name, made->term[j]) == 0;
-        if (!found)
-            return fail((int)kind->number, made->term[j], "the term has no row in terms", message);
-    }
-    return 0;
+    return check_names(kind, made->term, made->terms, message) != 0
+               ? -1
+               : check_names(kind, made->book, made->books, message);
 }

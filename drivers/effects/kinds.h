@@ -2,14 +2,15 @@
  *
  * The effects that scenes may call for: the one list of them. A new one is a name in this list and a file NAME.c, in
  * meson.build, that defines effect_NAME; the order is that of effects in models and of columns in files. Effects that
- * hold bodies together (kind.h, lines) stand before those that search for pairs, which leave those pairs alone. */
+ * hold bodies together (kind.h, lines) stand before those that search for pairs, which leave those pairs alone; drag stands
+ * first, so that its flow is the outermost (EQUATIONS 6.3). */
 #ifndef VTI_KINDS_H
 #define VTI_KINDS_H
 
 #include "message.h"
 #include "vti.h"
 
-#define EFFECT_KINDS(KIND) KIND(binder) KIND(contact) KIND(wall) KIND(gravity) KIND(pendulum)
+#define EFFECT_KINDS(KIND) KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(gravity) KIND(pendulum)
 
 #define EFFECT_NUMBER(NAME) EFFECT_##NAME,
 enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };

@@ -130,7 +130,8 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
 {
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
-    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count;
+    const int64_t fixed = state_size(bodies) + verdict_size(verdict) + more_count;
+    checkpoint->state_doubles = fixed + model_memory_size(verdict->model);
     const size_t size = sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles,
                  whole = size + sizeof(uint64_t);
     unsigned char *bytes = malloc(whole);
@@ -142,6 +143,7 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     verdict_get(verdict, state + state_size(bodies));
     if (more_count > 0)
         memcpy(state + state_size(bodies) + verdict_size(verdict), more, sizeof *more * (size_t)more_count);
+    model_memory_get(verdict->model, state + fixed);
     const uint64_t digest = digest_add(DIGEST_START, bytes, size);
     memcpy(bytes + size, &digest, sizeof digest);
     int failed = journal_flush(journal, message);
@@ -181,19 +183,22 @@ int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *
                     struct verdict *verdict, double *more, int64_t more_count)
 {
     uint64_t digest;
-    const int64_t doubles = state_size(bodies) + verdict_size(verdict) + more_count;
-    const size_t body = sizeof *checkpoint + sizeof(double) * (size_t)doubles;
-    if (size != body + sizeof digest)
+    const int64_t fixed = state_size(bodies) + verdict_size(verdict) + more_count;
+    const size_t least = sizeof *checkpoint + sizeof(double) * (size_t)fixed + sizeof digest;
+    if (size < least || (size - least) % sizeof(double) != 0)
         return -1;
-    memcpy(&digest, bytes + body, sizeof digest);
-    if (digest != digest_add(DIGEST_START, bytes, body))
+    memcpy(&digest, bytes + size - sizeof digest, sizeof digest);
+    if (digest != digest_add(DIGEST_START, bytes, size - sizeof digest))
         return -1;
+    const int64_t memory = (int64_t)((size - least) / sizeof(double));
     memcpy(checkpoint, bytes, sizeof *checkpoint);
     /* who starts anew from step 0 moves the velocities of a lagging method anew */
     if (checkpoint->step > 0) {
         const double *state = (const double *)(const void *)(bytes + sizeof *checkpoint);
         state_put(state, bodies);
         verdict_put(verdict, state + state_size(bodies));
+        if (model_memory_put(verdict->model, state + fixed, memory) != 0)
+            return -1;
         if (more_count > 0)
             memcpy(more, state + state_size(bodies) + verdict_size(verdict), sizeof *more * (size_t)more_count);
     }

@@ -30,8 +30,8 @@ struct journal {
     struct journal_file rows, frames;
 };
 
-/** How far a run is. With it goes the state of the bodies and of the verdict so far, and as more what else the stepper
- *  keeps (travel_state). */
+/** How far a run is. With it goes the state of the bodies and of the verdict so far, as more what else the stepper
+ *  keeps (travel_state), and what the verdict's model does (model_memory_get). */
 struct checkpoint {
     int64_t step;                       /* not yet recorded */
     int64_t record_every, frames_every; /* steps between rows and between frames */

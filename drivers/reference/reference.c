@@ -99,7 +99,13 @@ static int see_pass(void *self, double share)
 static int create(struct model *model, double t_end, double interval, double bytes, const struct place *place,
                   struct reference *r, struct message *message)
 {
+    const vti_effect *dissipates = model_dissipates(model);
     memset(r, 0, sizeof *r);
+    if (dissipates != NULL)
+        return message_set(message,
+                           "%s: %s dissipates; the reference solution knows forces alone: compare runs of vti-run at "
+                           "several h, or leave it out",
+                           model->scene->name, dissipates->name);
     r->interval = interval;
     const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, place, &r->smooth, message)
                                        : create_sampled(model, t_end, interval, place, &r->sampled, message);

@@ -119,6 +119,19 @@ int methods_width(const vti_stepper *const *list, int64_t n)
 
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
 
+/** Only steppers of ours flow and carry, and of those only the ones that never step back. */
+static int check_dissipation(const vti_stepper *stepper, const struct rival *rival, const struct model *model,
+                             struct message *message)
+{
+    const vti_effect *e = model_dissipates(model);
+    if (e == NULL || (rival == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
+        return 0;
+    return message_set(message,
+                       "%s: %s dissipates, which the stepper %s cannot do: %s; take vti2, vti1, exact or chin4",
+                       model->scene->name, e->name, stepper->name,
+                       rival != NULL ? "rivals have forces alone" : "it has negative coefficients");
+}
+
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message)
 {
@@ -129,6 +142,8 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
+    if (check_dissipation(stepper, rival, model, message) != 0)
+        return -1;
     if (rival != NULL) {
         travel->course = course_create(rival, model, h, message);
         if (travel->course == NULL)

@@ -100,20 +100,26 @@ static int probe_forces(struct probe *probe, struct model *model, const vti_step
 
 /* ---- the loop ---------------------------------------------------------------------------------------------------- */
 
-/** One step of any method: stages of kick, drift and forces, and what is left after the last. */
-static int one_step(struct model *model, const vti_stepper *stepper, double h, struct probe *probe, vti_fault *fault)
+/** One step of any method: stages of kick, drift and forces, and what is left after the last. With effects that flow or
+ *  carry n is how many effects there are, else 0. */
+static int one_step(struct model *model, const vti_stepper *stepper, double h, int64_t n, struct probe *probe,
+                    vti_fault *fault)
 {
     for (int64_t k = 0; k < stepper->stages; ++k) {
         int status = probe_forces(probe, model, stepper, k, h);
         if (status == VTI_OK)
-            status = vti_step_stage(stepper, k, h, &model->bodies, fault);
+            status = n > 0 ? vti_effects_stage(stepper, k, h, model->effects, n, &model->bodies, fault)
+                           : vti_step_stage(stepper, k, h, &model->bodies, fault);
         if (status == VTI_OK)
             status = model_forces(model, &model->bodies);
         if (status != VTI_OK)
             return status;
     }
     const int status = probe_forces(probe, model, stepper, stepper->stages, h);
-    return status == VTI_OK ? vti_step_finish(stepper, h, &model->bodies) : status;
+    if (status != VTI_OK)
+        return status;
+    return n > 0 ? vti_effects_finish(stepper, h, model->effects, n, &model->bodies)
+                 : vti_step_finish(stepper, h, &model->bodies);
 }
 
 /** What a run consists of. */
@@ -176,11 +182,12 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     }
     vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
+    const int64_t effects = model_dissipates(model) != NULL ? model->effects_count : 0;
     int64_t step = from;
     int status = begin(&run, from);
     int stopped = status == VTI_OK && show(&run, step);
     while (status == VTI_OK && !stopped && step < steps) {
-        status = one_step(model, stepper, h, &run.probe, &fault);
+        status = one_step(model, stepper, h, effects, &run.probe, &fault);
         ++step;
         if (status == VTI_OK)
             stopped = show(&run, step);

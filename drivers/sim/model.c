@@ -92,6 +92,49 @@ double model_energy(struct model *model, const vti_bodies *bodies)
     return vti_energy(model->effects, model->effects_count, bodies);
 }
 
+/* ---- what takes energy ------------------------------------------------------------------------------------------- */
+
+const vti_effect *model_dissipates(const struct model *model)
+{
+    for (int64_t k = 0; k < model->effects_count; ++k) {
+        const vti_effect *e = &model->effects[k];
+        if (e->flow != NULL || e->carry != NULL || e->rupture != NULL || e->dissipates != 0)
+            return e;
+    }
+    return NULL;
+}
+
+int64_t model_memory_size(const struct model *model)
+{
+    int64_t size = 0;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        size += model->effects[k].books > 0 ? 2 * VTI_TERMS : 0;
+    return size;
+}
+
+void model_memory_get(const struct model *model, double *memory)
+{
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        for (int j = 0; model->effects[k].books > 0 && j < VTI_TERMS; ++j) {
+            *memory++ = model->rooms[k].booked[j].high;
+            *memory++ = model->rooms[k].booked[j].low;
+        }
+}
+
+int model_memory_put(struct model *model, const double *memory, int64_t size)
+{
+    if (size != model_memory_size(model))
+        return -1;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        for (int j = 0; model->effects[k].books > 0 && j < VTI_TERMS; ++j) {
+            model->rooms[k].booked[j].high = *memory++;
+            model->rooms[k].booked[j].low = *memory++;
+        }
+    return 0;
+}
+
+/* ---- texts ------------------------------------------------------------------------------------------------------- */
+
 const char *model_text(const struct model *model, int status)
 {
     return status == MODEL_E_PAIRS ? model->trouble.text : vti_status_text(status);

@@ -45,6 +45,17 @@ int model_find_pairs(struct model *model, const vti_bodies *bodies);
 int model_forces(struct model *model, const vti_bodies *bodies);
 /** Kinetic energies and all energies of the effects; NaN if the pairs cannot be found. */
 double model_energy(struct model *model, const vti_bodies *bodies);
+/** The first effect that flows, carries, breaks or dissipates; NULL if none does. Steps of such a model are those of
+ *  vti_effects_begin. */
+const vti_effect *model_dissipates(const struct model *model);
+
+/** What the effects keep beside the bodies, booked energies, for a run that goes on with the same bits: how many
+ *  doubles, and the doubles. */
+int64_t model_memory_size(const struct model *model);
+void model_memory_get(const struct model *model, double *memory);
+/** Returns 0, or -1 if so many are not those of this model. */
+int model_memory_put(struct model *model, const double *memory, int64_t size);
+
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 

@@ -37,7 +37,7 @@ static int has(const vti_bodies *bodies, const struct quantity *quantity)
 /* ---- all columns ------------------------------------------------------------------------------------------------ */
 
 /* Everything there is to record, in one array: these, three of each quantity, then the terms of all effects in the
- * model's order. */
+ * model's order, then what all of them have booked. */
 enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
 enum { SOURCES = TERMS + COLUMNS };
 
@@ -80,6 +80,10 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
     for (int64_t e = 0; e < model->effects_count; ++e)
         for (int64_t j = 0; j < model->effects[e].terms; ++j, ++source)
             add(c, model->effects[e].term[j], source, (int)e);
+    c->held = c->count;
+    for (int64_t e = 0; e < model->effects_count; ++e)
+        for (int64_t j = 0; j < model->effects[e].books; ++j, ++source)
+            add(c, model->effects[e].book[j], source, (int)e);
     c->total = c->count;
     add(c, "total", TOTAL, -1);
     c->modified = modified_exists(stepper) ? c->count : -1;
@@ -105,10 +109,16 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
         const vti_effect *effect = &c->model->effects[e];
         if (source + effect->terms > SOURCES)
             break;
-        effect->energy(effect->self, b, value + source);
+        if (effect->terms > 0)
+            effect->energy(effect->self, b, value + source);
         for (int64_t j = 0; j < effect->terms; ++j)
             vti_sum_add(&total, value[source++]);
     }
+    for (int64_t e = 0; e < c->model->effects_count; ++e)
+        for (int64_t j = 0; j < c->model->effects[e].books && source < SOURCES; ++j, ++source) {
+            value[source] = vti_sum_value(&c->model->effects[e].booked[j]);
+            vti_sum_add(&total, value[source]);
+        }
     value[TOTAL] = vti_sum_value(&total);
     for (int q = 0; q < QUANTITIES; ++q)
         if (has(b, &quantities[q]))

@@ -14,13 +14,16 @@ struct columns {
     const struct effect_term *term[COLUMNS]; /* in pictures, of energies; NULL where nobody says */
     int source[COLUMNS];                     /* where columns_values finds it */
     int effect[COLUMNS];                     /* whose energy it is; -1 for none */
-    int total;                               /* the column "total" */
-    int modified;                            /* the column "energy_modified"; -1 if there is none */
+    int held;     /* columns 1 ... held - 1 are energies that the bodies have, those from held
+                                                to total what effects have booked */
+    int total;    /* the column "total", of both */
+    int modified; /* the column "energy_modified"; -1 if there is none */
 };
 
-/** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, total,
- *  energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_ x, y, z. Without translation
- *  there is no kinetic_translation and no momentum, without rotation no kinetic_rotation and no spin. */
+/** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, one per
+ *  entry that they book, total, energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_
+ *  x, y, z. Without translation there is no kinetic_translation and no momentum, without rotation no kinetic_rotation
+ *  and no spin. */
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *columns);
 
 /** Their values for the bodies at time t, but for energy_modified, which verdict_row puts in its place. */

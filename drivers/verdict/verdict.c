@@ -117,6 +117,8 @@ static double inner_energy(const struct verdict *v, const vti_bodies *bodies, co
     for (int c = 1; c < v->columns->total; ++c) {
         const int effect = v->columns->effect[c];
         *size += fabs(row[c]);
+        if (c >= v->columns->held)
+            continue;
         kinetic += effect < 0 ? row[c] : 0.0;
         elastic += effect >= 0 && !is_outer(&model->effects[effect]) ? row[c] : 0.0;
     }

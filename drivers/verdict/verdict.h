@@ -3,7 +3,7 @@
  * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, where effects follow
  * something, at every step.
  *
- * Energy (EQUATIONS 6.9). H is the column total, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S
+ * Energy (EQUATIONS 6.9). H is the column total, what effects have booked included, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S
  * is the largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
  * (vti_effect.breaks), the energy is left out, and T is taken without that of the centre of mass in those directions in
  * which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4 at a row, or not finite. Both, since H
@@ -72,8 +72,7 @@ extern const struct verdict_number verdict_numbers[VERDICT_NUMBERS];
 /** "good", "doubtful", "bad" */
 const char *verdict_word(int64_t grade);
 
-/** What is gathered along the way; all doubles, as they are kept in a checkpoint. What dissipates or works (EQUATIONS
- *  6.1) will join where energies are taken, in verdict_row. */
+/** What is gathered along the way; all doubles, as they are kept in a checkpoint. */
 struct findings {
     double rows, broken;
     double first, first_kicked; /* H(0), H~(0) */

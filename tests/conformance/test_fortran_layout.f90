@@ -24,6 +24,7 @@ program test_fortran_layout
     call drifted()
     call pendulum()
     call gravity()
+    call drag()
     call bonds()
     call contacts()
     call walls()
@@ -128,6 +129,12 @@ contains
     subroutine gravity()
         type(vti_gravity), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%g)])])
+    end subroutine
+
+    subroutine drag()
+        type(vti_drag), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%linear), c_loc(t%quadratic), &
+            c_loc(t%angular), c_loc(t%medium), c_loc(t%lost)])])
     end subroutine
 
     subroutine bonds()

@@ -109,11 +109,27 @@ t_end: {u['s'] * 2!r}
     return path
 
 
+def dissipating(base, u):
+    """What the two others cannot have, as their reference solutions know forces alone."""
+    path = os.path.join(base, "dissipating.yaml")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"""name: dissipating
+bodies: {{table: bodies.csv}}
+drag: {{linear: {u['kg'] / u['s'] / 2!r}, quadratic: {u['kg'] / u['m'] / 4!r}, angular: {u['J'] * u['s'] / 8!r},
+  medium: [{u['m'] / u['s'] / 2!r}, 0, 0]}}
+contact: {{stiffness: {128 * u['J']!r}}}
+h: {u['s'] / 64!r}
+t_end: {u['s'] * 2!r}
+""")
+    return path
+
+
 def outputs(base, u):
     """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are conserved."""
     steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
-            run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5")]
+            run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
+            run(RUN, dissipating(base, u), "-o", f"{base}/dissipating.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",
                         "--no-plot", "-o", f"{base}/study-{name}"))
@@ -174,6 +190,8 @@ def written(base, u):
         attributes, datasets = hdf5_of(f"{base}/study-{name}/study.h5")
         found += [("`study.h5`", "attribute", attributes), ("`study.h5`", "dataset", datasets)]
         found += [(f"`{file}`", "column", columns_of(f"{base}/study-{name}/{file}")) for file in ("study.csv", "timing.csv")]
+    attributes, datasets = hdf5_of(f"{base}/dissipating.h5")
+    found += [("`OUT.csv`", "column", columns_of(f"{base}/dissipating.csv")), ("`OUT.h5`", "dataset", datasets)]
     for file in ("cost.csv", "errors.csv"):
         found += [("`cost.csv` and `errors.csv`", "column", columns_of(f"{base}/cost/{file}"))]
     more = {name: values for file in ("study.csv", "timing.csv") for name, values in columns_of(f"{base}/sweep/{file}").items()

@@ -50,7 +50,7 @@ static void parts(void **state)
     kind.kink = NULL;
     refused("effects/wall.c: kink: where surfaces meet (EFFECT_SPHERES) forces set in with a kink, and only there");
     kind.gives = 0;
-    refused("effects/wall.c: gives neither force nor moment: one of gives and gives_by");
+    refused("effects/wall.c: gives neither force nor moment: one of gives, gives_by and EFFECT_FLOWS");
     kind.make = NULL;
     refused("effects/wall.c: has no make");
     kind.table = effect_binder.table;

@@ -84,6 +84,13 @@ static const struct refusal refused[] = {
     {"bodies: {table: a.csv}\nbinder: {axial: 1}\n" TIME,
      "2:1: binder: bodies of a table have no neighbours; give table, a file of bonds"},
 
+    /* drag */
+    {CHAIN "drag: {}\n" TIME, "2:1: drag: no coefficient; give linear, quadratic or angular"},
+    {CHAIN "drag: {linear: -1}\n" TIME, "2:16: drag.linear: '-1' is negative; the coefficient c must be >= 0"},
+    {SPIN "drag: {quadratic: 1}\n" TIME,
+     "2:19: drag.quadratic: acts on bodies that translate; give bodies.x or an arrangement of them"},
+    {POINT "drag: {angular: 1}\n" TIME, "2:17: drag.angular: acts on bodies that turn; give bodies.omega"},
+
     /* contact, wall, gravity, pendulum */
     {CHAIN "contact: {}\n" TIME, "2:1: contact.stiffness: missing; add 'stiffness:', the stiffness K^pp"},
     {CHAIN "contact: {stiffness: 0}\n" TIME,

@@ -12,7 +12,9 @@ static vti_fault fault;
 /** One sound step, spoiled in one way for each status. */
 static int reached(int status)
 {
-    static const double zero = 0;
+    static const double zero = 0, negative = -1;
+    vti_sum lost[VTI_DRAG_BOOKS];
+    vti_drag drag = {.lost = lost};
     const vti_stepper *const vti1 = vti_stepper_find("vti1");
     crowd_clear(&c, 2, CROWD_ALPHA);
     vti_bodies b = crowd_bodies(&c);
@@ -79,6 +81,10 @@ static int reached(int status)
         effect = vti_contacts_effect(&contacts);
         effect.dissipates = 1;
         return vti_step_check(vti_stepper_find("srkn11"), &effect, 1);
+    case VTI_E_DAMPING:
+        drag.linear = vti_scalars_one(&negative);
+        effect = vti_drag_effect(&drag);
+        return vti_effects_check(&effect, 1, &b, &fault);
     default:
         break;
     }

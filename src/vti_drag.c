@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Drag as the exact flow of velocities (EQUATIONS 6.3). With u = v - V, z = c t/m, E = exp(-z), phi = (t/m) (1 - E)/z
+ * and k the quadratic coefficient,
+ *
+ *     m du/dt = -c u - k |u| u      u(t) = u E/(1 + k |u| phi)           (c = 0: u/(1 + k t |u|/m))
+ *     J dOmega/dt = -c_r Omega      Omega(t) = Omega exp(-c_r t/J)
+ *
+ * Booked is p.(v + v')/2, what the impulse p on the medium takes (6.1). */
+#include "vti_decay.h"
+#include "vti_internal.h"
+
+static double value(const vti_scalars *s, int64_t i)
+{
+    return s->p != NULL ? vti_scalar(s, i) : 0.0;
+}
+
+/** a = toward + (a - toward) (1 - gone), the residual of compensated sums included; in *mean the old and new a's. */
+static void decay(const vti_view *view, const vti_view *low, int64_t i, const double toward[3], double kept,
+                  double gone, double change[3], double mean[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        double *const a = view->c[k] + i * view->stride;
+        const double before = *a, u = before - toward[k];
+        change[k] = -gone * u;
+        *a = gone < 0.5 ? before + change[k] : toward[k] + kept * u; /* each where it rounds less */
+        mean[k] = 0.5 * (before + *a);
+        if (vti_has(low))
+            low->c[k][i * low->stride] *= kept;
+    }
+}
+
+static void slow(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    const double c = value(&p->linear, i), k = value(&p->quadratic, i), m = vti_scalar(&b->mass, i), z = c * t / m;
+    const struct vti_decay e = vti_decay(z);
+    const double phi = t / m * vti_decay_mean(z, &e);
+    double u[3], change[3], mean[3];
+    vti_load(&b->v, i, u);
+    for (int d = 0; d < 3; ++d)
+        u[d] -= p->medium[d];
+    const double more = k > 0.0 ? k * vti_norm(u) * phi : 0.0;
+    decay(&b->v, &b->v_low, i, p->medium, e.kept / (1.0 + more), (e.gone + more) / (1.0 + more), change, mean);
+    vti_sum_add(lost, -m * vti_dot(change, mean));
+}
+
+static void slow_turning(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    static const double still[3] = {0.0, 0.0, 0.0};
+    const double j = vti_scalar(&b->inertia, i);
+    const struct vti_decay e = vti_decay(value(&p->angular, i) * t / j);
+    double change[3], mean[3];
+    decay(&b->omega, &b->omega_low, i, still, e.kept, e.gone, change, mean);
+    vti_sum_add(lost, -j * vti_dot(change, mean));
+}
+
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    const vti_drag *p = self;
+    (void)drift;
+    for (int64_t i = b->first; (p->linear.p != NULL || p->quadratic.p != NULL) && i < b->first + b->count; ++i)
+        slow(p, b, i, t, &p->lost[0]);
+    for (int64_t i = b->first; p->angular.p != NULL && i < b->first + b->count; ++i)
+        slow_turning(p, b, i, t, &p->lost[1]);
+}
+
+static int are_good(const vti_scalars *s, const vti_bodies *b)
+{
+    int good = 1;
+    const int64_t end = s->stride == 0 ? b->first + (b->count > 0) : b->first + b->count;
+    for (int64_t i = b->first; s->p != NULL && i < end; ++i)
+        good &= isfinite(vti_scalar(s, i)) && vti_scalar(s, i) >= 0.0;
+    return good;
+}
+
+/** One value for all is looked at; arrays are where the library was built to look. */
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_drag *p = self;
+    const vti_scalars *const all[] = {&p->linear, &p->quadratic, &p->angular};
+    int good = isfinite(p->medium[0]) && isfinite(p->medium[1]) && isfinite(p->medium[2]);
+    for (int k = 0; k < 3; ++k)
+        if (VTI_LOOKS || all[k]->stride == 0)
+            good &= are_good(all[k], b);
+    return good ? VTI_OK : VTI_E_DAMPING;
+}
+
+vti_effect vti_drag_effect(const vti_drag *drag)
+{
+    static const char *const book[VTI_DRAG_BOOKS] = {"lost_drag_translation", "lost_drag_rotation"};
+    const int64_t force = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS,
+                  moment = 1 << VTI_QUANTITY_OMEGA | 1 << VTI_QUANTITY_INERTIA;
+    if (drag == NULL || drag->lost == NULL)
+        return vti_effect_none();
+    const int slows = drag->linear.p != NULL || drag->quadratic.p != NULL, turns = drag->angular.p != NULL;
+    const vti_effect effect = {.name = "drag",
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .flow = flow,
+                               .self = drag,
+                               .needs = (slows ? force : 0) | (turns ? moment : 0),
+                               .smooth = 1,
+                               .breaks = (slows ? 077 : 0) | (turns ? 0770 : 0),
+                               .dissipates = 1,
+                               .books = slows + turns,
+                               .book = book + !slows,
+                               .booked = drag->lost + !slows};
+    return effect;
+}

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes that lose energy: vti-run books what is lost, the sum with it stays, a run that is prolonged has the bytes of one run, and
+what cannot dissipate is refused in one line.      test_dissipation.py VTI_RUN VTI_STUDY VTI_ADVISE MPIRUN"""
+import os
+import sys
+import tempfile
+
+from programs import run
+from run_support import contents, read_csv
+from tally import check, conclude
+
+RUN, STUDY, ADVISE, MPIRUN = map(os.path.abspath, sys.argv[1:5])
+
+SCENES = {
+    "fall": """name: fall
+bodies: {mass: 2, inertia: 0.5, diameter: 1, x: [0, 0, 1], v: [3, 0, 0], alpha: [0, 0, 0], omega: [0, 1, 2]}
+drag: {linear: 0.5, quadratic: 0.25, angular: 0.125, medium: [0, 0.5, 0]}
+gravity: [0, 0, -1]
+h: 1/64
+t_end: 4
+""",
+}
+BAND = {"fall": 1e-13}  # of the largest energy: Verlet is exact in a uniform field
+
+
+def ledger(base, name):
+    path = f"{base}/{name}.yaml"
+    with open(path, "w", encoding="ascii") as file:
+        file.write(SCENES[name])
+    every = ("--record", "4", "--frames", "16")
+    whole = run(RUN, path, *every, "-o", f"{base}/{name}/out.h5")
+    check(whole.returncode == 0 and "verdict: good" in whole.stdout, f"{name}: {whole.stdout.splitlines()[-1:]} {whole.stderr}")
+    names, rows = read_csv(f"{base}/{name}/out.csv")
+    columns = dict(zip(names, rows.T))
+    lost = [key for key in columns if key.startswith("lost_")]
+    held = sum(columns[key] for key in columns if key.startswith("kinetic_") or key in ("gravity", "contact", "wall"))
+    taken = sum(columns[key] for key in lost)
+    check(lost and all(columns[key][0] == 0 and columns[key][-1] > 0 for key in lost), f"... from 0 on it loses: {lost}")
+    scale = max(abs(held)) + max(abs(taken))
+    check(max(abs(held + taken - columns["total"])) <= 1e-14 * scale, "... total is what bodies have and what they have lost")
+    swing = max(abs(columns["total"] - columns["total"][0]))
+    check(swing <= BAND[name] * scale, f"... and stays: {swing / scale:.2g} of {scale:.4g}, at most {BAND[name]}")
+    half = repr(float(columns["t"][-1]) / 2)
+    made = [run(RUN, path, *every, "--t-end", half, "-o", f"{base}/{name}-half/out.h5"),
+            run(RUN, path, *every, "--resume", "-o", f"{base}/{name}-half/out.h5")]
+    check([result.returncode for result in made] == [0, 0] and "goes on" in made[1].stdout, f"... half of it goes on {made[1].stderr}")
+    check(contents(f"{base}/{name}-half/out") == contents(f"{base}/{name}/out"), "... to the same bytes")
+
+
+def refusals(base):
+    path = f"{base}/fall.yaml"
+    for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone")):
+        result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/none.h5")
+        check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and word in result.stderr
+              and "drag dissipates" in result.stderr and "take vti2" in result.stderr and not os.path.exists(f"{base}/none.h5"),
+              f"{stepper}: {result.stderr.strip()}")
+    for stepper in ("vti1", "vti3", "exact", "chin4"):
+        result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/{stepper}.h5")
+        check(result.returncode == 0 and "verdict: good" in result.stdout, f"{stepper} may {result.stderr}")
+    study = run(MPIRUN, "-n", "1", STUDY, path, "--h", "1/64,1/128,1/256", "--no-plot", "-o", f"{base}/study")
+    check(study.returncode != 0 and "drag dissipates; the reference solution knows forces alone" in study.stderr, "vti-study refuses")
+    advise = run(ADVISE, path, "--error", "1e-3")
+    check(advise.returncode == 1 and "drag dissipates" in advise.stderr, f"vti-advise ends: {advise.stderr.strip()}")
+
+
+with tempfile.TemporaryDirectory() as base:
+    for name in SCENES:
+        ledger(base, name)
+    refusals(base)
+conclude()

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Drag against the closed forms of its equations of motion, which it is the exact flow of, and against what a fall
+ * through a medium tends to. */
+#include "crowd.h"
+
+static vti_sum lost[VTI_DRAG_BOOKS];
+static crowd c;
+static vti_bodies b;
+
+/** One body of mass m and inertia j that moves and turns. */
+static void body(double m, double j, const double v[3], const double omega[3])
+{
+    crowd_clear(&c, 1, CROWD_ALPHA);
+    c.mass[0] = m;
+    c.inertia[0] = j;
+    memcpy(c.v[0], v, sizeof c.v[0]);
+    memcpy(c.omega[0], omega, sizeof c.omega[0]);
+    b = crowd_bodies(&c);
+    memset(lost, 0, sizeof lost);
+}
+
+static void flow(const vti_drag *drag, double t)
+{
+    const vti_effect effect = vti_drag_effect(drag);
+    assert_int_equal(vti_effects_flow(&effect, 1, t, t, &b), VTI_OK);
+}
+
+/** u(t)/u(0) of m u' = -c u - k |u| u: w' = -(c w + k w^2)/m is of Bernoulli's kind. */
+static long double slowed(long double m, long double coefficient, long double k, long double speed, long double t)
+{
+    const long double z = coefficient * t / m, phi = t / m * (z > 0 ? -expm1l(-z) / z : 1);
+    return expl(-z) / (1 + k * speed * phi);
+}
+
+/** Over all rates, gentle ones in which the loss is nearly nothing and hard ones that stop a body at once. */
+TEST(closed_forms)
+{
+    rng g = rng_seed(1401);
+    for (int trial = 0; trial < 20000; ++trial) {
+        double v[3], omega[3];
+        const double m = uniform(&g, 0.1, 10), j = uniform(&g, 0.1, 10), t = uniform(&g, 0.01, 2);
+        const double coefficients[3] = {trial % 3 == 0 ? 0 : pow(10, uniform(&g, -13, 2.6)),
+                                        trial % 3 == 1 ? 0 : pow(10, uniform(&g, -13, 3)),
+                                        pow(10, uniform(&g, -13, 2.6))};
+        random_vector(&g, 3, v);
+        random_vector(&g, 3, omega);
+        body(m, j, v, omega);
+        const vti_drag drag = {.linear = vti_scalars_one(&coefficients[0]),
+                               .quadratic = vti_scalars_one(&coefficients[1]),
+                               .angular = vti_scalars_one(&coefficients[2]),
+                               .lost = lost};
+        flow(&drag, t);
+        const long double w2 = (long double)v[0] * v[0] + (long double)v[1] * v[1] + (long double)v[2] * v[2],
+                          s2 = (long double)omega[0] * omega[0] + (long double)omega[1] * omega[1] +
+                               (long double)omega[2] * omega[2];
+        const long double f = slowed(m, coefficients[0], coefficients[1], sqrtl(w2), t),
+                          q = expl(-(long double)coefficients[2] * t / j);
+        const long double z = (long double)coefficients[0] * t / m, r = (long double)coefficients[2] * t / j,
+                          phi = t / m * (z > 0 ? -expm1l(-z) / z : 1), x = coefficients[1] * sqrtl(w2) * phi,
+                          gone = (-expm1l(-z) + x) / (1 + x);
+        for (int k = 0; k < 3; ++k) { /* z and r round, which their exponentials magnify */
+            assert_close(c.v[0][k], f * v[k], DBL_MIN + fabsl(f * v[k]) * (16 + 2 * z) * EPS);
+            assert_close(c.omega[0][k], q * omega[k], DBL_MIN + fabsl(q * omega[k]) * (8 + 2 * r) * EPS);
+        }
+        assert_close(vti_sum_value(&lost[0]), m * w2 / 2 * gone * (1 + f), m * w2 * gone * 24 * EPS);
+        assert_close(vti_sum_value(&lost[1]), j * s2 / 2 * -expm1l(-2 * r), j * s2 * -expm1l(-2 * r) * 16 * EPS);
+    }
+}
+
+/** One flow of t is two of t/2, and in a medium that moves speeds tend to its velocity and never grow beside it. */
+TEST(a_medium_that_moves)
+{
+    rng g = rng_seed(1402);
+    const double still[3] = {0, 0, 0};
+    for (int trial = 0; trial < 2000; ++trial) {
+        double v[3], whole[3], before = 0, after = 0;
+        const double linear = uniform(&g, 0, 3), quadratic = uniform(&g, 0, 3), m = uniform(&g, 0.1, 10);
+        vti_drag drag = {.linear = vti_scalars_one(&linear), .quadratic = vti_scalars_one(&quadratic), .lost = lost};
+        random_vector(&g, 3, v);
+        random_vector(&g, 3, drag.medium);
+        body(m, 1, v, still);
+        flow(&drag, 1);
+        memcpy(whole, c.v[0], sizeof whole);
+        const double kinetic = vti_kinetic_translation(&b) + vti_sum_value(&lost[0]);
+        body(m, 1, v, still);
+        assert_close(kinetic, vti_kinetic_translation(&b), 32 * EPS * (kinetic + 27 * m));
+        flow(&drag, 0.5);
+        flow(&drag, 0.5);
+        assert_close3(c.v[0], whole, 64 * EPS);
+        for (int k = 0; k < 3; ++k) {
+            before += pow(v[k] - drag.medium[k], 2);
+            after += pow(whole[k] - drag.medium[k], 2);
+        }
+        assert_below(after, before);
+        flow(&drag, 1e6);
+        assert_close3(c.v[0], drag.medium, quadratic > 0 && linear > 1e-3 ? 8 * EPS : 1e-3);
+    }
+}
+
+/** A fall from rest with linear drag: v = g (m/c) (1 - exp(-c t/m)); the error and the ledger's fall fourfold with h/2. */
+TEST(a_fall)
+{
+    const double linear = 1.5, still[3] = {0, 0, 0}, m = 2, end = 3, exact = m / linear * -expm1(-linear * end / m);
+    const vti_gravity gravity = {{0, 0, -1}};
+    const vti_drag drag = {.linear = vti_scalars_one(&linear), .lost = lost};
+    const vti_effect effects[] = {vti_drag_effect(&drag), vti_gravity_effect(&gravity)};
+    const vti_stepper *const exactly = vti_stepper_find("exact");
+    double error[3], ledger[3];
+    for (int level = 0; level < 3; ++level) {
+        const int steps = 30 << level;
+        body(m, 1, still, still);
+        assert_int_equal(vti_apply(effects, 2, &b), VTI_OK);
+        for (int step = 0; step < steps; ++step) {
+            assert_int_equal(vti_effects_begin(exactly, end / steps, effects, 2, &b, NULL), VTI_OK);
+            assert_int_equal(vti_apply(effects, 2, &b), VTI_OK);
+            assert_int_equal(vti_effects_finish(exactly, end / steps, effects, 2, &b), VTI_OK);
+        }
+        error[level] = fabs(c.v[0][2] + exact);
+        ledger[level] = fabs(vti_energy(effects, 2, &b) + vti_booked(effects, 2));
+    }
+    for (int level = 0; level < 2; ++level)
+        assert_close(log2(error[level] / error[level + 1]), 2, 0.02);
+    assert_below(ledger[0], 64 * EPS); /* Verlet is exact in a uniform field, and what flows take is booked */
+}
+
+TEST(what_it_needs_and_refuses)
+{
+    const double one = 1, some[] = {1, 2}, v[3] = {1, 2, 3}, bad[] = {-1, INFINITY, NAN};
+    vti_drag drag = {.linear = vti_scalars_array(some), .angular = vti_scalars_one(&one), .lost = lost};
+    body(1, 1, v, v);
+    vti_effect effect = vti_drag_effect(&drag);
+    assert_true(effect.books == 2 && effect.breaks == 0777 && effect.dissipates && effect.apply == NULL);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    assert_int_equal(vti_step_check(vti_stepper_find("srkn6"), &effect, 1), VTI_E_DISSIPATES);
+    for (int k = 0; k < 3; ++k) {
+        drag.quadratic = vti_scalars_one(&bad[k]);
+        assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_DAMPING);
+        drag.quadratic.p = NULL;
+        drag.medium[k] = bad[1 + k % 2];
+        assert_int_equal(vti_effects_flow(&effect, 1, 1, 1, &b), VTI_E_DAMPING);
+        drag.medium[k] = 0;
+    }
+    assert_true(c.v[0][0] == 1 && lost[0].high == 0);
+    b.omega = vti_view_none();
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NEEDS);
+    drag.angular.p = NULL;
+    effect = vti_drag_effect(&drag);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    assert_true(effect.books == 1 && effect.booked == lost && effect.breaks == 077);
+    assert_string_equal(effect.book[0], "lost_drag_translation");
+    drag.linear.p = NULL;
+    drag.angular = vti_scalars_one(&one);
+    effect = vti_drag_effect(&drag);
+    assert_true(effect.books == 1 && effect.booked == lost + 1 && effect.breaks == 0770);
+    assert_string_equal(effect.book[0], "lost_drag_rotation");
+    drag.lost = NULL;
+    effect = vti_drag_effect(&drag);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
+    effect = vti_drag_effect(NULL);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
+}
+
+RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
+          cmocka_unit_test(what_it_needs_and_refuses))
