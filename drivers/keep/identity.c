@@ -122,7 +122,8 @@ static struct line next_line(const char **at, const char *end)
     stop = stop != NULL ? stop : end;
     colon = memchr(*at, ':', (size_t)(stop - *at));
     colon = colon != NULL ? colon : stop;
-    const char *value = colon + 2 <= stop ? colon + 2 : stop;
+    const char *value = colon < stop ? colon + 1 : stop;
+    value += value < stop && *value == ' ';
     const struct line line = {*at, value, (int)(colon - *at), (int)(stop - value)};
     *at = stop < end ? stop + 1 : end;
     return line;
