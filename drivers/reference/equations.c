@@ -25,23 +25,28 @@ static vti_view vector_at(double *p, int64_t stride)
     return view;
 }
 
-vti_bodies equations_bodies(const struct model *model, double *state)
+void equations_look_at(const struct model *model, vti_bodies *b, double *state)
 {
     const int64_t stride = equations_body_width(model);
-    vti_bodies b = vti_bodies_none(model->bodies.count);
-    b.mass = model->bodies.mass;
-    b.inertia = model->bodies.inertia;
     double *p = state;
     if (model->translates) {
-        b.x = vector_at(p, stride);
-        b.v = vector_at(p + 3, stride);
+        b->x = vector_at(p, stride);
+        b->v = vector_at(p + 3, stride);
         p += 6;
     }
     if (model->turns) {
         const vti_quat_view quat = {{p, p + 1, p + 2, p + 3}, stride, 0};
-        b.quat = quat;
-        b.omega = vector_at(p + 4, stride);
+        b->quat = quat;
+        b->omega = vector_at(p + 4, stride);
     }
+}
+
+vti_bodies equations_bodies(const struct model *model, double *state)
+{
+    vti_bodies b = vti_bodies_none(model->bodies.count);
+    b.mass = model->bodies.mass;
+    b.inertia = model->bodies.inertia;
+    equations_look_at(model, &b, state);
     return b;
 }
 
@@ -95,27 +100,37 @@ static void rotation_rate(const vti_bodies *b, int64_t i, const double moment[3]
         rate[4 + k] = moment[k] / b->inertia.p[i * b->inertia.stride];
 }
 
+/** The first state's bodies, and the loads on them. */
+static int first_bodies(struct equations *eq, double *state)
+{
+    eq->bodies = equations_bodies(eq->model, state);
+    eq->bodies.force = eq->model->translates ? vector_at(eq->loads, 6) : vti_view_none();
+    eq->bodies.moment = eq->model->turns ? vector_at(eq->loads + 3, 6) : vti_view_none();
+    return vti_bodies_seal(&eq->bodies);
+}
+
 static int rates(double t, const double state[], double rate[], void *self)
 {
-    const struct equations *eq = self;
+    struct equations *eq = self;
     const struct model *model = eq->model;
     const int translates = model->translates, turns = model->turns;
     const int64_t stride = equations_body_width(model), n = eq->model->bodies.count;
-    /* GSL promises not to have its state changed; the views are only read */
-    vti_bodies b = equations_bodies(eq->model, (double *)state);
-    b.force = translates ? vector_at(eq->loads, 6) : vti_view_none();
-    b.moment = turns ? vector_at(eq->loads + 3, 6) : vti_view_none();
+    vti_bodies *b = &eq->bodies;
     (void)t;
-    if (model_forces(eq->model, &b) != VTI_OK)
+    /* GSL promises not to have its state changed; the views are only read */
+    if (b->sealed == 0 && first_bodies(eq, (double *)state) != VTI_OK)
+        return GSL_EBADFUNC;
+    equations_look_at(model, b, (double *)state);
+    if (model_forces(eq->model, b) != VTI_OK)
         return GSL_EBADFUNC;
     for (int64_t i = 0; i < n; ++i) {
         double *r = rate + i * stride;
         if (translates)
-            translation_rate(&b, i, eq->loads + 6 * i, r);
+            translation_rate(b, i, eq->loads + 6 * i, r);
         if (turns)
-            rotation_rate(&b, i, eq->loads + 6 * i + 3, r + (translates ? 6 : 0));
+            rotation_rate(b, i, eq->loads + 6 * i + 3, r + (translates ? 6 : 0));
     }
-    rate[eq->width - 1] = vti_h1_density(&b);
+    rate[eq->width - 1] = vti_h1_density(b);
     return GSL_SUCCESS;
 }
 

@@ -16,6 +16,7 @@ struct equations {
     struct model *model; /* its contacts follow the states that are looked at */
     int64_t width;       /* doubles in a state: all bodies, then ||q||^2 up to now */
     double *loads;       /* force and moment of every body */
+    vti_bodies bodies;   /* where rates are taken; sealed */
     gsl_odeiv2_system system;
     gsl_odeiv2_driver *driver;
 };
@@ -32,6 +33,9 @@ int64_t equations_width(const struct model *model);
 void equations_start(const struct model *model, double *state);
 /** A state seen as bodies: nothing is copied. */
 vti_bodies equations_bodies(const struct model *model, double *state);
+/** Lets *bodies, which equations_bodies has made of another state, see this one. A seal stays good: only the addresses
+ *  of like memory change. */
+void equations_look_at(const struct model *model, vti_bodies *bodies, double *state);
 /** Takes the state from *t to to. Returns 0, or -1 with one line in *message. */
 int equations_advance(struct equations *equations, double *t, double to, double *state, struct message *message);
 

@@ -74,28 +74,52 @@ int64_t panels_find(const struct panels *panels, double t, double *tau)
     return p;
 }
 
-/** Barycentric shares of the nodes at tau, which add up to 1. */
-static void shares(const struct panels *panels, double tau, double share[PANELS_NODES])
+/** Barycentric shares of the nodes at n places of a panel, share[PANELS_NODES][n], which add up to 1 at each. n is a
+ *  literal at every call: many places are done at once. */
+static inline void shares(const struct panels *restrict panels, const double *restrict tau, int n,
+                          double *restrict share)
 {
-    double sum = 0.0;
+    double sum[PANELS_BLOCK] = {0.0};
+    int at_node = 0;
     for (int k = 0; k < PANELS_NODES; ++k) {
-        const double distance = tau - panels->node[k];
-        if (distance == 0.0) {
-            memset(share, 0, PANELS_NODES * sizeof *share);
-            share[k] = 1.0;
-            return;
+        const double weight = panels->weight[k], node = panels->node[k];
+        for (int i = 0; i < n; ++i) {
+            share[k * n + i] = weight / (tau[i] - node);
+            sum[i] += share[k * n + i];
         }
-        share[k] = panels->weight[k] / distance;
-        sum += share[k];
     }
+    for (int i = 0; i < n; ++i)
+        at_node |= !isfinite(sum[i]);
     for (int k = 0; k < PANELS_NODES; ++k)
-        share[k] /= sum;
+        for (int i = 0; i < n; ++i)
+            share[k * n + i] /= sum[i];
+    for (int i = 0; i < n && at_node; ++i)
+        for (int k = 0; k < PANELS_NODES && !isfinite(sum[i]); ++k)
+            share[k * n + i] = tau[i] == panels->node[k] ? 1.0 : 0.0;
+}
+
+void panels_read_block(const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], double *out)
+{
+    const int64_t width = panels->width;
+    double share[PANELS_NODES * PANELS_BLOCK];
+    shares(panels, tau, PANELS_BLOCK, share);
+    for (int64_t c = 0; c < width; ++c) {
+        const double *value = panels_row(panels, p, 0) + c;
+        double sum[PANELS_BLOCK] = {0.0};
+        for (int k = 0; k < PANELS_NODES; ++k) {
+            const double v = value[k * width];
+            for (int i = 0; i < PANELS_BLOCK; ++i)
+                sum[i] += share[k * PANELS_BLOCK + i] * v;
+        }
+        for (int i = 0; i < PANELS_BLOCK; ++i)
+            out[i * width + c] = sum[i];
+    }
 }
 
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out)
 {
     double share[PANELS_NODES];
-    shares(panels, tau, share);
+    shares(panels, &tau, 1, share);
     memset(out, 0, (size_t)panels->width * sizeof *out);
     for (int k = 0; k < PANELS_NODES; ++k) {
         const double *row = panels_row(panels, p, k);
@@ -107,7 +131,7 @@ void panels_read(const struct panels *panels, int64_t p, double tau, double *out
 double panels_read_one(const struct panels *panels, int64_t p, double tau, int64_t component)
 {
     double share[PANELS_NODES], sum = 0.0;
-    shares(panels, tau, share);
+    shares(panels, &tau, 1, share);
     for (int k = 0; k < PANELS_NODES; ++k)
         sum += share[k] * panels_row(panels, p, k)[component];
     return sum;

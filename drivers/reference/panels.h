@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-enum { PANELS_NODES = 16 };
+enum { PANELS_NODES = 16, PANELS_BLOCK = 32 };
 
 struct panels {
     int64_t width;       /* components */
@@ -35,6 +35,8 @@ double panels_tail(const struct panels *panels, int64_t p);
 int64_t panels_find(const struct panels *panels, double t, double *tau);
 /** All components at tau of panel p. */
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out);
+/** All components at each of the tau of panel p, out[PANELS_BLOCK][width], with the bits of panels_read. */
+void panels_read_block(const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], double *out);
 /** One component at tau of panel p. */
 double panels_read_one(const struct panels *panels, int64_t p, double tau, int64_t component);
 

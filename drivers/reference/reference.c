@@ -155,6 +155,20 @@ vti_bodies reference_at(struct reference *r, double t)
     return r->interval == 0.0 ? smooth_at(&r->smooth, t) : sampled_state(&r->sampled, llrint(t / r->interval));
 }
 
+int reference_step(struct reference *r, double h, int64_t step, const struct watch *watch, const vti_bodies **bodies,
+                   struct message *message)
+{
+    const double t = (double)step * h;
+    if (r->interval != 0.0) {
+        *bodies = sampled_step(&r->sampled, llrint(t / r->interval));
+        return 0;
+    }
+    const int failed = smooth_has(&r->smooth, h, step) ? 0 : smooth_seek(&r->smooth, t, watch, message);
+    if (failed == 0)
+        *bodies = smooth_step(&r->smooth, h, step);
+    return failed;
+}
+
 double reference_norm_squared(struct reference *r, double t)
 {
     if (r->interval == 0.0)

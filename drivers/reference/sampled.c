@@ -17,9 +17,11 @@ int sampled_create(struct sampled *s, struct model *model, double interval, int6
     s->interval = interval;
     s->count = intervals + 1;
     s->states = calloc((size_t)(s->count * s->width), sizeof *s->states);
-    return s->states != NULL ? 0
-                             : message_set(message, "%s: out of memory for the reference solution; shorten t_end",
-                                           model->scene->name);
+    if (s->states == NULL)
+        return message_set(message, "%s: out of memory for the reference solution; shorten t_end", model->scene->name);
+    s->seen = sampled_state(s, 0);
+    const int status = vti_bodies_seal(&s->seen);
+    return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
 }
 
 void sampled_destroy(struct sampled *s)
@@ -31,6 +33,12 @@ void sampled_destroy(struct sampled *s)
 vti_bodies sampled_state(struct sampled *s, int64_t k)
 {
     return equations_bodies(s->model, s->states + k * s->width);
+}
+
+const vti_bodies *sampled_step(struct sampled *s, int64_t k)
+{
+    equations_look_at(s->model, &s->seen, s->states + k * s->width);
+    return &s->seen;
 }
 
 /** State k of those of two solutions is there. */

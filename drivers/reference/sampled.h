@@ -12,6 +12,7 @@ struct sampled {
     int64_t width, count; /* doubles in a state; states 0 ... count - 1 */
     double interval;
     double *states;      /* [count][width] */
+    vti_bodies seen;     /* of the last sampled_step; sealed */
     double energy_error; /* largest |E - E_0| of a state */
     double spread;       /* ||q' - q||_{H1}/||q||_{H1} of a solution q' of a tolerance 100 times larger */
 };
@@ -25,5 +26,7 @@ int sampled_integrate(struct sampled *sampled, const struct watch *watch, struct
 
 /** State k; the views point into the reference. */
 vti_bodies sampled_state(struct sampled *sampled, int64_t k);
+/** The same, sealed; they hold until the next call. */
+const vti_bodies *sampled_step(struct sampled *sampled, int64_t k);
 
 #endif

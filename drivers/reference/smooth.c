@@ -18,7 +18,17 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
     memset(s, 0, sizeof *s);
     s->model = model;
     s->state = calloc((size_t)equations_width(model), sizeof *s->state);
-    return s->state != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model)), sizeof *s->block);
+    if (s->state != NULL && s->block != NULL) {
+        /* as one row of bodies, of which a step's are a slice */
+        s->seen = equations_bodies(model, s->block);
+        s->seen.mass.p = s->seen.inertia.p = NULL;
+        s->seen.count *= PANELS_BLOCK;
+    }
+    if (s->state == NULL || s->block == NULL || vti_bodies_seal(&s->seen) != VTI_OK)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    s->seen.count = model->bodies.count;
+    return 0;
 }
 
 void smooth_destroy(struct smooth *s)
@@ -26,8 +36,11 @@ void smooth_destroy(struct smooth *s)
     panels_destroy(&s->panels);
     equations_destroy(&s->equations);
     free(s->state);
+    free(s->block);
     free(s->starts);
-    s->state = s->starts = NULL;
+    free(s->sums);
+    s->state = s->block = s->starts = NULL;
+    s->sums = NULL;
 }
 
 /* ---- windows ----------------------------------------------------------------------------------------------------- */
@@ -58,10 +71,14 @@ int smooth_resize(struct smooth *s, int64_t count, int64_t held, double t_end)
 {
     const int64_t width = equations_width(s->model);
     free(s->starts);
-    s->window = -1;
+    free(s->sums);
+    s->block_count = 0;
+    s->window = s->sums_window = -1;
     s->windows = (count + held - 1) / held;
     s->starts = calloc((size_t)(s->windows * (SMOOTH_START + width)), sizeof *s->starts);
-    return panels_create(&s->panels, width - 1, count, held, t_end) != 0 || s->starts == NULL ? -1 : 0;
+    s->sums = calloc((size_t)held, sizeof *s->sums);
+    return panels_create(&s->panels, width - 1, count, held, t_end) != 0 || s->starts == NULL || s->sums == NULL ? -1
+                                                                                                                 : 0;
 }
 
 static int64_t window_of(const struct smooth *s, int64_t panel)
@@ -143,8 +160,9 @@ static void hand_on(struct smooth *s, int64_t window)
     start_of(s, window + 1)[2] = sum.low;
 }
 
-/** One pass over all panels, which leaves the last window in memory. */
-static int one_pass(struct smooth *s, const struct watch *watch, struct message *message)
+/** One pass over all panels, which leaves the last window in memory; or over those up to the first that interpolates
+ *  worse than tolerance. */
+static int one_pass(struct smooth *s, double tolerance, const struct watch *watch, struct message *message)
 {
     const vti_bodies bodies = equations_bodies(s->model, s->state);
     const vti_sum nothing = {0.0, 0.0};
@@ -160,6 +178,8 @@ static int one_pass(struct smooth *s, const struct watch *watch, struct message 
                 return -1;
             s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
             s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p));
+            if (s->interpolation_error > tolerance)
+                return 0;
             if (watch_see(watch, (double)(p + 1) / (double)s->panels.count))
                 return WATCH_ASKED;
         }
@@ -183,7 +203,9 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
                      twice = 2.0 * (double)count;
         if (smooth_resize(s, count, (int64_t)held, t_end) != 0)
             return no_memory(s, message);
-        const int failed = one_pass(s, watch, message);
+        /* where the passes after this one are made whatever it finds, one bad panel is enough */
+        const double enough = 2.0 * twice <= fit ? interpolation_tolerance : INFINITY;
+        const int failed = one_pass(s, enough, watch, message);
         const int helps = s->interpolation_error < 0.5 * last;
         last = s->interpolation_error;
         if (failed != 0 || last <= interpolation_tolerance || (twice > fit && (!helps || twice > most_panels)))
@@ -199,6 +221,29 @@ vti_bodies smooth_at(struct smooth *s, double t)
     const int64_t p = panels_find(&s->panels, t, &tau);
     panels_read(&s->panels, p, tau, s->state);
     return equations_bodies(s->model, s->state);
+}
+
+static void read_block(struct smooth *s, double h, int64_t step)
+{
+    double tau[PANELS_BLOCK];
+    const int64_t p = panels_find(&s->panels, (double)step * h, &tau[0]);
+    int n = 1;
+    while (n < PANELS_BLOCK && panels_find(&s->panels, (double)(step + n) * h, &tau[n]) == p)
+        ++n;
+    s->block_h = h;
+    s->block_first = step;
+    s->block_count = n;
+    for (; n < PANELS_BLOCK; ++n)
+        tau[n] = tau[0];
+    panels_read_block(&s->panels, p, tau, s->block);
+}
+
+const vti_bodies *smooth_step(struct smooth *s, double h, int64_t step)
+{
+    if (!smooth_has(s, h, step))
+        read_block(s, h, step);
+    s->seen.first = (step - s->block_first) * s->seen.count; /* among those that were sealed */
+    return &s->seen;
 }
 
 /* ---- the exact norm ---------------------------------------------------------------------------------------------- */
@@ -263,8 +308,17 @@ double smooth_norm_squared(struct smooth *s, double t)
 {
     double tau;
     const int64_t last = panels_find(&s->panels, t, &tau);
-    vti_sum sum = sum_before(s, s->window);
-    for (int64_t p = s->panels.first; p <= last; ++p)
-        vti_sum_add(&sum, panel_integral(s, p, p < last ? 1.0 : tau));
+    if (s->sums_window != s->window) {
+        s->sums[0] = sum_before(s, s->window);
+        s->sums_known = 0;
+        s->sums_window = s->window;
+    }
+    for (; s->sums_known < last - s->panels.first; ++s->sums_known) {
+        vti_sum *next = &s->sums[s->sums_known + 1];
+        *next = s->sums[s->sums_known];
+        vti_sum_add(next, panel_integral(s, s->panels.first + s->sums_known, 1.0));
+    }
+    vti_sum sum = s->sums[last - s->panels.first];
+    vti_sum_add(&sum, panel_integral(s, last, tau));
     return vti_sum_value(&sum);
 }

@@ -234,14 +234,24 @@ static int is_due(const struct observer *observer, int64_t step, int64_t last)
     return step % observer->every == 0 || step == last;
 }
 
+/** *kept sees what b sees. Sealed the first time: from then on only addresses of like memory change. */
+static const vti_bodies *keep_seen(vti_bodies *kept, vti_bodies b)
+{
+    b.sealed = kept->sealed;
+    *kept = b;
+    if (kept->sealed == 0)
+        vti_bodies_seal(kept);
+    return kept;
+}
+
 static int show(struct travel *travel, int64_t last, const struct observer *observers, int n)
 {
-    const vti_bodies in_time = turned_to_alpha(travel, travel_bodies(travel)),
-                     raw = turned_to_alpha(travel, *course_bodies(travel->course));
+    const vti_bodies *in_time = keep_seen(&travel->seen[0], turned_to_alpha(travel, travel_bodies(travel))),
+                     *raw = keep_seen(&travel->seen[1], turned_to_alpha(travel, *course_bodies(travel->course)));
     for (int k = 0; k < n; ++k)
         if (is_due(&observers[k], travel->steps, last) &&
             observers[k].see(observers[k].self, travel->steps, (double)travel->steps * travel->h,
-                             observers[k].raw ? &raw : &in_time) != 0)
+                             observers[k].raw ? raw : in_time) != 0)
             return 1;
     return 0;
 }

@@ -41,6 +41,7 @@ struct travel {
     int64_t steps;         /* taken so far */
     struct course *course; /* of a rival, else NULL */
     double *copies;        /* of velocities, for steppers that lag; else NULL */
+    vti_bodies seen[2];    /* of a rival: what observers are shown, in time and raw; sealed */
 };
 
 /** Prepares *stepper to take *model, at t = 0, by steps of h. The model must outlive the travel and be left alone by

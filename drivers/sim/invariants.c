@@ -9,30 +9,25 @@ static const struct invariant momenta[MOMENTA] = {
     {"angular_x", "$L_x$", 1},  {"angular_y", "$L_y$", 1},  {"angular_z", "$L_z$", 1},
     {"spin_x", "$S_x$", 1},     {"spin_y", "$S_y$", 1},     {"spin_z", "$S_z$", 1},
 };
-static int is_broken(const struct model *model, int k)
-{
-    for (int64_t e = 0; e < model->effects_count; ++e)
-        if (model->effects[e].breaks >> k & 1)
-            return 1;
-    return 0;
-}
 
-/** Momentum k exists in the scene, no effect breaks it, and it is not a part of another that is conserved as a whole.
- *  */
-static int conserves(const struct model *model, int k)
+/** Bit k: momentum k is conserved. It exists in the scene, no effect breaks it, and it is not a part of another that is
+ *  conserved as a whole, as the spin is of the angular one. */
+static int64_t conserved_of(const struct model *model)
 {
-    if (is_broken(model, k))
-        return 0;
-    if (k >= SPIN)
-        return model->turns && is_broken(model, k - SPIN + ANGULAR);
-    return k >= ANGULAR || model->translates;
+    int64_t broken = 0;
+    for (int64_t e = 0; e < model->effects_count; ++e)
+        broken |= model->effects[e].breaks;
+    const int64_t linear = model->translates ? 7 : 0,
+                  spin = model->turns ? (broken & 7 << ANGULAR) << (SPIN - ANGULAR) : 0;
+    return (linear | 7 << ANGULAR | spin) & ~broken;
 }
 
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS])
 {
+    const int64_t conserved = conserved_of(model);
     int64_t n = 0;
     for (int k = 0; k < MOMENTA; ++k)
-        if (conserves(model, k))
+        if (conserved >> k & 1)
             list[n++] = momenta[k];
     for (int64_t e = 0; e < model->rooms_count; ++e) {
         const struct effect_invariants *own = model->rooms[e].kind->invariants;
@@ -44,17 +39,33 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
     return n;
 }
 
-void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
+static void take_angular(const vti_bodies *bodies, double values[3])
 {
     const double origin[3] = {0.0, 0.0, 0.0};
-    double all[MOMENTA];
+    vti_angular_momentum(bodies, origin, values);
+}
+
+/** Of a vector whose components are three momenta, those that are conserved; taken if there is one. */
+static int64_t take_conserved(int64_t conserved, void (*take)(const vti_bodies *bodies, double *values),
+                              const vti_bodies *bodies, double *values)
+{
+    double all[3];
     int64_t n = 0;
-    vti_momentum(bodies, all + LINEAR);
-    vti_angular_momentum(bodies, origin, all + ANGULAR);
-    vti_spin(bodies, all + SPIN);
-    for (int k = 0; k < MOMENTA; ++k)
-        if (conserves(model, k))
+    if ((conserved & 7) == 0)
+        return 0;
+    take(bodies, all);
+    for (int k = 0; k < 3; ++k)
+        if (conserved >> k & 1)
             values[n++] = all[k];
+    return n;
+}
+
+void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
+{
+    const int64_t conserved = conserved_of(model);
+    int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
+    n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
+    n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
     for (int64_t e = 0; e < model->rooms_count; ++e) {
         const struct effect_invariants *own = model->rooms[e].kind->invariants;
         if (own == NULL || n + own->count > MODEL_INVARIANTS)

@@ -17,7 +17,7 @@ int64_t loop_steps(double t_end, double h)
 /* ---- reading a lagging method ------------------------------------------------------------------------------------ */
 
 /** Copies of v and omega on which a lagging method is brought to the time of the positions, so that looking at a run does not
- *  change its bits. Other methods are read as they are. */
+ *  change its bits. Other methods are read as they are, from the model itself, whose bodies are sealed. */
 struct reader {
     vti_bodies bodies;
     double *memory;
@@ -52,13 +52,13 @@ static int reader_create(struct reader *reader, const struct model *model, const
 static const vti_bodies *reader_read(struct reader *reader, const struct model *model, const vti_stepper *stepper,
                                      double h)
 {
-    if (reader->memory != NULL) {
-        if (model->bodies.v.c[0] != NULL)
-            copy(&model->bodies.v, &reader->bodies.v, model->bodies.count);
-        if (model->bodies.omega.c[0] != NULL)
-            copy(&model->bodies.omega, &reader->bodies.omega, model->bodies.count);
-        vti_step_sync(stepper, h, &reader->bodies);
-    }
+    if (reader->memory == NULL)
+        return &model->bodies;
+    if (model->bodies.v.c[0] != NULL)
+        copy(&model->bodies.v, &reader->bodies.v, model->bodies.count);
+    if (model->bodies.omega.c[0] != NULL)
+        copy(&model->bodies.omega, &reader->bodies.omega, model->bodies.count);
+    vti_step_sync(stepper, h, &reader->bodies);
     return &reader->bodies;
 }
 
@@ -139,7 +139,7 @@ static int show(struct run *run, int64_t step)
     const vti_bodies *in_time = NULL;
     for (int k = 0; k < run->observers_count; ++k) {
         const struct observer *o = &run->observers[k];
-        if (step % o->every != 0 && step != run->last)
+        if (o->every > 1 && step % o->every != 0 && step != run->last)
             continue;
         if (!o->raw && in_time == NULL)
             in_time = reader_read(&run->reader, run->model, run->stepper, run->h);

@@ -95,7 +95,9 @@ struct invariant {
  *  those angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that.
  *  Returns how many (at most MODEL_INVARIANTS). */
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS]);
-/** Their values for the bodies, in the same order. */
+/** Their values for the bodies, in the same order; of the momenta, which come first, and return how many there are; of
+ *  all. */
+int64_t model_momentum_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
 
 #endif

@@ -18,9 +18,10 @@ struct measures {
     double energy0, invariants0[MODEL_INVARIANTS];
     struct invariant invariant[MODEL_INVARIANTS];
     int64_t invariants, sample_every, compare_every;
-    vti_integral energy_squared; /* (E_h - E_0)^2 */
-    vti_integral norm_squared;   /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
-    vti_integral error_squared;  /* the same of q_h - q */
+    int64_t next_sample, next_compare; /* steps: no division at those between */
+    vti_integral energy_squared;       /* (E_h - E_0)^2 */
+    vti_integral norm_squared;         /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
+    vti_integral error_squared;        /* the same of q_h - q */
 };
 
 static int measures_begin(struct measures *m, struct model *model, struct reference *reference,
@@ -51,14 +52,14 @@ static void sample(struct measures *m, double t, double energy_error, const doub
 }
 
 /** The error against the reference, where that is known. */
-static int compare(struct measures *m, int64_t step, double t, const vti_bodies *bodies)
+static int compare(struct measures *m, int64_t step, const vti_bodies *bodies)
 {
-    if (reference_seek(m->reference, t, &m->watch, &m->outcome->message) != 0)
+    const vti_bodies *exact;
+    if (reference_step(m->reference, m->h, step, &m->watch, &exact, &m->outcome->message) != 0)
         return -1;
-    const vti_bodies exact = reference_at(m->reference, t);
-    vti_integral_add(&m->error_squared, (double)m->compare_every * m->h, vti_h1_distance(bodies, &exact));
+    vti_integral_add(&m->error_squared, (double)m->compare_every * m->h, vti_h1_distance(bodies, exact));
     if (step == m->outcome->steps)
-        m->outcome->attitude_error = vti_attitude_distance(bodies, &exact);
+        m->outcome->attitude_error = vti_attitude_distance(bodies, exact);
     return 0;
 }
 
@@ -68,9 +69,13 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     const double energy_error = model_energy(m->model, bodies) - m->energy0;
     vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
     vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
-    if (step % m->compare_every == 0 && compare(m, step, t, bodies) != 0)
-        return 1;
+    if (step == m->next_compare) {
+        m->next_compare += m->compare_every;
+        if (compare(m, step, bodies) != 0)
+            return 1;
+    }
 
+    const int sampled = step == m->next_sample;
     double deviation[MODEL_INVARIANTS] = {0.0};
     model_invariant_values(m->model, bodies, deviation);
     for (int64_t k = 0; k < m->invariants; ++k) {
@@ -79,9 +84,11 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
         if (m->invariant[k].is_momentum && !isnan(*worst) && !(fabs(deviation[k]) <= *worst))
             *worst = fabs(deviation[k]);
     }
-    if (step % m->sample_every == 0)
+    if (sampled) {
+        m->next_sample += m->sample_every;
         sample(m, t, energy_error, deviation);
-    if (step % m->sample_every == 0 || step == m->outcome->steps) {
+    }
+    if (sampled || step == m->outcome->steps) {
         double row[COLUMNS];
         verdict_row(&m->verdict, t, bodies, row);
     }
