@@ -5,8 +5,12 @@ import subprocess
 
 PATIENCE = 120  # seconds; what takes longer hangs
 # Open MPI refuses root, which is who one is in a container, and more ranks than cores (said in one way up to 4 and in another
-# from 5 on); its fast path between ranks needs a right that containers lack; 5 warns of ranks that no network joins.
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+# from 5 on); its fast path between ranks needs a right that containers lack; 5 warns of ranks that no network joins. Looking for
+# networks takes most of a start (pml), a single rank needs no daemon (isolated), one that waits spins (yield), and when one fails
+# the others have a second to end (GRACE).
+GRACE = "OMPI_MCA_odls_base_sigkill_timeout"
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_pml="ob1",
+                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_ess_singleton_isolated="1", **{GRACE: "0"},
                    OMPI_MCA_btl_tcp_if_include=os.environ.get("OMPI_MCA_btl_tcp_if_include", "127.0.0.0/8"),
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1",
                    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
@@ -34,3 +38,16 @@ def contents(folder, without=()):
             with open(path, "rb") as file:
                 found[name] = file.read()
     return found
+
+
+def size_of(path):
+    """Of a file that may vanish at any moment."""
+    try:
+        return os.path.getsize(path)
+    except FileNotFoundError:
+        return 0
+
+
+def holds(journal):
+    """Something has been committed."""
+    return size_of(journal) > 0 and size_of(f"{journal}-journal") == 0

@@ -14,6 +14,7 @@ import tempfile
 import termios
 import time
 
+import programs
 from programs import ENVIRONMENT, PATIENCE, run
 from tally import check, conclude
 
@@ -22,9 +23,10 @@ CHAIN, PENDULUM = (os.path.join(SCENES, name + ".yaml") for name in ("chain", "p
 # What Open MPI 5 does otherwise: its mpirun passes on whole lines only, and nothing more once it has been asked to end; what it
 # says itself after a code that is not 0 cannot be held back.
 MAJOR = int(re.search(r"\(Open.*?\) (\d+)", run(MPIRUN, "--version").stdout)[1])
+del ENVIRONMENT[programs.GRACE]  # ranks that are asked to end say a word
 PASSES_PIECES = PASSES_LAST_WORDS = CAN_BE_QUIET = MAJOR < 5
 HOURS = ("--h", "2^-9:2^-27", "--no-plot")
-SECONDS = ("--h", "2^-4:2^-16", "--no-plot")  # a bar is drawn ten times per second at most
+SECONDS = ("--h", "2^-4:2^-15", "--no-plot")  # a bar is drawn ten times per second at most
 
 
 class Terminal:

@@ -15,7 +15,7 @@ import time
 import h5py
 import numpy
 
-from programs import ENVIRONMENT, contents, one_line, run
+from programs import ENVIRONMENT, contents, holds, one_line, run, size_of
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES = sys.argv[1:4]
@@ -161,16 +161,18 @@ def refused(base):
 
 def interrupted(base):
     """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed."""
-    arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/128", "--h", "2^-9:2^-11", "--t-end", "20", "--steppers", "vti2"]
+    arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/64", "--h", "2^-9:2^-11", "--t-end", "20", "--steppers", "vti2"]
     study(2, *arguments, folder=f"{base}/whole")
     for ending in (signal.SIGKILL, signal.SIGTERM):
         child = subprocess.Popen([STUDY, "--no-plot", *arguments, "--resume", "-o", f"{base}/legs"], env=ENVIRONMENT,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        time.sleep(1.5)
+        before = size_of(f"{base}/legs/study.journal")
+        while child.poll() is None and not (holds(f"{base}/legs/study.journal") and size_of(f"{base}/legs/study.journal") > before):
+            time.sleep(0.001)
         child.send_signal(ending)
         child.communicate(timeout=60)
         check(child.returncode in (75, -signal.SIGKILL), f"it ends by {ending.name} with {child.returncode}")
-    other = study(1, *arguments[:2], "pendulum.weight=1:2:1/64", *arguments[3:], "--resume", folder=f"{base}/legs")
+    other = study(1, *arguments[:2], "pendulum.weight=1:2:1/32", *arguments[3:], "--resume", folder=f"{base}/legs")
     check(one_line(other, "study.journal", "another study"), f"another sweep is refused: {other.stderr.strip()[:200]}")
     result = study(3, *arguments, "--resume", folder=f"{base}/legs")
     check(result.returncode == 0 and "goes on: " in result.stdout, f"it goes on {result.stdout[:100]} {result.stderr}")

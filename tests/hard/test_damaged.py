@@ -7,13 +7,11 @@ import random
 import sys
 import tempfile
 
-import programs
-from programs import contents, run
+from programs import contents, one_line, run
 from tally import check, conclude
 
 RUN, STUDY, SCENES = map(os.path.abspath, sys.argv[1:4])
 FLIPS, CUTS = 60, 15
-programs.ENVIRONMENT["OMPI_MCA_ess_singleton_isolated"] = "1"  # no daemon for a single rank
 
 
 def damages(whole):
@@ -35,7 +33,7 @@ def damaged(base, name, blocks, command):
     command = [*command, "-o", f"{folder}/out.h5" if "run" in name else folder]
     os.makedirs(f"{folder}/{blocks}.part")
     result = run(*command)
-    check(ready.returncode == 0 and programs.one_line(result, name, "--resume"), f"no place for a file: {result.stderr.strip()}")
+    check(ready.returncode == 0 and one_line(result, name, "--resume"), f"no place for a file: {result.stderr.strip()}")
     os.rmdir(f"{folder}/{blocks}.part")
     with open(f"{folder}/{name}", "rb") as file:
         kept = file.read()

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-from programs import ENVIRONMENT, PATIENCE, contents, one_line, run
+from programs import ENVIRONMENT, PATIENCE, contents, holds, one_line, run, size_of
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES = map(os.path.abspath, sys.argv[1:4])
@@ -56,19 +56,6 @@ def tell(ranks, number):
             os.kill(rank, number)
         except ProcessLookupError:
             pass
-
-
-def size_of(path):
-    """Of a file that may vanish at any moment."""
-    try:
-        return os.path.getsize(path)
-    except FileNotFoundError:
-        return 0
-
-
-def holds(journal):
-    """Something has been committed."""
-    return size_of(journal) > 0 and size_of(f"{journal}-journal") == 0
 
 
 def end(process, folder):
@@ -253,7 +240,7 @@ def limited(base, arguments, whole):
 
 def stopped(base):
     # mpirun takes its time to end its ranks: a study that is not over before
-    arguments = [scene("pendulum"), "--h", "2^-4:2^-18", "--steppers", "vti1,vti2,vti3"]
+    arguments = [scene("pendulum"), "--h", "2^-4:2^-16", "--steppers", "vti1,vti2,vti3"]
     study(2, *arguments, "-o", f"{base}/whole")
     for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGINT) if LONG else (signal.SIGTERM, signal.SIGUSR1):
         folder = f"{base}/{number.name}"

@@ -16,7 +16,6 @@ from tally import check, conclude
 
 TROUBLE, RUN, STUDY, ADVISE, SCENES = map(os.path.abspath, sys.argv[1:6])
 LONG = len(sys.argv) > 6
-programs.ENVIRONMENT["OMPI_MCA_ess_singleton_isolated"] = "1"  # no daemon for a single rank
 
 
 def start(command, folder, how="", at=0, log="", **options):
