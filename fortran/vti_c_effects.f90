@@ -117,6 +117,20 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
+        function c_dashpots_effect(dashpots) result(effect) bind(c, name='vti_dashpots_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: dashpots
+            type(vti_effect) :: effect
+        end function
+
+        !> By which bodies part with the share e of the velocity with which they meet; NaN unless 0 < e <= 1.
+        function vti_dashpots_zeta(e, pull) result(zeta) bind(c)
+            import :: c_double, c_int64_t
+            real(c_double), value :: e
+            integer(c_int64_t), value :: pull
+            real(c_double) :: zeta
+        end function
+
         function c_bonds_effect(bonds) result(effect) bind(c, name='vti_bonds_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: bonds

@@ -19,7 +19,8 @@ module vti_effects
     public :: vti_apply, vti_energy, vti_booked, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
     public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
-    public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect
+    public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
+        vti_dashpots_effect, vti_dashpots_zeta
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
 
@@ -183,7 +184,7 @@ contains
         call show(context, from_zero)
     end subroutine
 
-    ! ---- pendulum, gravity and drag ---------------------------------------------------------------------------------
+    ! ---- pendulum, gravity, drag, dashpots ---------------------------------------------------------------------------------
 
     function vti_pendulum_effect(pendulum) result(effect)
         type(vti_pendulum), pointer, intent(in) :: pendulum
@@ -210,6 +211,12 @@ contains
         type(vti_drag), pointer, intent(in) :: drag
         type(vti_effect) :: effect
         if (associated(drag)) effect = c_drag_effect(c_loc(drag))
+    end function
+
+    function vti_dashpots_effect(dashpots) result(effect)
+        type(vti_dashpots), pointer, intent(in) :: dashpots
+        type(vti_effect) :: effect
+        if (associated(dashpots)) effect = c_dashpots_effect(c_loc(dashpots))
     end function
 
     ! ---- bonds -------------------------------------------------------------------------------------------------------

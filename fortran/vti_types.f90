@@ -129,6 +129,17 @@ module vti_types
         integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
     end type
 
+    !> Dashpots of contacts and planes. contacts and walls are the addresses of a vti_contacts and of a vti_walls, or
+    !> null; lost is that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling
+    !> and twisting motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs.
+    type, bind(c) :: vti_dashpots
+        type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr
+        real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
+        integer(c_int64_t) :: pull = 0
+        real(c_double) :: reach = 0
+        type(c_ptr) :: lost = c_null_ptr
+    end type
+
     !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays.
     type, bind(c) :: vti_contacts
         integer(c_int64_t) :: count = 0

@@ -16,6 +16,7 @@
 #include "vti_binder.h"
 #include "vti_bodies.h"
 #include "vti_contact.h"
+#include "vti_dashpot.h"
 #include "vti_drag.h"
 #include "vti_effect.h"
 #include "vti_gravity.h"

@@ -52,6 +52,8 @@ static int make(struct effect *e, const struct model *model, const struct table 
     const int result =
         neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
     free(pair);
+    if (scene_has_trait(model->scene, EFFECT_NEAR))
+        self->neighbours.reach = 0.5 * self->neighbours.skin;
     return result;
 }
 
@@ -67,6 +69,13 @@ static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message
     self->contacts.count = self->neighbours.count;
     self->contacts.pair = self->neighbours.pair;
     return result < 0 ? -1 : 0;
+}
+
+static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
+{
+    const struct contact_self *self = e->self;
+    surfaces->contacts = &self->contacts;
+    surfaces->reach = self->neighbours.reach;
 }
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */
@@ -106,4 +115,5 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            EFFECT_TERMS(terms),
                                            .limit = limit,
                                            .deform = deform,
+                                           .surfaces = surfaces,
                                            .touching = touching};

@@ -23,7 +23,8 @@ struct tables;
 enum effect_trait {
     EFFECT_TRANSLATING = 1, /* acts on bodies that translate: they need positions */
     EFFECT_SPHERES = 2,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
-    EFFECT_FLOWS = 4        /* acts on velocities by its flow alone, and gives neither force nor moment */
+    EFFECT_FLOWS = 4,       /* acts on velocities by its flow alone: gives_by, if there is one, says what it turns */
+    EFFECT_NEAR = 8         /* looks at pairs that touch only at the end of the step, too */
 };
 
 /** What it does to bodies, in the bits of vti_effect. */
@@ -68,6 +69,13 @@ struct effect_planes {
     const char *name; /* of one; with an s, of all */
     /** How many; in *plane [count][4]: n, d. */
     int64_t (*get)(const struct effect *e, const double **plane);
+};
+
+/** What touches, for effects that act where surfaces meet. */
+struct effect_surfaces {
+    const vti_contacts *contacts; /* of spheres, NULL if there are none; its list changes as pairs are found anew */
+    const vti_walls *walls;       /* planes, NULL if there are none */
+    double reach;                 /* the list has all pairs with a narrower gap */
 };
 
 /** Numbers that the motion keeps because of it. */
@@ -146,6 +154,8 @@ struct effect_kind {
     const struct effect_invariants *invariants;
     const struct effect_lines *lines;
     const struct effect_planes *planes;
+    /** Fills in what touches in it, and leaves the rest of *surfaces as it is. */
+    void (*surfaces)(const struct effect *e, struct effect_surfaces *surfaces);
     const struct effect_watch *watch;
 };
 

@@ -133,7 +133,7 @@ int kinds_check_kind(int k, const struct effect_kind *kind, struct message *mess
         return fail(k, "number", "is not that of the list in kinds.h", message);
     if (kind->key == NULL || kind->fields == NULL || kind->fields_count < 1)
         return fail(k, "", "has no key, or no row for it", message);
-    if ((kind->gives != 0) + (kind->gives_by != NULL) + ((kind->traits & EFFECT_FLOWS) != 0) != 1)
+    if ((kind->gives != 0) + (kind->gives_by != NULL || (kind->traits & EFFECT_FLOWS) != 0) != 1)
         return fail(k, "", "gives neither force nor moment: one of gives, gives_by and EFFECT_FLOWS", message);
     if (kind->make == NULL)
         return fail(k, "", "has no make", message);

@@ -10,7 +10,7 @@
 #include "message.h"
 #include "vti.h"
 
-#define EFFECT_KINDS(KIND) KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(gravity) KIND(pendulum)
+#define EFFECT_KINDS(KIND) KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(dashpot) KIND(gravity) KIND(pendulum)
 
 #define EFFECT_NUMBER(NAME) EFFECT_##NAME,
 enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };

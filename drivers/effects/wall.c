@@ -52,6 +52,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
     return 0;
 }
 
+static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
+{
+    surfaces->walls = e->self;
+}
+
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */
 
 static int64_t planes(const struct effect *e, const double **plane)
@@ -89,4 +94,5 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         EFFECT_TERMS(terms),
                                         .limit = limit,
                                         .deform = deform,
-                                        .planes = &drawn};
+                                        .planes = &drawn,
+                                        .surfaces = surfaces};

@@ -74,10 +74,10 @@ static int64_t leave_out_excluded(const struct neighbours_search *s, int64_t *pa
 
 /* ---- update ------------------------------------------------------------------------------------------------------- */
 
-/** 1 if a body has moved by more than half the skin, or to where there are no numbers. */
+/** 1 if a body has moved by more than half of what the skin is above the reach, or to where there are no numbers. */
 static int has_moved(const struct neighbours *list, const vti_view *x)
 {
-    const double *at = list->search->cells.x, limit = 0.25 * list->skin * list->skin;
+    const double *at = list->search->cells.x, way = 0.5 * (list->skin - list->reach), limit = way * way;
     for (int64_t i = 0; i < list->search->cells.n; ++i, at += 3) {
         const int64_t k = i * x->stride;
         const double d[3] = {x->c[0][k] - at[0], x->c[1][k] - at[1], x->c[2][k] - at[2]};

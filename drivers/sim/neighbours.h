@@ -19,6 +19,7 @@ struct neighbours {
     int64_t count;
     int64_t *pair;  /* [count][2]: i < j from 0, ascending by i, then by j; moves when the list is built anew */
     double skin;    /* length */
+    double reach;   /* length below the skin, 0 when it is made: it also holds all pairs with a gap below that */
     int64_t builds; /* how often it has been built */
     struct neighbours_search *search;
 };
@@ -35,8 +36,9 @@ struct neighbours {
 int neighbours_create(struct neighbours *list, int64_t n, const vti_scalars *diameter, double skin,
                       int64_t excluded_count, const int64_t *excluded, struct message *message);
 
-/** Makes the list hold every pair that touches at the positions x [n], which must not be absent. Which others it holds
- *  depends on when it was built; as it is sorted and others add nothing, sums over it depend on x alone, to the bit.
+/** Makes the list hold every pair that touches, or has a gap below list->reach, at the positions x [n], which must not be
+ *  absent. Which others it holds depends on when it was built; as it is sorted and others add nothing, sums over it depend
+ *  on x alone, to the bit.
  *
  *  Returns 1 if it was built anew, 0 if it still held, or -1 with one line in *message, if a position is not finite (the
  *  line names the body) or memory is out. The list is empty then, and the next update builds it. */

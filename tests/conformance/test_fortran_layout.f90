@@ -25,6 +25,7 @@ program test_fortran_layout
     call pendulum()
     call gravity()
     call drag()
+    call dashpots()
     call bonds()
     call contacts()
     call walls()
@@ -135,6 +136,13 @@ contains
         type(vti_drag), target :: t
         call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%linear), c_loc(t%quadratic), &
             c_loc(t%angular), c_loc(t%medium), c_loc(t%lost)])])
+    end subroutine
+
+    subroutine dashpots()
+        type(vti_dashpots), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), c_loc(t%zeta), &
+            c_loc(t%normal), c_loc(t%tangential), c_loc(t%ratio), c_loc(t%rolling), c_loc(t%twisting), &
+            c_loc(t%pull), c_loc(t%reach), c_loc(t%lost)])])
     end subroutine
 
     subroutine bonds()

@@ -91,6 +91,15 @@ static const struct refusal refused[] = {
      "2:19: drag.quadratic: acts on bodies that translate; give bodies.x or an arrangement of them"},
     {POINT "drag: {angular: 1}\n" TIME, "2:17: drag.angular: acts on bodies that turn; give bodies.omega"},
 
+    /* dashpot */
+    {CHAIN "dashpot: {zeta: 1}\n" TIME, "2:1: dashpot: nothing touches; give contact or wall"},
+    {CHAIN "contact: {stiffness: 1}\ndashpot: {zeta: 1, restitution: 0.5}\n" TIME,
+     "3:33: dashpot.restitution: given with dashpot.zeta; keep one of them"},
+    {CHAIN "contact: {stiffness: 1}\ndashpot: {restitution: 1.5}\n" TIME,
+     "3:24: dashpot.restitution: '1.5' is above 1; give a share of the velocity"},
+    {CHAIN "contact: {stiffness: 1}\ndashpot: {restitution: 1e-9}\n" TIME,
+     "3:24: dashpot.restitution: '1e-9' is below 1e-6; give zeta, 1 or more"},
+
     /* contact, wall, gravity, pendulum */
     {CHAIN "contact: {}\n" TIME, "2:1: contact.stiffness: missing; add 'stiffness:', the stiffness K^pp"},
     {CHAIN "contact: {stiffness: 0}\n" TIME,

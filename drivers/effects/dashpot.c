@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Dashpots where spheres touch each other and walls (EQUATIONS 6.3). */
+#include "hertz.h"
+#include "kind.h"
+#include "model.h"
+#include "scene_reader.h"
+
+struct dashpot_settings {
+    double restitution, zeta, normal, tangential, ratio, rolling, twisting;
+    int64_t pull;
+};
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+#define NUMBER_AT(KEY, MEMBER, RANGE, ABOUT, SAYS)                                                                     \
+    {                                                                                                                  \
+        "dashpot." KEY, SCENE_NUMBER, SCENE_MAY, RANGE, offsetof(struct dashpot_settings, MEMBER), ABOUT, SAYS, NULL   \
+    }
+static const struct scene_field fields[] = {
+    {"dashpot", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "dashpots of contacts and walls",
+     "Damps what touches; steppers with negative coefficients are refused.", NULL},
+    NUMBER_AT("restitution", restitution, SCENE_POSITIVE, "restitution e",
+              "Share of the normal velocity that is left after an impact at any speed, at most 1; in place of zeta."),
+    NUMBER_AT("zeta", zeta, SCENE_NOT_NEGATIVE, "damping ratio",
+              "Of the normal motion: its coefficient is 2 zeta sqrt(5/6 m k), k being the stiffness where it is."),
+    NUMBER_AT("normal", normal, SCENE_NOT_NEGATIVE, "normal coefficient",
+              "Mass per time, the same at any overlap; adds to what restitution or zeta gives."),
+    NUMBER_AT("tangential", tangential, SCENE_NOT_NEGATIVE, "tangential coefficient",
+              "Mass per time, against sliding; bodies turn then."),
+    NUMBER_AT("ratio", ratio, SCENE_NOT_NEGATIVE, "ratio of coefficients",
+              "Adds this share of the normal coefficient to the tangential one; bodies turn then."),
+    NUMBER_AT("rolling", rolling, SCENE_NOT_NEGATIVE, "rolling coefficient",
+              "Energy times time, against rolling over each other; bodies turn then."),
+    NUMBER_AT("twisting", twisting, SCENE_NOT_NEGATIVE, "twisting coefficient",
+              "Energy times time, against turning about the normal; bodies turn then."),
+    {"dashpot.pull", SCENE_YES_NO, SCENE_MAY, SCENE_ANY, offsetof(struct dashpot_settings, pull), "dashpots that pull",
+     "no (default): normal dashpots pull no harder than the contact pushes, so that what parts is not held; yes: they "
+     "do.",
+     NULL},
+};
+#undef NUMBER_AT
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    const struct dashpot_settings *d = settings;
+    int touches = 0;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        touches |= scene->has[k] && kinds_at(k)->surfaces != NULL;
+    if (!touches)
+        return scene_reader_fail(reader, "dashpot", "nothing touches; give contact or wall");
+    if (scene_reader_has(reader, "dashpot.restitution") && scene_reader_has(reader, "dashpot.zeta"))
+        return scene_reader_fail(reader, "dashpot.restitution", "given with dashpot.zeta; keep one of them");
+    if (d->restitution > 1.0)
+        return scene_reader_fail(reader, "dashpot.restitution", "'%s' is above 1; give a share of the velocity",
+                                 scene_reader_value(reader, "dashpot.restitution"));
+    if (d->restitution > 0.0 && d->restitution < 1e-6)
+        return scene_reader_fail(reader, "dashpot.restitution", "'%s' is below 1e-6; give zeta, 1 or more",
+                                 scene_reader_value(reader, "dashpot.restitution"));
+    return 0;
+}
+
+static int gives(const void *settings, const struct table *table)
+{
+    const struct dashpot_settings *d = settings;
+    (void)table;
+    return d->tangential > 0.0 || d->ratio > 0.0 || d->rolling > 0.0 || d->twisting > 0.0 ? EFFECT_MOMENT : 0;
+}
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    const struct dashpot_settings *d = e->settings;
+    vti_dashpots *dashpots = effect_memory(e, sizeof *dashpots, message);
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY};
+    (void)table;
+    if (dashpots == NULL)
+        return -1;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->surfaces != NULL)
+            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    dashpots->contacts = surfaces.contacts;
+    dashpots->walls = surfaces.walls;
+    dashpots->reach = surfaces.reach;
+    dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
+    dashpots->normal = d->normal;
+    dashpots->tangential = d->tangential;
+    dashpots->ratio = d->ratio;
+    dashpots->rolling = d->rolling;
+    dashpots->twisting = d->twisting;
+    dashpots->pull = d->pull;
+    dashpots->lost = e->booked;
+    *made = vti_dashpots_effect(dashpots);
+    return 0;
+}
+
+static const struct effect_term terms[] = {
+    {"lost_dashpot_normal", "$Q^{\\mathrm{n}}$", "lost to normal dashpots", "#AA4499"},
+    {"lost_dashpot_tangential", "$Q^{\\mathrm{t}}$", "lost to tangential dashpots", "#DDCC77"},
+    {"lost_dashpot_rolling", "$Q^{\\mathrm{r}}$", "lost to rolling dashpots", "#44AA99"},
+    {"lost_dashpot_twisting", "$Q^{\\mathrm{w}}$", "lost to twisting dashpots", "#661100"}};
+
+const struct effect_kind effect_dashpot = {.number = EFFECT_dashpot,
+                                           .key = "dashpot",
+                                           EFFECT_FIELDS(fields),
+                                           .settings = sizeof(struct dashpot_settings),
+                                           .check = check,
+                                           .traits = EFFECT_FLOWS | EFFECT_TRANSLATING | EFFECT_SPHERES | EFFECT_NEAR,
+                                           .gives_by = gives,
+                                           .kink = HERTZ_KINK,
+                                           .make = make,
+                                           EFFECT_TERMS(terms)};

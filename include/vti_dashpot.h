@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * The effect of dashpots where bodies touch each other or planes. */
+#ifndef VTI_DASHPOT_H
+#define VTI_DASHPOT_H
+
+#include "vti_contact.h"
+#include "vti_effect.h"
+#include "vti_wall.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Entries of vti_dashpots.lost. */
+enum { VTI_DASHPOT_BOOKS = 4 };
+
+/** Dashpots of contacts and planes, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through in
+ *  the order of the lists before a drift and backwards after it (6.4): none gains energy, whatever h, the coefficients
+ *  and the number of contacts, and the stable step stays what it was. Total momentum and angular momentum are kept to
+ *  rounding. A coefficient that depends on the overlap is its mean over the drift beside it.
+ *
+ *  The normal coefficient is normal + 2 zeta sqrt((5/6) m_n k_n), m_n the reduced mass and k_n the stiffness of the
+ *  contact where it is: with zeta alone restitution is the same at every speed, as vti_dashpots_zeta has it. The
+ *  tangential one is tangential + ratio times the normal one. */
+typedef struct vti_dashpots {
+    const vti_contacts *contacts; /**< pairs, diameters and stiffness, or NULL; its list may change between steps, and
+                                       holds the pairs that touch at either end of a drift */
+    const vti_walls *walls;       /**< planes, or NULL */
+    double zeta;                  /**< damping ratio of the normal motion */
+    double normal;                /**< mass/time */
+    double tangential;            /**< mass/time */
+    double ratio;                 /**< of the tangential to the normal coefficient */
+    double rolling;               /**< against rolling over each other, energy times time; needs omega */
+    double twisting;              /**< against turning about the normal; needs omega */
+    int64_t pull;                 /**< 0: contacts do not hold together what parts, as a normal dashpot pulls no harder
+                                       than they push; 1: it does */
+    double reach;                 /**< pairs with a wider gap than this are not looked at: as lists hold all with a
+                                       narrower one, results do not depend on what else they hold. INFINITY: all */
+    vti_sum *lost;                /**< [VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that
+                                       the motions have lost so far, normal, tangential, rolling, twisting */
+} vti_dashpots;
+
+/** The zeta by which two bodies part with the share e of the velocity with which they meet, 0 < e <= 1, in a Hertzian
+ *  and in a linear contact, at every speed: with pull e = exp(-pi zeta/sqrt(1 - zeta^2)), without
+ *  e = exp(-2 zeta arccos(zeta)/sqrt(1 - zeta^2)). NaN for other e. */
+VTI_API double vti_dashpots_zeta(double e, int64_t pull);
+
+/** The effect of *dashpots, which must outlive it, as must the lists, of effects of their own. Needs x, v and mass, and
+ *  inertia where bodies turn. Entries of booked energy: "lost_dashpot_normal", "lost_dashpot_tangential",
+ *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient or the reach is negative
+ *  or not a number, a coefficient is infinite. */
+VTI_API vti_effect vti_dashpots_effect(const vti_dashpots *dashpots);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Dashpots of contacts and planes as flows of the time t (EQUATIONS 6.3), with u and w of the touch:
+ *
+ *     normal p = m_n expm1(-c_n t/m_n) (u.n) n            tangential p = m_t expm1(-c_t t/m_t) P u
+ *     rolling l = J_r expm1(-c_r t/J_r) P w               twisting l = J_r expm1(-c_w t/J_r) (w.n) n
+ *
+ * Forward in this order, backward reversed. An impulse that takes the velocity u to u' lowers the kinetic energy by
+ * -p.(u + u')/2, which is booked. */
+#include "vti_decay.h"
+#include "vti_touch.h"
+
+enum { NORMAL, TANGENTIAL, ROLLING, TWISTING };
+
+/* ---- coefficients, as their mean over the drift ------------------------------------------------------------------- */
+
+/** x^{5/4} of x > 0, else 0 */
+static double power_5_4(double x)
+{
+    return x > 0.0 ? x * sqrt(sqrt(x)) : 0.0;
+}
+
+/** The share of the way from delta to other on which they overlap. */
+static double share(double delta, double other)
+{
+    if (delta > 0.0 && other > 0.0)
+        return 1.0;
+    const double inside = delta > 0.0 ? delta : other, outside = delta > 0.0 ? other : delta;
+    return inside > 0.0 ? inside / (inside - outside) : 0.0;
+}
+
+/** Mean of delta_+^{1/4} on the way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
+static double mean_power(double delta, double other)
+{
+    if (fabs(delta - other) < 1e-6 * fabs(delta))
+        return delta > 0.0 ? sqrt(sqrt(delta)) : 0.0;
+    return 0.8 * (power_5_4(delta) - power_5_4(other)) / (delta - other);
+}
+
+/** What the touch is between here and the other end of the drift. */
+struct place {
+    struct vti_touch touch;
+    double k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
+    double other;   /* overlap at the other end */
+    double touched; /* share of the drift */
+};
+
+/** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4} */
+static double normal_coefficient(const vti_dashpots *p, const struct place *at)
+{
+    const double m = vti_touch_normal_mass(&at->touch);
+    double c = p->normal * at->touched;
+    if (p->zeta > 0.0)
+        c += sqrt(5.0) * p->zeta * sqrt(m * at->k_h) * mean_power(at->touch.delta, at->other);
+    return c;
+}
+
+/* ---- the four flows ------------------------------------------------------------------------------------------------ */
+
+/** Pulls no harder than the contact pushes, if it may not: p >= -t F_n. */
+static void flow_normal(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+{
+    const struct vti_touch *touch = &at->touch;
+    const double m = vti_touch_normal_mass(touch), c = normal_coefficient(p, at), delta = touch->delta;
+    double u[3], w[3], impulse[3];
+    vti_touch_velocities(touch, b, u, w);
+    const double un = vti_dot(u, touch->n);
+    double size = -m * vti_decay(c * t / m).gone * un;
+    const double least = delta > 0.0 ? -t * at->k_h * delta * sqrt(delta) : 0.0;
+    if (!p->pull && size < least)
+        size = least;
+    for (int k = 0; k < 3; ++k)
+        impulse[k] = size * touch->n[k];
+    vti_touch_push(touch, b, impulse);
+    vti_sum_add(&p->lost[NORMAL], -size * (un + 0.5 * size / m));
+}
+
+/** a - (a.n) n */
+static void across(double a[3], const double n[3])
+{
+    const double along = vti_dot(a, n);
+    for (int k = 0; k < 3; ++k)
+        a[k] -= along * n[k];
+}
+
+/** Of a velocity a against which mass resists: the impulse, and what is lost by it. */
+static double decay(double mass, double c, double t, double a[3])
+{
+    const double gone = vti_decay(c * t / mass).gone, lost = mass * gone * (1.0 - 0.5 * gone) * vti_dot(a, a);
+    for (int k = 0; k < 3; ++k)
+        a[k] *= -mass * gone;
+    return lost;
+}
+
+static void flow_tangential(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+{
+    double c = p->tangential * at->touched, u[3], w[3];
+    if (p->ratio > 0.0)
+        c += p->ratio * normal_coefficient(p, at);
+    vti_touch_velocities(&at->touch, b, u, w);
+    across(u, at->touch.n);
+    vti_sum_add(&p->lost[TANGENTIAL], decay(vti_touch_tangential_mass(&at->touch), c, t, u));
+    vti_touch_push(&at->touch, b, u);
+}
+
+static void flow_rolling(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+{
+    double u[3], w[3];
+    vti_touch_velocities(&at->touch, b, u, w);
+    across(w, at->touch.n);
+    vti_sum_add(&p->lost[ROLLING], decay(vti_touch_rolling_inertia(&at->touch), p->rolling * at->touched, t, w));
+    vti_touch_turn(&at->touch, b, w);
+}
+
+static void flow_twisting(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+{
+    double u[3], w[3];
+    vti_touch_velocities(&at->touch, b, u, w);
+    const double wn = vti_dot(w, at->touch.n);
+    for (int k = 0; k < 3; ++k)
+        w[k] = wn * at->touch.n[k];
+    vti_sum_add(&p->lost[TWISTING], decay(vti_touch_rolling_inertia(&at->touch), p->twisting * at->touched, t, w));
+    vti_touch_turn(&at->touch, b, w);
+}
+
+typedef void one_flow(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t);
+
+/** The flows that there are, in their order. Returns how many. */
+static int flows_of(const vti_dashpots *p, one_flow *list[4])
+{
+    int n = 0;
+    if (p->zeta > 0.0 || p->normal > 0.0)
+        list[n++] = flow_normal;
+    if (p->tangential > 0.0 || (p->ratio > 0.0 && n > 0))
+        list[n++] = flow_tangential;
+    if (p->rolling > 0.0)
+        list[n++] = flow_rolling;
+    if (p->twisting > 0.0)
+        list[n++] = flow_twisting;
+    return n;
+}
+
+/* ---- all of them --------------------------------------------------------------------------------------------------- */
+
+/** What each touch takes part in. */
+struct sweep {
+    const vti_dashpots *p;
+    const vti_bodies *b;
+    double t, drift;
+    one_flow *flow[4];
+    int flows;
+};
+
+/** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n: ahead of
+ *  a drift that follows (drift > 0), behind one that has been. */
+static void visit(const struct sweep *s, struct place *at, double stiffness)
+{
+    struct vti_touch *touch = &at->touch;
+    double u[3], w[3];
+    vti_touch_velocities(touch, s->b, u, w);
+    at->other = touch->delta - s->drift * vti_dot(u, touch->n);
+    if (touch->delta <= 0.0 && at->other <= 0.0)
+        return;
+    vti_touch_masses(touch, s->b);
+    at->k_h = stiffness / (touch->length * touch->length * sqrt(touch->length));
+    at->touched = share(touch->delta, at->other);
+    for (int k = 0; k < s->flows; ++k)
+        s->flow[s->drift < 0.0 ? s->flows - 1 - k : k](s->p, at, s->b, s->t);
+}
+
+static void visit_pairs(const struct sweep *s)
+{
+    const vti_contacts *contacts = s->p->contacts;
+    struct place at;
+    for (int64_t k = 0; contacts != NULL && k < contacts->count; ++k)
+        if (vti_touch_pair(&at.touch, contacts, s->b, s->drift < 0.0 ? contacts->count - 1 - k : k, s->p->reach))
+            visit(s, &at, contacts->stiffness);
+}
+
+static void visit_planes(const struct sweep *s)
+{
+    const vti_walls *walls = s->p->walls;
+    const int64_t n = s->b->count, all = walls != NULL ? walls->count * n : 0;
+    struct place at;
+    for (int64_t k = 0; k < all; ++k) {
+        const int64_t turn = s->drift < 0.0 ? all - 1 - k : k;
+        if (vti_touch_plane(&at.touch, walls, s->b, turn / n, s->b->first + turn % n, s->p->reach))
+            visit(s, &at, walls->stiffness);
+    }
+}
+
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    struct sweep s = {.p = self, .b = b, .t = t, .drift = drift};
+    s.flows = flows_of(self, s.flow);
+    if (drift < 0.0)
+        visit_planes(&s);
+    visit_pairs(&s);
+    if (!(drift < 0.0))
+        visit_planes(&s);
+}
+
+/* ---- restitution --------------------------------------------------------------------------------------------------- */
+
+/** atan(sqrt(s))/sqrt(s), atanh(sqrt(-s))/sqrt(-s) of s > -1: halved by atan x = 2 atan(x/(1 + sqrt(1 + x^2))) until
+ *  the series 1 - s/3 + s^2/5 - ... ends at s^8 < 2^-60. */
+static double arc(double s)
+{
+    double factor = 1.0, sum = 0.0;
+    while (fabs(s) > 1.0 / 256.0) {
+        const double half = 1.0 + sqrt(1.0 + s);
+        factor *= 2.0 / half;
+        s /= half * half;
+    }
+    for (int n = 8; n >= 0; --n)
+        sum = 1.0 / (2 * n + 1) - s * sum;
+    return factor * sum;
+}
+
+/** e of zeta: with arccos(zeta)/sqrt(1 - zeta^2) = (2/(1 + zeta)) atan(sqrt(s))/sqrt(s), s = (1 - zeta)/(1 + zeta) */
+static double restitution(double zeta, int64_t pull)
+{
+    const double pi = 3.14159265358979323846;
+    if (pull)
+        return vti_decay(pi * zeta / sqrt((1.0 - zeta) * (1.0 + zeta))).kept;
+    return vti_decay(4.0 * zeta / (1.0 + zeta) * arc((1.0 - zeta) / (1.0 + zeta))).kept;
+}
+
+double vti_dashpots_zeta(double e, int64_t pull)
+{
+    double low = 0.0, high = 1.0;
+    if (!(e > 0.0 && e <= 1.0))
+        return NAN;
+    while (!pull && high < 1e12 && restitution(high, pull) > e)
+        high *= 2.0;
+    for (double middle = 0.5; middle > low && middle < high; middle = 0.5 * (low + high))
+        if (restitution(middle, pull) > e)
+            low = middle;
+        else
+            high = middle;
+    return e < 1.0 ? high : 0.0;
+}
+
+/* ---- the effect ---------------------------------------------------------------------------------------------------- */
+
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_dashpots *p = self;
+    const double all[] = {p->zeta, p->normal, p->tangential, p->ratio, p->rolling, p->twisting};
+    int good = p->reach >= 0.0;
+    for (int k = 0; k < 6; ++k)
+        good &= isfinite(all[k]) && all[k] >= 0.0;
+    if (!good)
+        return VTI_E_DAMPING;
+    if (p->contacts != NULL &&
+        (p->contacts->diameter.p == NULL || (p->contacts->count > 0 && p->contacts->pair == NULL)))
+        return VTI_E_NULL;
+    return vti_has(&b->omega) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+}
+
+vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
+{
+    static const char *const book[VTI_DASHPOT_BOOKS] = {"lost_dashpot_normal", "lost_dashpot_tangential",
+                                                        "lost_dashpot_rolling", "lost_dashpot_twisting"};
+    const vti_dashpots *p = dashpots;
+    if (p == NULL || p->lost == NULL || (p->contacts == NULL && p->walls == NULL))
+        return vti_effect_none();
+    const int turns = p->rolling > 0.0 || p->twisting > 0.0, slides = p->tangential > 0.0 || p->ratio > 0.0;
+    int64_t breaks = turns || slides ? 0700 : 0;
+    if (p->walls != NULL)
+        breaks |= turns || slides ? 0777 : vti_walls_effect(p->walls).breaks;
+    const vti_effect effect = {.name = "dashpot",
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .flow = flow,
+                               .self = p,
+                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
+                                        (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                               .breaks = breaks,
+                               .dissipates = 1,
+                               .books = p->twisting > 0.0  ? 4
+                                        : p->rolling > 0.0 ? 3
+                                        : slides           ? 2
+                                                           : 1,
+                               .book = book,
+                               .booked = p->lost};
+    return effect;
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Two bodies, or a body and a plane, where they touch: the kinematics that dashpots and friction share (EQUATIONS 6.2).
+ * With d = x_i - x_j (of a plane the foot point to the centre), r = |d|, n = d/r and shares s_i + s_j = 1,
+ *
+ *     u = v_i - v_j - (s_i Omega_i + s_j Omega_j) x d,      w = Omega_i - Omega_j,
+ *     1/m_n = 1/m_i + 1/m_j,     1/m_t = 1/m_n + r^2 (s_i^2/J_i + s_j^2/J_j),     1/J_r = 1/J_i + 1/J_j,
+ *
+ * both 0 in every rigid motion. Impulses p at the contact point and l about it keep linear and total angular momentum:
+ *
+ *     v_i += p/m_i,  v_j -= p/m_j,  Omega_i -= s_i (d x p)/J_i,  Omega_j -= s_j (d x p)/J_j,
+ *     Omega_i += l/J_i,  Omega_j -= l/J_j.                                                                           */
+#ifndef VTI_TOUCH_H
+#define VTI_TOUCH_H
+
+#include "vti_internal.h"
+
+struct vti_touch {
+    int64_t i, j; /* j < 0: a plane */
+    double n[3], r, s_i, s_j;
+    double delta;                              /* overlap as a length; negative is a gap */
+    double length;                             /* on which the overlap is a share: (D_i + D_j)/2, of a plane D_i/2 */
+    double per_m_i, per_m_j, per_j_i, per_j_j; /* 1/m and 1/J; 0 for a plane, and 1/J where nothing turns */
+};
+
+/** What bodies of a touch have: 1/m and, where bodies turn, 1/J. */
+static inline void vti_touch_masses(struct vti_touch *at, const vti_bodies *b)
+{
+    const int turns = vti_has(&b->omega);
+    at->per_m_i = 1.0 / vti_scalar(&b->mass, at->i);
+    at->per_m_j = at->j >= 0 ? 1.0 / vti_scalar(&b->mass, at->j) : 0.0;
+    at->per_j_i = turns ? 1.0 / vti_scalar(&b->inertia, at->i) : 0.0;
+    at->per_j_j = turns && at->j >= 0 ? 1.0 / vti_scalar(&b->inertia, at->j) : 0.0;
+}
+
+/** Of pair k of the list. Returns 1, or 0 where centres coincide, which gives no direction, or the gap is above reach. */
+static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, const vti_bodies *b, int64_t k,
+                                 double reach)
+{
+    double d[3], xj[3];
+    at->i = p->pair[2 * k] - p->base;
+    at->j = p->pair[2 * k + 1] - p->base;
+    vti_load(&b->x, at->i, d);
+    vti_load(&b->x, at->j, xj);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= xj[c];
+    const double di = vti_scalar(&p->diameter, at->i), dj = vti_scalar(&p->diameter, at->j);
+    at->length = 0.5 * di + 0.5 * dj;
+    const double far = at->length + reach, r2 = vti_dot(d, d);
+    if (!(r2 <= far * far))
+        return 0;
+    at->r = sqrt(r2);
+    if (!(at->r > VTI_COINCIDENT))
+        return 0;
+    for (int c = 0; c < 3; ++c)
+        at->n[c] = d[c] / at->r;
+    at->delta = at->length - at->r;
+    at->s_i = di / (di + dj);
+    at->s_j = 1.0 - at->s_i;
+    return 1;
+}
+
+/** Of body i and plane w. */
+static inline int vti_touch_plane(struct vti_touch *at, const vti_walls *p, const vti_bodies *b, int64_t w, int64_t i,
+                                  double reach)
+{
+    const double *plane = p->plane + 4 * w;
+    double x[3];
+    vti_load(&b->x, i, x);
+    at->i = i;
+    at->j = -1;
+    at->length = 0.5 * vti_scalar(&p->diameter, i);
+    at->r = vti_dot(plane, x) - plane[3];
+    at->delta = at->length - at->r;
+    if (!(at->delta >= -reach))
+        return 0;
+    for (int c = 0; c < 3; ++c)
+        at->n[c] = plane[c];
+    at->s_i = 1.0;
+    at->s_j = 0.0;
+    return 1;
+}
+
+/** u, and w where bodies turn (else 0). */
+static inline void vti_touch_velocities(const struct vti_touch *at, const vti_bodies *b, double u[3], double w[3])
+{
+    double wi[3] = {0.0, 0.0, 0.0}, wj[3] = {0.0, 0.0, 0.0}, vj[3] = {0.0, 0.0, 0.0}, spin[3], across[3];
+    vti_load(&b->v, at->i, u);
+    if (at->j >= 0)
+        vti_load(&b->v, at->j, vj);
+    if (vti_has(&b->omega))
+        vti_load(&b->omega, at->i, wi);
+    if (vti_has(&b->omega) && at->j >= 0)
+        vti_load(&b->omega, at->j, wj);
+    for (int c = 0; c < 3; ++c) {
+        spin[c] = (at->s_i * wi[c] + at->s_j * wj[c]) * at->r;
+        w[c] = wi[c] - wj[c];
+    }
+    vti_cross(spin, at->n, across);
+    for (int c = 0; c < 3; ++c)
+        u[c] = u[c] - vj[c] - across[c];
+}
+
+/** a += factor b */
+static inline void vti_touch_add(const vti_view *view, int64_t i, double factor, const double b[3])
+{
+    for (int c = 0; c < 3; ++c)
+        view->c[c][i * view->stride] += factor * b[c];
+}
+
+/** The impulse p at the contact point, on body i. */
+static inline void vti_touch_push(const struct vti_touch *at, const vti_bodies *b, const double p[3])
+{
+    double arm[3];
+    vti_touch_add(&b->v, at->i, at->per_m_i, p);
+    if (at->j >= 0)
+        vti_touch_add(&b->v, at->j, -at->per_m_j, p);
+    if (!vti_has(&b->omega))
+        return;
+    vti_cross(at->n, p, arm);
+    vti_touch_add(&b->omega, at->i, -at->s_i * at->r * at->per_j_i, arm);
+    if (at->j >= 0)
+        vti_touch_add(&b->omega, at->j, -at->s_j * at->r * at->per_j_j, arm);
+}
+
+/** The moment impulse l, on body i. */
+static inline void vti_touch_turn(const struct vti_touch *at, const vti_bodies *b, const double l[3])
+{
+    vti_touch_add(&b->omega, at->i, at->per_j_i, l);
+    if (at->j >= 0)
+        vti_touch_add(&b->omega, at->j, -at->per_j_j, l);
+}
+
+static inline double vti_touch_normal_mass(const struct vti_touch *at)
+{
+    return 1.0 / (at->per_m_i + at->per_m_j);
+}
+
+static inline double vti_touch_tangential_mass(const struct vti_touch *at)
+{
+    const double turning = at->s_i * at->s_i * at->per_j_i + at->s_j * at->s_j * at->per_j_j;
+    return 1.0 / (at->per_m_i + at->per_m_j + at->r * at->r * turning);
+}
+
+static inline double vti_touch_rolling_inertia(const struct vti_touch *at)
+{
+    return 1.0 / (at->per_j_i + at->per_j_j);
+}
+
+#endif
