@@ -32,32 +32,34 @@ fuzz() {
     done
 }
 
-# configure_core FOLDER [meson options]: by clang, the core and its tests alone.
-configure_core() {
-    CC=clang configure "$@" -Ddrivers=disabled -Dcheck=disabled -Dfortran=disabled -Dtests=enabled
+# core [meson test options]: the core's tests by clang, under its sanitizers (divisions by zero among them, which gcc cannot do
+# without the one that is meant), and what they reach: clang counts branches as they are written, not as they are compiled.
+core() {
+    export LLVM_PROFILE_FILE="$PWD/build-core/raw/%m.profraw" # of what configuring runs as well
+    CC=clang configure build-core -Ddrivers=disabled -Dcheck=disabled -Dfortran=disabled -Dtests=enabled \
+        -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
+        -Dc_args="-fprofile-instr-generate -fcoverage-mapping -fsanitize=float-divide-by-zero,float-cast-overflow \
+        -fno-sanitize-recover=all -fsanitize-ignorelist=$PWD/tests/hard/divides.txt" \
+        -Dc_link_args=-fprofile-instr-generate
+    rm -rf build-core/raw
+    ASAN_OPTIONS=detect_leaks=0 run_tests build-core --suite unit --suite property --no-suite slow --no-suite cost \
+        --no-suite builds --no-suite runs "$@"
+    python3 tests/hard/coverage.py build-core
 }
 
-# sanitize_core: the core's tests by clang, with divisions by zero besides (gcc cannot let the one pass that is meant), and as
-# they are under valgrind.
-sanitize_core() {
-    configure_core build-sanitize-clang -Db_sanitize=undefined -Db_lundef=false -Dbuildtype=debugoptimized \
-        -Dc_args="-fsanitize=float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all \
-        -fsanitize-ignorelist=$PWD/tests/hard/divides.txt"
-    run_tests build-sanitize-clang --suite unit --suite property --no-suite slow
+# sanitize [meson test options]: by gcc, which goes on after undefined behaviour unless it is told not to.
+sanitize() {
+    configure build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -Dbuildtype=debugoptimized \
+        -Dc_args='-fsanitize=float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow'
+    # Open MPI and HDF5 keep memory to the end of the process: valgrind looks for leaks, in the core's tests, which use neither.
+    ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --no-suite slow --no-suite bits "$@"
+}
+
+# memory: the core's tests as they are, under valgrind
+memory() {
     build
     meson test -C build --suite unit --suite lists --print-errorlogs --timeout-multiplier 4 \
         --wrapper "sh $PWD/tests/hard/memcheck.sh"
-}
-
-# coverage [meson test options]: of the core, by clang, which counts branches as they are written and not as they are compiled.
-coverage() {
-    export LLVM_PROFILE_FILE="$PWD/build-cov/raw/%m.profraw" # of what configuring runs as well
-    configure_core build-cov -Dbuildtype=debug -Doptimization=1 \
-        -Dc_args='-fprofile-instr-generate -fcoverage-mapping' -Dc_link_args=-fprofile-instr-generate
-    rm -rf build-cov/raw
-    run_tests build-cov --suite unit --suite property --no-suite slow \
-        --no-suite cost "$@"
-    python3 tests/hard/coverage.py build-cov
 }
 
 # run_tests FOLDER [meson test options]: the runner's own lines, then its counts in one.
