@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "sampled_pair.h"
+
 int reference_is_smooth(const struct model *model)
 {
     enum { FEW = 256 }; /* doubles in a state: as many are interpolated at every step of every run */
@@ -72,11 +74,18 @@ static int create_sampled(struct model *model, double t_end, double interval, co
     int failed = sampled_create(s, model, interval, llrint(t_end / interval), message);
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
-    if (place->rank == 0)
-        failed = sampled_integrate(s, place->watch, message);
+    int ranks;
+    MPI_Comm_size(place->comm, &ranks);
+    if (ranks > 1 && place->rank < 2)
+        failed = pair_integrate(s, place->comm, place->watch, message);
+    else if (ranks == 1) {
+        failed = sampled_solve(s, NULL, place->watch, message);
+        failed = failed == 0 ? sampled_compare(s, NULL, place->watch, message) : failed;
+    }
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
-    broadcast(s->states, s->count * s->width, place->comm);
+    if (ranks > 2)
+        broadcast(s->states, s->count * s->width, place->comm);
     return 0;
 }
 
@@ -84,6 +93,7 @@ static int create_sampled(struct model *model, double t_end, double interval, co
 struct stage {
     const struct study_watch *watch;
     double start, share;
+    int rank;
 };
 
 static int see_pass(void *self, double share)
@@ -92,7 +102,8 @@ static int see_pass(void *self, double share)
     if (share < stage->share)
         stage->start = MPI_Wtime(); /* of the next pass */
     stage->share = share;
-    study_show(stage->watch, "reference", (int64_t)(1e6 * share), 1000000, MPI_Wtime() - stage->start);
+    if (stage->rank == 0)
+        study_show(stage->watch, "reference", (int64_t)(1e6 * share), 1000000, MPI_Wtime() - stage->start);
     return study_asked(stage->watch);
 }
 
@@ -123,10 +134,10 @@ static int create(struct model *model, double t_end, double interval, double byt
 int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *r, struct message *message)
 {
-    struct stage stage = {watch, MPI_Wtime(), 0.0};
+    struct stage stage = {watch, MPI_Wtime(), 0.0, 0};
+    MPI_Comm_rank(comm, &stage.rank);
     const struct watch on_pass = {see_pass, &stage};
-    struct place place = {comm, 0, &on_pass};
-    MPI_Comm_rank(comm, &place.rank);
+    const struct place place = {comm, stage.rank, &on_pass};
     return create(model, t_end, interval, bytes, &place, r, message);
 }
 

@@ -41,14 +41,22 @@ const vti_bodies *sampled_step(struct sampled *s, int64_t k)
     return &s->seen;
 }
 
-/** State k of those of two solutions is there. */
-static int see(const struct sampled *s, const struct watch *watch, int64_t k)
+/** State k of the first solution or of the second is there. */
+static int see(const struct sampled *s, const struct sampled_other *other, const struct watch *watch, int second,
+               int64_t k)
 {
-    return watch_see(watch, 0.5 * (double)k / (double)(s->count - 1)) ? WATCH_ASKED : 0;
+    const double share = (double)k / (double)(s->count - 1);
+    return watch_see(watch, other != NULL ? share : 0.5 * (share + second)) ? WATCH_ASKED : 0;
+}
+
+static int meet(const struct sampled_other *other, int64_t k)
+{
+    return other != NULL ? other->at(other->self, k) : 0;
 }
 
 /** The solution that is kept. */
-static int integrate(struct sampled *s, struct equations *eq, const struct watch *watch, struct message *message)
+static int solve(struct sampled *s, struct equations *eq, const struct sampled_other *other, const struct watch *watch,
+                 struct message *message)
 {
     double t = 0.0, energy = 0.0;
     equations_start(s->model, s->states);
@@ -58,49 +66,67 @@ static int integrate(struct sampled *s, struct equations *eq, const struct watch
             memcpy(state, state - s->width, (size_t)s->width * sizeof *state);
             if (equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
                 return -1;
-            if (see(s, watch, k) != 0)
+            if (see(s, other, watch, 0, k) != 0)
                 return WATCH_ASKED;
         }
         const vti_bodies bodies = sampled_state(s, k);
         const double now = model_energy(s->model, &bodies);
         energy = k == 0 ? now : energy;
         s->energy_error = fmax(s->energy_error, fabs(now - energy));
+        if (meet(other, k) != 0)
+            return WATCH_ASKED;
     }
     return 0;
 }
 
 /** The solution that it is compared with. */
-static int compare(struct sampled *s, struct equations *eq, double *state, const struct watch *watch,
-                   struct message *message)
+static int compare(struct sampled *s, struct equations *eq, double *state, const struct sampled_other *other,
+                   const struct watch *watch, struct message *message)
 {
     double t = 0.0;
     vti_integral distance = {{0.0, 0.0}, 0.0, 0};
     equations_start(s->model, state);
-    const vti_bodies other = equations_bodies(s->model, state);
+    const vti_bodies other_bodies = equations_bodies(s->model, state);
     for (int64_t k = 0; k < s->count; ++k) {
         if (k > 0 && equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
             return -1;
-        if (k > 0 && see(s, watch, s->count - 1 + k) != 0)
+        if ((k > 0 && see(s, other, watch, 1, k) != 0) || meet(other, k) != 0)
             return WATCH_ASKED;
         const vti_bodies kept = sampled_state(s, k);
-        vti_integral_add(&distance, s->interval, vti_h1_distance(&other, &kept));
+        vti_integral_add(&distance, s->interval, vti_h1_distance(&other_bodies, &kept));
     }
     const double norm_squared = s->states[s->count * s->width - 1];
     s->spread = sqrt(vti_integral_value(&distance) / norm_squared);
     return 0;
 }
 
-int sampled_integrate(struct sampled *s, const struct watch *watch, struct message *message)
+static int no_memory(const struct sampled *s, struct message *message)
+{
+    return message_set(message, "%s: out of memory for the reference solution; use fewer bodies",
+                       s->model->scene->name);
+}
+
+int sampled_solve(struct sampled *s, const struct sampled_other *other, const struct watch *watch,
+                  struct message *message)
 {
     struct equations eq;
-    int failed = equations_create(&eq, s->model, step_tolerance);
-    if (failed == 0) {
-        failed = integrate(s, &eq, watch, message);
-        equations_destroy(&eq);
-    }
+    if (equations_create(&eq, s->model, step_tolerance) != 0)
+        return no_memory(s, message);
+    const int failed = solve(s, &eq, other, watch, message);
+    equations_destroy(&eq);
+    return failed;
+}
+
+int sampled_compare(struct sampled *s, const struct sampled_other *other, const struct watch *watch,
+                    struct message *message)
+{
+    struct equations eq;
+    int failed = -1;
     double *state = calloc((size_t)s->width, sizeof *state);
-    if (failed == 0 && state != NULL && equations_create(&eq, s->model, looser * step_tolerance) == 0) {
-        failed = compare(s, &eq, state, watch, message);
+    if (state == NULL || equations_create(&eq, s->model, looser * step_tolerance) != 0)
+        no_memory(s, message);
+    else {
+        failed = compare(s, &eq, state, other, watch, message);
         equations_destroy(&eq);
     }
     free(state);

@@ -21,8 +21,19 @@ struct sampled {
 int sampled_create(struct sampled *sampled, struct model *model, double interval, int64_t intervals,
                    struct message *message);
 void sampled_destroy(struct sampled *sampled);
-/** Fills the states, twice. Returns 0, or -1 with one line in *message, or WATCH_ASKED. */
-int sampled_integrate(struct sampled *sampled, const struct watch *watch, struct message *message);
+/** Who follows, or is followed by, another who makes the other of the two solutions at the same time: at is called with
+ *  k when state k is made, by the first, or before it is read, by the second. Returns 0, or WATCH_ASKED. */
+struct sampled_other {
+    int (*at)(void *self, int64_t k);
+    void *self;
+};
+
+/** Fills the states, and then finds how far they are from those of a looser tolerance. other is NULL where both are done
+ *  here, one after the other. Each returns 0, or -1 with one line in *message, or WATCH_ASKED. */
+int sampled_solve(struct sampled *sampled, const struct sampled_other *other, const struct watch *watch,
+                  struct message *message);
+int sampled_compare(struct sampled *sampled, const struct sampled_other *other, const struct watch *watch,
+                    struct message *message);
 
 /** State k; the views point into the reference. */
 vti_bodies sampled_state(struct sampled *sampled, int64_t k);

@@ -20,7 +20,7 @@ from programs import ENVIRONMENT, PATIENCE, contents, one_line, run
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES = map(os.path.abspath, sys.argv[1:4])
-SPIN, PENDULUM = (os.path.join(SCENES, name + ".yaml") for name in ("spin", "pendulum"))
+SPIN, PENDULUM, TORUS = (os.path.join(SCENES, name + ".yaml") for name in ("spin", "pendulum", "torus"))
 PANEL = 16 * 7 * 8e-6  # MB: nodes, a quaternion and a spin at each, bytes; a panel spans 0.5 or less
 
 
@@ -75,6 +75,14 @@ def same_bytes(base):
     check(worst < 1e-13, f"... which are those of one piece to {worst:.1e}")
 
 
+def two_solutions(base):
+    """Of the torus, whose reference two ranks make together where there are two: 100 states in more than one message."""
+    for ranks in (1, 2, 3):
+        study(ranks, TORUS, "--h", "1/1000", "--t-end", "0.1", "-o", f"{base}/torus{ranks}")
+    found = [contents(f"{base}/torus{ranks}", ("timing.csv",)) for ranks in (1, 2, 3)]
+    check(len(found[0]) == 2 and found[0] == found[1] == found[2], "a reference by two ranks: the same bytes on 1, 2 and 3 ranks")
+
+
 FREE = """name: free
 bodies: {chain: {count: 18, spacing: 1}, mass: 1, random: {seed: 7, omega: 0.5}}
 h: 1
@@ -126,7 +134,7 @@ def refusals(base):
         check(one_line(study(1, SPIN, "--memory", value, "-o", f"{base}/no"), "--memory", f"'{value}'", "megabytes"), f"--memory {value}")
 
 
-for topic in (closed_forms, same_bytes, bounded, first_pass, refusals):
+for topic in (closed_forms, same_bytes, two_solutions, bounded, first_pass, refusals):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
