@@ -117,17 +117,11 @@ static int write_one(const struct cost *cost, const char *folder, const char *na
 
 static const char *const names[COST_FILES] = {"cost.csv", "errors.csv", "prices.csv", "machine.txt"};
 
-void cost_files_list(const char *folder, struct output files[COST_FILES])
-{
-    static const struct mark marks[COST_FILES] = {{"scene,stepper,kind,h,steps,force_evals,seconds", NULL, NULL},
-                                                  {"scene,stepper,kind,h,steps,force_evals,", NULL, NULL},
-                                                  {"scene,stepper,kind,error,force_evals,", NULL, NULL},
-                                                  {"cpu: ", "\nranks: ", NULL}};
-    for (int k = 0; k < COST_FILES; ++k) {
-        const struct output file = {folder, names[k], &marks[k]};
-        files[k] = file;
-    }
-}
+const struct output cost_outputs[COST_FILES] = {
+    {"cost.csv", {"scene,stepper,kind,h,steps,force_evals,seconds", NULL, NULL}},
+    {"errors.csv", {"scene,stepper,kind,h,steps,force_evals,", NULL, NULL}},
+    {"prices.csv", {"scene,stepper,kind,error,force_evals,", NULL, NULL}},
+    {"machine.txt", {"cpu: ", "\nranks: ", NULL}}};
 
 int cost_files_write(const struct cost *cost, const char *folder, struct message *message)
 {

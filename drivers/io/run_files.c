@@ -43,8 +43,7 @@ static void name_of(const struct run_files *files, int kind, char name[264])
         snprintf(name, 264, "%s%s", files->stem, endings[kind]);
 }
 
-/* ---- what is there ------------------------------------------------------------------------------------------------
- */
+/* ---- what is there ----------------------------------------------------------------------------------------------- */
 
 /* LAMMPS, whose dumps may begin as ours, writes the numbers of its box with exponents that %g has not. */
 static const char *const of_lammps[] = {"e+0", "e-01", "e-02", "e-03", "e-04", NULL};
@@ -64,11 +63,9 @@ int run_files_check(const struct run_files *files, struct message *message)
     struct output outputs[KINDS];
     for (int kind = 0; kind < kinds; ++kind) {
         name_of(files, kind, name[kind]);
-        outputs[kind].folder = files->folder;
-        outputs[kind].name = name[kind];
-        outputs[kind].mark = &marks[kind];
+        outputs[kind] = (struct output){name[kind], marks[kind]};
     }
-    return overwrite_check(outputs, kinds, files->inputs, files->inputs_count, files->force, message);
+    return overwrite_check(files->folder, outputs, kinds, files->inputs, files->inputs_count, files->force, message);
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */

@@ -21,15 +21,9 @@ static int write_csv(const struct study *study, const char *folder, const char *
 
 static const char *const names[STUDY_FILES] = {"study.h5", "study.csv", "timing.csv"};
 
-void study_files_list(const char *folder, struct output files[STUDY_FILES])
-{
-    static const struct mark marks[STUDY_FILES] = {
-        {NULL, NULL, NULL}, {"scene,stepper,h,t_end,", NULL, NULL}, {"scene,stepper,h,seconds,", NULL, NULL}};
-    for (int k = 0; k < STUDY_FILES; ++k) {
-        const struct output file = {folder, names[k], &marks[k]};
-        files[k] = file;
-    }
-}
+const struct output study_outputs[STUDY_FILES] = {{"study.h5", {NULL, NULL, NULL}},
+                                                  {"study.csv", {"scene,stepper,h,t_end,", NULL, NULL}},
+                                                  {"timing.csv", {"scene,stepper,h,seconds,", NULL, NULL}}};
 
 int study_files_write(const struct study *study, const char *folder, struct message *message)
 {

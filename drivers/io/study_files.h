@@ -14,8 +14,7 @@
 
 enum { STUDY_FILES = 3 };
 
-/** Names and marks of the files in folder. */
-void study_files_list(const char *folder, struct output files[STUDY_FILES]);
+extern const struct output study_outputs[STUDY_FILES];
 
 /** Writes study.h5, study.csv and timing.csv into folder: all under temporary names first, then all under their real
  *  ones, so that a failure leaves what was there before. Returns 0, or -1 with one line in *message. */
@@ -44,8 +43,7 @@ void timing_csv_row(const char *scene, const struct trial *trial, double seconds
 
 enum { COST_FILES = 4 };
 
-/** Names and marks of the files in folder. */
-void cost_files_list(const char *folder, struct output files[COST_FILES]);
+extern const struct output cost_outputs[COST_FILES];
 
 /** Writes cost.csv, errors.csv, prices.csv and machine.txt into folder: all under temporary names first, then all
  *  under their real ones, so that a failure leaves what was there before. Rows are ordered by case, method and

@@ -100,11 +100,9 @@ int survey_files_write(const struct survey *survey, const char *folder, struct s
                        struct message *message)
 {
     char path[FOLDER_PATH];
-    struct output files[STUDY_FILES];
     const char *names[STUDY_FILES];
-    study_files_list(folder, files);
     for (int k = 0; k < STUDY_FILES; ++k)
-        names[k] = files[k].name;
+        names[k] = study_outputs[k].name;
     memset(counts, 0, sizeof *counts);
     int failed = write_csv(survey, folder, names, counts, message);
     if (failed == 0 && (folder_output(folder, names[0], 1, path, message) != 0 ||

@@ -14,8 +14,6 @@
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
 
-const struct mark mark_hdf5 = {NULL, NULL, NULL};
-
 static int is_hdf5(const char *path)
 {
     htri_t found = 0;
@@ -55,8 +53,7 @@ int mark_is_ours(const char *path, const struct mark *mark)
     return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path) : is_text(path, mark));
 }
 
-/* ---- which file is which ------------------------------------------------------------------------------------------
- */
+/* ---- which file is which ----------------------------------------------------------------------------------------- */
 
 static int is_same(const char *a, const char *b)
 {
@@ -67,42 +64,43 @@ static int is_same(const char *a, const char *b)
 }
 
 /** The file itself, and the one beside it that it is written as. */
-static int check_inputs(const struct output *o, const struct input *inputs, int count, struct message *message)
+static int check_inputs(const char *folder, const char *name, const struct input *inputs, int count,
+                        struct message *message)
 {
     char path[FOLDER_PATH];
     for (int part = 0; part < 2; ++part) {
-        if (folder_output(o->folder, o->name, part, path, message) != 0)
+        if (folder_output(folder, name, part, path, message) != 0)
             return -1;
         for (int k = 0; k < count; ++k)
             if (inputs[k].path[0] != '\0' && is_same(path, inputs[k].path))
                 return message_set(message,
-                                   "%.300s/%s: would replace %.300s, which is %s; choose another place with -o",
-                                   o->folder, o->name, inputs[k].path, inputs[k].what);
+                                   "%.300s/%s: would replace %.300s, which is %s; choose another place with -o", folder,
+                                   name, inputs[k].path, inputs[k].what);
     }
     return 0;
 }
 
-static int check_others(const struct output *outputs, int k, struct message *message)
+static int check_others(const char *folder, const struct output *outputs, int k, struct message *message)
 {
     char mine[FOLDER_PATH], other[FOLDER_PATH];
-    if (folder_output(outputs[k].folder, outputs[k].name, 0, mine, message) != 0)
+    if (folder_output(folder, outputs[k].name, 0, mine, message) != 0)
         return -1;
     for (int j = 0; j < k; ++j) {
-        if (folder_output(outputs[j].folder, outputs[j].name, 0, other, message) != 0)
+        if (folder_output(folder, outputs[j].name, 0, other, message) != 0)
             return -1;
         if (is_same(mine, other))
-            return message_set(message, "%.300s/%s: is the same file as %s; remove that link", outputs[k].folder,
-                               outputs[k].name, outputs[j].name);
+            return message_set(message, "%.300s/%s: is the same file as %s; remove that link", folder, outputs[k].name,
+                               outputs[j].name);
     }
     return 0;
 }
 
 /** A link that leads to no file yet: whether one can be made there. */
-static int check_link(const struct output *o, char *target, struct message *message)
+static int check_link(const char *folder, const char *name, char *target, struct message *message)
 {
     char own[FOLDER_PATH];
     struct stat info;
-    if (folder_path(o->folder, o->name, 0, own, message) != 0)
+    if (folder_path(folder, name, 0, own, message) != 0)
         return -1;
     if (lstat(own, &info) != 0)
         return 0;
@@ -114,19 +112,19 @@ static int check_link(const struct output *o, char *target, struct message *mess
                              target, strerror(errno));
 }
 
-static int check_there(const struct output *o, int force, struct message *message)
+static int check_there(const char *folder, const struct output *o, int force, struct message *message)
 {
     char path[FOLDER_PATH];
     struct stat info;
-    if (folder_output(o->folder, o->name, 0, path, message) != 0)
+    if (folder_output(folder, o->name, 0, path, message) != 0)
         return -1;
     if (stat(path, &info) != 0)
-        return errno == ENOENT ? check_link(o, path, message)
+        return errno == ENOENT ? check_link(folder, o->name, path, message)
                                : message_set(message, "%.600s: cannot be looked at: %s; choose another place with -o",
                                              path, strerror(errno));
     if (!S_ISREG(info.st_mode))
         return message_set(message, "%.600s: is there already and is no file; choose another place with -o", path);
-    if (force || mark_is_ours(path, o->mark))
+    if (force || mark_is_ours(path, &o->mark))
         return 0;
     return message_set(message,
                        "%.600s: is there already and is no result of vti; choose another place with -o, or replace it "
@@ -147,12 +145,12 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list)
     return n;
 }
 
-int overwrite_check(const struct output *outputs, int outputs_count, const struct input *inputs, int inputs_count,
-                    int force, struct message *message)
+int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
+                    int inputs_count, int force, struct message *message)
 {
     for (int k = 0; k < outputs_count; ++k)
-        if (check_inputs(&outputs[k], inputs, inputs_count, message) != 0 || check_others(outputs, k, message) != 0 ||
-            check_there(&outputs[k], force, message) != 0)
+        if (check_inputs(folder, outputs[k].name, inputs, inputs_count, message) != 0 ||
+            check_others(folder, outputs, k, message) != 0 || check_there(folder, &outputs[k], force, message) != 0)
             return -1;
     return 0;
 }

@@ -12,12 +12,10 @@ struct mark {
     const char *const *lacks;   /* up to NULL, none of these; may be NULL itself */
 };
 
-extern const struct mark mark_hdf5;
-
-/** A file that is to be written. */
+/** A file that is to be written into a folder. */
 struct output {
-    const char *folder, *name;
-    const struct mark *mark;
+    const char *name;
+    struct mark mark;
 };
 
 /** A file that the program reads, and what it is, "the scene"; path "" is none. */
@@ -36,7 +34,7 @@ int mark_is_ours(const char *path, const struct mark *mark);
 /** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed),
  *  outputs whose folder is not there, and, but with force, files that are there and not ours. Returns 0, or -1 with one
  *  line in *message. */
-int overwrite_check(const struct output *outputs, int outputs_count, const struct input *inputs, int inputs_count,
-                    int force, struct message *message);
+int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
+                    int inputs_count, int force, struct message *message);
 
 #endif

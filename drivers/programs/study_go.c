@@ -38,7 +38,7 @@ static struct tasks tasks;
 
 static int check_files(const struct study_place *place, const struct output *files, int count, struct message *message)
 {
-    return overwrite_check(files, count, place->inputs, place->inputs_count, place->force, message);
+    return overwrite_check(place->folder, files, count, place->inputs, place->inputs_count, place->force, message);
 }
 
 /** On rank 0; identify writes what the study is. */
@@ -192,10 +192,8 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     struct message message = {""}, problem = {""};
     const int64_t all = plan->steppers_count * plan->h_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    struct output files[STUDY_FILES];
-    study_files_list(place->folder, files);
-    if (open_tasks(place, "study.journal", files, STUDY_FILES, study_identify, plan, all, sizeof(struct outcome),
-                   rank) != 0)
+    if (open_tasks(place, "study.journal", study_outputs, STUDY_FILES, study_identify, plan, all,
+                   sizeof(struct outcome), rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
     if (rank == 0)
@@ -203,7 +201,7 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, files, STUDY_FILES, &problem) != 0 ||
+        (check_files(place, study_outputs, STUDY_FILES, &problem) != 0 ||
          study_files_write(&study, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
     /* a run that is refused would be refused again */
@@ -252,9 +250,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     struct survey_counts counts = {{0}, 0};
     struct message message = {""}, problem = {""};
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    struct output files[STUDY_FILES];
-    study_files_list(place->folder, files);
-    if (open_tasks(place, "study.journal", files, STUDY_FILES, survey_identify, plan, survey_points(plan),
+    if (open_tasks(place, "study.journal", study_outputs, STUDY_FILES, survey_identify, plan, survey_points(plan),
                    (size_t)survey_bytes(plan), rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
@@ -263,7 +259,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, files, STUDY_FILES, &problem) != 0 ||
+        (check_files(place, study_outputs, STUDY_FILES, &problem) != 0 ||
          survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
          say_survey(&survey, &counts, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
@@ -299,10 +295,8 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     struct message message = {""}, problem = {""};
     const int64_t all = plan->cases_count * plan->methods_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    struct output files[COST_FILES];
-    cost_files_list(place->folder, files);
-    if (open_tasks(place, "cost.journal", files, COST_FILES, cost_identify, plan, all, sizeof(struct cost_ladder),
-                   rank) != 0)
+    if (open_tasks(place, "cost.journal", cost_outputs, COST_FILES, cost_identify, plan, all,
+                   sizeof(struct cost_ladder), rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
     if (rank == 0)
@@ -310,7 +304,8 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, files, COST_FILES, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
+        (check_files(place, cost_outputs, COST_FILES, &problem) != 0 ||
+         cost_files_write(&cost, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
     failed = end_study(failed, all, failed == 0, rank, &message);
     if (failed == 0 && rank == 0)

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 enum { VIEWS = 8 };
 
@@ -61,4 +62,49 @@ int state_watch(const vti_bodies *bodies, double most, struct message *message)
                     return message_set(message, "body %lld has %s %g", (long long)i, names[q], value);
             }
     return 0;
+}
+
+/* ---- bodies that share all but some views with others ------------------------------------------------------------ */
+
+enum { OWNED = 6, WITH_RESIDUAL = 4 };
+
+/** In the order of the bits of OWN_; residuals are of the first WITH_RESIDUAL. */
+static void owned(vti_bodies *b, vti_view *view[OWNED], vti_view *residual[WITH_RESIDUAL])
+{
+    vti_view *const views[OWNED] = {&b->x, &b->v, &b->alpha, &b->omega, &b->force, &b->moment};
+    vti_view *const low[WITH_RESIDUAL] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
+    for (int k = 0; k < OWNED; ++k)
+        view[k] = views[k];
+    for (int k = 0; k < WITH_RESIDUAL; ++k)
+        residual[k] = low[k];
+}
+
+int fork_create(struct fork *fork, const vti_bodies *of, int own)
+{
+    vti_view *view[OWNED], *residual[WITH_RESIDUAL];
+    *fork = (struct fork){*of, own, NULL};
+    if (own == 0)
+        return 0;
+    fork->memory = calloc((size_t)(3 * OWNED * of->count), sizeof *fork->memory);
+    if (fork->memory == NULL)
+        return -1;
+    owned(&fork->bodies, view, residual);
+    for (int k = 0; k < OWNED; ++k) {
+        if ((own >> k & 1) != 0 && view[k]->c[0] != NULL)
+            *view[k] = vti_view_packed(fork->memory + 3 * of->count * k);
+        if ((own >> k & 1) != 0 && k < WITH_RESIDUAL)
+            *residual[k] = vti_view_none();
+    }
+    return vti_bodies_seal(&fork->bodies) == VTI_OK ? 0 : -1;
+}
+
+void fork_take(struct fork *fork, vti_bodies from)
+{
+    vti_view *source[OWNED], *target[OWNED], *residual[WITH_RESIDUAL];
+    owned(&from, source, residual);
+    owned(&fork->bodies, target, residual);
+    for (int v = 0; v < OWNED; ++v)
+        for (int64_t i = 0; (fork->own >> v & 1) != 0 && target[v]->c[0] != NULL && i < from.count; ++i)
+            for (int k = 0; k < 3; ++k)
+                target[v]->c[k][i * target[v]->stride] = source[v]->c[k][i * source[v]->stride];
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The state of bodies as one row of numbers: what a run needs to go on with the same bits. */
+ * The state of bodies as one row of numbers, what a run needs to go on with the same bits; and bodies with a state of
+ * their own. */
 #ifndef VTI_STATE_H
 #define VTI_STATE_H
 
@@ -15,5 +16,22 @@ void state_put(const double *state, const vti_bodies *bodies);
 /** Looks for a number that is not finite, or larger than most. Returns 0 if there is none; else -1 with "body 7 has
  *  velocity nan" in *message. */
 int state_watch(const vti_bodies *bodies, double most, struct message *message);
+
+/* ---- bodies that share all but some views with others ------------------------------------------------------------ */
+
+/** Sets of views are sums. */
+enum { OWN_X = 1, OWN_V = 2, OWN_ALPHA = 4, OWN_OMEGA = 8, OWN_FORCE = 16, OWN_MOMENT = 32, OWN_ALL = 63 };
+
+struct fork {
+    vti_bodies bodies;
+    int own;        /* OWN_ */
+    double *memory; /* of these, to be freed; NULL without any */
+};
+
+/** Makes bodies with memory of their own, zeros so far, for those views of the set that are there, without residuals, and
+ *  with the views of *of for all else. Returns 0, or -1 if there is no memory. */
+int fork_create(struct fork *fork, const vti_bodies *of, int own);
+/** Copies what the fork owns from bodies with the same views. */
+void fork_take(struct fork *fork, vti_bodies from);
 
 #endif

@@ -9,52 +9,16 @@ int modified_exists(const vti_stepper *s)
            s->kick[0] + s->kick[1] == 1.0;
 }
 
-/* ---- memory ------------------------------------------------------------------------------------------------------ */
-
-enum { VIEWS = 6 };
-
-/** The views of all that moves, and of what moves it. */
-static void views(vti_bodies *b, vti_view *list[VIEWS])
-{
-    vti_view *const all[VIEWS] = {&b->x, &b->v, &b->alpha, &b->omega, &b->force, &b->moment};
-    for (int k = 0; k < VIEWS; ++k)
-        list[k] = all[k];
-}
-
 int modified_create(struct modified *m, struct model *model, const vti_stepper *stepper, double h)
 {
-    const struct modified made = {model, stepper, h, model->bodies, NULL};
-    const int64_t n = model->bodies.count;
-    vti_view *list[VIEWS];
-    *m = made;
-    if (!modified_exists(stepper))
-        return 0;
-    m->memory = calloc((size_t)(3 * VIEWS * n), sizeof *m->memory);
-    if (m->memory == NULL)
-        return -1;
-    views(&m->probe, list);
-    for (int k = 0; k < VIEWS; ++k)
-        if (list[k]->c[0] != NULL)
-            *list[k] = vti_view_packed(m->memory + 3 * n * k);
-    m->probe.x_low = m->probe.v_low = m->probe.alpha_low = m->probe.omega_low = vti_view_none();
-    return vti_bodies_seal(&m->probe) == VTI_OK ? 0 : -1;
+    *m = (struct modified){.model = model, .stepper = stepper, .h = h};
+    return fork_create(&m->probe, &model->bodies, modified_exists(stepper) ? OWN_ALL : 0);
 }
 
 void modified_destroy(struct modified *m)
 {
-    free(m->memory);
-    m->memory = NULL;
-}
-
-static void copy(vti_bodies from, vti_bodies *to)
-{
-    vti_view *source[VIEWS], *target[VIEWS];
-    views(&from, source);
-    views(to, target);
-    for (int v = 0; v < VIEWS; ++v)
-        for (int64_t i = 0; target[v]->c[0] != NULL && i < to->count; ++i)
-            for (int k = 0; k < 3; ++k)
-                target[v]->c[k][i * target[v]->stride] = source[v]->c[k][i * source[v]->stride];
+    free(m->probe.memory);
+    m->probe.memory = NULL;
 }
 
 /* ---- sums over bodies -------------------------------------------------------------------------------------------- */
@@ -112,10 +76,10 @@ struct energies modified_energies(struct modified *m, const vti_bodies *bodies, 
      * is large */
     const vti_stepper *s = m->stepper;
     const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
-    vti_bodies *p = &m->probe;
-    if (m->memory == NULL)
+    vti_bodies *p = &m->probe.bodies;
+    if (m->probe.memory == NULL)
         return e;
-    copy(*bodies, p);
+    fork_take(&m->probe, *bodies);
     /* velocities to the middle of the step's two kicks, where VTI-3 is VTI-2 */
     if (late != 0.0)
         vti_kick(late * m->h, p);

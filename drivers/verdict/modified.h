@@ -4,13 +4,13 @@
 #define VTI_MODIFIED_H
 
 #include "model.h"
+#include "state.h"
 
 struct modified {
     struct model *model;
     const vti_stepper *stepper;
     double h;
-    vti_bodies probe; /* bodies with memory of their own for all that moves */
-    double *memory;
+    struct fork probe; /* bodies of its own */
 };
 
 /** Of one state. NaN where the stepper has none (modified_exists). */
