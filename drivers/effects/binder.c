@@ -100,11 +100,18 @@ static int check_tables(const struct model *model, const void *settings, const s
                                         "no column moment, axial or shear; bonds need one of them, or binder.moment");
 }
 
-static int gives(const void *settings, const struct table *table)
+static vti_effect draft(const void *settings, const struct table *table)
 {
-    const int moment = has_term(settings, table, BOND_MOMENT), axial = has_term(settings, table, BOND_AXIAL),
-              shear = has_term(settings, table, BOND_SHEAR);
-    return (axial || shear ? EFFECT_FORCE : 0) | (moment || shear ? EFFECT_MOMENT : 0);
+    static const double any = 1.0;
+    const struct binder_settings *binder = settings;
+    vti_bonds bonds = {.shear_form = binder->shear_form};
+    vti_scalars *const terms[] = {&bonds.moment, &bonds.axial, &bonds.shear};
+    for (int k = BOND_MOMENT; k <= BOND_SHEAR; ++k)
+        if (has_term(binder, table, k))
+            *terms[k - BOND_MOMENT] = vti_scalars_one(&any);
+    vti_effect effect = vti_bonds_effect(&bonds);
+    effect.self = NULL;
+    return effect;
 }
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
@@ -115,7 +122,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     struct binder_self *self = effect_memory(e, sizeof *self, message);
     if (self == NULL || binder_make_bonds(e, model, table, message) != 0)
         return -1;
-    *made = vti_bonds_effect(&self->bonds);
+    made->self = &self->bonds;
     return 0;
 }
 
@@ -169,8 +176,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .settings = sizeof(struct binder_settings),
                                           .defaults = defaults,
                                           .check = check,
-                                          .traits = EFFECT_TRANSLATING,
-                                          .gives_by = gives,
+                                          .draft = draft,
                                           .table = &binder_table,
                                           .check_tables = check_tables,
                                           .make = make,

@@ -32,6 +32,14 @@ static const struct scene_field fields[] = {
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static const double any = 1.0;
+    static const vti_contacts none = {.diameter = {&any, 0, 0}};
+    (void)settings, (void)table;
+    return vti_contacts_effect(&none);
+}
+
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
@@ -48,11 +56,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
         shape_line(model, k, pair + 2 * k);
     self->contacts.diameter = model->diameter;
     self->contacts.stiffness = contact->stiffness;
-    *made = vti_contacts_effect(&self->contacts);
+    made->self = &self->contacts;
     const int result =
         neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
     free(pair);
-    if (scene_has_trait(model->scene, EFFECT_NEAR))
+    if (scene_first_with(model->scene, EFFECT_NEAR) != NULL)
         self->neighbours.reach = 0.5 * self->neighbours.skin;
     return result;
 }
@@ -106,9 +114,8 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .key = "contact",
                                            EFFECT_FIELDS(fields),
                                            .settings = sizeof(struct contact_settings),
-                                           .traits = EFFECT_TRANSLATING | EFFECT_SPHERES,
-                                           .gives = EFFECT_FORCE,
-                                           .kink = HERTZ_KINK,
+                                           .draft = draft,
+                                           .spheres = 1,
                                            .make = make,
                                            .destroy = destroy,
                                            .find_pairs = find_pairs,

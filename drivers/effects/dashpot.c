@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Dashpots where spheres touch each other and walls (EQUATIONS 6.3). */
-#include "hertz.h"
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
@@ -59,14 +58,33 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     return 0;
 }
 
-static int gives(const void *settings, const struct table *table)
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+/** All but zeta and what touches. */
+static void fill(vti_dashpots *dashpots, const struct dashpot_settings *d, vti_sum *lost)
 {
-    const struct dashpot_settings *d = settings;
-    (void)table;
-    return d->tangential > 0.0 || d->ratio > 0.0 || d->rolling > 0.0 || d->twisting > 0.0 ? EFFECT_MOMENT : 0;
+    dashpots->normal = d->normal;
+    dashpots->tangential = d->tangential;
+    dashpots->ratio = d->ratio;
+    dashpots->rolling = d->rolling;
+    dashpots->twisting = d->twisting;
+    dashpots->pull = d->pull;
+    dashpots->lost = lost;
 }
 
-/* ---- what it does ------------------------------------------------------------------------------------------------ */
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static vti_sum nothing[VTI_DASHPOT_BOOKS];
+    static const vti_walls none;
+    const struct dashpot_settings *d = settings;
+    vti_dashpots dashpots = {.walls = &none};
+    (void)table;
+    fill(&dashpots, d, nothing);
+    vti_effect effect = vti_dashpots_effect(&dashpots);
+    effect.gives = d->tangential > 0.0 || d->ratio > 0.0 || d->rolling > 0.0 || d->twisting > 0.0 ? EFFECT_MOMENT : 0;
+    effect.self = effect.booked = NULL;
+    return effect;
+}
 
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
@@ -84,13 +102,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;
     dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
-    dashpots->normal = d->normal;
-    dashpots->tangential = d->tangential;
-    dashpots->ratio = d->ratio;
-    dashpots->rolling = d->rolling;
-    dashpots->twisting = d->twisting;
-    dashpots->pull = d->pull;
-    dashpots->lost = e->booked;
+    fill(dashpots, d, e->booked);
     *made = vti_dashpots_effect(dashpots);
     return 0;
 }
@@ -106,8 +118,8 @@ const struct effect_kind effect_dashpot = {.number = EFFECT_dashpot,
                                            EFFECT_FIELDS(fields),
                                            .settings = sizeof(struct dashpot_settings),
                                            .check = check,
-                                           .traits = EFFECT_FLOWS | EFFECT_TRANSLATING | EFFECT_SPHERES | EFFECT_NEAR,
-                                           .gives_by = gives,
-                                           .kink = HERTZ_KINK,
+                                           .draft = draft,
+                                           .spheres = 1,
+                                           .near = 1,
                                            .make = make,
                                            EFFECT_TERMS(terms)};

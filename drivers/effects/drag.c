@@ -50,20 +50,35 @@ static vti_scalars coefficient(const double *value)
     return *value > 0.0 ? vti_scalars_one(value) : none;
 }
 
-static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
-                struct message *message)
+static void fill(vti_drag *drag, const struct drag_settings *settings, vti_sum *lost)
 {
-    const struct drag_settings *settings = e->settings;
-    vti_drag *drag = effect_memory(e, sizeof *drag, message);
-    (void)table;
-    if (drag == NULL)
-        return -1;
     drag->linear = coefficient(&settings->linear);
     drag->quadratic = coefficient(&settings->quadratic);
     drag->angular = coefficient(&settings->angular);
     for (int k = 0; k < 3; ++k)
         drag->medium[k] = settings->medium[k];
-    drag->lost = e->booked;
+    drag->lost = lost;
+}
+
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static vti_sum none[VTI_DRAG_BOOKS];
+    vti_drag drag;
+    (void)table;
+    fill(&drag, settings, none);
+    vti_effect effect = vti_drag_effect(&drag);
+    effect.self = effect.booked = NULL;
+    return effect;
+}
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    vti_drag *drag = effect_memory(e, sizeof *drag, message);
+    (void)table;
+    if (drag == NULL)
+        return -1;
+    fill(drag, e->settings, e->booked);
     *made = vti_drag_effect(drag);
     if ((drag->linear.p != NULL || drag->quadratic.p != NULL) && !model->translates)
         return message_set(message, "%s: drag acts on bodies that translate; give columns x, y, z", model->scene->name);
@@ -82,6 +97,6 @@ const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         EFFECT_FIELDS(fields),
                                         .settings = sizeof(struct drag_settings),
                                         .check = check,
-                                        .traits = EFFECT_FLOWS,
+                                        .draft = draft,
                                         .make = make,
                                         EFFECT_TERMS(terms)};

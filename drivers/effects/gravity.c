@@ -7,12 +7,10 @@ static const struct scene_field fields[] = {
      "A uniform field that acts on bodies that translate.", NULL},
 };
 
-static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
-                struct message *message)
+static vti_effect draft(const void *settings, const struct table *table)
 {
-    (void)model, (void)table, (void)message;
-    *made = vti_gravity_effect(e->settings);
-    return 0;
+    (void)table;
+    return vti_gravity_effect(settings);
 }
 
 static const double *field(const struct effect *e)
@@ -26,8 +24,6 @@ const struct effect_kind effect_gravity = {.number = EFFECT_gravity,
                                            .key = "gravity",
                                            EFFECT_FIELDS(fields),
                                            .settings = sizeof(vti_gravity),
-                                           .traits = EFFECT_TRANSLATING,
-                                           .gives = EFFECT_FORCE,
-                                           .make = make,
+                                           .draft = draft,
                                            EFFECT_TERMS(terms),
                                            .field = field};

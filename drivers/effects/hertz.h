@@ -8,8 +8,6 @@
 #include "plain.h"
 #include "vti.h"
 
-#define HERTZ_KINK "the stiffness of a contact sets in with a kink"
-
 /** Raises the overlap o of *at to that at which a contact has taken up the energy, 2/5 K o^{5/2} = e; at most 1. */
 static inline void hertz_deform(double stiffness, double energy, vti_deformation *at)
 {

@@ -19,15 +19,7 @@ struct table;
 struct table_kind;
 struct tables;
 
-/** What holds for an effect wherever a scene calls for it. */
-enum effect_trait {
-    EFFECT_TRANSLATING = 1, /* acts on bodies that translate: they need positions */
-    EFFECT_SPHERES = 2,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
-    EFFECT_FLOWS = 4,       /* acts on velocities by its flow alone: gives_by, if there is one, says what it turns */
-    EFFECT_NEAR = 8         /* looks at pairs that touch only at the end of the step, too */
-};
-
-/** What it does to bodies, in the bits of vti_effect. */
+/** What effects give bodies, in the bits of vti_effect. */
 enum effect_gift { EFFECT_FORCE = 1 << VTI_QUANTITY_FORCE, EFFECT_MOMENT = 1 << VTI_QUANTITY_MOMENT };
 
 /** Which pairs of bodies that overlap are in contact: all but those that lines hold, or all. */
@@ -113,11 +105,12 @@ struct effect_kind {
     void (*defaults)(void *settings);
     /** What no single row says, when the whole scene is read. Returns 0, or -1 with one line by scene_reader_fail. */
     int (*check)(const struct scene_reader *reader, const struct scene *scene, const void *settings);
-    int traits; /* effect_trait */
-    int gives;  /* effect_gift; 0: settings and table decide, */
-    /** table being the effect's own, NULL if it is not read yet. */
-    int (*gives_by)(const void *settings, const struct table *table);
-    const char *kink; /* why its forces are not smooth, "the stiffness of ..."; NULL if they are */
+    /** The effect as far as settings and table decide, before there are bodies: what it needs and gives, whether it is
+     *  smooth. table is its own, NULL if it is not read yet. One that acts by its flow alone gives here what bodies are
+     *  to have: a moment if it turns them. */
+    vti_effect (*draft)(const void *settings, const struct table *table);
+    int spheres; /* 1: acts where surfaces meet: bodies need diameters, and small steps to meet */
+    int near;    /* 1: looks at pairs that touch only at the end of the step, too */
 
     /* Its table, which one of the fields names (SCENE_PATH). */
     const struct table_kind *table;
@@ -127,9 +120,9 @@ struct effect_kind {
                         struct message *message);
 
     /* In a model. */
-    /** Writes the effect, whose self outlives this call. All bodies are there, and the effects before it in the list;
-     *  table is its own. Returns 0, or -1 with one line in *message; destroy follows in either case, when the model
-     *  ends. */
+    /** Completes the draft in *made with a self that outlives this call; NULL: it is complete. All bodies are there, and
+     *  the effects before it in the list; table is its own. Returns 0, or -1 with one line in *message; destroy follows
+     *  in either case, when the model ends. */
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */

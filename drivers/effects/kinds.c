@@ -56,9 +56,21 @@ void kinds_defaults(union effect_settings *all)
             kinds[k]->defaults(kinds_settings(kinds[k], all));
 }
 
-int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table)
+vti_effect kinds_draft(const struct effect_kind *kind, const union effect_settings *all, const struct table *table)
 {
-    return kind->gives_by != NULL ? kind->gives_by(kinds_settings_of(kind, all), table) : kind->gives;
+    return kind->draft(kinds_settings_of(kind, all), table);
+}
+
+int kinds_has(const struct effect_kind *kind, const union effect_settings *all, enum effect_trait trait)
+{
+    const vti_effect draft = kinds_draft(kind, all, NULL);
+    const int translates =
+        (draft.gives & EFFECT_FORCE) != 0 || (draft.needs & 1 << VTI_QUANTITY_X) != 0 || kind->lines != NULL;
+    return trait == EFFECT_TRANSLATING ? translates
+           : trait == EFFECT_STIFF     ? translates && kind->field == NULL
+           : trait == EFFECT_SPHERES   ? kind->spheres
+           : trait == EFFECT_NEAR      ? kind->near
+                                       : !draft.smooth;
 }
 
 void *effect_memory(struct effect *e, size_t bytes, struct message *message)
@@ -133,15 +145,8 @@ int kinds_check_kind(int k, const struct effect_kind *kind, struct message *mess
         return fail(k, "number", "is not that of the list in kinds.h", message);
     if (kind->key == NULL || kind->fields == NULL || kind->fields_count < 1)
         return fail(k, "", "has no key, or no row for it", message);
-    if ((kind->gives != 0) + (kind->gives_by != NULL || (kind->traits & EFFECT_FLOWS) != 0) != 1)
-        return fail(k, "", "gives neither force nor moment: one of gives, gives_by and EFFECT_FLOWS", message);
-    if (kind->make == NULL)
-        return fail(k, "", "has no make", message);
-    if ((kind->gives & EFFECT_FORCE) != 0 && (kind->traits & EFFECT_TRANSLATING) == 0)
-        return fail(k, "traits", "a force acts on bodies that translate: EFFECT_TRANSLATING", message);
-    if (((kind->traits & EFFECT_SPHERES) != 0) != (kind->kink != NULL))
-        return fail(k, "kink", "where surfaces meet (EFFECT_SPHERES) forces set in with a kink, and only there",
-                    message);
+    if (kind->draft == NULL)
+        return fail(k, "", "has no draft", message);
     if (kind->lines != NULL && kind->lines->quantities > EFFECT_QUANTITIES)
         return fail(k, "lines", "has more quantities than EFFECT_QUANTITIES", message);
     for (int before = 0; before < k && kind->lines != NULL; ++before)
@@ -174,16 +179,17 @@ static int check_names(const struct effect_kind *kind, const char *const *name, 
     return 0;
 }
 
-int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message)
+int kinds_check_made(const struct effect_kind *kind, const vti_effect *draft, const vti_effect *made,
+                     struct message *message)
 {
-    const int flows = (kind->traits & EFFECT_FLOWS) != 0, acts = made->apply != NULL && made->energy != NULL;
-    if (made->name == NULL || made->self == NULL || !(flows ? made->flow != NULL : acts))
+    const int acts = made->apply != NULL ? made->energy != NULL : made->flow != NULL;
+    if (made->name == NULL || made->self == NULL || !acts)
         return fail((int)kind->number, "make", "its effect lacks name, apply, energy or self", message);
-    if (kind->gives != 0 && kind->gives != made->gives)
-        return fail((int)kind->number, "gives", "is not what its effect gives", message);
-    if ((kind->kink == NULL) != (made->smooth != 0))
-        return fail((int)kind->number, "kink", "its effect is smooth and it is not, or the reverse", message);
-    if (!flows && (made->terms > 0) != (kind->terms_count > 0))
+    if ((made->apply != NULL && draft->gives != made->gives) || draft->needs != made->needs ||
+        draft->smooth != made->smooth)
+        return fail((int)kind->number, "draft",
+                    "needs or gives something else than the effect, or is smooth where it is not", message);
+    if ((made->terms + made->books > 0) != (kind->terms_count > 0))
         return fail((int)kind->number, "terms", "the effect has some and there are no rows for them, or the reverse",
                     message);
     return check_names(kind, made->term, made->terms, message) != 0

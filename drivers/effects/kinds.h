@@ -42,15 +42,26 @@ const void *kinds_settings_of(const struct effect_kind *kind, const union effect
 /** All of them as they are where a scene says nothing. */
 void kinds_defaults(union effect_settings *all);
 
-/** What it gives bodies (effect_gift); table is the effect's own, NULL if it is not read yet. */
-int kinds_gives(const struct effect_kind *kind, const union effect_settings *all, const struct table *table);
+/** The kind's draft with its own settings. */
+vti_effect kinds_draft(const struct effect_kind *kind, const union effect_settings *all, const struct table *table);
+/** What may hold for an effect of a scene. */
+enum effect_trait {
+    EFFECT_TRANSLATING, /* acts on bodies that translate: gives a force, needs positions, or holds bodies together */
+    EFFECT_SPHERES,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
+    EFFECT_NEAR,        /* looks at pairs that touch only at the end of the step, too */
+    EFFECT_KINKED,      /* its force has kinks: where a contact begins, say */
+    EFFECT_STIFF        /* pushes bodies that translate, and not all of them alike */
+};
+/** Whether it holds. */
+int kinds_has(const struct effect_kind *kind, const union effect_settings *all, enum effect_trait trait);
 
 /** Whether every kind says all that it must: at the start of programs. Returns 0, or -1 with one line in *message that
  *  names the file. */
 int kinds_check(struct message *message);
 /** The same for one of them, at place k of the list. */
 int kinds_check_kind(int k, const struct effect_kind *kind, struct message *message);
-/** The same for an effect that a kind has made. */
-int kinds_check_made(const struct effect_kind *kind, const vti_effect *made, struct message *message);
+/** The same for an effect that a kind has made of a draft. */
+int kinds_check_made(const struct effect_kind *kind, const vti_effect *draft, const vti_effect *made,
+                     struct message *message);
 
 #endif

@@ -41,12 +41,10 @@ static int check_tables(const struct model *model, const void *settings, const s
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
-static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
-                struct message *message)
+static vti_effect draft(const void *settings, const struct table *table)
 {
-    (void)model, (void)table, (void)message;
-    *made = vti_pendulum_effect(e->settings);
-    return 0;
+    (void)table;
+    return vti_pendulum_effect(settings);
 }
 
 static void centre(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3])
@@ -77,9 +75,8 @@ const struct effect_kind effect_pendulum = {.number = EFFECT_pendulum,
                                             EFFECT_FIELDS(fields),
                                             .settings = sizeof(vti_pendulum),
                                             .check = check,
-                                            .gives = EFFECT_MOMENT,
+                                            .draft = draft,
                                             .check_tables = check_tables,
-                                            .make = make,
                                             EFFECT_TERMS(terms),
                                             .centre = centre,
                                             .invariants = &invariants};

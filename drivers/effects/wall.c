@@ -36,6 +36,13 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static const vti_walls none;
+    (void)settings, (void)table;
+    return vti_walls_effect(&none);
+}
+
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
@@ -87,9 +94,8 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         EFFECT_FIELDS(fields),
                                         .settings = sizeof(struct wall_settings),
                                         .check = check,
-                                        .traits = EFFECT_TRANSLATING | EFFECT_SPHERES,
-                                        .gives = EFFECT_FORCE,
-                                        .kink = HERTZ_KINK,
+                                        .draft = draft,
+                                        .spheres = 1,
                                         .make = make,
                                         EFFECT_TERMS(terms),
                                         .limit = limit,

@@ -75,9 +75,9 @@ void cost_scenes_destroy(struct cost_scenes *scenes);
 
 /* What a study is: what its scenes mean, and what it does with them. It goes on with --resume only as the same. */
 
-/** Write the lines "key: value" (identity.h) of a struct plan, survey_plan or cost_plan. */
-void study_identify(FILE *text, const void *plan);
-void survey_identify(FILE *text, const void *plan);
-void cost_identify(FILE *text, const void *plan);
+/** Write the lines "key: value" (identity.h); self is a struct plan, survey_plan or cost_plan. */
+void study_identify(FILE *text, const void *self);
+void survey_identify(FILE *text, const void *self);
+void cost_identify(FILE *text, const void *self);
 
 #endif

@@ -88,12 +88,12 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
 {
     const struct offer *best = &a->offers[0];
     const double nominal = (double)a->checked->order;
-    const char *kink = scene_kink(scene);
+    const char *kink = scene_first_with(scene, EFFECT_KINKED);
     if (kink != NULL && a->order < nominal - 1.0)
         fprintf(
             file,
             "warning: the forces of this scene are not smooth enough for high order: %s, of order %.0f, shows order "
-            "%.1f; %s\n",
+            "%.1f; that of %s has kinks\n",
             a->checked->name, nominal, a->order, kink);
     if (best->h > 0.95 * stable_least(&a->limits, best->stepper))
         fprintf(file,

@@ -104,7 +104,7 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
 /** From four times the scene's h down by factors of two, or from h itself where a larger one might not be stable. */
 static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
 {
-    const int stiff = scene_is_stiff(scene);
+    const int stiff = scene_first_with(scene, EFFECT_STIFF) != NULL;
     const int64_t n = stiff ? 7 : 10;
     for (int64_t k = 0; k < n; ++k)
         h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));

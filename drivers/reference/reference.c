@@ -9,7 +9,7 @@
 int reference_is_smooth(const struct model *model)
 {
     enum { FEW = 256 }; /* doubles in a state: as many are interpolated at every step of every run */
-    return scene_kink(model->scene) == NULL && equations_width(model) <= FEW;
+    return scene_first_with(model->scene, EFFECT_KINKED) == NULL && equations_width(model) <= FEW;
 }
 
 /** Where a reference is made. */

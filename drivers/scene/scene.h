@@ -92,12 +92,9 @@ int scene_read(const char *path, const char *const *overrides, int n, struct sce
 int64_t scene_bodies(const struct scene *scene);
 /** The key that gives the positions: "bodies.ring" and so on. */
 const char *scene_positions_key(const struct scene *scene);
-/** Whether one of its effects has the trait (effect_trait of effects/kind.h). */
-int scene_has_trait(const struct scene *scene, int trait);
-/** Whether steps above its h may be unstable: something pushes its bodies, and not all of them alike. */
-int scene_is_stiff(const struct scene *scene);
-/** Why its forces are not smooth, NULL if they are. */
-const char *scene_kink(const struct scene *scene);
+/** The key of the first of its effects that has the trait, NULL if none has. Of stiff ones steps above h may be
+ *  unstable. */
+const char *scene_first_with(const struct scene *scene, enum effect_trait trait);
 
 /* ---- lists for people -------------------------------------------------------------------------------------------- */
 

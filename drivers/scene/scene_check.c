@@ -126,7 +126,7 @@ static int check_motion(const struct scene_reader *reader, struct scene *scene)
     scene->translates = is_formula(scene) || has(reader, "bodies.x");
     scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0;
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        scene->turns |= scene->has[k] && (kinds_gives(kinds_at(k), &scene->settings, NULL) & EFFECT_MOMENT) != 0;
+        scene->turns |= scene->has[k] && (kinds_draft(kinds_at(k), &scene->settings, NULL).gives & EFFECT_MOMENT) != 0;
     if (!scene->translates && !scene->turns && scene->arrangement != SCENE_IN_TABLE)
         return scene_reader_fail(reader, "bodies",
                                  "nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega");
@@ -152,33 +152,17 @@ static int check_properties(const struct scene_reader *reader, const struct scen
     if (check_needed(reader, scene->translates, "bodies.mass", "bodies that translate") != 0 ||
         check_needed(reader, scene->turns && !is_sphere, "bodies.inertia", "bodies that turn") != 0)
         return -1;
-    return check_needed(reader, scene_has_trait(scene, EFFECT_SPHERES) && !has_diameter, "bodies.diameter",
+    return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !has_diameter, "bodies.diameter",
                         "spheres in contact");
 }
 
 /* ---- effects ----------------------------------------------------------------------------------------------------- */
 
-int scene_has_trait(const struct scene *scene, int trait)
+const char *scene_first_with(const struct scene *scene, enum effect_trait trait)
 {
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (scene->has[k] && (kinds_at(k)->traits & trait) != 0)
-            return 1;
-    return 0;
-}
-
-int scene_is_stiff(const struct scene *scene)
-{
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (scene->has[k] && (kinds_at(k)->traits & EFFECT_TRANSLATING) != 0 && kinds_at(k)->field == NULL)
-            return 1;
-    return 0;
-}
-
-const char *scene_kink(const struct scene *scene)
-{
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (scene->has[k] && kinds_at(k)->kink != NULL)
-            return kinds_at(k)->kink;
+        if (scene->has[k] && kinds_has(kinds_at(k), &scene->settings, trait))
+            return kinds_at(k)->key;
     return NULL;
 }
 
@@ -186,7 +170,8 @@ static int check_effect(const struct scene_reader *reader, const struct scene *s
 {
     if (kind->check != NULL && kind->check(reader, scene, kinds_settings_of(kind, &scene->settings)) != 0)
         return -1;
-    if ((kind->traits & EFFECT_TRANSLATING) == 0 || scene->translates || scene->arrangement == SCENE_IN_TABLE)
+    if (!kinds_has(kind, &scene->settings, EFFECT_TRANSLATING) || scene->translates ||
+        scene->arrangement == SCENE_IN_TABLE)
         return 0;
     return scene_reader_fail(reader, kind->key, "acts on bodies that translate; give " POSITIONS);
 }

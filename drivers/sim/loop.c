@@ -25,9 +25,10 @@ struct run {
     int64_t last; /* step */
     const struct observer *observers;
     int observers_count;
-    struct fork
-        reader;        /* on whose v and omega a lagging method is brought to the time of the positions, so that looking
-                           at a run does not change its bits */
+    int64_t effects; /* how many there are, if some of them flow or carry, else 0 */
+    /* on whose v and omega a lagging method is brought to the time of the positions, so that looking at a run does not
+     * change its bits */
+    struct fork reader;
     struct fork probe; /* at whose x and alpha a stepper with a probe takes forces besides */
 };
 
@@ -65,17 +66,22 @@ static int probe_forces(struct run *run, int64_t k)
 static int one_step(struct run *run, vti_fault *fault)
 {
     struct model *model = run->model;
+    const int64_t n = run->effects;
     for (int64_t k = 0; k < run->stepper->stages; ++k) {
         int status = probe_forces(run, k);
         if (status == VTI_OK)
-            status = vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
+            status = n > 0 ? vti_effects_stage(run->stepper, k, run->h, model->effects, n, &model->bodies, fault)
+                           : vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
         if (status == VTI_OK)
             status = model_forces(model, &model->bodies);
         if (status != VTI_OK)
             return status;
     }
     const int status = probe_forces(run, run->stepper->stages);
-    return status == VTI_OK ? vti_step_finish(run->stepper, run->h, &model->bodies) : status;
+    if (status != VTI_OK)
+        return status;
+    return n > 0 ? vti_effects_finish(run->stepper, run->h, model->effects, n, &model->bodies)
+                 : vti_step_finish(run->stepper, run->h, &model->bodies);
 }
 
 static int show(struct run *run, int64_t step)
@@ -83,7 +89,7 @@ static int show(struct run *run, int64_t step)
     const vti_bodies *in_time = NULL;
     for (int k = 0; k < run->observers_count; ++k) {
         const struct observer *o = &run->observers[k];
-        if (step % o->every != 0 && step != run->last)
+        if (o->every > 1 && step % o->every != 0 && step != run->last)
             continue;
         if (!o->raw && in_time == NULL)
             in_time = read_bodies(run);
@@ -124,7 +130,8 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
                       .h = h,
                       .last = steps,
                       .observers = observers,
-                      .observers_count = observers_count};
+                      .observers_count = observers_count,
+                      .effects = model_dissipates(model) != NULL ? model->effects_count : 0};
     if (create_forks(&run) != 0) {
         free(run.reader.memory);
         free(run.probe.memory);

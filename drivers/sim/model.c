@@ -18,10 +18,13 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     e->settings = kinds_settings_of(kind, &model->scene->settings);
     e->kind = kind;
     ++model->rooms_count;
-    if (kind->make(e, model, &tables->effect[kind->number], made, message) != 0)
+    const struct table *table = &tables->effect[kind->number];
+    const vti_effect draft = kinds_draft(kind, &model->scene->settings, table);
+    *made = draft;
+    if (kind->make != NULL && kind->make(e, model, table, made, message) != 0)
         return -1;
     ++model->effects_count;
-    return kinds_check_made(kind, made, message);
+    return kinds_check_made(kind, &draft, made, message);
 }
 
 static int make(struct model *model, const struct tables *tables, struct message *message)

@@ -17,10 +17,10 @@ static double *take(double **block, int64_t n)
 
 int model_loads(const struct scene *scene, const struct tables *tables)
 {
-    int loads = 0;
+    int64_t loads = 0;
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        loads |= scene->has[k] ? kinds_gives(kinds_at(k), &scene->settings, &tables->effect[k]) : 0;
-    return loads;
+        loads |= scene->has[k] ? kinds_draft(kinds_at(k), &scene->settings, &tables->effect[k]).gives : 0;
+    return (int)loads;
 }
 
 /** Inertia of each body follows from mass and diameter, of which one differs from body to body. */

@@ -44,19 +44,10 @@ static int check_twice(const struct scene *s, const struct tables *t, struct mes
     return 0;
 }
 
-/** The key of the first effect that has the trait, NULL if none has. */
-static const char *first_with(const struct scene *s, int trait)
-{
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (s->has[k] && (kinds_at(k)->traits & trait) != 0)
-            return kinds_at(k)->key;
-    return NULL;
-}
-
 /** What acts on positions; NULL if nothing does. */
 static const char *needs_positions(const struct scene *s)
 {
-    return s->has_v ? "bodies.v" : s->random.v != 0.0 ? "bodies.random.v" : first_with(s, EFFECT_TRANSLATING);
+    return s->has_v ? "bodies.v" : s->random.v != 0.0 ? "bodies.random.v" : scene_first_with(s, EFFECT_TRANSLATING);
 }
 
 static int check_needs(const struct model *m, const struct tables *t, struct message *message)
@@ -74,9 +65,9 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
         return fail(bodies, message, "no column mass; bodies that translate need it, or bodies.mass%s", "");
     if (m->turns && !has_inertia)
         return fail(bodies, message, "no column inertia; bodies that turn need it, or bodies.inertia%s", "");
-    if (first_with(s, EFFECT_SPHERES) != NULL && !has_diameter)
+    if (scene_first_with(s, EFFECT_SPHERES) != NULL && !has_diameter)
         return fail(bodies, message, "no column diameter; %s needs it, or bodies.diameter",
-                    first_with(s, EFFECT_SPHERES));
+                    scene_first_with(s, EFFECT_SPHERES));
     return 0;
 }
 
@@ -95,7 +86,8 @@ static int check_effects(const struct model *m, const struct tables *t, struct m
 static int check_turned(const struct scene *s, const struct tables *t, struct message *message)
 {
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (t->effect[k].rows > 0 && (kinds_gives(kinds_at(k), &s->settings, &t->effect[k]) & EFFECT_MOMENT) != 0) {
+        if (t->effect[k].rows > 0 &&
+            (kinds_draft(kinds_at(k), &s->settings, &t->effect[k]).gives & EFFECT_MOMENT) != 0) {
             char text[128];
             snprintf(text, sizeof text, "its %s turn bodies, which need bodies.inertia", t->effect[k].kind->rows);
             return table_fail_whole(&t->effect[k], message, text);

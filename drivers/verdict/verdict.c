@@ -38,7 +38,7 @@ static double smallest_diameter(const struct model *model)
 {
     double least = INFINITY;
     const vti_scalars *d = &model->diameter;
-    if (d->p == NULL || !model->translates || !scene_has_trait(model->scene, EFFECT_SPHERES))
+    if (d->p == NULL || !model->translates || scene_first_with(model->scene, EFFECT_SPHERES) == NULL)
         return 0.0;
     for (int64_t i = 0; i < model->bodies.count; ++i)
         least = fmin(least, d->p[i * d->stride]);

@@ -45,14 +45,8 @@ static void parts(void **state)
     refused("effects/wall.c: has no key, or no row for it");
     kind.settings = 0;
     refused("effects/wall.c: wall.stiffness: goes behind the end of the settings");
-    kind.traits &= ~EFFECT_TRANSLATING;
-    refused("effects/wall.c: traits: a force acts on bodies that translate: EFFECT_TRANSLATING");
-    kind.kink = NULL;
-    refused("effects/wall.c: kink: where surfaces meet (EFFECT_SPHERES) forces set in with a kink, and only there");
-    kind.gives = 0;
-    refused("effects/wall.c: gives neither force nor moment: one of gives, gives_by and EFFECT_FLOWS");
-    kind.make = NULL;
-    refused("effects/wall.c: has no make");
+    kind.draft = NULL;
+    refused("effects/wall.c: has no draft");
     kind.table = effect_binder.table;
     refused("effects/wall.c: table: goes with one key of a path, and a path with a table");
     kind.lines = &lines;
@@ -90,28 +84,52 @@ static void effects(void **state)
 {
     static const char *const term[] = {"wall", "friction"};
     const vti_walls walls = {0};
-    vti_effect made = vti_walls_effect(&walls);
+    const vti_effect draft = vti_walls_effect(&walls);
+    vti_effect made = draft;
     struct message message = {""};
     (void)state;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), 0);
+    assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), 0);
     made.term = term;
     made.terms = 2;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
     assert_string_equal(message.text, "effects/wall.c: friction: the term has no row in terms");
     made.terms = 0;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
     assert_string_equal(message.text,
                         "effects/wall.c: terms: the effect has some and there are no rows for them, or the reverse");
-    made.gives = 1 << VTI_QUANTITY_MOMENT;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
-    assert_string_equal(message.text, "effects/wall.c: gives: is not what its effect gives");
-    made.gives = 1 << VTI_QUANTITY_FORCE;
-    made.smooth = 1;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
-    assert_string_equal(message.text, "effects/wall.c: kink: its effect is smooth and it is not, or the reverse");
+    for (int k = 0; k < 3; ++k) {
+        int64_t *const says[] = {&made.gives, &made.needs, &made.smooth};
+        *says[k] ^= 1;
+        assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
+        assert_string_equal(message.text, "effects/wall.c: draft: needs or gives something else than the effect, or is "
+                                          "smooth where it is not");
+        *says[k] ^= 1;
+    }
     made.energy = NULL;
-    assert_int_equal(kinds_check_made(&effect_wall, &made, &message), -1);
+    assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
     assert_string_equal(message.text, "effects/wall.c: make: its effect lacks name, apply, energy or self");
+}
+
+/** What of a scene decides whether its effects act on positions. */
+static void drafts(void **state)
+{
+    static union effect_settings settings;
+    (void)state;
+    kinds_defaults(&settings);
+    for (int k = 0; kinds_at(k) != NULL; ++k) /* without any stiffness too: bonds hold bodies somewhere */
+        assert_int_equal(kinds_has(kinds_at(k), &settings, EFFECT_TRANSLATING),
+                         k != EFFECT_pendulum && k != EFFECT_drag);
+    static const struct {
+        enum effect_number number;
+        int spheres, kinked, stiff;
+    } want[] = {{EFFECT_binder, 0, 0, 1}, {EFFECT_contact, 1, 1, 1}, {EFFECT_wall, 1, 1, 1}, {EFFECT_gravity, 0, 0, 0}};
+    for (size_t k = 0; k < sizeof want / sizeof want[0]; ++k) {
+        const struct effect_kind *of = kinds_at((int)want[k].number);
+        assert_int_equal(kinds_has(of, &settings, EFFECT_SPHERES), want[k].spheres);
+        assert_int_equal(kinds_has(of, &settings, EFFECT_KINKED), want[k].kinked);
+        assert_int_equal(kinds_has(of, &settings, EFFECT_STIFF), want[k].stiff);
+    }
+    assert_int_equal(kinds_draft(&effect_binder, &settings, NULL).gives, 0);
 }
 
 /** All kinds there are say all that they must, and find their own settings. */
@@ -138,6 +156,6 @@ static void all(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(parts), cmocka_unit_test(rows), cmocka_unit_test(effects),
-                                       cmocka_unit_test(all)};
+                                       cmocka_unit_test(drafts), cmocka_unit_test(all)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

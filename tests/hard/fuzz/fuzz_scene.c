@@ -29,7 +29,8 @@ static void check_effects(const struct scene *s)
         fuzz_must(*(char *)setting(s, "binder.table") != '\0' || *number_setting(s, "binder.moment") > 0.0 ||
                       *number_setting(s, "binder.axial") > 0.0 || *number_setting(s, "binder.shear.stiffness") > 0.0,
                   "a binder has a stiffness");
-    fuzz_must(!known || s->translates || !scene_has_trait(s, EFFECT_TRANSLATING), "what acts on positions has some");
+    fuzz_must(!known || s->translates || scene_first_with(s, EFFECT_TRANSLATING) == NULL,
+              "what acts on positions has some");
     fuzz_must(!calls_for(s, "contact") || positive(*number_setting(s, "contact.stiffness")), "contact is stiff");
     for (int64_t k = 0; calls_for(s, "wall") && k < planes->count; ++k)
         fuzz_must(fabs(vti_norm(planes->plane[k]) - 1.0) < 1e-15 && isfinite(planes->plane[k][3]), "planes are unit");
