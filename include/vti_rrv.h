@@ -48,19 +48,19 @@
 
 /* ---- three-vectors ------------------------------------------------------------------------------------------- */
 
-/** a.b */
-VTI_INLINE double vti_dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** r = a x b = S(a) b. r must not overlap a or b. */
-VTI_INLINE void vti_cross(const double a[3], const double b[3], double r[3])
-{
-    r[0] = a[1] * b[2] - a[2] * b[1];
-    r[1] = a[2] * b[0] - a[0] * b[2];
-    r[2] = a[0] * b[1] - a[1] * b[0];
-}
+/** DOT: a.b, CROSS: r = a x b = S(a) b, for numbers and for vectors of numbers, V. r must not overlap a or b. */
+#define VTI_RRV_PRODUCTS(DOT, CROSS, V)                                                                                \
+    VTI_INLINE V DOT(const V a[3], const V b[3])                                                                       \
+    {                                                                                                                  \
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];                                                                \
+    }                                                                                                                  \
+    VTI_INLINE void CROSS(const V a[3], const V b[3], V r[3])                                                          \
+    {                                                                                                                  \
+        r[0] = a[1] * b[2] - a[2] * b[1];                                                                              \
+        r[1] = a[2] * b[0] - a[0] * b[2];                                                                              \
+        r[2] = a[0] * b[1] - a[1] * b[0];                                                                              \
+    }
+VTI_RRV_PRODUCTS(vti_dot, vti_cross, double)
 
 /** The largest |component|. */
 VTI_INLINE double vti_max3(const double a[3])
@@ -169,18 +169,31 @@ static inline void vti_rrv_from_pair(const double q[4], double a[3])
 }
 
 /** R p for the quaternion q ~ (v, w) up to a factor:
- *      R p = 2 [ (w^2 - v.v)/2 p + (v.p) v + w v x p ] / (w^2 + v.v),
+ *      R p = k [ (w^2 - v.v)/2 p + (v.p) v + w v x p ],  k = 2/q.q,
  *  which is R(alpha) p = p + 4/(4+|alpha|^2) [S(alpha) + S(alpha)^2/2] p with (v, w) = (alpha, 2).
- *  side = +1 gives R p, side = -1 its inverse R^T p. q.q must be finite and not 0. r may be p. */
+ *  side = +1 gives R p, side = -1 its inverse R^T p. SQUARE: q.q, ROTATE: r = R p, which may be p; for numbers and for
+ *  vectors of numbers, V, with their products DOT and CROSS. */
+#define VTI_RRV_ROTATION(SQUARE, ROTATE, DOT, CROSS, V)                                                                \
+    VTI_INLINE V SQUARE(const V q[4])                                                                                  \
+    {                                                                                                                  \
+        return (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);                                              \
+    }                                                                                                                  \
+    VTI_INLINE void ROTATE(const V q[4], V k, double side, const V p[3], V r[3])                                       \
+    {                                                                                                                  \
+        const V vv = (q[0] * q[0] + q[1] * q[1]) + q[2] * q[2], cv = DOT(q, p), cx = side * q[3];                      \
+        const V cp = 0.5 * (q[3] * q[3]) - 0.5 * vv;                                                                   \
+        V x[3];                                                                                                        \
+        CROSS(q, p, x);                                                                                                \
+        for (int n = 0; n < 3; ++n)                                                                                    \
+            r[n] = k * (cp * p[n] + (cv * q[n] + cx * x[n]));                                                          \
+    }
+VTI_RRV_ROTATION(vti_pair_square, vti_pair_rotate_by, vti_dot, vti_cross, double)
+
+/** r = R p of the quaternion q up to a factor for side = 1, its inverse R^T p for side = -1. q.q must be finite and not
+ *  0. r may be p. */
 VTI_INLINE void vti_pair_rotate(const double q[4], double side, const double p[3], double r[3])
 {
-    const double xy = q[0] * q[0] + q[1] * q[1], zz = q[2] * q[2], ww = q[3] * q[3], k = 2.0 / (xy + (zz + ww));
-    const double cp = 0.5 * ww - 0.5 * (xy + zz), cv = vti_dot(q, p), cx = side * q[3];
-    double x[3];
-    vti_cross(q, p, x);
-    r[0] = k * (cp * p[0] + (cv * q[0] + cx * x[0]));
-    r[1] = k * (cp * p[1] + (cv * q[1] + cx * x[1]));
-    r[2] = k * (cp * p[2] + (cv * q[2] + cx * x[2]));
+    vti_pair_rotate_by(q, 2.0 / vti_pair_square(q), side, p, r);
 }
 
 /** theta in [0, pi] by which the quaternion q ~ (v, w) turns. */

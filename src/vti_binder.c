@@ -4,11 +4,16 @@
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
-/** The kernels for this machine's vector units. (Wider ones than AVX2 were no faster: most lists leave lanes empty.) */
-static const struct bond_kernel (*kernels(void))[4]
+/** The kernels for this machine's vector units; none that a list of so many bonds does not fill. */
+static const struct bond_kernel (*kernels(int64_t count))[4]
 {
+    (void)count;
+#ifdef VTI_HAS_AVX512
+    if (count > 4 && vti_serves_avx512())
+        return vti_binder_avx512;
+#endif
 #ifdef VTI_HAS_AVX2
-    if (vti_serves_avx2())
+    if (count > 2 && vti_serves_avx2())
         return vti_binder_avx2;
 #endif
     return vti_binder_baseline;
@@ -52,7 +57,7 @@ static double ratio_now(const vti_bonds *p, int64_t k, const vti_bodies *b)
 
 static double stiffness_or_none(const vti_scalars *s, int64_t k)
 {
-    return s->p != NULL ? stiffness(s, k) : 0.0;
+    return s->p != NULL ? vti_scalar(s, k) : 0.0;
 }
 
 /** Bond k where it is shorter than L0 by the ratio, under a pull of K^a/L0 pull/(1 - pull). Not bent, it has K^a/L0^2
@@ -112,7 +117,7 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
     const int form = has_shear ? (form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE) : 0;
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
     const int64_t breaks = form == VTI_SHEAR_PRINTED ? 0x038 : form != 0 ? 0x1c0 : 0;
-    const struct bond_kernel kernel = kernels()[form][has_moment + 2 * has_axial];
+    const struct bond_kernel kernel = kernels(bonds->count)[form][has_moment + 2 * has_axial];
     const vti_effect effect = {.name = "binder",
                                .apply = kernel.apply,
                                .energy = kernel.energy,
@@ -186,7 +191,7 @@ static int ends_before(const vti_scalars *s, int64_t k)
 
 static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 {
-    return s->p != NULL && (ends_before(s, k) || !(isfinite(stiffness(s, k)) && stiffness(s, k) >= 0.0));
+    return s->p != NULL && (ends_before(s, k) || !(isfinite(vti_scalar(s, k)) && vti_scalar(s, k) >= 0.0));
 }
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
@@ -210,7 +215,7 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return vti_refuse(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : stiffness(all[c], k),
+                return vti_refuse(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : vti_scalar(all[c], k),
                                   VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;

@@ -3,12 +3,9 @@
 #ifndef VTI_BINDER_TABLE_H
 #define VTI_BINDER_TABLE_H
 
-#include "vti_pair.h"
+#include "vti_internal.h"
 
-static inline double stiffness(const vti_scalars *s, int64_t k)
-{
-    return s->p[k * s->stride];
-}
+enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
 struct bond_kernel {
     void (*apply)(const void *self, const vti_bodies *b);
@@ -16,6 +13,6 @@ struct bond_kernel {
 };
 
 /** [form of shear, 0 for none][moment + 2 axial]; the same bits from each. */
-extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4];
+extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4], vti_binder_avx512[4][4];
 
 #endif

@@ -17,14 +17,15 @@ enum order { PACKED, SEPARATE, MIXED };
 /** A view, in variables of its own: what nobody else can change stays in registers. */
 struct stream {
     double *c[3];
-    int64_t stride;
+    int64_t stride, at[WIDTH];
     int adjacent; /* its components lie side by side */
 };
 
 VTI_INLINE struct stream stream_of(const vti_view *v)
 {
     const int adjacent = vti_has(v) && v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
-    const struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
+    struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, {0}, adjacent};
+    lanes_strided(v->stride, s.at);
     return s;
 }
 
@@ -44,7 +45,7 @@ VTI_INLINE int order_with(int order, struct stream s)
 VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
 {
     if (order == MIXED && s.adjacent)
-        lanes_triples(s.c[0] + i * s.stride, s.stride, r);
+        lanes_triples(s.c[0] + i * s.stride, s.at, r);
     else
         for (int k = 0; k < 3; ++k)
             r[k] = lanes_load(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i);
@@ -53,7 +54,7 @@ VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
 VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes r[3])
 {
     if (order == MIXED && s.adjacent)
-        lanes_untriple(s.c[0] + i * s.stride, s.stride, r);
+        lanes_untriple(s.c[0] + i * s.stride, s.at, r);
     else
         for (int k = 0; k < 3; ++k)
             lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
@@ -99,7 +100,7 @@ VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
     lanes by[3], first = k.quotient[0], second = k.quotient[1];
     load(order, k.by, i, by);
     if (k.stride != 0) {
-        const lanes m = k.stride == 1 ? lanes_load(k.m + i) : lanes_gather(k.m + i * k.stride, k.stride);
+        const lanes m = lanes_of_scalars(k.m + i * k.stride, k.stride);
         first = k.t[0] / m;
         second = k.count > 1 && k.t[1] != k.t[0] ? k.t[1] / m : first;
     }

@@ -1,22 +1,25 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Lanes: a vector of numbers, one of each of WIDTH bodies, as wide as the file is compiled for. +, -, * and / are C's
- * own and do in every lane what they do with one number, so that the bits do not depend on the width. Where the
- * compiler has no such vectors, VTI_WIDTH is not defined, and bodies are moved one by one.
+ * Lanes: a vector of numbers, one of each of WIDTH bodies or bonds, as wide as the file is compiled for. +, -, * and /
+ * are C's own and do in every lane what they do with one number, so that the bits do not depend on the width. Where the
+ * compiler has no such vectors WIDTH is 1, and lanes are a number.
  *
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
- *     lanes_gather   p[0], p[s], p[2 s], ...
+ *     lanes_where    a where a comparison holds, b elsewhere
+ *     lanes_gather   p[at[0]], p[at[1]], ...                                               lanes_scatter   the way back
+ *     lanes_triples  the components of three-vectors that begin at p[at[0]], p[at[1]], ... lanes_untriple  the way back
+ *     lanes_quads    those of four numbers that begin there                                lanes_unquad    the way back
+ *     triple         three numbers that lie side by side, to be added to others
+ * and for two and more, which take bodies in their order,
  *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
- *     lanes_triples  those of three-vectors at p[0 ... 2], p[s ... s + 2], ...             lanes_untriple  the way back
- *     lanes_quads    those of four numbers at p[0 ... 3], p[s ... s + 3], ...              lanes_unquad    the way back
  *     lanes_spread   k of each body three times, as the components of packed vectors lie */
 #ifndef VTI_LANES_H
 #define VTI_LANES_H
 
 #include "vti_internal.h"
 
-#if defined(__has_builtin)
+#if defined(__has_builtin) && !defined(VTI_WIDTH)
 #if __has_builtin(__builtin_shufflevector)
 #if defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define VTI_WIDTH 8
@@ -27,10 +30,13 @@
 #endif
 #endif
 #endif
-
-#ifdef VTI_WIDTH
+#ifndef VTI_WIDTH
+#define VTI_WIDTH 1
+#endif
 
 enum { WIDTH = VTI_WIDTH };
+
+#if VTI_WIDTH > 1
 
 #define VECTOR(N) __attribute__((vector_size(8 * (N))))
 /** The same where it lies in memory: aligned as numbers are. */
@@ -59,11 +65,31 @@ VTI_INLINE lanes lanes_of(double x)
     return x - zero; /* and not a sum, which would lose the sign of -0 */
 }
 
+VTI_INLINE double lanes_get(lanes a, int l)
+{
+    return a[l];
+}
+
 VTI_INLINE lanes lanes_sqrt(lanes a)
 {
     for (int l = 0; l < WIDTH; ++l)
         a[l] = sqrt(a[l]);
     return a;
+}
+
+VTI_INLINE lanes lanes_where(lanes_mask m, lanes a, lanes b)
+{
+    return (lanes)((m & (lanes_mask)a) | (~m & (lanes_mask)b));
+}
+
+VTI_INLINE lanes lanes_copysign(lanes a, lanes b)
+{
+    return lanes_where((lanes_mask)lanes_of(-0.0), b, a);
+}
+
+VTI_INLINE lanes lanes_abs(lanes a)
+{
+    return lanes_copysign(a, lanes_of(0.0));
 }
 
 VTI_INLINE pair pair_load(const double *p)
@@ -76,6 +102,37 @@ VTI_INLINE void pair_store(double *p, pair a)
     *(pair_there *)p = a;
 }
 
+struct triple {
+    pair xy;
+    double z;
+};
+
+VTI_INLINE struct triple triple_of(double x, double y, double z)
+{
+    return (struct triple){{x, y}, z};
+}
+
+VTI_INLINE struct triple triple_load(const double *p)
+{
+    return (struct triple){pair_load(p), p[2]};
+}
+
+VTI_INLINE void triple_store(double *p, struct triple a)
+{
+    pair_store(p, a.xy);
+    p[2] = a.z;
+}
+
+VTI_INLINE struct triple triple_plus(struct triple a, struct triple b)
+{
+    return (struct triple){a.xy + b.xy, a.z + b.z};
+}
+
+VTI_INLINE struct triple triple_minus(struct triple a, struct triple b)
+{
+    return (struct triple){a.xy - b.xy, a.z - b.z};
+}
+
 /* ---- two --------------------------------------------------------------------------------------------------------- */
 
 #if VTI_WIDTH == 2
@@ -85,15 +142,15 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return (m[0] & m[1]) != 0;
 }
 
-VTI_INLINE lanes lanes_gather(const double *p, int64_t s)
+VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[2])
 {
-    return (lanes){p[0], p[s]};
+    return (lanes){p[at[0]], p[at[1]]};
 }
 
-VTI_INLINE void lanes_scatter(double *p, int64_t s, lanes a)
+VTI_INLINE void lanes_scatter(double *p, const int64_t at[2], lanes a)
 {
-    p[0] = a[0];
-    p[s] = a[1];
+    p[at[0]] = a[0];
+    p[at[1]] = a[1];
 }
 
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
@@ -117,35 +174,35 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
     p[2] = SHUFFLE(k, k, 1, 1);
 }
 
-VTI_INLINE void lanes_triples(const double *p, int64_t s, lanes a[3])
+VTI_INLINE void lanes_triples(const double *p, const int64_t at[2], lanes a[3])
 {
-    const pair x = pair_load(p), y = pair_load(p + s);
+    const pair x = pair_load(p + at[0]), y = pair_load(p + at[1]);
     a[0] = SHUFFLE(x, y, 0, 2);
     a[1] = SHUFFLE(x, y, 1, 3);
-    a[2] = lanes_gather(p + 2, s);
+    a[2] = lanes_gather(p + 2, at);
 }
 
-VTI_INLINE void lanes_untriple(double *p, int64_t s, const lanes a[3])
+VTI_INLINE void lanes_untriple(double *p, const int64_t at[2], const lanes a[3])
 {
-    pair_store(p, SHUFFLE(a[0], a[1], 0, 2));
-    pair_store(p + s, SHUFFLE(a[0], a[1], 1, 3));
-    lanes_scatter(p + 2, s, a[2]);
+    pair_store(p + at[0], SHUFFLE(a[0], a[1], 0, 2));
+    pair_store(p + at[1], SHUFFLE(a[0], a[1], 1, 3));
+    lanes_scatter(p + 2, at, a[2]);
 }
 
-VTI_INLINE void lanes_quads(const double *p, int64_t s, lanes a[4])
+VTI_INLINE void lanes_quads(const double *p, const int64_t at[2], lanes a[4])
 {
     for (int k = 0; k < 4; k += 2) {
-        const pair x = pair_load(p + k), y = pair_load(p + s + k);
+        const pair x = pair_load(p + at[0] + k), y = pair_load(p + at[1] + k);
         a[k] = SHUFFLE(x, y, 0, 2);
         a[k + 1] = SHUFFLE(x, y, 1, 3);
     }
 }
 
-VTI_INLINE void lanes_unquad(double *p, int64_t s, const lanes a[4])
+VTI_INLINE void lanes_unquad(double *p, const int64_t at[2], const lanes a[4])
 {
     for (int k = 0; k < 4; k += 2) {
-        pair_store(p + k, SHUFFLE(a[k], a[k + 1], 0, 2));
-        pair_store(p + s + k, SHUFFLE(a[k], a[k + 1], 1, 3));
+        pair_store(p + at[0] + k, SHUFFLE(a[k], a[k + 1], 0, 2));
+        pair_store(p + at[1] + k, SHUFFLE(a[k], a[k + 1], 1, 3));
     }
 }
 
@@ -162,34 +219,34 @@ VTI_INLINE int four_all(four_mask m)
     return __builtin_ia32_movmskpd256((four)m) == 15;
 }
 
-VTI_INLINE four four_gather(const double *p, int64_t s)
+VTI_INLINE four four_gather(const double *p, const int64_t at[4])
 {
-    return (four){p[0], p[s], p[2 * s], p[3 * s]};
+    return (four){p[at[0]], p[at[1]], p[at[2]], p[at[3]]};
 }
 
-VTI_INLINE void four_scatter(double *p, int64_t s, four a)
+VTI_INLINE void four_scatter(double *p, const int64_t at[4], four a)
 {
     for (int l = 0; l < 4; ++l)
-        p[l * s] = a[l];
+        p[at[l]] = a[l];
 }
 
-VTI_INLINE void four_triples(const double *p, int64_t s, four a[3])
+VTI_INLINE void four_triples(const double *p, const int64_t at[4], four a[3])
 {
-    const four x = SHUFFLE(pair_load(p), pair_load(p + 2 * s), 0, 1, 2, 3);
-    const four y = SHUFFLE(pair_load(p + s), pair_load(p + 3 * s), 0, 1, 2, 3);
+    const four x = SHUFFLE(pair_load(p + at[0]), pair_load(p + at[2]), 0, 1, 2, 3);
+    const four y = SHUFFLE(pair_load(p + at[1]), pair_load(p + at[3]), 0, 1, 2, 3);
     a[0] = SHUFFLE(x, y, 0, 4, 2, 6);
     a[1] = SHUFFLE(x, y, 1, 5, 3, 7);
-    a[2] = four_gather(p + 2, s);
+    a[2] = four_gather(p + 2, at);
 }
 
-VTI_INLINE void four_untriple(double *p, int64_t s, const four a[3])
+VTI_INLINE void four_untriple(double *p, const int64_t at[4], const four a[3])
 {
     const four x = SHUFFLE(a[0], a[1], 0, 4, 2, 6), y = SHUFFLE(a[0], a[1], 1, 5, 3, 7);
-    pair_store(p, SHUFFLE(x, x, 0, 1));
-    pair_store(p + s, SHUFFLE(y, y, 0, 1));
-    pair_store(p + 2 * s, SHUFFLE(x, x, 2, 3));
-    pair_store(p + 3 * s, SHUFFLE(y, y, 2, 3));
-    four_scatter(p + 2, s, a[2]);
+    pair_store(p + at[0], SHUFFLE(x, x, 0, 1));
+    pair_store(p + at[1], SHUFFLE(y, y, 0, 1));
+    pair_store(p + at[2], SHUFFLE(x, x, 2, 3));
+    pair_store(p + at[3], SHUFFLE(y, y, 2, 3));
+    four_scatter(p + 2, at, a[2]);
 }
 
 /** Rows and columns of four times four numbers change places. */
@@ -203,20 +260,20 @@ VTI_INLINE void four_transpose(const four r[4], four c[4])
     c[3] = SHUFFLE(y, w, 2, 3, 6, 7);
 }
 
-VTI_INLINE void four_quads(const double *p, int64_t s, four a[4])
+VTI_INLINE void four_quads(const double *p, const int64_t at[4], four a[4])
 {
     four r[4];
     for (int l = 0; l < 4; ++l)
-        r[l] = *(const four_there *)(p + l * s);
+        r[l] = *(const four_there *)(p + at[l]);
     four_transpose(r, a);
 }
 
-VTI_INLINE void four_unquad(double *p, int64_t s, const four a[4])
+VTI_INLINE void four_unquad(double *p, const int64_t at[4], const four a[4])
 {
     four r[4];
     four_transpose(a, r);
     for (int l = 0; l < 4; ++l)
-        *(four_there *)(p + l * s) = r[l];
+        *(four_there *)(p + at[l]) = r[l];
 }
 
 #if VTI_WIDTH == 4
@@ -254,6 +311,7 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
 }
 
 #define lanes_gather four_gather
+#define lanes_scatter four_scatter
 #define lanes_triples four_triples
 #define lanes_untriple four_untriple
 #define lanes_quads four_quads
@@ -283,9 +341,15 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return four_all(SHUFFLE(m, m, 0, 1, 2, 3) & SHUFFLE(m, m, 4, 5, 6, 7));
 }
 
-VTI_INLINE lanes lanes_gather(const double *p, int64_t s)
+VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[8])
 {
-    return two_fours(four_gather(p, s), four_gather(p + 4 * s, s));
+    return two_fours(four_gather(p, at), four_gather(p, at + 4));
+}
+
+VTI_INLINE void lanes_scatter(double *p, const int64_t at[8], lanes a)
+{
+    four_scatter(p, at, lower(a));
+    four_scatter(p, at + 4, upper(a));
 }
 
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
@@ -317,24 +381,24 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
 
 /** Components of four bodies and of the next four, of n numbers each. */
 #define HALVES(WHAT, N)                                                                                                \
-    VTI_INLINE void lanes_##WHAT(const double *p, int64_t s, lanes a[N])                                               \
+    VTI_INLINE void lanes_##WHAT(const double *p, const int64_t at[8], lanes a[N])                                     \
     {                                                                                                                  \
         four x[N], y[N];                                                                                               \
-        four_##WHAT(p, s, x);                                                                                          \
-        four_##WHAT(p + 4 * s, s, y);                                                                                  \
+        four_##WHAT(p, at, x);                                                                                         \
+        four_##WHAT(p, at + 4, y);                                                                                     \
         for (int k = 0; k < (N); ++k)                                                                                  \
             a[k] = two_fours(x[k], y[k]);                                                                              \
     }
 #define HALVES_BACK(WHAT, N)                                                                                           \
-    VTI_INLINE void lanes_##WHAT(double *p, int64_t s, const lanes a[N])                                               \
+    VTI_INLINE void lanes_##WHAT(double *p, const int64_t at[8], const lanes a[N])                                     \
     {                                                                                                                  \
         four x[N], y[N];                                                                                               \
         for (int k = 0; k < (N); ++k) {                                                                                \
             x[k] = lower(a[k]);                                                                                        \
             y[k] = upper(a[k]);                                                                                        \
         }                                                                                                              \
-        four_##WHAT(p, s, x);                                                                                          \
-        four_##WHAT(p + 4 * s, s, y);                                                                                  \
+        four_##WHAT(p, at, x);                                                                                         \
+        four_##WHAT(p, at + 4, y);                                                                                     \
     }
 HALVES(triples, 3)
 HALVES(quads, 4)
@@ -345,5 +409,130 @@ HALVES_BACK(unquad, 4)
 
 #endif
 #endif
+
+/* ---- one --------------------------------------------------------------------------------------------------------- */
+
+#else
+
+typedef double lanes;
+typedef int lanes_mask;
+
+VTI_INLINE lanes lanes_load(const double *p)
+{
+    return *p;
+}
+
+VTI_INLINE lanes lanes_of(double x)
+{
+    return x;
+}
+
+VTI_INLINE double lanes_get(lanes a, int l)
+{
+    (void)l;
+    return a;
+}
+
+VTI_INLINE lanes lanes_sqrt(lanes a)
+{
+    return sqrt(a);
+}
+
+VTI_INLINE lanes lanes_where(lanes_mask m, lanes a, lanes b)
+{
+    return m ? a : b;
+}
+
+VTI_INLINE lanes lanes_copysign(lanes a, lanes b)
+{
+    return copysign(a, b);
+}
+
+VTI_INLINE lanes lanes_abs(lanes a)
+{
+    return fabs(a);
+}
+
+VTI_INLINE int lanes_all(lanes_mask m)
+{
+    return m;
+}
+
+VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[1])
+{
+    return p[at[0]];
+}
+
+VTI_INLINE void lanes_scatter(double *p, const int64_t at[1], lanes a)
+{
+    p[at[0]] = a;
+}
+
+/** Of n numbers side by side. */
+#define SIDE_BY_SIDE(WHAT, BACK, N)                                                                                    \
+    VTI_INLINE void lanes_##WHAT(const double *p, const int64_t at[1], lanes a[N])                                     \
+    {                                                                                                                  \
+        for (int k = 0; k < (N); ++k)                                                                                  \
+            a[k] = p[at[0] + k];                                                                                       \
+    }                                                                                                                  \
+    VTI_INLINE void lanes_##BACK(double *p, const int64_t at[1], const lanes a[N])                                     \
+    {                                                                                                                  \
+        for (int k = 0; k < (N); ++k)                                                                                  \
+            p[at[0] + k] = a[k];                                                                                       \
+    }
+SIDE_BY_SIDE(triples, untriple, 3)
+SIDE_BY_SIDE(quads, unquad, 4)
+#undef SIDE_BY_SIDE
+
+struct triple {
+    double x, y, z;
+};
+
+VTI_INLINE struct triple triple_of(double x, double y, double z)
+{
+    return (struct triple){x, y, z};
+}
+
+VTI_INLINE struct triple triple_load(const double *p)
+{
+    return triple_of(p[0], p[1], p[2]);
+}
+
+VTI_INLINE void triple_store(double *p, struct triple a)
+{
+    p[0] = a.x;
+    p[1] = a.y;
+    p[2] = a.z;
+}
+
+VTI_INLINE struct triple triple_plus(struct triple a, struct triple b)
+{
+    return triple_of(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+VTI_INLINE struct triple triple_minus(struct triple a, struct triple b)
+{
+    return triple_of(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
 #endif
+
+/** at[] of what lies at a stride. */
+VTI_INLINE void lanes_strided(int64_t stride, int64_t at[WIDTH])
+{
+    for (int l = 0; l < WIDTH; ++l)
+        at[l] = l * stride;
+}
+
+/** Numbers at a stride, which is 0 for one that is all of theirs. */
+VTI_INLINE lanes lanes_of_scalars(const double *p, int64_t stride)
+{
+    int64_t at[WIDTH];
+    lanes_strided(stride, at);
+    return stride == 1 ? lanes_load(p) : stride == 0 ? lanes_of(*p) : lanes_gather(p, at);
+}
+
+VTI_RRV_PRODUCTS(lanes_dot, lanes_cross, lanes)
+VTI_RRV_ROTATION(lanes_square, lanes_rotate, lanes_dot, lanes_cross, lanes)
+
 #endif

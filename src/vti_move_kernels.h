@@ -5,7 +5,7 @@
 #include "vti_lanes.h"
 #include "vti_move.h"
 
-#ifdef VTI_WIDTH
+#if VTI_WIDTH > 1
 
 #include "vti_turn_kernels.h"
 

@@ -88,11 +88,13 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
     const int adjacent = quat_is_adjacent(&quat);
+    int64_t at[WIDTH];
+    lanes_strided(quat.stride, at);
     for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
         lanes u[3], q[4], r[4], cf[2];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         if (adjacent)
-            lanes_quads(quat.xyzw[0] + i * quat.stride, quat.stride, q);
+            lanes_quads(quat.xyzw[0] + i * quat.stride, at, q);
         else
             for (int n = 0; n < 4; ++n)
                 q[n] = lanes_load(quat.xyzw[n] + i);
@@ -111,7 +113,7 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
         for (int n = 0; n < 4; ++n)
             r[n] *= scale;
         if (adjacent)
-            lanes_unquad(quat.xyzw[0] + i * quat.stride, quat.stride, r);
+            lanes_unquad(quat.xyzw[0] + i * quat.stride, at, r);
         else
             for (int n = 0; n < 4; ++n)
                 lanes_store(quat.xyzw[n] + i, r[n]);

@@ -1,47 +1,134 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The kernels of bonds for AVX2 give the bits of those for any processor: every combination of terms and forms,
- * few bonds and many, alpha and quaternions. Their tables are private to the library, and declared here as in src/vti_binder_table.h. */
+ * The kernels of bonds for wide units give the bits of those for any processor, and strided bodies those of packed ones:
+ * every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them. Their
+ * tables are private to the library, and declared here as in src/vti_binder_table.h. */
 #include "crowd.h"
 
 struct bond_kernel {
     void (*apply)(const void *self, const vti_bodies *b);
     void (*energy)(const void *self, const vti_bodies *b, double *energies);
 };
-extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4];
+extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4], vti_binder_avx512[4][4];
 
 static crowd c, wide;
 static web w;
 
-TEST(avx2)
+/** The quantities of a crowd one body further apart. */
+struct sparse {
+    double x[CROWD_MAX][5], attitude[CROWD_MAX][7], force[CROWD_MAX][4], moment[CROWD_MAX][9];
+};
+static struct sparse sparse;
+
+static vti_view sparse_view(double *p, int64_t stride)
 {
-    if (!__builtin_cpu_supports("avx2"))
-        skip();
+    const vti_view view = {{p, p + 2, p + 1}, stride, 0};
+    return view;
+}
+
+/** The bodies of a crowd in other memory, with y and z exchanged there. */
+static vti_bodies sparse_bodies(crowd *from)
+{
+    vti_bodies b = crowd_bodies(from);
+    memset(&sparse, 0, sizeof sparse);
+    const double *q = from->storage == CROWD_QUAT ? from->quat[0] : from->alpha[0];
+    const int numbers = from->storage == CROWD_QUAT ? 4 : 3;
+    for (int i = 0; i < from->n; ++i)
+        for (int k = 0; k < 4; ++k) {
+            const int other = k == 1 ? 2 : k == 2 ? 1 : k;
+            if (k < 3)
+                sparse.x[i][other] = from->x[i][k];
+            if (k < numbers)
+                sparse.attitude[i][other] = q[numbers * i + k];
+        }
+    b.x = sparse_view(sparse.x[0], 5);
+    b.force = sparse_view(sparse.force[0], 4);
+    b.moment = sparse_view(sparse.moment[0], 9);
+    if (numbers == 3)
+        b.alpha = sparse_view(sparse.attitude[0], 7);
+    else
+        for (int k = 0; k < 4; ++k) {
+            b.quat.xyzw[k] = sparse.attitude[0] + (k == 1 ? 2 : k == 2 ? 1 : k);
+            b.quat.stride = 7;
+        }
+    return b;
+}
+
+/** Bodies and bonds of a trial; some attitudes are where alpha is cut off, and beyond. */
+static void draw(rng *g, int trial, int *row, int *column)
+{
+    const int n = 2 + trial % 12 * 7;
+    int terms, form;
+    crowd_clear(&c, n, trial & 1 ? CROWD_QUAT : CROWD_ALPHA);
+    crowd_scatter(&c, g, 2, 0.2);
+    const int64_t count = web_grow(&w, g, &c, n, 1, 20);
+    crowd_scatter(&c, g, 2, 0.2);
+    crowd_tumble(&c, g);
+    for (int i = 0; i < n; i += 5)
+        for (int k = 0; k < 3 && trial % 3 == 0; ++k)
+            c.alpha[i][k] *= i % 2 ? 0x1p60 : 0x1p400;
+    web_combination(trial % 15, &terms, &form);
+    web_terms(&w, count, terms, form);
+    memset(c.force, 0, sizeof c.force);
+    memset(c.moment, 0, sizeof c.moment);
+    wide = c;
+    *row = terms & SHEAR ? form : 0;
+    *column = terms & (MOMENT | AXIAL);
+}
+
+static void agree(const struct bond_kernel table[4][4])
+{
     rng g = rng_seed(3071);
     for (int trial = 0; trial < 15 * 12; ++trial) {
-        const int n = 2 + trial % 12 * 7;
-        int terms, form;
-        crowd_clear(&c, n, trial & 1 ? CROWD_QUAT : CROWD_ALPHA);
-        crowd_scatter(&c, &g, 2, 0.2);
-        const int64_t count = web_grow(&w, &g, &c, n, 1, 20);
-        crowd_scatter(&c, &g, 2, 0.2);
-        crowd_tumble(&c, &g);
-        web_combination(trial % 15, &terms, &form);
-        web_terms(&w, count, terms, form);
-        memset(c.force, 0, sizeof c.force);
-        memset(c.moment, 0, sizeof c.moment);
-        wide = c;
-        const vti_bodies b = crowd_bodies(&c), other = crowd_bodies(&wide);
-        const int row = terms & SHEAR ? form : 0, column = terms & (MOMENT | AXIAL);
+        int row, column;
         double energies[3] = {0, 0, 0}, others[3] = {0, 0, 0};
+        draw(&g, trial, &row, &column);
+        const vti_bodies b = crowd_bodies(&c), other = crowd_bodies(&wide), apart = sparse_bodies(&c);
         vti_binder_baseline[row][column].apply(&w.bonds, &b);
         vti_binder_baseline[row][column].energy(&w.bonds, &b, energies);
-        vti_binder_avx2[row][column].apply(&w.bonds, &other);
-        vti_binder_avx2[row][column].energy(&w.bonds, &other, others);
-        assert_same_bits(wide.force[0], c.force[0], 3 * n);
-        assert_same_bits(wide.moment[0], c.moment[0], 3 * n);
+        table[row][column].apply(&w.bonds, &other);
+        table[row][column].energy(&w.bonds, &other, others);
+        table[row][column].apply(&w.bonds, &apart);
+        assert_same_bits(wide.force[0], c.force[0], 3 * c.n);
+        assert_same_bits(wide.moment[0], c.moment[0], 3 * c.n);
         assert_same_bits(others, energies, 3);
+        for (int i = 0; i < c.n; ++i) {
+            double force[3], moment[3];
+            for (int k = 0; k < 3; ++k) {
+                force[k] = apart.force.c[k][i * apart.force.stride];
+                moment[k] = apart.moment.c[k][i * apart.moment.stride];
+            }
+            assert_same_bits(force, c.force[i], 3);
+            assert_same_bits(moment, c.moment[i], 3);
+        }
     }
 }
 
-RUN_TESTS(cmocka_unit_test(avx2))
+TEST(baseline)
+{
+    agree(vti_binder_baseline);
+}
+
+TEST(avx2)
+{
+#ifdef VTI_HAS_AVX2
+    if (__builtin_cpu_supports("avx2")) {
+        agree(vti_binder_avx2);
+        return;
+    }
+#endif
+    skip();
+}
+
+TEST(avx512)
+{
+#ifdef VTI_HAS_AVX512
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+        agree(vti_binder_avx512);
+        return;
+    }
+#endif
+    skip();
+}
+
+RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))

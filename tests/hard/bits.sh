@@ -21,7 +21,7 @@ has() {
     done
 }
 
-levels="-O0 -O1 -O2 -O3"
+levels="-O0 -O1,-DVTI_WIDTH=1 -O2 -O3" # of which one is that of compilers without vectors
 if [ "$(uname -m)" = x86_64 ]; then
     has sse4_2 popcnt && levels="$levels -O3,-march=x86-64-v2"
     has avx2 fma bmi2 && levels="$levels -O3,-march=x86-64-v3"
