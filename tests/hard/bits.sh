@@ -1,9 +1,9 @@
 #!/bin/sh
-# The same bits from every compiler, optimisation level and vector width that this machine has.
+# The same bits from both compilers, whatever the optimisation and vector width that this machine has.
 #
 #     bits.sh compare|store ROOT      with, or into, tests/hard/digest.txt
 #
-# Builds the core and digest.c once for each of them, without meson, and compares what they print.
+# Builds the core and digest.c for each of them, without meson, and compares what they print.
 # shellcheck disable=SC2046,SC2086  # flags and sources are words
 set -eu
 mode=$1
@@ -21,52 +21,68 @@ has() {
     done
 }
 
-levels="-O0 -O1,-DVTI_WIDTH=1 -O2 -O3" # of which one is that of compilers without vectors
+# What each build may do that another does not: keep the order of the source (-O0), do without vectors as compilers that have none
+# (VTI_WIDTH=1), write vectors of its own (-O3), fuse and write wider ones (v3 and v4). gcc, which takes twice as long as clang, does
+# only the wider of the last two.
+wide=
+units=
 if [ "$(uname -m)" = x86_64 ]; then
-    has sse4_2 popcnt && levels="$levels -O3,-march=x86-64-v2"
-    has avx2 fma bmi2 && levels="$levels -O3,-march=x86-64-v3"
-    has avx512f avx512bw avx512cd avx512dq avx512vl && levels="$levels -O3,-march=x86-64-v4"
+    has avx2 fma bmi2 && wide=v3 && units=AVX2
+    has avx512f avx512bw avx512cd avx512dq avx512vl && wide="v3 v4" && units="AVX2 AVX512"
 fi
 
-sources=$(ls "$root"/src/vti_*.c | grep -v '_avx')
+sources="$(ls "$root"/src/vti_*.c | grep -v '_avx') $here/digest.c"
 
-# keep PROGRAM: what it prints, and no program
-keep() {
+# run PROGRAM: what it prints, and no program
+run() {
     "$1" >"$1.txt"
     rm "$1"
 }
 
-# wide COMPILER LABEL UNIT...: with kernels for these vector units, among which the library picks as it runs
-wide() {
-    compiler=$1
-    label=$1-$2
+# objects FOLDER COMPILER-WITH-FLAGS SOURCE...
+objects() {
+    mkdir -p "$1"
+    into=$1
+    with=$2
     shift 2
-    objects=
+    for source in "$@"; do
+        $with $flags -c "$source" -o "$into/$(basename "$source" .c).o"
+    done
+}
+
+# picks COMPILER: with kernels for wide units, among which the library picks as it runs; the other objects are those of -O3
+picks() {
     defines=
-    for unit in "$@"; do
+    for unit in $units; do
         case $unit in
         AVX2) options=-mavx2 ;;
         AVX512) options="-mavx512f -mavx512dq -mavx512vl" ;;
         esac
-        for source in "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c; do
-            object=$work/$label-$(basename "$source" .c).o
-            "$compiler" $flags -O3 $options -c "$source" -o "$object"
-            objects="$objects $object"
-        done
         defines="$defines -DVTI_HAS_$unit"
+        mine=$(ls "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c)
+        objects "$work/$1-kernels" "$1 -O3 $options" $mine
+        cp -r "$work/$1-O3" "$work/$1-$unit"
+        objects "$work/$1-$unit" "$1 -O3 $defines" $(grep -l VTI_HAS_ $sources)
+        "$1" "$work/$1-$unit"/*.o "$work/$1-kernels"/*.o -lm -o "$work/$1-picks-$unit"
+        run "$work/$1-picks-$unit"
     done
-    "$compiler" $flags -O3 $defines $sources $objects "$here/digest.c" -lm -o "$work/$label"
-    keep "$work/$label"
 }
 
 # builds COMPILER: at each level, and with the kernels for wide units
 builds() {
-    for level in $levels; do
-        "$1" $flags $(echo "$level" | tr , ' ') $sources "$here/digest.c" -lm -o "$work/$1$level"
-        keep "$work/$1$level"
+    marches=
+    for march in $wide; do
+        [ "$1" = gcc ] && marches=
+        marches="$marches -O3,-march=x86-64-$march"
     done
-    case $levels in *v2*) wide "$1" avx2 AVX2 ;; esac
-    case $levels in *v4*) wide "$1" avx512 AVX2 AVX512 ;; esac
+    for level in -O0 -O2,-DVTI_WIDTH=1 $marches; do
+        "$1" $flags $(echo "$level" | tr , ' ') $sources -lm -o "$work/$1$level"
+        run "$work/$1$level"
+    done
+    objects "$work/$1-O3" "$1 -O3" $sources
+    "$1" "$work/$1-O3"/*.o -lm -o "$work/$1-plain"
+    run "$work/$1-plain"
+    picks "$1"
 }
 
 pids=

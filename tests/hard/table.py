@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """docs/robustness.md from what the hard cases print.
 
-    table.py --write|--check PAGE SCENES PROGRAM...
+    table.py --write PAGE SCENES PROGRAM...
+    table.py --check PAGE [SCENES PROGRAM]
 
-Runs every program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --check compares
-with the page instead, and shows the difference."""
+Runs each program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --check compares
+what a program prints with its section of the page, or, without one, the rest of the page, and shows the difference."""
 import difflib
 import os
+import re
 import subprocess
 import sys
 
@@ -100,7 +102,7 @@ Lustre with -o flock); where there are none at all they are not noticed. Other p
 ## Compilers and machines
 
 The bits do not depend on the compiler, the optimisation level or the width of vectors: `tests/hard/digest.txt` holds hashes of
-runs by all steppers and of all effects, and a test builds the core with gcc and clang from -O0 to -O3, for x86-64-v2 to -v4 and
+runs by all steppers and of all effects, and a test builds the core with gcc and clang at -O0, -O2 and -O3, for x86-64-v3 and -v4 and
 with the kernels that are picked at run time, and compares. On aarch64 (under qemu-user) and on i386 with SSE2 they are the same; with
 the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). The elementary functions that
 a C library picks by the processor's units (sin, cos, exp, log, pow) are called by nothing that moves a body and no number that is
@@ -120,8 +122,9 @@ def cases(program, scenes):
     """{case: {outcome: [who]}} in the order in which they were printed."""
     arguments = [scenes] if topic(program) in ("rivals", "verdict") else []
     result = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+    print(result.stdout)
     if result.returncode != 0:
-        sys.exit(f"{program} failed:\n{result.stdout}{result.stderr}")
+        sys.exit(f"{program} failed:\n{result.stderr}")
     found = {}
     for line in result.stdout.splitlines():
         if line.startswith("robust | "):
@@ -134,43 +137,57 @@ def cell(text):
     return text.replace("|", "\\|")
 
 
-def names(who, steppers):
-    if not set(steppers) <= set(who):
+def steppers():
+    """Those of the library, as its digests name them."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "digest.txt"), encoding="ascii") as file:
+        return [line.split()[1] for line in file if line.startswith("stepper ")]
+
+
+def names(who):
+    ours = steppers()
+    if not set(ours) <= set(who):
         return "; ".join(who)
-    return "; ".join(["all steppers"] + [w for w in who if w not in steppers])
+    return "; ".join(["all steppers"] + [w for w in who if w not in ours])
 
 
-def page(programs, scenes):
-    found = {topic(p): cases(p, scenes) for p in programs}
-    steppers = next(iter(found["half_turns"].values()))
-    steppers = next(iter(steppers.values()))
-    text = HEAD
-    for name, title in SECTIONS.items():
-        if name not in found:
-            continue
-        text += f"\n## {title}\n\n"
-        if name in NOTES:
-            text += NOTES[name] + "\n\n"
-        text += "| case | who | what happens |\n|---|---|---|\n"
-        for case, outcomes in found[name].items():
-            for k, (outcome, who) in enumerate(outcomes.items()):
-                text += f"| {cell(case) if k == 0 else ''} | {cell(names(who, steppers))} | {cell(outcome)} |\n"
-    return text + TAIL
+def section(program, scenes):
+    name = topic(program)
+    text = f"\n## {SECTIONS[name]}\n\n" + (NOTES[name] + "\n\n" if name in NOTES else "")
+    text += "| case | who | what happens |\n|---|---|---|\n"
+    for case, outcomes in cases(program, scenes).items():
+        for k, (outcome, who) in enumerate(outcomes.items()):
+            text += f"| {cell(case) if k == 0 else ''} | {cell(names(who))} | {cell(outcome)} |\n"
+    return text
+
+
+def kept_section(page, title):
+    """As the page has it, up to the next heading."""
+    found = re.search(rf"\n## {re.escape(title)}\n.*?(?=\n## |\Z)", page, re.DOTALL)
+    return found[0] if found else ""
+
+
+def differs(kept, made):
+    sys.stdout.writelines(difflib.unified_diff(kept.splitlines(True), made.splitlines(True), "the page", "what the tests print"))
+    return kept != made
 
 
 def main():
-    mode, path, scenes, *programs = sys.argv[1:]
-    made = page(programs, scenes)
+    mode, path, *rest = sys.argv[1:]
     if mode == "--write":
+        scenes, *programs = rest
+        made = {topic(program): section(program, scenes) for program in programs}
         with open(path, "w", encoding="utf-8") as file:
-            file.write(made)
+            file.write(HEAD + "".join(made[name] for name in SECTIONS) + TAIL)
         return 0
     with open(path, encoding="utf-8") as file:
-        kept = file.read()
-    sys.stdout.writelines(difflib.unified_diff(kept.splitlines(True), made.splitlines(True), path, "what the tests print"))
-    if kept != made:
+        page = file.read()
+    if rest:
+        bad = differs(kept_section(page, SECTIONS[topic(rest[1])]), section(rest[1], rest[0]))
+    else:
+        bad = differs(page, HEAD + "".join(kept_section(page, title) for title in SECTIONS.values()) + TAIL)
+    if bad:
         print("\nmake it anew: tests/hard/table.py --write docs/robustness.md scenes PROGRAM...")
-    return 0 if kept == made else 1
+    return 1 if bad else 0
 
 
 if __name__ == "__main__":

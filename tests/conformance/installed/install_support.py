@@ -58,7 +58,7 @@ class Installed:
         self.build = self.folder / "build"
         self.fortran = have("gfortran")
         options = ["-Ddrivers=disabled", "-Dtests=disabled", "-Dfortran=" + ("enabled" if self.fortran else "disabled"),
-                   "-Doptimization=1"]
+                   "-Doptimization=0"]
         done = run("meson", "setup", self.build, project, "--prefix", self.prefix, *options) is not None and \
             run("ninja", "-C", self.build) is not None
         if not check(done, "the library is built"):
