@@ -60,3 +60,17 @@ cost() {
     done
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.accuracy "$1" ${2:+--into "$2"}
 }
+
+# bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units.
+bench() {
+    mkdir -p "$1"
+    for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline; do
+        name=${program#*vti-bench}
+        name=${name#-}
+        [ -x "$program" ] || continue
+        echo "dev: ${program##*/}"
+        "$program" --version >"$1/${name:-widest}.txt"
+        "$program" >"$1/${name:-widest}.csv"
+    done
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
+}

@@ -26,7 +26,8 @@ def tree(folder):
         (root / path).write_text(STAND_IN, encoding="utf-8")
         (root / path).chmod(0o755)
     (root / "build" / "build.ninja").write_text(NINJA, encoding="utf-8")
-    for module in ("plot/__init__", "plot/figures", "plot/accuracy", "instructions"):
+    for module in ("plot/__init__", "plot/pages/__init__", "plot/pages/figures", "plot/pages/accuracy",
+                   "instructions"):
         path = (root / ("tests/cost" if module == "instructions" else "drivers") / module).with_suffix(".py")
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("import os, sys\nwith open(os.environ['CALLS'], 'a') as calls:\n"

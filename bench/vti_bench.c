@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * vti-bench: what a body, a bond and a contact cost on this machine, beside a loop that moves the same bytes. */
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "bench.h"
+#include "message.h"
+#include "options.h"
+
+static int64_t most = 1000000, rounds = 15, only;
+
+static const struct option_row rows[] = {
+    OPTION_PARAGRAPH(
+        "Times steps of n bodies in each layout, n = 8 ... 1e6, loops that move the same bytes, and every\n"
+        "effect on lattices. Prints CSV: median and least of rounds, in each of which every case has its\n"
+        "turn. Times of other runs, or of other rounds, say little; ratios within a round do.\n"),
+    {"--most", "N", OPTION_WHOLE, &most, 0, 1e8, "1e6", "largest n (default 1e6)"},
+    {"--only", "N", OPTION_WHOLE, &only, 0, 1e8, "1000", "this n alone"},
+    {"--rounds", "N", OPTION_WHOLE, &rounds, 0, 1000, "15", "rounds (default 15)"},
+    {0}};
+
+static const struct options options = {"vti-bench", "", "[options]", rows, 0};
+
+enum { MOST_ROUNDS = 1000 };
+
+/** Of one case. */
+struct timing {
+    int64_t calls; /* in one turn */
+    double ns[MOST_ROUNDS];
+};
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double turn(const struct bench_case *c, int64_t calls)
+{
+    const double start = seconds();
+    for (int64_t k = 0; k < calls; ++k)
+        c->call(c->self);
+    return seconds() - start;
+}
+
+/** As many calls as take a millisecond, which the clock resolves to 1e-4. */
+static int64_t calls_of(const struct bench_case *c)
+{
+    int64_t calls = 1;
+    while (turn(c, calls) < 1e-3)
+        calls *= 2;
+    return calls;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void print_row(const struct bench_case *c, int64_t n, struct timing *t)
+{
+    qsort(t->ns, (size_t)rounds, sizeof *t->ns, ascending);
+    printf("%s,%s,%lld,%lld,%.0f,%.5g,%.5g\n", c->what, c->layout, (long long)n, (long long)c->items, c->bytes,
+           t->ns[rounds / 2], t->ns[0]);
+    fflush(stdout);
+}
+
+/** Rounds of all cases. */
+static int run(const struct bench_case *cases, int count, int64_t n)
+{
+    struct timing *t = calloc((size_t)count, sizeof *t);
+    if (t == NULL)
+        return -1;
+    for (int k = 0; k < count; ++k)
+        t[k].calls = calls_of(&cases[k]);
+    for (int64_t round = 0; round < rounds; ++round)
+        for (int k = 0; k < count; ++k)
+            t[k].ns[round] = 1e9 * turn(&cases[k], t[k].calls) / ((double)t[k].calls * (double)cases[k].items);
+    for (int k = 0; k < count; ++k)
+        print_row(&cases[k], n, &t[k]);
+    free(t);
+    return 0;
+}
+
+static int bench_bodies(int64_t n)
+{
+    struct bench_bodies of[BENCH_LAYOUTS];
+    struct bench_case cases[BENCH_CASES];
+    int count = 0, made = 0, result = 0;
+    for (; made < BENCH_LAYOUTS && result == 0; ++made) {
+        result = bench_bodies_make(&of[made], (enum bench_layout)made, n);
+        count = result == 0 ? bench_bodies_cases(&of[made], cases, count) : count;
+    }
+    if (result == 0)
+        result = run(cases, count, n);
+    for (int k = 0; k < made; ++k)
+        bench_bodies_free(&of[k]);
+    return result;
+}
+
+static int bench_lattice(int64_t n)
+{
+    struct bench_lattice lattice;
+    struct bench_case cases[BENCH_CASES];
+    const int64_t side = (int64_t)floor(cbrt((double)n) + 0.5);
+    int result = bench_lattice_make(&lattice, side);
+    if (result == 0)
+        result = run(cases, bench_lattice_cases(&lattice, cases, 0), lattice.of.n);
+    bench_lattice_free(&lattice);
+    return result;
+}
+
+static int bench(int64_t n, struct message *message)
+{
+    if (bench_bodies(n) != 0 || bench_lattice(n) != 0)
+        return message_set(message, "no memory for %lld bodies; choose a smaller --most", (long long)n);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static const int64_t sizes[] = {8, 64, 512, 1000, 8000, 97336, 1000000, 8000000, 97336000}; /* cubes */
+    struct message message = {""};
+    const char *const *none;
+    int count, result = 0;
+    const enum options_end asked = options_read(&options, argc, argv, 1, &none, &count, &message);
+    if (asked == OPTIONS_TOLD)
+        return 0;
+    if (asked == OPTIONS_GO) {
+        printf("what,layout,n,items,bytes,median_ns,least_ns\n");
+        for (size_t k = 0; k < sizeof sizes / sizeof *sizes && only == 0 && result == 0; ++k)
+            if (sizes[k] <= most)
+                result = bench(sizes[k], &message);
+        if (only > 0)
+            result = bench(only, &message);
+    }
+    if (message.text[0] != '\0')
+        fprintf(stderr, "vti-bench: %s\n", message.text);
+    return asked != OPTIONS_GO || result != 0;
+}

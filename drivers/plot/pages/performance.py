@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
+machine, for every vector unit it has, beside a loop that moves the same bytes. FOLDER holds UNITS.csv and UNITS.txt, as vti-bench
+prints rows and --version. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
+import argparse
+import csv
+import os
+import sys
+from dataclasses import dataclass
+
+from .. import style
+from ..trouble import Trouble
+from .page import Page
+
+UNITS = {"widest": "AVX-512", "avx2": "AVX2", "baseline": "SSE2"}    # where the widest are those
+COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
+LAYOUTS = {"packed": "x(3,n)", "separate": "x(n,3), three arrays", "quaternions": "x(3,n), quaternions", "structs": "array of structs"}
+STEPS = ("vti2", "vti1", "exact", "vti2 next")
+EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a touching pair", "pair apart": "contact of a pair that does not touch",
+           "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
+SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
+
+
+@dataclass(frozen=True)
+class Bench:
+    """What one build of vti-bench printed."""
+    units: str
+    version: str
+    rows: dict      # (what, layout, n) -> (ns per item, bytes per item)
+
+    def ns(self, what, layout, n):
+        return self.rows.get((what, layout, n), (float("nan"), 0))[0]
+
+    def sizes(self):
+        return sorted({n for _, _, n in self.rows})
+
+
+def read_bench(folder, name):
+    path = os.path.join(folder, name + ".csv")
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file)
+        if rows.fieldnames != COLUMNS:
+            raise Trouble(path, "has other columns than vti-bench prints", "make it anew with ./dev bench")
+        found = {(row["what"], row["layout"], int(row["n"])): (float(row["median_ns"]), float(row["bytes"])) for row in rows}
+    if not found:
+        raise Trouble(path, "has no row", "make it anew with ./dev bench")
+    with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
+        version = file.read()
+    widest = version.split("vector units: ")[-1].split(";")[0]
+    units = UNITS[name] if name != "widest" else {"AVX-512 and AVX2": "AVX-512", "AVX2": "AVX2"}.get(widest, "baseline")
+    return Bench(units, version, found)
+
+
+def read_all(folder):
+    """The widest first; a narrower build that serves the same units is left out."""
+    found = [read_bench(folder, name) for name in UNITS if os.path.isfile(os.path.join(folder, name + ".csv"))]
+    if not found:
+        raise Trouble(folder, "holds no widest.csv", "make it with ./dev bench")
+    return [one for k, one in enumerate(found) if one.units not in [other.units for other in found[:k]]]
+
+
+# ---- numbers --------------------------------------------------------------------------------------------------------
+
+def short(value):
+    return f"{value:.3g}" if value < 100 else f"{value:.0f}"
+
+
+def size_text(n):
+    return f"{n:.0e}".replace("e+0", "e") if n >= 1e4 else str(n)
+
+
+def loop_of(what):
+    return "bytes next" if what.endswith("next") else "bytes"
+
+
+def beside_loop(bench, what, layout, n):
+    """ns, and in brackets how many times those of the loop that moves the same bytes in the same rounds."""
+    ns = bench.ns(what, layout, n)
+    return f"{short(ns)} ({ns / bench.ns(loop_of(what), 'packed', n):.2f})" if ns == ns else "-"
+
+
+# ---- the page -------------------------------------------------------------------------------------------------------
+
+def opening(page, benches):
+    page.text("Made by `./dev bench`; every number is from its files. Each is the median of rounds in which all cases of one size "
+              "have their turn, so that ratios within a table are better than the times. Nothing is allocated or started by the "
+              "library; it takes no memory beyond the caller's.")
+    flags = [line for line in benches[0].version.splitlines() if line.startswith("flags: ")]
+    page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own; all give the same bits. "
+              + (f"Compiler's {flags[0]}. " if flags else "") + "One core.")
+
+
+def steps_part(page, benches, sizes):
+    page.heading("A body's step")
+    page.text("Nanoseconds per body and step without effects (kick, drift, kick; masses and inertias per body). In brackets: over a "
+              "loop that reads and writes the same bytes, packed, and hardly computes. That is what memory allows: no step can be "
+              "much faster than 1. `vti2 next` is vti_step_next, the end of one step and the begin of the next in one pass.")
+    for n in sizes:
+        rows = [[f"`{what}`", LAYOUTS[layout], *(beside_loop(one, what, layout, n) for one in benches)]
+                for what in STEPS for layout in LAYOUTS]
+        page.text(f"**n = {size_text(n)}**")
+        page.table(["step", "layout", *(one.units for one in benches)], rows)
+
+
+def memory_part(page, benches, sizes):
+    page.heading("What memory allows")
+    first = benches[0]
+    page.text("A body has 23 numbers. A step in two phases reads 34 and writes 18 of them where nothing stays in a cache, that in one "
+              "pass 20 and 12. The loop of the same bytes moves them at")
+    page.table(["n", "GB/s of the loop", "GB/s of `vti2`", "GB/s of `vti2 next`"],
+               [[size_text(n), *(short(first.rows[key, "packed", n][1] / first.ns(key, "packed", n))
+                                 for key in ("bytes", "vti2", "vti2 next"))] for n in sizes])
+    largest = sizes[-1]
+    page.text(f"At n = {size_text(largest)} `vti2 next` takes {first.ns('vti2 next', 'packed', largest) / first.ns('bytes', 'packed', largest):.2f}"
+              " of the time of the loop of two phases.")
+
+
+def effects_part(page, benches, sizes):
+    page.heading("Effects")
+    page.text("Nanoseconds per bond, listed pair or body, on a cubic lattice with its neighbours in the order of the bodies.")
+    rows = [[EFFECTS[what], size_text(n), *(short(one.ns(what, "packed", n)) for one in benches)]
+            for what in EFFECTS for n in sizes]
+    page.table(["", "n", *(one.units for one in benches)], rows)
+
+
+def picture(benches, path):
+    figure = style.new_figure(4.6)
+    axes = figure.subplots(1, 2)
+    sizes = benches[0].sizes()
+    for one, look in zip(benches, style.LOOKS):
+        axes[0].plot(sizes, [one.ns("vti2", "packed", n) for n in sizes], look.marker + "-", color=look.colour, markersize=5,
+                     label=f"vti2, {one.units}")
+        axes[1].plot(sizes, [one.ns("bond", "packed", n) for n in sizes], look.marker + "-", color=look.colour, markersize=5,
+                     label=f"bond, {one.units}")
+        axes[1].plot(sizes, [one.ns("touching pair", "packed", n) for n in sizes], look.marker + ":", color=look.colour, markersize=5,
+                     label=f"touching pair, {one.units}")
+    axes[0].plot(sizes, [benches[0].ns("vti2 next", "packed", n) for n in sizes], ".--", color=style.GREY,
+                 label=f"vti2 next, {benches[0].units}")
+    axes[0].plot(sizes, [benches[0].ns("bytes", "packed", n) for n in sizes], "-", color="black", label="a loop of the same bytes")
+    for side, title, unit in zip(axes, ("Step without effects", "Effects"), ("ns per body and step", "ns per bond or touching pair")):
+        side.set(title=title, xlabel="bodies", ylabel=unit, ylim=(0, None))
+        side.set_xscale("log")
+        side.legend()
+    style.save(figure, path)
+
+
+def build(folder, into, below):
+    """below: the folder of the picture, beside the page; None: the page's own."""
+    benches = read_all(folder)
+    page = Page(into, "What each part of a step costs")
+    sizes = [n for n in benches[0].sizes() if n in SIZES] or benches[0].sizes()[-1:]
+    image = os.path.join(*([below] if below else []), "bench.png")
+    picture(benches, os.path.join(into, image))
+    opening(page, benches)
+    page.picture(image)
+    steps_part(page, benches, sizes)
+    memory_part(page, benches, sizes)
+    effects_part(page, benches, sizes)
+    page.heading("Other codes, threads, ranks")
+    page.text("`./dev lammps` times this library inside LAMMPS beside LAMMPS' own steps and bonds. `vti-run --threads` steps one scene "
+              "on several cores; independent runs of a study need nothing from each other and scale with its ranks.")
+    with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
+        file.write(page.markdown())
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="python3 -m plot.pages.performance", description="The page of what each part costs.")
+    parser.add_argument("folder", help="what ./dev bench wrote")
+    parser.add_argument("--into", metavar="DIR", help="write DIR/performance.md and DIR/performance/bench.png (default: into the "
+                        "folder)")
+    given = parser.parse_args()
+    try:
+        build(given.folder, given.into or given.folder, "performance" if given.into else None)
+    except (Trouble, OSError) as trouble:
+        sys.exit(f"performance: {trouble}")
+
+
+if __name__ == "__main__":
+    main()

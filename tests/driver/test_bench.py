@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT. Not how long anything takes, but that every case is timed and that the
+page says what the files do."""
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+
+from tally import check, conclude
+
+COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
+LATTICE = {"bond": 54, "touching pair": 54, "pair apart": 54, "body between six walls": 27, "body of a bonded lattice": 27}
+STEPS = ("vti2", "vti1", "exact", "vti2 next")
+LAYOUTS = ("packed", "separate", "quaternions", "structs")
+
+
+def run(*command, **more):
+    return subprocess.run(command, capture_output=True, text=True, check=False, **more)
+
+
+def test_rows(program):
+    done = run(program, "--only", "27", "--rounds", "3")
+    rows = list(csv.DictReader(done.stdout.splitlines()))
+    check(done.returncode == 0 and list(rows[0]) == COLUMNS, "columns")
+    found = {(row["what"], row["layout"]): row for row in rows}
+    wanted = {(step, layout) for step in STEPS for layout in LAYOUTS} | {(what, "packed") for what in LATTICE}
+    check(set(found) == wanted | {("bytes", "packed"), ("bytes next", "packed")} and len(rows) == len(found), "every case once")
+    check(all(int(row["items"]) == LATTICE.get(row["what"], 27) for row in rows), "3^3 bodies have 3 * 9 * 2 neighbours")
+    check(all(0 < float(row["least_ns"]) <= float(row["median_ns"]) < float("inf") for row in rows), "times")
+    return done.stdout
+
+
+def test_page(vti_plot, folder, rows):
+    """By times that are made up: twice those of the loop for vti2, three times for vti1."""
+    text = ",".join(COLUMNS) + "\n"
+    for row in csv.DictReader(rows.splitlines()):
+        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5}.get(row["what"], 7)
+        text += ",".join([row["what"], row["layout"], row["n"], row["items"], row["bytes"], str(ns), "1"]) + "\n"
+    for name, units in (("widest", "AVX2"), ("avx2", "AVX2"), ("baseline", "those of the build")):
+        for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
+            with open(os.path.join(folder, name + end), "w", encoding="utf-8") as file:
+                file.write(content)
+    page = [sys.executable, "-m", "plot.pages.performance", folder]
+    beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = run(*page, env=beside)
+    check(done.returncode == 0 and done.stderr == "", f"page: {done.stderr}")
+    with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
+        made = file.read()
+    check("| `vti2` | x(3,n) | 20 (2.00) | 20 (2.00) |" in made, "ratio to the loop")
+    check("| `vti1` | array of structs | 30 (3.00) | 30 (3.00) |" in made, "ratio of another layout to the packed loop")
+    check("| `vti2 next` | x(3,n) | 7 (1.40) | 7 (1.40) |" in made, "one pass beside one pass")
+    check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
+    check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
+    check(os.path.getsize(os.path.join(folder, "bench.png")) < 300_000, "picture")
+    with open(os.path.join(folder, "widest.csv"), "w", encoding="utf-8") as file:
+        file.write("what,n\n")
+    done = run(*page, env=beside)
+    check(done.returncode == 1 and "widest.csv: has other columns" in done.stderr and len(done.stderr.splitlines()) == 1, "other columns")
+
+
+def main(program, vti_plot):
+    with tempfile.TemporaryDirectory() as folder:
+        test_page(vti_plot, folder, test_rows(program))
+    done = run(program, "--rounds", "0")
+    check(done.returncode == 1 and "--rounds" in done.stderr, "an option out of range")
+    conclude()
+
+
+main(*sys.argv[1:])
