@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of what accuracy costs: test_plot_cost.py VTI-PLOT. Makes cost studies by formula and holds the page against them;
 then hands it what is none and expects one line each. Of VTI-PLOT only its place is used: the package stands beside it."""
+import importlib
 import math
 import os
 import re
@@ -8,7 +9,7 @@ import subprocess
 import sys
 
 import plot_support
-from plot_support import picture
+from plot_support import COARSE, FINE, picture
 
 import h5py
 import numpy as np
@@ -18,14 +19,26 @@ import cost_support
 ENERGY = "pendulum-1000-energy.png"     # the one picture of energy that is on the page
 
 
-def accuracy(program, *given):
+def accuracy(_program, *given, dpi=None):
+    """dpi: None for the page with empty pictures."""
+    style = importlib.import_module("plot.style")
+    save = style.save
+    if dpi is None:
+        style.save = lambda figure, path: style.write(b"", path)
+    done = plot_support.called(importlib.import_module("plot.pages.accuracy"), "accuracy", *given, dpi=dpi or COARSE)
+    style.save = save
+    return done
+
+
+def apart(program, *given, **_options):
+    """In a process of its own."""
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(program), "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run([sys.executable, "-m", "plot.pages.accuracy", *given], capture_output=True, text=True, check=False,
                           env=beside)
 
 
-def page(program, study, into):
-    done = accuracy(program, study, "--into", into)
+def page(program, study, into, call=accuracy, dpi=None):
+    done = call(program, study, "--into", into, dpi=dpi)
     assert done.returncode == 0 and done.stderr == "", done.stderr
     with open(os.path.join(into, "accuracy.md"), encoding="utf-8") as file:
         return file.read()
@@ -48,7 +61,7 @@ def value(cell):
 def test_page_and_pictures(program, folder):
     study, into = os.path.join(folder, "study"), os.path.join(folder, "docs")
     cost_support.write_cost(study)
-    text = page(program, study, into)
+    text = page(program, study, into, dpi=FINE)
     names = sorted([f"{scene}.png" for scene in cost_support.SCENES] + [ENERGY])
     assert sorted(os.listdir(os.path.join(into, "accuracy"))) == names, os.listdir(os.path.join(into, "accuracy"))
     once = [picture(os.path.join(into, "accuracy", name), 1590) for name in names]
@@ -58,14 +71,14 @@ def test_page_and_pictures(program, folder):
     assert "Abacus 3000; cores: 2" in text, "no machine"
 
     again = os.path.join(folder, "again")
-    assert page(program, study, again) == text, "the same study gave another page"
+    assert page(program, study, again, apart) == text, "the same study gave another page"
     assert [picture(os.path.join(again, "accuracy", name), 1590) for name in names] == once, "other bytes"
 
-    done = accuracy(program, study)
+    done = accuracy(program, study, dpi=COARSE)
     assert done.returncode == 0, done.stderr
     for scene in cost_support.SCENES:
         for what in ("", "-energy"):
-            picture(os.path.join(study, f"{scene}{what}.png"), 1590)
+            picture(os.path.join(study, f"{scene}{what}.png"), 1590, COARSE)
     with open(os.path.join(study, "accuracy.md"), encoding="utf-8") as file:
         assert file.read().replace("](", "](accuracy/").replace("![", "![accuracy/") == text, "beside the study: another page"
 
