@@ -31,6 +31,8 @@ struct bench_bodies {
 int bench_bodies_make(struct bench_bodies *b, enum bench_layout layout, int64_t n);
 void bench_bodies_free(struct bench_bodies *b);
 
+extern double bench_sums[];
+
 /** Adds steps of these bodies and loops that move the same bytes. Returns how many cases there are then. */
 int bench_bodies_cases(struct bench_bodies *b, struct bench_case *cases, int count);
 
