@@ -131,6 +131,20 @@ module vti_c_effects
             real(c_double) :: zeta
         end function
 
+        function c_friction_effect(friction) result(effect) bind(c, name='vti_friction_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: friction
+            type(vti_effect) :: effect
+        end function
+
+        !> Puts what a touch holds into the table; VTI_E_HISTORY if there is no room.
+        function vti_history_add(history, held) result(status) bind(c)
+            import :: c_int, vti_held, vti_history
+            type(vti_history), intent(inout) :: history
+            type(vti_held), intent(in) :: held
+            integer(c_int) :: status
+        end function
+
         function c_bonds_effect(bonds) result(effect) bind(c, name='vti_bonds_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: bonds

@@ -13,7 +13,7 @@ module vti_types
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
         VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
-        VTI_E_DAMPING = -20
+        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -129,11 +129,34 @@ module vti_types
         integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
     end type
 
-    !> Dashpots of contacts and planes. contacts and walls are the addresses of a vti_contacts and of a vti_walls, or
-    !> null; lost is that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling
-    !> and twisting motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs.
-    type, bind(c) :: vti_dashpots
+    !> What the springs of one touch hold: i and j count from 1 (j of plane w, which counts from 1 too: -w); i = 0 is an
+    !> empty slot.
+    type, bind(c) :: vti_held
+        integer(c_int64_t) :: i = 0, j = 0
+        real(c_double) :: sliding(3) = 0, rolling(3) = 0, twisting = 0
+    end type
+
+    !> A table of what touches hold; slot is the address of an array of as many type(vti_held) as slots says, a power
+    !> of 2.
+    type, bind(c) :: vti_history
+        integer(c_int64_t) :: slots = 0, used = 0, missed = 0
+        type(c_ptr) :: slot = c_null_ptr
+    end type
+
+    !> Friction of contacts and planes: contacts and walls as in vti_dashpots; history is the address of a vti_history,
+    !> lost that of an array of three type(vti_sum), zeros at the start.
+    type, bind(c) :: vti_friction
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr
+        real(c_double) :: sliding = 0, rolling = 0, twisting = 0, stiffness = 0, mindlin = 0, rolling_stiffness = 0, &
+            twisting_stiffness = 0, reach = 0
+        type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr
+    end type
+
+    !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
+    !> that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling and twisting
+    !> motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs.
+    type, bind(c) :: vti_dashpots
+        type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr, friction = c_null_ptr
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
         integer(c_int64_t) :: pull = 0
         real(c_double) :: reach = 0

@@ -19,6 +19,7 @@
 #include "vti_dashpot.h"
 #include "vti_drag.h"
 #include "vti_effect.h"
+#include "vti_friction.h"
 #include "vti_gravity.h"
 #include "vti_measure.h"
 #include "vti_pendulum.h"

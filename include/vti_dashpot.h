@@ -6,6 +6,7 @@
 
 #include "vti_contact.h"
 #include "vti_effect.h"
+#include "vti_friction.h"
 #include "vti_wall.h"
 
 #ifdef __cplusplus
@@ -27,6 +28,8 @@ typedef struct vti_dashpots {
     const vti_contacts *contacts; /**< pairs, diameters and stiffness, or NULL; its list may change between steps, and
                                        holds the pairs that touch at either end of a drift */
     const vti_walls *walls;       /**< planes, or NULL */
+    const vti_friction *friction; /**< of the same lists, or NULL: tangential, rolling and twisting dashpots and its
+                                       springs obey its limits together */
     double zeta;                  /**< damping ratio of the normal motion */
     double normal;                /**< mass/time */
     double tangential;            /**< mass/time */

@@ -68,7 +68,10 @@ extern "C" {
         "give the bodies that view, or leave the effect out")                                                          \
     ROW(VTI_E_DAMPING, -20,                                                                                            \
         "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \
-        "finite; give finite coefficients >= 0")
+        "finite, or friction has no stiffness, or two; give finite numbers >= 0, one stiffness for each motion")      \
+    ROW(VTI_E_HISTORY, -21,                                                                                            \
+        "the table of what touches hold is full, or its slots are no power of 2; give it twice as many slots as "      \
+        "bodies touch, and begin anew or from a restart")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

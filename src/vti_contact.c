@@ -65,9 +65,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /** What may come (EQUATIONS 6.10): each body i in a cage of as many neighbours as have room around it, or as there are
  *  bodies, none smaller than the smallest. As |u_i - u_j|^2 <= 2 |u_i|^2 + 2 |u_j|^2, contacts are no stiffer than one
- *  spring of 2 z_i k_i that holds every body to its place. Those that touch with an overlap of up to o are 2 psi apart
- *  and more, seen from i, sin psi = (1 - o) D_min/(D_i + D_min), and z_i caps of that angle cover a sphere at most: z_i
- *  (1 - cos psi) <= 2. */
+ *  spring of 2 z_i k_i that holds every body to its place (vti_cage). */
 static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spring_visit *visit, void *context)
 {
     double least = INFINITY;
@@ -75,8 +73,7 @@ static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spri
         least = fmin(least, vti_scalar(&p->diameter, i));
     for (int64_t i = b->first; b->count > 1 && i < b->first + b->count; ++i) {
         const double length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * least;
-        const double sine = o < 1.0 ? (1.0 - o) * (0.5 * least / length) : 0.0, s2 = sine * sine;
-        const double z = fmin((double)(b->count - 1), 2.0 * (1.0 + sqrt(1.0 - s2)) / s2);
+        const double z = vti_cage(b->count, length - 0.5 * least, 0.5 * least, o);
         const double stiffness = 2.0 * z * vti_hertz_stiffness(p->stiffness, o);
         const vti_spring s = {.element = i, .i = i, .j = -1, .length = length, .axial = stiffness, .across = stiffness};
         visit(context, &s);

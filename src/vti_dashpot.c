@@ -8,6 +8,8 @@
  * Forward in this order, backward reversed. An impulse that takes the velocity u to u' lowers the kinetic energy by
  * -p.(u + u')/2, which is booked. */
 #include "vti_decay.h"
+#include "vti_hertz.h"
+#include "vti_history.h"
 #include "vti_touch.h"
 
 enum { NORMAL, TANGENTIAL, ROLLING, TWISTING };
@@ -43,6 +45,7 @@ struct place {
     double k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
     double other;   /* overlap at the other end */
     double touched; /* share of the drift */
+    int64_t plane;  /* where it is one */
 };
 
 /** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4} */
@@ -83,13 +86,43 @@ static void across(double a[3], const double n[3])
         a[k] -= along * n[k];
 }
 
-/** Of a velocity a against which mass resists: the impulse, and what is lost by it. */
-static double decay(double mass, double c, double t, double a[3])
+/** What the springs of friction hold at a touch, and how much of F_n they may; nothing where there is no friction. */
+static const vti_held *held_at(const vti_dashpots *p, const struct place *at)
 {
-    const double gone = vti_decay(c * t / mass).gone, lost = mass * gone * (1.0 - 0.5 * gone) * vti_dot(a, a);
+    static const vti_held none;
+    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
+        return &none;
+    const vti_held *held =
+        vti_history_find(p->friction->history, at->touch.i + 1, at->touch.j >= 0 ? at->touch.j + 1 : -1 - at->plane);
+    return held != NULL ? held : &none;
+}
+
+/** Spring and dashpot together obey the limit: the largest s in [0, 1] with |-t f + s p| <= t limit, f being what the
+ *  spring holds. A = p.p, B = -t f.p, C = min(0, t^2 (f.f - limit^2)), q = sqrt(B^2 - A C). */
+static double limited(const double p[3], const double f[3], double t, double limit)
+{
+    const double a = vti_dot(p, p), b = -t * vti_dot(f, p), over = t * t * (vti_dot(f, f) - limit * limit),
+                 c = over < 0.0 ? over : 0.0, q = sqrt(b * b - a * c);
+    if (!(a > 0.0))
+        return 1.0;
+    const double s = b > 0.0 ? -c / (b + q) : (q - b) / a;
+    return s < 1.0 ? s : 1.0;
+}
+
+/** Of a velocity a against which mass resists: becomes the impulse; share is the limit's of F_n, 0: none. Returns what
+ *  is lost by it. */
+static double decay(const struct place *at, double mass, double c, double t, double share_of_force, const double f[3],
+                    double a[3])
+{
+    const double gone = vti_decay(c * t / mass).gone, v2 = vti_dot(a, a), delta = at->touch.delta;
+    double s = 1.0;
     for (int k = 0; k < 3; ++k)
         a[k] *= -mass * gone;
-    return lost;
+    if (share_of_force > 0.0)
+        s = limited(a, f, t, delta > 0.0 ? share_of_force * at->k_h * delta * sqrt(delta) : 0.0);
+    for (int k = 0; k < 3; ++k)
+        a[k] *= s;
+    return mass * s * gone * (1.0 - 0.5 * s * gone) * v2;
 }
 
 static void flow_tangential(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
@@ -99,7 +132,9 @@ static void flow_tangential(const vti_dashpots *p, const struct place *at, const
         c += p->ratio * normal_coefficient(p, at);
     vti_touch_velocities(&at->touch, b, u, w);
     across(u, at->touch.n);
-    vti_sum_add(&p->lost[TANGENTIAL], decay(vti_touch_tangential_mass(&at->touch), c, t, u));
+    vti_sum_add(&p->lost[TANGENTIAL],
+                decay(at, vti_touch_tangential_mass(&at->touch), c, t, p->friction != NULL ? p->friction->sliding : 0.0,
+                      held_at(p, at)->sliding, u));
     vti_touch_push(&at->touch, b, u);
 }
 
@@ -108,18 +143,22 @@ static void flow_rolling(const vti_dashpots *p, const struct place *at, const vt
     double u[3], w[3];
     vti_touch_velocities(&at->touch, b, u, w);
     across(w, at->touch.n);
-    vti_sum_add(&p->lost[ROLLING], decay(vti_touch_rolling_inertia(&at->touch), p->rolling * at->touched, t, w));
+    vti_sum_add(&p->lost[ROLLING], decay(at, vti_touch_rolling_inertia(&at->touch), p->rolling * at->touched, t,
+                                         p->friction != NULL ? p->friction->rolling : 0.0, held_at(p, at)->rolling, w));
     vti_touch_turn(&at->touch, b, w);
 }
 
 static void flow_twisting(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
 {
-    double u[3], w[3];
+    double u[3], w[3], load[3];
     vti_touch_velocities(&at->touch, b, u, w);
     const double wn = vti_dot(w, at->touch.n);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
         w[k] = wn * at->touch.n[k];
-    vti_sum_add(&p->lost[TWISTING], decay(vti_touch_rolling_inertia(&at->touch), p->twisting * at->touched, t, w));
+        load[k] = held_at(p, at)->twisting * at->touch.n[k];
+    }
+    vti_sum_add(&p->lost[TWISTING], decay(at, vti_touch_rolling_inertia(&at->touch), p->twisting * at->touched, t,
+                                          p->friction != NULL ? p->friction->twisting : 0.0, load, w));
     vti_touch_turn(&at->touch, b, w);
 }
 
@@ -184,7 +223,8 @@ static void visit_planes(const struct sweep *s)
     struct place at;
     for (int64_t k = 0; k < all; ++k) {
         const int64_t turn = s->drift < 0.0 ? all - 1 - k : k;
-        if (vti_touch_plane(&at.touch, walls, s->b, turn / n, s->b->first + turn % n, s->p->reach))
+        at.plane = turn / n;
+        if (vti_touch_plane(&at.touch, walls, s->b, at.plane, s->b->first + turn % n, s->p->reach))
             visit(s, &at, walls->stiffness);
     }
 }
@@ -233,11 +273,13 @@ double vti_dashpots_zeta(double e, int64_t pull)
         return NAN;
     while (!pull && high < 1e12 && restitution(high, pull) > e)
         high *= 2.0;
-    for (double middle = 0.5; middle > low && middle < high; middle = 0.5 * (low + high))
+    for (int k = 0; k < 100; ++k) { /* halved until no number is left between them */
+        const double middle = 0.5 * (low + high);
         if (restitution(middle, pull) > e)
             low = middle;
         else
             high = middle;
+    }
     return e < 1.0 ? high : 0.0;
 }
 

@@ -25,4 +25,13 @@ static inline double vti_hertz_stiffness(double stiffness, double o)
     return 1.5 * stiffness * sqrt(o >= 0.0 ? o : NAN);
 }
 
+/** How many spheres of radius least and more, of the n that there are, a sphere may touch with an overlap of up to the
+ *  share o: they are 2 psi apart and more, seen from it, sin psi = (1 - o) least/(radius + least), and z caps of that
+ *  angle cover a sphere at most: z (1 - cos psi) <= 2. */
+static inline double vti_cage(int64_t n, double radius, double least, double o)
+{
+    const double sine = o < 1.0 ? (1.0 - o) * (least / (radius + least)) : 0.0, s2 = sine * sine;
+    return fmin((double)(n - 1), 2.0 * (1.0 + sqrt(1.0 - s2)) / s2);
+}
+
 #endif

@@ -42,10 +42,7 @@ static const struct scene_field fields[] = {
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct dashpot_settings *d = settings;
-    int touches = 0;
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        touches |= scene->has[k] && kinds_at(k)->surfaces != NULL;
-    if (!touches)
+    if (!scene_has_trait(scene, EFFECT_SURFACES))
         return scene_reader_fail(reader, "dashpot", "nothing touches; give contact or wall");
     if (scene_reader_has(reader, "dashpot.restitution") && scene_reader_has(reader, "dashpot.zeta"))
         return scene_reader_fail(reader, "dashpot.restitution", "given with dashpot.zeta; keep one of them");
@@ -95,9 +92,13 @@ static int make(struct effect *e, const struct model *model, const struct table 
     (void)table;
     if (dashpots == NULL)
         return -1;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->surfaces != NULL)
-            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *other = &model->rooms[k];
+        if (other->kind->surfaces != NULL)
+            other->kind->surfaces(other, &surfaces);
+        if (other->kind->friction != NULL)
+            dashpots->friction = other->kind->friction(other);
+    }
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;

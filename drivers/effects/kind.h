@@ -77,6 +77,15 @@ struct effect_invariants {
     void (*values)(const struct effect *e, const vti_bodies *bodies, double *values);
 };
 
+/** What it remembers from step to step, which with the bodies and booked energies is all that a run goes on from. */
+struct effect_memory_of {
+    int64_t (*size)(const struct effect *e); /* doubles, now */
+    void (*get)(const struct effect *e, double *memory);
+    /** Takes what get has put there, at most left doubles. Returns how many they were, or -1: they are none of these, or
+     *  there is no memory. */
+    int64_t (*put)(struct effect *e, const double *memory, int64_t left);
+};
+
 /** What it follows along a run, and what a run must keep of it to go on with the same bits. */
 struct effect_watch {
     /** At t = 0, or before put. Returns 0, or -1 if there is no memory. */
@@ -149,7 +158,10 @@ struct effect_kind {
     const struct effect_planes *planes;
     /** Fills in what touches in it, and leaves the rest of *surfaces as it is. */
     void (*surfaces)(const struct effect *e, struct effect_surfaces *surfaces);
+    /** The friction where they touch. */
+    const vti_friction *(*friction)(const struct effect *e);
     const struct effect_watch *watch;
+    const struct effect_memory_of *memory; /* beside booked energies */
 };
 
 /** Makes self, of so many bytes and zeros. Returns it, or NULL with one line in *message. */

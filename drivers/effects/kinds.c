@@ -69,6 +69,7 @@ int kinds_has(const struct effect_kind *kind, const union effect_settings *all, 
     return trait == EFFECT_TRANSLATING ? translates
            : trait == EFFECT_STIFF     ? translates && kind->field == NULL
            : trait == EFFECT_SPHERES   ? kind->spheres
+           : trait == EFFECT_SURFACES  ? kind->surfaces != NULL
            : trait == EFFECT_NEAR      ? kind->near
                                        : !draft.smooth;
 }
@@ -189,7 +190,7 @@ int kinds_check_made(const struct effect_kind *kind, const vti_effect *draft, co
         draft->smooth != made->smooth)
         return fail((int)kind->number, "draft",
                     "needs or gives something else than the effect, or is smooth where it is not", message);
-    if ((made->terms + made->books > 0) != (kind->terms_count > 0))
+    if (made->apply != NULL && (made->terms > 0) != (kind->terms_count > 0))
         return fail((int)kind->number, "terms", "the effect has some and there are no rows for them, or the reverse",
                     message);
     return check_names(kind, made->term, made->terms, message) != 0

@@ -10,7 +10,8 @@
 #include "message.h"
 #include "vti.h"
 
-#define EFFECT_KINDS(KIND) KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(dashpot) KIND(gravity) KIND(pendulum)
+#define EFFECT_KINDS(KIND)                                                                                             \
+    KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(friction) KIND(dashpot) KIND(gravity) KIND(pendulum)
 
 #define EFFECT_NUMBER(NAME) EFFECT_##NAME,
 enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };
@@ -48,6 +49,7 @@ vti_effect kinds_draft(const struct effect_kind *kind, const union effect_settin
 enum effect_trait {
     EFFECT_TRANSLATING, /* acts on bodies that translate: gives a force, needs positions, or holds bodies together */
     EFFECT_SPHERES,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
+    EFFECT_SURFACES,    /* has surfaces, which others damp and rub */
     EFFECT_NEAR,        /* looks at pairs that touch only at the end of the step, too */
     EFFECT_KINKED,      /* its force has kinks: where a contact begins, say */
     EFFECT_STIFF        /* pushes bodies that translate, and not all of them alike */

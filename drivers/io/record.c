@@ -96,6 +96,13 @@ int fields_read(const char *text, int *fields, struct message *message)
 
 int fields_check(int fields, const struct model *model, struct message *message)
 {
+    for (int64_t e = 0; e < model->effects_count && fields != 0; ++e)
+        if (model->effects[e].carry != NULL)
+            return message_set(
+                message,
+                "--fields: the forces of %s depend on what was before, which frames do not hold; leave it "
+                "out",
+                model->effects[e].name);
     const vti_bodies *b = &model->bodies;
     const int there = (b->force.c[0] != NULL ? FIELD_FORCE : 0) | (b->moment.c[0] != NULL ? FIELD_MOMENT : 0);
     for (int k = 0; k < ALL; ++k)

@@ -107,33 +107,56 @@ const vti_effect *model_dissipates(const struct model *model)
     return NULL;
 }
 
+enum { BOOKS = 2 * VTI_TERMS }; /* doubles */
+
 int64_t model_memory_size(const struct model *model)
 {
     int64_t size = 0;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        size += model->effects[k].books > 0 ? 2 * VTI_TERMS : 0;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
+        size += model->effects[k].books > 0 ? BOOKS : 0;
+        size += e->kind->memory != NULL ? e->kind->memory->size(e) : 0;
+    }
     return size;
 }
 
 void model_memory_get(const struct model *model, double *memory)
 {
-    for (int64_t k = 0; k < model->rooms_count; ++k)
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
         for (int j = 0; model->effects[k].books > 0 && j < VTI_TERMS; ++j) {
-            *memory++ = model->rooms[k].booked[j].high;
-            *memory++ = model->rooms[k].booked[j].low;
+            *memory++ = e->booked[j].high;
+            *memory++ = e->booked[j].low;
         }
+        if (e->kind->memory == NULL)
+            continue;
+        e->kind->memory->get(e, memory);
+        memory += e->kind->memory->size(e);
+    }
 }
 
 int model_memory_put(struct model *model, const double *memory, int64_t size)
 {
-    if (size != model_memory_size(model))
-        return -1;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        for (int j = 0; model->effects[k].books > 0 && j < VTI_TERMS; ++j) {
-            model->rooms[k].booked[j].high = *memory++;
-            model->rooms[k].booked[j].low = *memory++;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        const int books = model->effects[k].books > 0;
+        if (size < (books ? BOOKS : 0))
+            return -1;
+        for (int j = 0; books && j < VTI_TERMS; ++j) {
+            e->booked[j].high = memory[2 * j];
+            e->booked[j].low = memory[2 * j + 1];
         }
-    return 0;
+        memory += books ? BOOKS : 0;
+        size -= books ? BOOKS : 0;
+        if (e->kind->memory == NULL)
+            continue;
+        const int64_t taken = e->kind->memory->put(e, memory, size);
+        if (taken < 0)
+            return -1;
+        memory += taken;
+        size -= taken;
+    }
+    return size == 0 ? 0 : -1;
 }
 
 /* ---- texts ------------------------------------------------------------------------------------------------------- */

@@ -25,6 +25,9 @@ program test_fortran_layout
     call pendulum()
     call gravity()
     call drag()
+    call held()
+    call history()
+    call friction()
     call dashpots()
     call bonds()
     call contacts()
@@ -138,10 +141,30 @@ contains
             c_loc(t%angular), c_loc(t%medium), c_loc(t%lost)])])
     end subroutine
 
+    subroutine held()
+        type(vti_held), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%i), c_loc(t%j), c_loc(t%sliding), &
+            c_loc(t%rolling), c_loc(t%twisting)])])
+    end subroutine
+
+    subroutine history()
+        type(vti_history), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%slots), c_loc(t%used), c_loc(t%missed), &
+            c_loc(t%slot)])])
+    end subroutine
+
+    subroutine friction()
+        type(vti_friction), target :: t
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), &
+            c_loc(t%sliding), c_loc(t%rolling), c_loc(t%twisting), c_loc(t%stiffness), c_loc(t%mindlin), &
+            c_loc(t%rolling_stiffness), c_loc(t%twisting_stiffness), c_loc(t%reach), c_loc(t%history), c_loc(t%lost)])])
+    end subroutine
+
     subroutine dashpots()
         type(vti_dashpots), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), c_loc(t%zeta), &
-            c_loc(t%normal), c_loc(t%tangential), c_loc(t%ratio), c_loc(t%rolling), c_loc(t%twisting), &
+        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), &
+            c_loc(t%friction), c_loc(t%zeta), c_loc(t%normal), c_loc(t%tangential), c_loc(t%ratio), &
+            c_loc(t%rolling), c_loc(t%twisting), &
             c_loc(t%pull), c_loc(t%reach), c_loc(t%lost)])])
     end subroutine
 

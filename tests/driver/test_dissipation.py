@@ -28,6 +28,7 @@ bodies:
   random: {seed: 1, v: 0.5}
 contact: {stiffness: 1e4}
 wall: {stiffness: 1e4, planes: [[0, 0, 1, 0], [1, 0, 0, 0], [-1, 0, 0, -2.3], [0, 1, 0, 0], [0, -1, 0, -2.3]]}
+friction: {sliding: 0.5, poisson: 0.3, rolling: 0.05, rolling_stiffness: 100, twisting: 0.02, twisting_stiffness: 100}
 dashpot: {restitution: 0.5, ratio: 0.5, rolling: 0.1, twisting: 0.1}
 gravity: [0, 0, -9.81]
 h: 1/512
@@ -48,7 +49,8 @@ def ledger(base, name):
     names, rows = read_csv(f"{base}/{name}/out.csv")
     columns = dict(zip(names, rows.T))
     lost = [key for key in columns if key.startswith("lost_")]
-    held = sum(columns[key] for key in columns if key.startswith("kinetic_") or key in ("gravity", "contact", "wall"))
+    held = sum(columns[key] for key in columns if key.startswith("kinetic_") or key in ("gravity", "contact", "wall")
+               or key.startswith("friction_"))
     taken = sum(columns[key] for key in lost)
     check(lost and all(columns[key][0] == 0 and columns[key][-1] > 0 for key in lost), f"... from 0 on it loses: {lost}")
     scale = max(abs(held)) + max(abs(taken))
@@ -63,6 +65,9 @@ def ledger(base, name):
 
 
 def refusals(base):
+    remembers = run(RUN, f"{base}/heap.yaml", "--fields", "force", "-o", f"{base}/none.h5")
+    check(remembers.returncode == 1 and "--fields: the forces of friction depend on what was before" in remembers.stderr,
+          f"--fields: {remembers.stderr.strip()}")
     path = f"{base}/fall.yaml"
     for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone")):
         result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/none.h5")

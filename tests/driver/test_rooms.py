@@ -17,7 +17,7 @@ from tally import check, conclude
 root, vti_run = map(os.path.abspath, sys.argv[1:])
 listed = [line.split("\t")[0] for line in run(vti_run, "--list", "effects").stdout.splitlines()]
 names = "|".join(listed)
-LIBRARY = "vti_(?:bonds|contacts|walls|dashpots|drag|gravity|pendulum)"
+LIBRARY = "vti_(?:bonds|contacts|walls|friction|dashpots|drag|gravity|pendulum)"
 IDENTIFIER = re.compile(rf"\b(?:has_(?:{names})|EFFECT_(?:{names})|effect_(?:{names})|{names}|{LIBRARY}\w*)\b")
 WORD = re.compile(rf"(?:{names})(?:[._](?!yaml)\w+)*")     # "binder", "binder.shear.form", "binder_shear"; not "pendulum.yaml"
 SCENES = ("figures.py", "advice.py", "claims.py", "accuracy.py")
@@ -68,7 +68,7 @@ for path in glob.glob(os.path.join(root, "drivers", "effects", "*.c")):
     with open(path, encoding="utf-8") as file:
         rooms += re.findall(r"^const struct effect_kind effect_(\w+) =", file.read(), flags=re.M)
 with open(os.path.join(root, "drivers", "effects", "kinds.h"), encoding="utf-8") as file:
-    kinds = re.findall(r"KIND\((\w+)\)", re.search(r"#define EFFECT_KINDS\(KIND\)(.*)", file.read()).group(1))
+    kinds = re.findall(r"KIND\((\w+)\)", re.search(r"#define EFFECT_KINDS\(KIND\)((?:.*\\\n)*.*)", file.read()).group(1))
 check(sorted(rooms) == sorted(kinds), f"kinds.h lists the effects that have a room: {sorted(rooms)}, {sorted(kinds)}")
 check(len(kinds) == len(listed), f"... and vti-run knows them: {listed}")
 conclude()

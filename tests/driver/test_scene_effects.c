@@ -91,6 +91,19 @@ static const struct refusal refused[] = {
      "2:19: drag.quadratic: acts on bodies that translate; give bodies.x or an arrangement of them"},
     {POINT "drag: {angular: 1}\n" TIME, "2:17: drag.angular: acts on bodies that turn; give bodies.omega"},
 
+    /* friction */
+    {CHAIN "friction: {sliding: 1, poisson: 0.3}\n" TIME, "2:1: friction: nothing touches; give contact or wall"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {poisson: 0.3}\n" TIME,
+     "3:1: friction: no coefficient above 0; give sliding, rolling or twisting"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1}\n" TIME,
+     "3:21: friction.sliding: has no stiffness; give friction.stiffness or friction.poisson"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1, stiffness: 1, poisson: 0.3}\n" TIME,
+     "3:47: friction.poisson: given with friction.stiffness; keep one of them"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {sliding: 1, poisson: 0.7}\n" TIME,
+     "3:33: friction.poisson: '0.7' is above 0.5; no material has that"},
+    {CHAIN "contact: {stiffness: 1}\nfriction: {rolling: 1}\n" TIME,
+     "3:21: friction.rolling: has no stiffness; give friction.rolling_stiffness"},
+
     /* dashpot */
     {CHAIN "dashpot: {zeta: 1}\n" TIME, "2:1: dashpot: nothing touches; give contact or wall"},
     {CHAIN "contact: {stiffness: 1}\ndashpot: {zeta: 1, restitution: 0.5}\n" TIME,

@@ -15,6 +15,8 @@ static int reached(int status)
     static const double zero = 0, negative = -1;
     vti_sum lost[VTI_DRAG_BOOKS];
     vti_drag drag = {.lost = lost};
+    vti_held held = {.i = 1, .j = 2};
+    vti_history history = {.slots = 3, .slot = &held};
     const vti_stepper *const vti1 = vti_stepper_find("vti1");
     crowd_clear(&c, 2, CROWD_ALPHA);
     vti_bodies b = crowd_bodies(&c);
@@ -85,6 +87,8 @@ static int reached(int status)
         drag.linear = vti_scalars_one(&negative);
         effect = vti_drag_effect(&drag);
         return vti_effects_check(&effect, 1, &b, &fault);
+    case VTI_E_HISTORY:
+        return vti_history_add(&history, &held);
     default:
         break;
     }
@@ -117,7 +121,7 @@ TEST(every_status)
 {
     int count = 0;
     for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
-        fault.quantity = status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS
+        fault.quantity = status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS || status == VTI_E_HISTORY
                              ? VTI_QUANTITY_NONE
                              : -7; /* those calls have no fault to fill */
         assert_int_equal(reached(status), status);

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Friction where spheres touch each other and walls: sliding, rolling, twisting (EQUATIONS 6.5). */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "hertz.h"
+#include "kind.h"
+#include "model.h"
+#include "scene_reader.h"
+
+struct friction_settings {
+    double sliding, stiffness, poisson, rolling, rolling_stiffness, twisting, twisting_stiffness;
+};
+
+struct friction_self {
+    vti_friction friction;
+    vti_history history; /* with room for twice as many touches as there may be after the next drift */
+    vti_scalars diameter;
+};
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+#define NUMBER_AT(KEY, RANGE, ABOUT, SAYS)                                                                             \
+    {                                                                                                                  \
+        "friction." #KEY, SCENE_NUMBER, SCENE_MAY, RANGE, offsetof(struct friction_settings, KEY), ABOUT, SAYS, NULL   \
+    }
+static const struct scene_field fields[] = {
+    {"friction", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "friction of contacts and walls",
+     "Springs that slide where they would hold more than a share of the normal force; bodies turn then, and steppers "
+     "with "
+     "negative coefficients are refused.",
+     NULL},
+    NUMBER_AT(sliding, SCENE_NOT_NEGATIVE, "coefficient mu", "Sliding friction is at most mu times the normal force."),
+    NUMBER_AT(stiffness, SCENE_POSITIVE, "tangential stiffness", "Force per length of the sliding spring, a constant."),
+    NUMBER_AT(poisson, SCENE_NOT_NEGATIVE, "Poisson's ratio nu",
+              "In place of stiffness: 2 (1 - nu)/(2 - nu) times the normal stiffness, which changes with the overlap "
+              "(Mindlin)."),
+    NUMBER_AT(rolling, SCENE_NOT_NEGATIVE, "length mu_r",
+              "The moment against rolling is at most mu_r times the force."),
+    NUMBER_AT(rolling_stiffness, SCENE_POSITIVE, "rolling stiffness", "Moment per angle."),
+    NUMBER_AT(twisting, SCENE_NOT_NEGATIVE, "length mu_w",
+              "The moment against turning about the normal is at most mu_w times the force."),
+    NUMBER_AT(twisting_stiffness, SCENE_POSITIVE, "twisting stiffness", "Moment per angle."),
+};
+#undef NUMBER_AT
+
+/** A coefficient and its stiffness go together. */
+static int check_pair(const struct scene_reader *reader, const char *limit, double value, const char *stiffness)
+{
+    if (value > 0.0 && !scene_reader_has(reader, stiffness))
+        return scene_reader_fail(reader, limit, "has no stiffness; give %s", stiffness);
+    return 0;
+}
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    const struct friction_settings *f = settings;
+    const int linear = scene_reader_has(reader, "friction.stiffness"),
+              mindlin = scene_reader_has(reader, "friction.poisson");
+    if (!scene_has_trait(scene, EFFECT_SURFACES))
+        return scene_reader_fail(reader, "friction", "nothing touches; give contact or wall");
+    if (!(f->sliding > 0.0 || f->rolling > 0.0 || f->twisting > 0.0))
+        return scene_reader_fail(reader, "friction", "no coefficient above 0; give sliding, rolling or twisting");
+    if (linear && mindlin)
+        return scene_reader_fail(reader, "friction.poisson", "given with friction.stiffness; keep one of them");
+    if (f->sliding > 0.0 && !linear && !mindlin)
+        return scene_reader_fail(reader, "friction.sliding",
+                                 "has no stiffness; give friction.stiffness or friction.poisson");
+    if (f->poisson > 0.5)
+        return scene_reader_fail(reader, "friction.poisson", "'%s' is above 0.5; no material has that",
+                                 scene_reader_value(reader, "friction.poisson"));
+    return check_pair(reader, "friction.rolling", f->rolling, "friction.rolling_stiffness") != 0
+               ? -1
+               : check_pair(reader, "friction.twisting", f->twisting, "friction.twisting_stiffness");
+}
+
+/* ---- what it remembers ------------------------------------------------------------------------------------------- */
+
+/** Room for so many touches. Returns 0, or -1 if there is no memory. */
+static int make_room(struct friction_self *self, int64_t touches)
+{
+    vti_history next = {64, 0, 0, NULL};
+    while (next.slots < 2 * touches)
+        next.slots *= 2;
+    if (next.slots <= self->history.slots)
+        return 0;
+    next.slot = calloc((size_t)next.slots, sizeof *next.slot);
+    if (next.slot == NULL)
+        return -1;
+    for (int64_t k = 0; k < self->history.slots; ++k)
+        if (self->history.slot[k].i != 0)
+            vti_history_add(&next, &self->history.slot[k]);
+    free(self->history.slot);
+    self->history = next;
+    return 0;
+}
+
+/** Bodies that may touch planes after the next drift, once for each: nearer than their diameter. */
+static int64_t near_planes(const struct friction_self *self, const vti_bodies *b)
+{
+    const vti_walls *walls = self->friction.walls;
+    int64_t count = 0;
+    for (int64_t w = 0; walls != NULL && w < walls->count; ++w)
+        for (int64_t i = 0; i < b->count; ++i) {
+            const double *n = walls->plane + 4 * w;
+            const int64_t at = i * b->x.stride;
+            const double x[3] = {b->x.c[0][at], b->x.c[1][at], b->x.c[2][at]};
+            count += vti_dot(n, x) - n[3] < 1.5 * self->diameter.p[i * self->diameter.stride];
+        }
+    return count;
+}
+
+static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
+{
+    struct friction_self *self = e->self;
+    const int64_t pairs = self->friction.contacts != NULL ? self->friction.contacts->count : 0;
+    if (make_room(self, self->history.used + pairs + near_planes(self, bodies)) == 0)
+        return 0;
+    return message_set(message, "friction: out of memory for %lld touches; use fewer bodies", (long long)pairs);
+}
+
+enum { HELD = 9 }; /* doubles of a touch */
+
+static int64_t size(const struct effect *e)
+{
+    return 1 + HELD * ((const struct friction_self *)e->self)->history.used;
+}
+
+static void get(const struct effect *e, double *memory)
+{
+    const vti_history *history = &((const struct friction_self *)e->self)->history;
+    *memory++ = (double)history->used;
+    for (int64_t k = 0; k < history->slots; ++k) {
+        const vti_held *held = &history->slot[k];
+        if (held->i == 0)
+            continue;
+        *memory++ = (double)held->i;
+        *memory++ = (double)held->j;
+        for (int c = 0; c < 3; ++c)
+            *memory++ = held->sliding[c];
+        for (int c = 0; c < 3; ++c)
+            *memory++ = held->rolling[c];
+        *memory++ = held->twisting;
+    }
+}
+
+static int64_t put(struct effect *e, const double *memory, int64_t left)
+{
+    struct friction_self *self = e->self;
+    const double count = left > 0 ? memory[0] : -1.0;
+    if (!(count >= 0.0 && count <= (double)((left - 1) / HELD)))
+        return -1;
+    free(self->history.slot);
+    self->history = (vti_history){0, 0, 0, NULL};
+    if (make_room(self, (int64_t)count) != 0)
+        return -1;
+    const double *at = memory + 1;
+    for (int64_t k = 0; k < (int64_t)count; ++k, at += HELD) {
+        const vti_held held = {(int64_t)at[0], (int64_t)at[1], {at[2], at[3], at[4]}, {at[5], at[6], at[7]}, at[8]};
+        if (vti_history_add(&self->history, &held) != VTI_OK)
+            return -1;
+    }
+    return 1 + HELD * (int64_t)count;
+}
+
+static const struct effect_memory_of remembered = {size, get, put};
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+/** All but what touches. */
+static void fill(vti_friction *friction, const struct friction_settings *f, vti_history *history, vti_sum *lost)
+{
+    friction->sliding = f->sliding;
+    friction->stiffness = f->sliding > 0.0 ? f->stiffness : 0.0;
+    friction->mindlin = f->sliding > 0.0 && f->stiffness == 0.0 ? 2.0 * (1.0 - f->poisson) / (2.0 - f->poisson) : 0.0;
+    friction->rolling = f->rolling;
+    friction->rolling_stiffness = f->rolling_stiffness;
+    friction->twisting = f->twisting;
+    friction->twisting_stiffness = f->twisting_stiffness;
+    friction->history = history;
+    friction->lost = lost;
+}
+
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static vti_sum nothing[VTI_FRICTION_BOOKS];
+    static vti_history empty;
+    static const vti_walls none;
+    vti_friction friction = {.walls = &none};
+    (void)table;
+    fill(&friction, settings, &empty, nothing);
+    vti_effect effect = vti_friction_effect(&friction);
+    effect.self = effect.booked = NULL;
+    return effect;
+}
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    struct friction_self *self = effect_memory(e, sizeof *self, message);
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY};
+    (void)table;
+    if (self == NULL)
+        return -1;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->surfaces != NULL)
+            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    self->diameter = model->diameter;
+    self->friction.contacts = surfaces.contacts;
+    self->friction.walls = surfaces.walls;
+    self->friction.reach = surfaces.reach;
+    fill(&self->friction, e->settings, &self->history, e->booked);
+    *made = vti_friction_effect(&self->friction);
+    return make_room(self, 0) == 0 ? 0
+                                   : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+}
+
+static void destroy(struct effect *e)
+{
+    free(((struct friction_self *)e->self)->history.slot);
+}
+
+static const vti_friction *friction_of(const struct effect *e)
+{
+    return &((const struct friction_self *)e->self)->friction;
+}
+
+static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size_of_text)
+{
+    if (stable->j >= 0)
+        snprintf(text, size_of_text, "friction of bodies %lld and %lld", (long long)stable->i, (long long)stable->j);
+    else
+        snprintf(text, size_of_text,
+                 at != NULL && at->meet ? "friction that may come to body %lld" : "friction at body %lld",
+                 (long long)stable->i);
+}
+
+static const struct effect_term terms[] = {
+    {"friction_sliding", "$U^{\\mathrm{t}}$", "friction springs", "#F0E442"},
+    {"friction_rolling", "$U^{\\mathrm{r}}$", "rolling springs", "#CC79A7"},
+    {"friction_twisting", "$U^{\\mathrm{w}}$", "twisting springs", "#56B4E9"},
+    {"lost_friction_sliding", "$Q^{\\mathrm{ft}}$", "lost to sliding", "#BB5566"},
+    {"lost_friction_rolling", "$Q^{\\mathrm{fr}}$", "lost to rolling", "#117733"},
+    {"lost_friction_twisting", "$Q^{\\mathrm{fw}}$", "lost to twisting", "#004488"}};
+
+const struct effect_kind effect_friction = {.number = EFFECT_friction,
+                                            .key = "friction",
+                                            EFFECT_FIELDS(fields),
+                                            .settings = sizeof(struct friction_settings),
+                                            .check = check,
+                                            .draft = draft,
+                                            .spheres = 1,
+                                            .near = 1,
+                                            .make = make,
+                                            .destroy = destroy,
+                                            .find_pairs = find_pairs,
+                                            EFFECT_TERMS(terms),
+                                            .limit = limit,
+                                            .friction = friction_of,
+                                            .memory = &remembered};

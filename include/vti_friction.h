@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * The effect of friction where bodies touch each other or planes, and the memory of what each touch holds. */
+#ifndef VTI_FRICTION_H
+#define VTI_FRICTION_H
+
+#include "vti_contact.h"
+#include "vti_effect.h"
+#include "vti_wall.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Entries of vti_friction.lost. */
+enum { VTI_FRICTION_BOOKS = 3 };
+
+/** What the springs of one touch hold, on body i against the other: loads across the normal, and the moment about it. */
+typedef struct vti_held {
+    int64_t i;         /**< 1 + body, from 0; 0: this slot is empty */
+    int64_t j;         /**< 1 + the other body; -1 - w: plane w, from 0 */
+    double sliding[3]; /**< force */
+    double rolling[3]; /**< moment */
+    double twisting;   /**< moment about the normal from j to i */
+} vti_held;
+
+/** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
+ *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
+ *  pairs may change in any way while it stays. */
+typedef struct vti_history {
+    int64_t slots;  /**< a power of 2, above the number of touches; twice as many are fast */
+    int64_t used;   /**< touches that hold something */
+    int64_t missed; /**< touches for which there was no room: calls return VTI_E_HISTORY from then on */
+    vti_held *slot; /**< [slots] */
+} vti_history;
+
+/** Puts what a touch holds into the table: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY if
+ *  there is no room, or slots is not a power of 2. */
+VTI_API int vti_history_add(vti_history *history, const vti_held *held);
+
+/** Friction of contacts and planes: springs that stretch as surfaces move over each other and slide where they would
+ *  hold more than the limit, of three motions (EQUATIONS 6.5):
+ *
+ *      sliding      load |f| <= sliding F_n        stiffness, or mindlin times the stiffness k_n of the contact
+ *      rolling      moment |f| <= rolling F_n      rolling_stiffness
+ *      twisting     moment |f| <= twisting F_n     twisting_stiffness
+ *
+ *  F_n is the elastic force of the contact. After each drift springs are carried along with their pair through turns of
+ *  any size, by the drift's own increments, and returned to the limit to second order. Total momentum and angular
+ *  momentum are kept to rounding. A motion whose coefficient is 0 does not exist. */
+typedef struct vti_friction {
+    const vti_contacts *contacts; /**< as in vti_dashpots */
+    const vti_walls *walls;
+    double sliding;            /**< coefficient mu */
+    double rolling;            /**< length: mu_r, about mu times the radius or less */
+    double twisting;           /**< length */
+    double stiffness;          /**< of sliding, force/length */
+    double mindlin;            /**< in place of it: the ratio of the tangential to the normal stiffness, for bodies of
+                                       one material of Poisson's ratio nu 2 (1 - nu)/(2 - nu) */
+    double rolling_stiffness;  /**< moment */
+    double twisting_stiffness; /**< moment */
+    double reach;              /**< as in vti_dashpots */
+    vti_history *history;      /**< what the springs hold */
+    vti_sum *lost;             /**< [VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: the energy that
+                                       sliding, rolling and twisting have taken so far */
+} vti_friction;
+
+/** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs x,
+ *  v, an attitude, omega, mass and inertia. Energy terms, of the springs: "friction_sliding", "friction_rolling",
+ *  "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
+ *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
+ *  stiffness. */
+VTI_API vti_effect vti_friction_effect(const vti_friction *friction);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

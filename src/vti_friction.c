@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Friction: forces and energies of the springs, and the lists that they are gone through by; how springs are carried
+ * along is in vti_carry.h (EQUATIONS 6.5). The load f is what a spring holds back with: with the arms s_i d and s_j d
+ *
+ *     F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f       (sliding)
+ *     T_i -= f, T_j += f                                           (rolling; twisting with f n)                      */
+#include "vti_carry.h"
+#include "vti_hertz.h"
+
+/* ---- the table ----------------------------------------------------------------------------------------------------- */
+
+static int is_power_of_2(int64_t n)
+{
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+int vti_history_add(vti_history *history, const vti_held *held)
+{
+    if (history == NULL || history->slot == NULL || held == NULL)
+        return VTI_E_NULL;
+    if (!is_power_of_2(history->slots))
+        return VTI_E_HISTORY;
+    vti_held *const at = history->used < history->slots ? vti_history_at(history, held->i, held->j) : NULL;
+    if (at == NULL || (at->i == 0 && history->used + 1 >= history->slots))
+        return VTI_E_HISTORY;
+    history->used += at->i == 0;
+    *at = *held;
+    return VTI_OK;
+}
+
+/* ---- all touches, in the order of the lists ------------------------------------------------------------------------ */
+
+typedef void visitor(void *context, const struct vti_touch *touch, double stiffness, vti_held *held);
+
+/** Calls visit for all touches that hold something. */
+static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+{
+    struct vti_touch touch;
+    vti_held *held;
+    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
+        if (!vti_touch_pair(&touch, p->contacts, b, k, 0.0))
+            continue;
+        held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
+        if (held->i != 0)
+            visit(context, &touch, p->contacts->stiffness, held);
+    }
+    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            if (!vti_touch_plane(&touch, p->walls, b, w, i, 0.0))
+                continue;
+            held = vti_history_at(p->history, i + 1, -1 - w);
+            if (held->i != 0)
+                visit(context, &touch, p->walls->stiffness, held);
+        }
+}
+
+/* ---- forces and energies ------------------------------------------------------------------------------------------- */
+
+static void push(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
+{
+    const vti_bodies *b = context;
+    double arm[3], moment[3];
+    (void)stiffness;
+    vti_cross(touch->n, held->sliding, arm);
+    if (vti_has(&b->force)) {
+        vti_touch_add(&b->force, touch->i, -1.0, held->sliding);
+        if (touch->j >= 0)
+            vti_touch_add(&b->force, touch->j, 1.0, held->sliding);
+    }
+    if (!vti_has(&b->moment))
+        return;
+    for (int k = 0; k < 3; ++k)
+        moment[k] = held->rolling[k] + held->twisting * touch->n[k];
+    vti_touch_add(&b->moment, touch->i, touch->s_i * touch->r, arm);
+    vti_touch_add(&b->moment, touch->i, -1.0, moment);
+    if (touch->j < 0)
+        return;
+    vti_touch_add(&b->moment, touch->j, touch->s_j * touch->r, arm);
+    vti_touch_add(&b->moment, touch->j, 1.0, moment);
+}
+
+static void apply(const void *self, const vti_bodies *b)
+{
+    vti_bodies all = *b;
+    visit_held(self, b, push, &all);
+}
+
+struct energies {
+    const vti_friction *p;
+    vti_sum sum[VTI_FRICTION_BOOKS];
+};
+
+/** |f|^2/(2 k) */
+static void add_energy(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
+{
+    struct energies *e = context;
+    const double k = vti_carry_stiffness(e->p, touch, stiffness, touch->delta);
+    if (k > 0.0)
+        vti_sum_add(&e->sum[0], 0.5 * vti_dot(held->sliding, held->sliding) / k);
+    if (e->p->rolling > 0.0)
+        vti_sum_add(&e->sum[1], 0.5 * vti_dot(held->rolling, held->rolling) / e->p->rolling_stiffness);
+    if (e->p->twisting > 0.0)
+        vti_sum_add(&e->sum[2], 0.5 * held->twisting * held->twisting / e->p->twisting_stiffness);
+}
+
+static int terms_of(const vti_friction *p)
+{
+    return p->twisting > 0.0 ? 3 : p->rolling > 0.0 ? 2 : 1;
+}
+
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    struct energies e = {.p = self};
+    visit_held(self, b, add_energy, &e);
+    for (int k = 0; k < terms_of(self); ++k)
+        energies[k] = vti_sum_value(&e.sum[k]);
+}
+
+/* ---- history ------------------------------------------------------------------------------------------------------- */
+
+/** Carries the springs of a touch, which begin where it does and leave the table where it ends. */
+static void carry_touch(const vti_friction *p, struct vti_carry *c, double stiffness, int64_t i, int64_t j)
+{
+    if (!(c->delta0 >= -p->reach) && c->touch.j >= 0)
+        return; /* lists need not have it */
+    vti_held *held = vti_history_at(p->history, i, j);
+    if (held->i == 0 && c->touch.delta <= 0.0)
+        return;
+    if (held->i == 0 && p->history->used + 1 >= p->history->slots) {
+        ++p->history->missed;
+        return;
+    }
+    if (held->i == 0) {
+        const vti_held none = {i, j, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+        *held = none;
+        ++p->history->used;
+    }
+    vti_carry_held(p, c, stiffness, held);
+    if (c->touch.delta <= 0.0)
+        vti_history_remove(p->history, held);
+}
+
+static void carry(const void *self, const vti_bodies *b, const vti_drifted *drifted)
+{
+    const vti_friction *p = self;
+    struct vti_carry c;
+    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k)
+        if (vti_touch_pair(&c.touch, p->contacts, b, k, INFINITY)) {
+            if (c.touch.delta <= 0.0 && vti_history_find(p->history, c.touch.i + 1, c.touch.j + 1) == NULL)
+                continue;
+            vti_carry_motion(&c, b, drifted);
+            carry_touch(p, &c, p->contacts->stiffness, c.touch.i + 1, c.touch.j + 1);
+        }
+    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i)
+            if (vti_touch_plane(&c.touch, p->walls, b, w, i, INFINITY)) {
+                if (c.touch.delta <= 0.0 && vti_history_find(p->history, i + 1, -1 - w) == NULL)
+                    continue;
+                vti_carry_motion(&c, b, drifted);
+                carry_touch(p, &c, p->walls->stiffness, i + 1, -1 - w);
+            }
+}
+
+/* ---- the stable step (EQUATIONS 6.10) ------------------------------------------------------------------------------ */
+
+/** The springs of a touch as it is (at NULL), or at the overlap of *at. */
+static void show(const vti_friction *p, struct vti_touch *touch, double stiffness, int64_t element,
+                 const vti_deformation *at, vti_spring_visit *visit, void *context)
+{
+    if (at == NULL && touch->delta <= 0.0)
+        return;
+    const double delta = at != NULL ? at->overlap * touch->length : touch->delta;
+    const vti_spring s = {.element = element,
+                          .i = touch->i,
+                          .j = touch->j,
+                          .length = touch->length,
+                          .shear = vti_carry_stiffness(p, touch, stiffness, delta) * touch->length * touch->length,
+                          .arm_i = touch->s_i,
+                          .arm_j = touch->s_j,
+                          .bend = p->rolling > 0.0 ? p->rolling_stiffness : 0.0,
+                          .twist = p->twisting > 0.0 ? p->twisting_stiffness : 0.0};
+    visit(context, &s);
+}
+
+/** Any two may touch: each body is held by twice its neighbours' springs to its place, as in vti_contact.c. */
+static void cages(const vti_friction *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                  void *context)
+{
+    double least = INFINITY;
+    for (int64_t i = b->first; i < b->first + b->count; ++i)
+        least = fmin(least, vti_scalar(&p->contacts->diameter, i));
+    for (int64_t i = b->first; b->count > 1 && i < b->first + b->count; ++i) {
+        const double radius = 0.5 * vti_scalar(&p->contacts->diameter, i);
+        const double z = 2.0 * vti_cage(b->count, radius, 0.5 * least, at->overlap);
+        struct vti_touch touch = {.i = i, .j = -1, .length = radius + 0.5 * least};
+        const double k = vti_carry_stiffness(p, &touch, p->contacts->stiffness, at->overlap * touch.length);
+        const vti_spring s = {.element = i,
+                              .i = i,
+                              .j = -1,
+                              .length = radius,
+                              .shear = z * k * radius * radius,
+                              .arm_i = 1.0,
+                              .bend = p->rolling > 0.0 ? z * p->rolling_stiffness : 0.0,
+                              .twist = p->twisting > 0.0 ? z * p->twisting_stiffness : 0.0};
+        visit(context, &s);
+    }
+}
+
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
+{
+    const vti_friction *p = self;
+    struct vti_touch touch;
+    if (p->contacts != NULL && at != NULL && at->meet)
+        cages(p, b, at, visit, context);
+    for (int64_t k = 0; p->contacts != NULL && !(at != NULL && at->meet) && k < p->contacts->count; ++k)
+        if (vti_touch_pair(&touch, p->contacts, b, k, INFINITY))
+            show(p, &touch, p->contacts->stiffness, k, at, visit, context);
+    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i)
+            if (vti_touch_plane(&touch, p->walls, b, w, i, INFINITY))
+                show(p, &touch, p->walls->stiffness, w, at, visit, context);
+    return VTI_OK;
+}
+
+/* ---- the effect ---------------------------------------------------------------------------------------------------- */
+
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_friction *p = self;
+    const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
+                          p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
+    int good = p->reach >= 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
+    for (int k = 0; k < 7; ++k)
+        good &= isfinite(all[k]) && all[k] >= 0.0;
+    good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
+    good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
+    (void)b;
+    if (!good)
+        return VTI_E_DAMPING;
+    if (p->history->slot == NULL || (p->contacts != NULL && (p->contacts->diameter.p == NULL ||
+                                                             (p->contacts->count > 0 && p->contacts->pair == NULL))))
+        return VTI_E_NULL;
+    return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
+}
+
+vti_effect vti_friction_effect(const vti_friction *friction)
+{
+    static const char *const term[] = {"friction_sliding", "friction_rolling", "friction_twisting"};
+    static const char *const book[VTI_FRICTION_BOOKS] = {"lost_friction_sliding", "lost_friction_rolling",
+                                                         "lost_friction_twisting"};
+    const vti_friction *p = friction;
+    if (p == NULL || p->lost == NULL || p->history == NULL || (p->contacts == NULL && p->walls == NULL))
+        return vti_effect_none();
+    const vti_effect effect = {.name = "friction",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = springs,
+                               .carry = carry,
+                               .self = p,
+                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA |
+                                        1 << VTI_QUANTITY_OMEGA,
+                               .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
+                               .breaks = p->walls != NULL ? 0777 : 0700,
+                               .dissipates = 1,
+                               .terms = terms_of(p),
+                               .term = term,
+                               .books = terms_of(p),
+                               .book = book,
+                               .booked = p->lost};
+    return effect;
+}
