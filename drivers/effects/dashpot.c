@@ -42,7 +42,7 @@ static const struct scene_field fields[] = {
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct dashpot_settings *d = settings;
-    if (!scene_has_trait(scene, EFFECT_SURFACES))
+    if (scene_first_with(scene, EFFECT_SURFACES) == NULL)
         return scene_reader_fail(reader, "dashpot", "nothing touches; give contact or wall");
     if (scene_reader_has(reader, "dashpot.restitution") && scene_reader_has(reader, "dashpot.zeta"))
         return scene_reader_fail(reader, "dashpot.restitution", "given with dashpot.zeta; keep one of them");

@@ -57,7 +57,7 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     const struct friction_settings *f = settings;
     const int linear = scene_reader_has(reader, "friction.stiffness"),
               mindlin = scene_reader_has(reader, "friction.poisson");
-    if (!scene_has_trait(scene, EFFECT_SURFACES))
+    if (scene_first_with(scene, EFFECT_SURFACES) == NULL)
         return scene_reader_fail(reader, "friction", "nothing touches; give contact or wall");
     if (!(f->sliding > 0.0 || f->rolling > 0.0 || f->twisting > 0.0))
         return scene_reader_fail(reader, "friction", "no coefficient above 0; give sliding, rolling or twisting");
@@ -148,7 +148,7 @@ static int64_t put(struct effect *e, const double *memory, int64_t left)
 {
     struct friction_self *self = e->self;
     const double count = left > 0 ? memory[0] : -1.0;
-    if (!(count >= 0.0 && count <= (double)((left - 1) / HELD)))
+    if (!(count >= 0.0 && HELD * count <= (double)(left - 1)))
         return -1;
     free(self->history.slot);
     self->history = (vti_history){0, 0, 0, NULL};

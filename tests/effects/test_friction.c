@@ -288,7 +288,7 @@ TEST(limits_and_momenta)
     int limited = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const double origin[3] = {0, 0, 0}, t = uniform(&g, 0.01, 0.2), mu = uniform(&g, 0.1, 1);
-        double f[3], v[3], along = 0, size = 0, sum[3] = {0}, turn[3] = {0};
+        double f[3], v[3], size = 0, sum[3] = {0}, turn[3] = {0};
         impact_clear(&m, 2, 0, 1e4);
         for (int i = 0; i < 2; ++i) {
             random_vector(&g, 1, m.c.v[i]);
@@ -313,7 +313,6 @@ TEST(limits_and_momenta)
         assert_int_equal(vti_effects_flow(effects, 2, t, 0, &m.b), VTI_OK);
         for (int k = 0; k < 3; ++k) {
             const double p = m.c.v[0][k] - v[k] - t * f[k];
-            along += p * f[k];
             size += p * p;
         }
         assert_below(sqrt(size), t * limit * (1 + 1e-9));
