@@ -238,7 +238,7 @@ static void limit(const vti_deformation *at, const vti_stable *stable, char *tex
 static const struct effect_term terms[] = {
     {"friction_sliding", "$U^{\\mathrm{t}}$", "friction springs", "#F0E442"},
     {"friction_rolling", "$U^{\\mathrm{r}}$", "rolling springs", "#CC79A7"},
-    {"friction_twisting", "$U^{\\mathrm{w}}$", "twisting springs", "#56B4E9"},
+    {"friction_twisting", "$U^{\\mathrm{w}}$", "twisting springs", "#BBBBBB"},
     {"lost_friction_sliding", "$Q^{\\mathrm{ft}}$", "lost to sliding", "#BB5566"},
     {"lost_friction_rolling", "$Q^{\\mathrm{fr}}$", "lost to rolling", "#117733"},
     {"lost_friction_twisting", "$Q^{\\mathrm{fw}}$", "lost to twisting", "#004488"}};
