@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !> The types and constants that Fortran declares are C's: sizes, the place of every member, texts.
 program test_fortran_layout
-    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_intptr_t, c_loc, c_ptr, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_intptr_t, c_loc, c_ptr, c_size_t, c_sizeof
     use common
     implicit none
     integer(c_int64_t) :: theirs(200), count
@@ -14,29 +14,7 @@ program test_fortran_layout
         'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low']
     integer :: k
 
-    call fault()
-    call view()
-    call quat_view()
-    call scalars()
-    call bodies()
-    call stepper()
-    call effect()
-    call drifted()
-    call pendulum()
-    call gravity()
-    call drag()
-    call held()
-    call history()
-    call friction()
-    call dashpots()
-    call bonds()
-    call contacts()
-    call walls()
-    call spring()
-    call deformation()
-    call stable()
-    call sum()
-    call integral()
+    call members()
     count = shim_layout(200_c_int64_t, theirs)
     call compare('size or offset')
 
@@ -64,153 +42,96 @@ contains
         end do
     end subroutine
 
-    subroutine add(numbers)
-        integer(c_int64_t), intent(in) :: numbers(:)
-        ours(entries + 1:entries + size(numbers)) = numbers
-        entries = entries + size(numbers)
-    end subroutine
-
-    !> Bytes from the beginning of a variable to each of its members.
-    function offsets(base, members) result(bytes)
+    !> The size of a variable, and the bytes from its beginning to each of its members.
+    subroutine add(bytes, base, members)
+        integer(c_size_t), intent(in) :: bytes
         type(c_ptr), intent(in) :: base, members(:)
-        integer(c_int64_t) :: bytes(size(members))
-        bytes = int(transfer(members, [0_c_intptr_t]) - transfer(base, 0_c_intptr_t), c_int64_t)
-    end function
-
-    subroutine fault()
-        type(vti_fault), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%body), c_loc(t%value), c_loc(t%quantity)])])
+        integer :: last
+        last = entries + 1 + size(members)
+        ours(entries + 1) = int(bytes, c_int64_t)
+        ours(entries + 2:last) = int(transfer(members, [0_c_intptr_t]) - transfer(base, 0_c_intptr_t), c_int64_t)
+        entries = last
     end subroutine
 
-    subroutine view()
-        type(vti_view), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%c), c_loc(t%stride), c_loc(t%count)])])
-    end subroutine
-
-    subroutine quat_view()
-        type(vti_quat_view), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%xyzw), c_loc(t%stride), c_loc(t%count)])])
-    end subroutine
-
-    subroutine scalars()
-        type(vti_scalars), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%p), c_loc(t%stride), c_loc(t%count)])])
-    end subroutine
-
-    subroutine bodies()
-        type(vti_bodies), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%abi), c_loc(t%sealed), c_loc(t%first), &
-            c_loc(t%count), c_loc(t%x), c_loc(t%v), c_loc(t%force), c_loc(t%alpha), c_loc(t%quat), c_loc(t%omega), &
-            c_loc(t%moment), c_loc(t%mass), c_loc(t%inertia), c_loc(t%x_low), c_loc(t%v_low), c_loc(t%alpha_low), &
-            c_loc(t%omega_low)])])
-    end subroutine
-
-    subroutine stepper()
-        type(vti_stepper), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%law), c_loc(t%frame), &
-            c_loc(t%order), c_loc(t%reversible), c_loc(t%symplectic), c_loc(t%stages), c_loc(t%evals), c_loc(t%lag), &
-            c_loc(t%reach), c_loc(t%kick), c_loc(t%drift), c_loc(t%probe), c_loc(t%about)])])
-    end subroutine
-
-    subroutine effect()
-        type(vti_effect), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%name), c_loc(t%apply), c_loc(t%energy), &
-            c_loc(t%check), c_loc(t%springs), c_loc(t%flow), c_loc(t%carry), c_loc(t%rupture), c_loc(t%self), c_loc(t%needs), &
-            c_loc(t%gives), c_loc(t%smooth), c_loc(t%breaks), c_loc(t%dissipates), c_loc(t%terms), c_loc(t%term), &
-            c_loc(t%books), c_loc(t%book), c_loc(t%booked)])])
-    end subroutine
-
-    subroutine drifted()
-        type(vti_drifted), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%t), c_loc(t%law), c_loc(t%frame)])])
-    end subroutine
-
-    subroutine pendulum()
-        type(vti_pendulum), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%weight), c_loc(t%rho0)])])
-    end subroutine
-
-    subroutine gravity()
-        type(vti_gravity), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%g)])])
-    end subroutine
-
-    subroutine drag()
-        type(vti_drag), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%linear), c_loc(t%quadratic), &
-            c_loc(t%angular), c_loc(t%medium), c_loc(t%lost)])])
-    end subroutine
-
-    subroutine held()
-        type(vti_held), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%i), c_loc(t%j), c_loc(t%sliding), &
-            c_loc(t%rolling), c_loc(t%twisting)])])
-    end subroutine
-
-    subroutine history()
-        type(vti_history), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%slots), c_loc(t%used), c_loc(t%missed), &
-            c_loc(t%slot)])])
-    end subroutine
-
-    subroutine friction()
-        type(vti_friction), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), &
-            c_loc(t%sliding), c_loc(t%rolling), c_loc(t%twisting), c_loc(t%stiffness), c_loc(t%mindlin), &
-            c_loc(t%rolling_stiffness), c_loc(t%twisting_stiffness), c_loc(t%reach), c_loc(t%history), c_loc(t%lost)])])
-    end subroutine
-
-    subroutine dashpots()
-        type(vti_dashpots), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%contacts), c_loc(t%walls), &
-            c_loc(t%friction), c_loc(t%zeta), c_loc(t%normal), c_loc(t%tangential), c_loc(t%ratio), &
-            c_loc(t%rolling), c_loc(t%twisting), &
-            c_loc(t%pull), c_loc(t%reach), c_loc(t%lost)])])
-    end subroutine
-
-    subroutine bonds()
-        type(vti_bonds), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%pair), c_loc(t%base), &
-            c_loc(t%rest), c_loc(t%moment), c_loc(t%axial), c_loc(t%shear), c_loc(t%shear_form)])])
-    end subroutine
-
-    subroutine contacts()
-        type(vti_contacts), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%pair), c_loc(t%base), &
-            c_loc(t%diameter), c_loc(t%stiffness)])])
-    end subroutine
-
-    subroutine walls()
-        type(vti_walls), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%count), c_loc(t%plane), c_loc(t%diameter), &
-            c_loc(t%stiffness)])])
-    end subroutine
-
-    subroutine spring()
-        type(vti_spring), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%element), c_loc(t%i), c_loc(t%j), &
-            c_loc(t%length), c_loc(t%axial), c_loc(t%across), c_loc(t%shear), c_loc(t%arm_i), c_loc(t%arm_j), &
-            c_loc(t%bend), c_loc(t%twist)])])
-    end subroutine
-
-    subroutine deformation()
-        type(vti_deformation), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%overlap), c_loc(t%strain), c_loc(t%meet)])])
-    end subroutine
-
-    subroutine stable()
-        type(vti_stable), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%h), c_loc(t%effect), c_loc(t%element), &
-            c_loc(t%i), c_loc(t%j)])])
-    end subroutine
-
-    subroutine sum()
-        type(vti_sum), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%high), c_loc(t%low)])])
-    end subroutine
-
-    subroutine integral()
-        type(vti_integral), target :: t
-        call add([int(c_sizeof(t), c_int64_t), offsets(c_loc(t), [c_loc(t%sum), c_loc(t%last), c_loc(t%values)])])
+    !> Of each type its size and the places of its members, in the order of shim_layout.
+    subroutine members()
+        type(vti_fault), target :: fault
+        type(vti_view), target :: view
+        type(vti_quat_view), target :: quat_view
+        type(vti_scalars), target :: scalars
+        type(vti_bodies), target :: bodies
+        type(vti_stepper), target :: stepper
+        type(vti_effect), target :: effect
+        type(vti_drifted), target :: drifted
+        type(vti_pendulum), target :: pendulum
+        type(vti_gravity), target :: gravity
+        type(vti_drag), target :: drag
+        type(vti_held), target :: held
+        type(vti_history), target :: history
+        type(vti_friction), target :: friction
+        type(vti_dashpots), target :: dashpots
+        type(vti_bonds), target :: bonds
+        type(vti_contacts), target :: contacts
+        type(vti_walls), target :: walls
+        type(vti_spring), target :: spring
+        type(vti_deformation), target :: deformation
+        type(vti_stable), target :: stable
+        type(vti_sum), target :: sum
+        type(vti_integral), target :: integral
+        call add(c_sizeof(fault), c_loc(fault), [c_loc(fault%body), c_loc(fault%value), c_loc(fault%quantity)])
+        call add(c_sizeof(view), c_loc(view), [c_loc(view%c), c_loc(view%stride), c_loc(view%count)])
+        call add(c_sizeof(quat_view), c_loc(quat_view), [c_loc(quat_view%xyzw), c_loc(quat_view%stride), &
+            c_loc(quat_view%count)])
+        call add(c_sizeof(scalars), c_loc(scalars), [c_loc(scalars%p), c_loc(scalars%stride), &
+            c_loc(scalars%count)])
+        call add(c_sizeof(bodies), c_loc(bodies), [c_loc(bodies%abi), c_loc(bodies%sealed), c_loc(bodies%first), &
+            c_loc(bodies%count), c_loc(bodies%x), c_loc(bodies%v), c_loc(bodies%force), c_loc(bodies%alpha), &
+            c_loc(bodies%quat), c_loc(bodies%omega), c_loc(bodies%moment), c_loc(bodies%mass), &
+            c_loc(bodies%inertia), c_loc(bodies%x_low), c_loc(bodies%v_low), c_loc(bodies%alpha_low), &
+            c_loc(bodies%omega_low)])
+        call add(c_sizeof(stepper), c_loc(stepper), [c_loc(stepper%name), c_loc(stepper%law), &
+            c_loc(stepper%frame), c_loc(stepper%order), c_loc(stepper%reversible), c_loc(stepper%symplectic), &
+            c_loc(stepper%stages), c_loc(stepper%evals), c_loc(stepper%lag), c_loc(stepper%reach), &
+            c_loc(stepper%kick), c_loc(stepper%drift), c_loc(stepper%probe), c_loc(stepper%about)])
+        call add(c_sizeof(effect), c_loc(effect), [c_loc(effect%name), c_loc(effect%apply), &
+            c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
+            c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &
+            c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%breaks), c_loc(effect%dissipates), &
+            c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked)])
+        call add(c_sizeof(drifted), c_loc(drifted), [c_loc(drifted%t), c_loc(drifted%law), &
+            c_loc(drifted%frame)])
+        call add(c_sizeof(pendulum), c_loc(pendulum), [c_loc(pendulum%weight), c_loc(pendulum%rho0)])
+        call add(c_sizeof(gravity), c_loc(gravity), [c_loc(gravity%g)])
+        call add(c_sizeof(drag), c_loc(drag), [c_loc(drag%linear), c_loc(drag%quadratic), c_loc(drag%angular), &
+            c_loc(drag%medium), c_loc(drag%lost)])
+        call add(c_sizeof(held), c_loc(held), [c_loc(held%i), c_loc(held%j), c_loc(held%sliding), &
+            c_loc(held%rolling), c_loc(held%twisting)])
+        call add(c_sizeof(history), c_loc(history), [c_loc(history%slots), c_loc(history%used), &
+            c_loc(history%missed), c_loc(history%slot)])
+        call add(c_sizeof(friction), c_loc(friction), [c_loc(friction%contacts), c_loc(friction%walls), &
+            c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
+            c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
+            c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost)])
+        call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
+            c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
+            c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &
+            c_loc(dashpots%reach), c_loc(dashpots%lost)])
+        call add(c_sizeof(bonds), c_loc(bonds), [c_loc(bonds%count), c_loc(bonds%pair), c_loc(bonds%base), &
+            c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
+            c_loc(bonds%shear_form)])
+        call add(c_sizeof(contacts), c_loc(contacts), [c_loc(contacts%count), c_loc(contacts%pair), &
+            c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness)])
+        call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &
+            c_loc(walls%stiffness)])
+        call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &
+            c_loc(spring%length), c_loc(spring%axial), c_loc(spring%across), c_loc(spring%shear), &
+            c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist)])
+        call add(c_sizeof(deformation), c_loc(deformation), [c_loc(deformation%overlap), &
+            c_loc(deformation%strain), c_loc(deformation%meet)])
+        call add(c_sizeof(stable), c_loc(stable), [c_loc(stable%h), c_loc(stable%effect), c_loc(stable%element), &
+            c_loc(stable%i), c_loc(stable%j)])
+        call add(c_sizeof(sum), c_loc(sum), [c_loc(sum%high), c_loc(sum%low)])
+        call add(c_sizeof(integral), c_loc(integral), [c_loc(integral%sum), c_loc(integral%last), &
+            c_loc(integral%values)])
     end subroutine
 end program

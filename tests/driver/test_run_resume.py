@@ -13,7 +13,6 @@ import tempfile
 import time
 
 import h5py
-import numpy
 
 import programs
 from programs import run
@@ -22,7 +21,7 @@ from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
 RESUME = 75
-KILLS = 10
+KILLS = 5
 
 
 def scene(name):
@@ -174,34 +173,6 @@ def signals(base):
               contents(stem) == contents(f"{base}/whole/out"), f"... and it goes on to the same bytes, step {step + 500}")
 
 
-def terminated(base):
-    """SIGTERM at random moments of a short run, those at which the files are written included."""
-    arguments = [scene("pile"), "--t-end", "2", "--record", "64", "--frames", "256"]
-    run(RUN, *arguments, "-o", f"{base}/whole/out.h5")
-    whole = contents(f"{base}/whole/out")
-    life, same, left, codes = 0.1, 0, 0, []
-    while codes.count(RESUME) < KILLS and len(codes) < 50 * KILLS:
-        again = [*arguments, "-o", f"{base}/{len(codes)}/out.h5", "--resume"]
-        with subprocess.Popen([RUN, *again], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-            while not os.path.exists(f"{base}/{len(codes)}/out.run") and process.poll() is None:
-                time.sleep(0.0005)
-            begin = time.monotonic()
-            time.sleep(random.uniform(0, life))
-            process.terminate()
-            codes.append(process.wait())
-            if codes[-1] == -signal.SIGTERM:  # before its first step
-                left += os.path.exists(f"{base}/{len(codes) - 1}/out.run")
-        # what a run has left to live after its first sign changes with what else the machine does
-        life = min(1.3 * life, 10) if codes[-1] == RESUME else max(0.8 * (time.monotonic() - begin), 0.001)
-        stem = f"{base}/{len(codes) - 1}"
-        if codes[-1] != 0:
-            run(RUN, *again)
-        same += contents(f"{stem}/out") == whole
-        shutil.rmtree(stem)
-    check(set(codes) <= {0, RESUME, -signal.SIGTERM} and codes.count(RESUME) == KILLS and same == len(codes) and left == 0,
-          f"pile: {codes.count(RESUME)} of {len(codes)} stopped by SIGTERM before their end, {same} end with the same bytes")
-
-
 def with_limit(kilobytes):
     """A run whose files can only become so large, as on a disk that is full."""
     def limit():
@@ -217,7 +188,7 @@ def full_disk(base):
     run(RUN, scene("spin"), "-o", f"{base}/earlier/out.h5")
     earlier = contents(f"{base}/earlier/out")
     sizes = sorted(len(content) // 1024 for content in whole.values())
-    for kilobytes in (1, 4, 50, sizes[2] - 1, sizes[3] - 1):
+    for kilobytes in (1, sizes[2] - 1, sizes[3] - 1):
         folder = f"{base}/full{kilobytes}"
         shutil.copytree(f"{base}/earlier", folder)
         result = run(RUN, *options, "-o", f"{folder}/out.h5", preexec_fn=with_limit(kilobytes))
@@ -386,32 +357,6 @@ def refused_resumes(base):
         process.kill()
 
 
-def tables(base):
-    """Bodies from an HDF5 file: damaged ones are refused."""
-    text = "bodies: {table: bodies.h5}\ngravity: [0, 0, -1]\nh: 1/1024\nt_end: 1\n"
-    with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
-        file.write(text)
-
-    def bodies(n, mass):
-        with h5py.File(f"{base}/bodies.h5", "w") as file:
-            for name in ("x", "y", "z", "vx", "vy", "vz"):
-                file[f"bodies/{name}"] = numpy.arange(float(n))
-            file["bodies/mass"] = numpy.full(n, mass)
-
-    arguments = [f"{base}/table.yaml", "--frames", "16", "-o", f"{base}/out/out.h5"]
-    bodies(100, 1.0)
-    size = os.path.getsize(f"{base}/bodies.h5")
-    for length in (0, 8, 100, size // 2, size - 1):
-        bodies(100, 1.0)
-        os.truncate(f"{base}/bodies.h5", length)
-        result = run(RUN, *arguments)
-        check(result.returncode == 1 and one_line(result, "bodies.h5"), f"table cut to {length}: {result.stderr.strip()}")
-    with open(f"{base}/bodies.h5", "wb") as file:
-        file.write(b"x,y,z\n0,0,0\n")
-    result = run(RUN, *arguments)
-    check(result.returncode == 1 and one_line(result, "bodies.h5"), f"table that is no HDF5: {result.stderr.strip()}")
-
-
 def changed_tables(base):
     """One number of a table, of either kind, is changed between a run and its resumption."""
     names = [*"xyz", *(kind + axis for kind in ("v", "alpha_", "omega_") for axis in "xyz")]
@@ -486,12 +431,12 @@ def refused(base):
 
 
 random.seed(20240117)
-TOPICS = [lambda base: kills(base, "pendulum", "--h", "2^-15", "--t-end", "100", "--record", "5000", "--frames", "50000"),
-          lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h", "1/64", "--t-end", "20"),
+TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h", "1/64", "--t-end", "20"),
           lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
-          lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"), lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, signals_before, failed_starts, one_stem, vanished, terminated, full_disk, tables, changed_tables, prolonged, fields, continued, refused_ends, prolonged_from_nothing, broken, refused_resumes,
-          refused]
+          lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
+          lambda base: kills(base, "pile", "--t-end", "1/2"),
+          signals, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged, fields, continued,
+          refused_ends, prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
