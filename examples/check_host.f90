@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 ! A Fortran host has its own time step looked at by the conformance kit: the step, behind the kit's callback.
-!                                                                        pkg-config --cflags --libs vti-fortran vti-check
+!     pkg-config --cflags --libs vti-fortran vti-check
 module own_step
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use vti_check_kit

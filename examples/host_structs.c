@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * A host whose spheres are an array of structs: a chain of bonded spheres, by VTI-2.      host_structs chain/bodies.csv */
+ * A host whose spheres are an array of structs: a chain of bonded spheres, by VTI-2.
+ *     host_structs chain/bodies.csv */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -91,8 +91,8 @@ contains
     !          status = vti_step_finish(method, h, bodies)
     !
     !  Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
-    !  vti_step_stage for k = 1 ... stages-1, each followed by forces, before finish; where probe is not null, each kick k
-    !  with probe(k) /= 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and > 0.
+    !  vti_step_stage for k = 1 ... stages-1, each followed by forces, before finish; where probe is not null, each kick
+    !  k with probe(k) /= 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and > 0.
 
     !> Kick and drift of all bodies or, on failure, of none. On VTI_E_TOO_LARGE fault names the body with the largest
     !> h|Omega| (or the first that is not a number) and that value.

@@ -49,8 +49,8 @@ static inline void chain_load(void *self, const vti_bodies *b)
     assert_int_equal(vti_apply(&effect, 1, b), VTI_OK);
 }
 
-/** n spheres in a crooked line, bonded, displaced and turned out of rest and set moving at random, so that no force, moment or
- *  velocity is 0 at t = 0. */
+/** n spheres in a crooked line, bonded, displaced and turned out of rest and set moving at random, so that no force,
+ *  moment or velocity is 0 at t = 0. */
 static inline void chain_make(chain *c, int n, uint64_t seed, enum chain_storage storage)
 {
     rng g = rng_seed(seed);

@@ -18,8 +18,8 @@ static inline void play_probe(const vti_stepper *method, int64_t k, double h, co
     forces(self, probed);
 }
 
-/** One step. The forces of its first kick are there already: none are needed by a stepper that ends with a drift, because it
- *  begins with one. probed has x and attitude of its own, and the force and moment of b. */
+/** One step. The forces of its first kick are there already: none are needed by a stepper that ends with a drift,
+ *  because it begins with one. probed has x and attitude of its own, and the force and moment of b. */
 static inline void play_step(const vti_stepper *method, double h, const vti_bodies *b, const vti_bodies *probed,
                              load *forces, void *self)
 {

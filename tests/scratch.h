@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Where tests put files: a folder of their own, in TMPDIR or, where that is not set, in memory if there is such a place; a
- * disk would take longer than what is tested. No test library: fuzz targets have none. */
+ * Where tests put files: a folder of their own, in TMPDIR or, where that is not set, in memory if there is such a
+ * place; a disk would take longer than what is tested. No test library: fuzz targets have none. */
 #ifndef VTI_TESTS_SCRATCH_H
 #define VTI_TESTS_SCRATCH_H
 

@@ -78,7 +78,7 @@ static inline int all_finite(const double *a, int n)
     return 1;
 }
 
-/* ---- random numbers: xoshiro256** seeded by splitmix64 ------------------------------------------------------------ */
+/* ---- random numbers: xoshiro256** seeded by splitmix64 ----------------------------------------------------------- */
 
 typedef struct rng {
     uint64_t s[4];
@@ -168,7 +168,7 @@ static inline double random_finite(rng *g)
     }
 }
 
-/* ---- reference algebra: unit quaternions (x, y, z, w) in long double ----------------------------------------------- */
+/* ---- reference algebra: unit quaternions (x, y, z, w) in long double --------------------------------------------- */
 
 typedef struct rotor {
     long double x, y, z, w;

@@ -35,7 +35,7 @@ void bodies_lose(struct bodies *b)
         b->q[k] = NAN;
 }
 
-/* ---- forces ------------------------------------------------------------------------------------------------------- */
+/* ---- forces ------------------------------------------------------------------------------------------------------ */
 
 /** q/|q|: directions are those of the attitude, whatever the host does to its norm. */
 static void normalised(const double *q, double *unit)
@@ -71,7 +71,7 @@ void bodies_forces(const struct field *field, int64_t n, const double *x, const 
     vti_apply(&field->effect, field->count, &b);
 }
 
-/* ---- steps -------------------------------------------------------------------------------------------------------- */
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
 
 void bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps)
 {
@@ -94,7 +94,7 @@ void bodies_advance_reference(struct bodies *b, const struct field *field, doubl
         bodies_lose(b);
 }
 
-/* ---- reading ------------------------------------------------------------------------------------------------------ */
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 vti_bodies bodies_views(const struct bodies *b)
 {

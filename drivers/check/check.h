@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What the checks share: bodies in the layout of the callback, fields of force, the host, and the report that they fill.
- * Each check writes its lines; response.c, spin.c and run.c turn what they find into sentences. */
+ * What the checks share: bodies in the layout of the callback, fields of force, the host, and the report that they
+ * fill. Each check writes its lines; response.c, spin.c and run.c turn what they find into sentences. */
 #ifndef VTI_CHECK_PARTS_H
 #define VTI_CHECK_PARTS_H
 
@@ -24,8 +24,8 @@ struct field {
     int64_t count;
 };
 
-/** The kick by a load, F/m or M/J, in units of the right one: ratio times 1, own or own/other, where own is what the load is
- *  to be divided by (m of a force) and other what one might take for it (J). NaN if it is none of these. */
+/** The kick by a load, F/m or M/J, in units of the right one: ratio times 1, own or own/other, where own is what the
+ *  load is to be divided by (m of a force) and other what one might take for it (J). NaN if it is none of these. */
 enum kick_law { KICK_RIGHT, KICK_UNDIVIDED, KICK_BY_OTHER, KICK_LAWS };
 struct kick {
     int law;
@@ -85,14 +85,14 @@ struct apart {
 };
 struct apart bodies_apart(const struct bodies *a, const struct bodies *b);
 
-/* ---- host.c ------------------------------------------------------------------------------------------------------- */
+/* ---- host.c ------------------------------------------------------------------------------------------------------ */
 
 /** Takes *b further by the host, its constants corrected; if it refuses, everything is NaN. */
 void host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps);
 /** The size of a kick in units of the right one. */
 double kick_size(const struct kick *kick, double own, double other);
 
-/* ---- spin.c ------------------------------------------------------------------------------------------------------- */
+/* ---- spin.c ------------------------------------------------------------------------------------------------------ */
 
 /** What a free spin of size w about an axis has turned a body by that is turned already. NaN if the host refuses. */
 struct turn {
@@ -104,7 +104,7 @@ struct turn free_turn(struct kit *kit, double w, double h, int64_t steps);
 /** The sentence where attitudes do not follow spins. */
 void say_side(struct kit *kit, const struct turn *turn, double should_be);
 
-/* ---- ratios.c ----------------------------------------------------------------------------------------------------- */
+/* ---- ratios.c ---------------------------------------------------------------------------------------------------- */
 
 /** Whether two ratios are one: to 1e-4. */
 int same_ratio(double a, double b);
@@ -113,7 +113,7 @@ int ratio_is_off(double ratio);
 /** The sentences on constants that are off. */
 void say_ratios(struct kit *kit, const struct constants *c);
 
-/* ---- scenes.c ----------------------------------------------------------------------------------------------------- */
+/* ---- scenes.c ---------------------------------------------------------------------------------------------------- */
 
 /** The paper's pendulum: m g = J = 1, turned by 3 pi/4, spinning slowly. */
 struct bodies scene_pendulum(struct field *field);
@@ -121,7 +121,8 @@ struct bodies scene_pendulum(struct field *field);
 struct bodies scene_pair(struct field *field);
 /** The same bond turning steadily like a rigid body, stretched as its centripetal force demands. *r is the distance. */
 struct bodies scene_rigid(struct field *field, double *r);
-/** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
+/** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing
+ *  turns. */
 struct bodies scene_spring(struct field *field);
 /** scene_pair, or scene_spring where only translation is looked at. */
 struct bodies scene_bonded(const struct kit *kit, struct field *field);
@@ -130,9 +131,10 @@ struct bodies scene_stretch(struct field *field);
 /** Two bodies on a torsion spring about z, twisted by 1e-3; oscillates by the frequency 1. */
 struct bodies scene_torsion(struct field *field);
 
-/* ---- words.c ------------------------------------------------------------------------------------------------------ */
+/* ---- words.c ----------------------------------------------------------------------------------------------------- */
 
-/** A line: measured at most (relation -1) or at least (+1) bound, or else the verdict is otherwise. Returns the line. */
+/** A line: measured at most (relation -1) or at least (+1) bound, or else the verdict is otherwise. Returns the
+ *  line. */
 vti_check_line *kit_line(struct kit *kit, const char *name, double measured, int relation, double bound, int otherwise);
 /** What a line says besides. */
 void line_say(vti_check_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -140,7 +142,7 @@ void line_say(vti_check_line *line, const char *format, ...) __attribute__((form
 void kit_fault(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void kit_remark(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* ---- the checks, in their order ------------------------------------------------------------------------------------ */
+/* ---- the checks, in their order ---------------------------------------------------------------------------------- */
 
 void check_constants(
     struct kit *kit); /* constants.c: ratios of distance, turn and kicks, which are corrected from there on */

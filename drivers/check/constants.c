@@ -2,11 +2,12 @@
  *
  * A host's constants, each exact to rounding, before anything else is looked at. Over N and over 2N steps
  *
- *     path of a free flight     x(2N) - x(N) = flight N h v      turn of a free spin   theta(2N) - theta(N) = turn N h omega
- *     kick by a constant load   v(2N) - v(N) = kick N h F/m,     and of spins by M/J
+ *     path of a free flight     x(2N) - x(N) = flight N h v
+ *     turn of a free spin       theta(2N) - theta(N) = turn N h omega
+ *     kick by a constant load   v(2N) - v(N) = kick N h F/m, and of spins by M/J
  *
- * whatever a scheme does at its start, and when its velocities are read: that is for response.c. Ratios that are off by more
- * than 1e-4 are named and corrected from here on (host.c), so that what else is wrong shows as it is. */
+ * whatever a scheme does at its start, and when its velocities are read: that is for response.c. Ratios that are off by
+ * more than 1e-4 are named and corrected from here on (host.c), so that what else is wrong shows as it is. */
 #include "check.h"
 
 #include <string.h>
@@ -22,9 +23,10 @@ static void ratio_line(struct kit *kit, const char *name, double ratio)
     line_say(kit_line(kit, name, fabs(ratio - 1.0), -1, 1e-4, VTI_CHECK_FAIL), "%.6g times", ratio);
 }
 
-/* ---- free motion ----------------------------------------------------------------------------------------------------- */
+/* ---- free motion ------------------------------------------------------------------------------------------------- */
 
-/** Free motion after N and 2N steps: distance or angle, and the velocity that is left; both in units of the velocity at first. */
+/** Free motion after N and 2N steps: distance or angle, and the velocity that is left; both in units of the velocity at
+ *  first. */
 struct free_motion {
     double path[2], left[2];
 };
@@ -76,7 +78,7 @@ static int masks(struct kit *kit, int is_so)
     return is_so;
 }
 
-/* ---- kicks ----------------------------------------------------------------------------------------------------------- */
+/* ---- kicks ------------------------------------------------------------------------------------------------------- */
 
 static void constant(const void *self, const vti_bodies *b)
 {
@@ -137,7 +139,7 @@ static struct kick kick_of(const double size[VTI_CHECK_BODIES], const double *ow
     return kick;
 }
 
-/* ---- the check ------------------------------------------------------------------------------------------------------- */
+/* ---- the check --------------------------------------------------------------------------------------------------- */
 
 /** How often the host steps, by the steps that its free motions are ahead. */
 static void say_lead(struct kit *kit, double flight_lead, double turn_lead)

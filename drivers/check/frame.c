@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A load on a body that is turned already shows in which frame it acts: the direction of the kick that it gives to a body at
- * rest, whatever its size and sign. */
+ * A load on a body that is turned already shows in which frame it acts: the direction of the kick that it gives to a
+ * body at rest, whatever its size and sign. */
 #include "check.h"
 
 #include <string.h>

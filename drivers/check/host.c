@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The callback: forces that it is given, and steps that it takes. Once the host's constants are known (constants.c), its
- * velocities and loads are converted here by what they are off, so that everything else is judged as if they were right:
+ * The callback: forces that it is given, and steps that it takes. Once the host's constants are known (constants.c),
+ * its velocities and loads are converted here by what they are off, so that everything else is judged as if they were
+ * right:
  *
  *     v_host = v/flight,   omega_host = omega/turn,   F_host = F/(flight kick_F),   M_host = M/(turn kick_M). */
 #include "check.h"

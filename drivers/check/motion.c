@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Motions against what is known of them: the reference is the library's method of order 6 at a far smaller step, or a number
- * on paper. */
+ * Motions against what is known of them: the reference is the library's method of order 6 at a far smaller step, or a
+ * number on paper. */
 #include "check.h"
 
 #include <float.h>
 
-/** The paper's pendulum to t = 10. Steppers of order 2 are off by some 1e-3 at most at h = 1/64, those of order 1 by more. */
+/** The paper's pendulum to t = 10. Steppers of order 2 are off by some 1e-3 at most at h = 1/64, those of order 1 by
+ *  more. */
 void check_pendulum(struct kit *kit)
 {
     enum { STEPS = 640, FINER = 16 };
@@ -18,7 +19,7 @@ void check_pendulum(struct kit *kit)
              VTI_CHECK_FAIL);
 }
 
-/* ---- torsion pair ---------------------------------------------------------------------------------------------------- */
+/* ---- torsion pair ------------------------------------------------------------------------------------------------ */
 
 /** Twist theta and its rate of the pair, in units of the first twist; frequency 1. */
 static void twist_of(const struct bodies *b, double *twist, double *rate)
@@ -107,9 +108,10 @@ void check_torsion(struct kit *kit)
     kit_line(kit, oscillator_of(kit)->amplitude, stable_to(kit), 1, 0.5, VTI_CHECK_FAIL);
 }
 
-/* ---- rigid motion ---------------------------------------------------------------------------------------------------- */
+/* ---- rigid motion ------------------------------------------------------------------------------------------------ */
 
-/** A bond that turns like a rigid body with its bodies: its length and twist stay as they are, to the order of the method. */
+/** A bond that turns like a rigid body with its bodies: its length and twist stay as they are, to the order of the
+ *  method. */
 void check_rigid(struct kit *kit)
 {
     enum { STEPS = 640 };
@@ -130,12 +132,12 @@ void check_rigid(struct kit *kit)
     kit_line(kit, "bonded pair in rigid motion: distortion after t = 10", worst, -1, 2e-3, VTI_CHECK_FAIL);
 }
 
-/* ---- order ----------------------------------------------------------------------------------------------------------- */
+/* ---- order ------------------------------------------------------------------------------------------------------- */
 
 enum { LADDER = 4 };
 
-/** Order between the two smallest steps whose error is above rounding; infinite if there are none, or if no step has an error
- *  worth the name, as of methods that choose steps of their own within h. */
+/** Order between the two smallest steps whose error is above rounding; infinite if there are none, or if no step has an
+ *  error worth the name, as of methods that choose steps of their own within h. */
 static double order_of(const double error[LADDER])
 {
     const double least = 1e-6;
@@ -159,7 +161,8 @@ static void order_line(struct kit *kit, const char *name, const double error[LAD
     kit->order = order < kit->order || isnan(order) ? order : kit->order;
 }
 
-/** The bonded pair to t = 2 by h = 1/32 ... 1/256; positions and velocities, attitudes and spins each for themselves. */
+/** The bonded pair to t = 2 by h = 1/32 ... 1/256; positions and velocities, attitudes and spins each for
+ *  themselves. */
 void check_order(struct kit *kit)
 {
     enum { FIRST = 32, T = 2, FINER = 4 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a host's constants say. Some mistakes are known by their ratio: moments of inertia are 2/5 m r^2 of a sphere, 1/2 of a
- * disc, 2/3 of a shell. */
+ * What a host's constants say. Some mistakes are known by their ratio: moments of inertia are 2/5 m r^2 of a sphere,
+ * 1/2 of a disc, 2/3 of a shell. */
 #include "check.h"
 
 struct ratio {
@@ -64,7 +64,7 @@ static const char *hint_of(const struct ratio *known, size_t count, double ratio
 
 #define HINT(known, ratio) hint_of(known, sizeof(known) / sizeof(known)[0], ratio)
 
-/* ---- words ----------------------------------------------------------------------------------------------------------- */
+/* ---- words ------------------------------------------------------------------------------------------------------- */
 
 static void say_motion(struct kit *kit, const struct constants *c)
 {
@@ -129,7 +129,8 @@ static void say_inertia(struct kit *kit, double inertia)
         kit_fault(kit, "the inertia is %.5g times what it should be, or moments %.5g times", inertia, 1.0 / inertia);
 }
 
-/** Of sizes of both kicks. What both have in common is that of all loads, unless a known inertia explains the moment's. */
+/** Of sizes of both kicks. What both have in common is that of all loads, unless a known inertia explains the
+ *  moment's. */
 static void say_constants(struct kit *kit, double force, double moment)
 {
     const int explains = HINT(of_inertia, force / moment)[0] != '\0' && HINT(of_inertia, 1.0 / moment)[0] == '\0';

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a scheme does with loads that are known beforehand. Body 0 flies freely and is the clock: x = t. Body 1 is pushed, body
- * 2 twisted by a load that is constant, a = 1, or grows, a = t; over T = N h in free flight and at small angles
+ * What a scheme does with loads that are known beforehand. Body 0 flies freely and is the clock: x = t. Body 1 is
+ * pushed, body 2 twisted by a load that is constant, a = 1, or grows, a = t; over T = N h in free flight and at small
+ * angles
  *
  *     constant   v = T,        x = T^2/2           growing   v = T^2/2
  *
- * exactly, by every scheme of order 2 or more. What is wrong at order 1 shows as three numbers in units of a step's kick:
+ * exactly, by every scheme of order 2 or more. What is wrong at order 1 shows as three numbers in units of a step's
+ * kick:
  *
  *     e1 = (v_const - T)/h,   e2 = (x_const - T^2/2)/(h T) - e1,   e3 = (v_grow - T^2/2)/(h T)
  *
@@ -28,7 +30,8 @@ static void loads(const void *self, const vti_bodies *b)
     b->moment.c[2][TWISTED * b->moment.stride] += small * INERTIA_TWISTED * a;
 }
 
-/** What came of a load: the kicked velocity and the moved position of one kind, per unit of load. calls: of growing loads. */
+/** What came of a load: the kicked velocity and the moved position of one kind, per unit of load. calls: of growing
+ *  loads. */
 struct response {
     double v_const, x_const, v_grow;
     int primed;
@@ -69,7 +72,7 @@ static void measure(struct kit *kit, struct response *push, struct response *twi
     twist->v_grow = growing.w[3 * TWISTED + 2] / small;
 }
 
-/* ---- words --------------------------------------------------------------------------------------------------------- */
+/* ---- words ------------------------------------------------------------------------------------------------------- */
 
 struct nouns {
     const char *velocities, *places, *load, *drift, *new_velocity, *line_start, *line_lead, *line_kick;

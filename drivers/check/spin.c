@@ -63,7 +63,8 @@ struct turn free_turn(struct kit *kit, double w, double h, int64_t steps)
     return t;
 }
 
-/** The names of the laws that are known, of EQUATIONS 2; s itself to the 5th order, so that it may be a truncated series. */
+/** The names of the laws that are known, of EQUATIONS 2; s itself to the 5th order, so that it may be a truncated
+ *  series. */
 static const char *law_of(double s, double angle, double *off)
 {
     static const char *const names[] = {"asin s", "2 atan(s/2)", "s"};
@@ -114,7 +115,7 @@ static void check_law(struct kit *kit)
         kit_fault(kit, "a free spin of h|omega| = 1/2 is refused, or not finite");
 }
 
-/* ---- many steps ----------------------------------------------------------------------------------------------------- */
+/* ---- many steps -------------------------------------------------------------------------------------------------- */
 
 /** Steps of s = 1/4 from no turn, past half a turn and nearly to a whole one, against multiples of the first step. */
 static double past_half_turn(struct kit *kit)

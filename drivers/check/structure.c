@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What the continuous motion has and a scheme may keep: momenta, reversibility, the energy. (The two-form is in two_form.c.) */
+ * What the continuous motion has and a scheme may keep: momenta, reversibility, the energy. (The two-form is in
+ * two_form.c.) */
 #include "check.h"
 
 #include <float.h>
 
-/* ---- momentum -------------------------------------------------------------------------------------------------------- */
+/* ---- momentum ---------------------------------------------------------------------------------------------------- */
 
 static void momenta(const struct bodies *b, double p[3], double l[3])
 {
@@ -36,7 +37,7 @@ void check_momentum(struct kit *kit)
     kit_line(kit, "angular momentum, off by", angular, -1, 1e-10, angular < 1e-5 ? VTI_CHECK_NOTE : VTI_CHECK_FAIL);
 }
 
-/* ---- reversibility --------------------------------------------------------------------------------------------------- */
+/* ---- reversibility ----------------------------------------------------------------------------------------------- */
 
 void check_reversal(struct kit *kit)
 {
@@ -56,7 +57,7 @@ void check_reversal(struct kit *kit)
     kit_line(kit, "reversibility: there and back, off by", off, -1, kit->rotates ? 1e-8 : 1e-10, VTI_CHECK_NOTE);
 }
 
-/* ---- energy ---------------------------------------------------------------------------------------------------------- */
+/* ---- energy ------------------------------------------------------------------------------------------------------ */
 
 /** What swings, with an energy that a host may keep: by rotation, or by translation only. */
 struct swing {
@@ -71,8 +72,8 @@ static const struct swing pendulum = {scene_pendulum, "pendulum",
 static const struct swing pair = {scene_spring, "pair", "energy of the pair: swing to t = 199 with h = 1/16",
                                   "energy of the pair: swing in units of that to t = 74", 0.5};
 
-/** Mean and largest size of E - E_0 over steps that follow the last one given, every one a run of its own: whatever a host
- *  does at a start it does once. */
+/** Mean and largest size of E - E_0 over steps that follow the last one given, every one a run of its own: whatever a
+ *  host does at a start it does once. */
 static double energy_after(struct kit *kit, const struct swing *of, int64_t last, double *largest)
 {
     enum { SAMPLES = 16, EVERY = 12 };
@@ -91,8 +92,8 @@ static double energy_after(struct kit *kit, const struct swing *of, int64_t last
     return sum;
 }
 
-/** Change per unit of time of the mean energy, against how far the energy swings at first: what swings about its start does
- *  not grow. */
+/** Change per unit of time of the mean energy, against how far the energy swings at first: what swings about its start
+ *  does not grow. */
 void check_energy(struct kit *kit)
 {
     const struct swing *of = kit->rotates ? &pendulum : &pair;

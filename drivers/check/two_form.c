@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The symplectic two-form of the pendulum and, of translation only, of the pair on its spring. The map's derivative is by
- * central differences of e, which cost e^2 and eps/e. */
+ * The symplectic two-form of the pendulum and, of translation only, of the pair on its spring. The map's derivative is
+ * by central differences of e, which cost e^2 and eps/e. */
 #include "check.h"
 
 enum { MOST = 12 };
 
 static const double e = 1e-5;
 
-/* ---- rotation: a tangent vector at (R, mu), mu = J Omega, is (eta, dmu) with dR = S(eta) R --------------------------- */
+/* ---- rotation: a tangent vector at (R, mu), mu = J Omega, is (eta, dmu) with dR = S(eta) R ----------------------- */
 
 static struct bodies turned(const struct bodies *b, int direction, double by)
 {
@@ -46,7 +46,7 @@ static double turn_form(const struct bodies *at, const double s[MOST], const dou
     return vti_dot(s + 3, t) - vti_dot(t + 3, s) + vti_dot(at->w, bracket);
 }
 
-/* ---- translation: (dx, dv) of two bodies ------------------------------------------------------------------------------ */
+/* ---- translation: (dx, dv) of two bodies ------------------------------------------------------------------------- */
 
 static struct bodies shifted(const struct bodies *b, int direction, double by)
 {
@@ -72,7 +72,7 @@ static double shift_form(const struct bodies *at, const double s[MOST], const do
     return sum;
 }
 
-/* ---- both -------------------------------------------------------------------------------------------------------------- */
+/* ---- both -------------------------------------------------------------------------------------------------------- */
 
 struct space {
     const char *name;

@@ -2,19 +2,20 @@
  *
  * vti_check.h -- a conformance kit for any code's time step of rigid spheres, behind one callback.
  *
- * The kit makes small scenes whose motion is known, has the host step them, and says in words what it finds: how far a free
- * spin turns, whether forces come in at the right moment, in the right frame and of the right size, orders of convergence,
- * what is conserved. It knows nothing of the host but the callback:
+ * The kit makes small scenes whose motion is known, has the host step them, and says in words what it finds: how far a
+ * free spin turns, whether forces come in at the right moment, in the right frame and of the right size, orders of
+ * convergence, what is conserved. It knows nothing of the host but the callback:
  *
- *     static int my_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
- *                           const double *mass, const double *inertia, vti_check_forces *forces, void *kit);
+ *     static int my_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
+ *                           double *omega, const double *mass, const double *inertia, vti_check_forces *forces,
+ *                           void *kit);
  *
  *     int faults = vti_check("my code", my_advance, NULL);     the report goes to stdout
  *
- * Arrays are x[n][3], quat[n][4] in the order x, y, z, w; they are the kit's, hold the state before the first step and after
- * the last. Frame: inertial; quat takes body to space; omega and moments are spatial, moments about the body's centre. A host
- * that has it otherwise converts at both ends of the callback. Each call is a run of its own: nothing is left from the one
- * before. Link with -lvti_check -lvti -lm (pkg-config vti-check). */
+ * Arrays are x[n][3], quat[n][4] in the order x, y, z, w; they are the kit's, hold the state before the first step and
+ * after the last. Frame: inertial; quat takes body to space; omega and moments are spatial, moments about the body's
+ * centre. A host that has it otherwise converts at both ends of the callback. Each call is a run of its own: nothing is
+ * left from the one before. Link with -lvti_check -lvti -lm (pkg-config vti-check). */
 #ifndef VTI_CHECK_H
 #define VTI_CHECK_H
 
@@ -25,8 +26,8 @@
 extern "C" {
 #endif
 
-/** Forces F[n][3] and moments RM[n][3] at the positions x and attitudes quat (of any norm but 0): written, not added. The host
- *  calls it with the kit that it was given, whenever its scheme evaluates forces. */
+/** Forces F[n][3] and moments RM[n][3] at the positions x and attitudes quat (of any norm but 0): written, not added.
+ *  The host calls it with the kit that it was given, whenever its scheme evaluates forces. */
 typedef void vti_check_forces(void *kit, int64_t n, const double *x, const double *quat, double *force, double *moment);
 
 /** Takes n <= VTI_CHECK_BODIES bodies so many steps of h further, with all that the host does before its first step, as
@@ -68,8 +69,8 @@ typedef struct vti_check_report {
 
 /** Runs all checks; some 120000 steps of up to four bodies. Returns the number of faults. */
 int vti_check_run(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
-/** The same for a host that moves positions only: scenes without moments, and a remark that rotation was not looked at. What
- *  the host does to quat and omega does not matter, as long as they stay finite. */
+/** The same for a host that moves positions only: scenes without moments, and a remark that rotation was not looked at.
+ *  What the host does to quat and omega does not matter, as long as they stay finite. */
 int vti_check_run_translation(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
 
 /** The sentences, then a line for each check. */

@@ -12,12 +12,15 @@
 
 /* What an error costs. From the runs of one method, ordered by their steps, the price of an error e is found so:
  *
- *  1. A run reaches e if its error is <= e and those of the next two runs, twice as many steps at the default ladder, are
+ *  1. A run reaches e if its error is <= e and those of the next two runs, twice as many steps at the default ladder,
+ *  are
  *     too. Without this a run whose error happens to pass through zero would count as a good one.
  *  2. Of the runs that reach e the cheapest is taken, by force evaluations.
- *  3. Between it and the coarser run before it, whose error is above e, evaluations and seconds are interpolated: both are
+ *  3. Between it and the coarser run before it, whose error is above e, evaluations and seconds are interpolated: both
+ *  are
  *     straight lines in their logarithms over the logarithm of the error.
- *  4. If there is no coarser run, or its error is not above e, the price is that of the run itself: coarser ones fail, so that
+ *  4. If there is no coarser run, or its error is not above e, the price is that of the run itself: coarser ones fail,
+ *  so that
  *     it is the least for which one gets anything.
  *
  * Nothing is extrapolated: what no run reaches has no price. */
@@ -43,8 +46,7 @@ struct cost_price cost_price_factor(const struct cost_price prices[COST_TARGETS]
 /** What is known about a case besides its runs. */
 struct cost_facts {
     int turns; /* 0: priced by the error of velocities */
-    double
-        uncertainty; /* of the reference by its own estimate, relative (reference.h); rounding on a long way is not in it */
+    double uncertainty; /* of the reference by its own estimate, relative (reference.h), without long ways' rounding */
 };
 
 /** What came out; filled in on rank 0, empty elsewhere. Ladder and prices of case c and method m stand at c

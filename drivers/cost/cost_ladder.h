@@ -62,13 +62,11 @@ struct cost_ladder {
 /** The error that a run is priced by: of the attitudes, or of the velocities where nothing turns. */
 double cost_error(const struct race_result *run, int turns);
 
-/** Goes down the plan's steps. Without any: the first step is four times the stable step (half of t_end at most),
- *  each next one has sqrt(2) times as many. It ends when
- *   - the error is below 3e-11,
- *   - the next run would take more force evaluations than allowed,
- *   - the error, below 1e-6 already, is rounding: over the last factor of four in steps it has not even halved, twice in a row.
- *  Runs at the start whose error is above 1 say nothing and are left out. model is of the case, at t = 0. poll (may be NULL)
- *  is called between runs and ends the ladder if it returns non-zero. */
+/** Goes down the plan's steps. Without any: the first step is four times the stable step (half of t_end at most), each
+ *  next one has sqrt(2) times as many. It ends when - the error is below 3e-11, - the next run would take more force
+ *  evaluations than allowed, - the error, below 1e-6 already, is rounding: over the last factor of four in steps it has
+ *  not even halved, twice in a row. Runs at the start whose error is above 1 say nothing and are left out. model is of
+ *  the case, at t = 0. poll (may be NULL) is called between runs and ends the ladder if it returns non-zero. */
 void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
                      const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
                      void *poll_self, struct cost_ladder *ladder);

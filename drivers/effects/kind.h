@@ -81,8 +81,8 @@ struct effect_invariants {
 struct effect_memory_of {
     int64_t (*size)(const struct effect *e); /* doubles, now */
     void (*get)(const struct effect *e, double *memory);
-    /** Takes what get has put there, at most left doubles. Returns how many they were, or -1: they are none of these, or
-     *  there is no memory. */
+    /** Takes what get has put there, at most left doubles. Returns how many they were, or -1: they are none of these,
+     *  or there is no memory. */
     int64_t (*put)(struct effect *e, const double *memory, int64_t left);
 };
 
@@ -129,9 +129,9 @@ struct effect_kind {
                         struct message *message);
 
     /* In a model. */
-    /** Completes the draft in *made with a self that outlives this call; NULL: it is complete. All bodies are there, and
-     *  the effects before it in the list; table is its own. Returns 0, or -1 with one line in *message; destroy follows
-     *  in either case, when the model ends. */
+    /** Completes the draft in *made with a self that outlives this call; NULL: it is complete. All bodies are there,
+     *  and the effects before it in the list; table is its own. Returns 0, or -1 with one line in *message; destroy
+     *  follows in either case, when the model ends. */
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */

@@ -2,8 +2,8 @@
  *
  * The effects that scenes may call for: the one list of them. A new one is a name in this list and a file NAME.c, in
  * meson.build, that defines effect_NAME; the order is that of effects in models and of columns in files. Effects that
- * hold bodies together (kind.h, lines) stand before those that search for pairs, which leave those pairs alone; drag stands
- * first, so that its flow is the outermost (EQUATIONS 6.3). */
+ * hold bodies together (kind.h, lines) stand before those that search for pairs, which leave those pairs alone; drag
+ * stands first, so that its flow is the outermost (EQUATIONS 6.3). */
 #ifndef VTI_KINDS_H
 #define VTI_KINDS_H
 

@@ -71,7 +71,7 @@ void frame_directors(const struct frame_layout *layout, const double *frame, dou
         vti_rrv_rotate(frame + layout->alpha + 3 * i, x_axis, directors + 3 * i);
 }
 
-/* ---- what effects say of a frame ---------------------------------------------------------------------------------- */
+/* ---- what effects say of a frame --------------------------------------------------------------------------------- */
 
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)
 {

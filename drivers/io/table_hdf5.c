@@ -18,7 +18,7 @@ static int fail_column(const struct table *table, const char *column, const char
     return table_fail_whole(table, message, text);
 }
 
-/* ---- one column ------------------------------------------------------------------------------------------------------- */
+/* ---- one column -------------------------------------------------------------------------------------------------- */
 
 /** Its length if it is a list of numbers, else -1. */
 static int64_t length_of(hid_t set)
@@ -69,7 +69,7 @@ static int read_set(struct table *table, hid_t set, const char *name, const char
     return check_values(table, k, message);
 }
 
-/* ---- the group -------------------------------------------------------------------------------------------------------- */
+/* ---- the group --------------------------------------------------------------------------------------------------- */
 
 /** All members, in the order of their names. */
 static int read_group(struct table *table, hid_t group, struct message *message)
@@ -134,7 +134,7 @@ int table_hdf5_read(const char *path, const struct table_kind *kind, struct tabl
     return result;
 }
 
-/* ---- the tables of a scene -------------------------------------------------------------------------------------------- */
+/* ---- the tables of a scene --------------------------------------------------------------------------------------- */
 
 static int read_either(const char *path, const struct table_kind *kind, struct table *table, struct message *message)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Tables in HDF5: a group, /bodies say, with a dataset of one dimension for each column, of any type of numbers and all of the
- * same length. Several groups may be in one file. */
+ * Tables in HDF5: a group, /bodies say, with a dataset of one dimension for each column, of any type of numbers and all
+ * of the same length. Several groups may be in one file. */
 #ifndef VTI_TABLE_HDF5_H
 #define VTI_TABLE_HDF5_H
 

@@ -5,9 +5,9 @@
 
 #include <stdint.h>
 
-/** Steps between records of a run of so many steps of h, so that there are about as many, from half to twice, and people like
- *  their times: every 0.1, 0.2, 0.25, 0.5 and the like where h divides such a time; else so that they divide the steps; else
- *  every 10, 20, 25, 50 steps and the like. A short run is recorded at every step. */
+/** Steps between records of a run of so many steps of h, so that there are about as many, from half to twice, and
+ *  people like their times: every 0.1, 0.2, 0.25, 0.5 and the like where h divides such a time; else so that they
+ *  divide the steps; else every 10, 20, 25, 50 steps and the like. A short run is recorded at every step. */
 int64_t interval_choose(double h, int64_t steps, int64_t about);
 
 #endif

@@ -77,8 +77,7 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
         path);
 }
 
-/* ---- rows and frames ----------------------------------------------------------------------------------------------
- */
+/* ---- rows and frames --------------------------------------------------------------------------------------------- */
 
 static int fill_rows(hid_t file, const struct record *record, int64_t rows, struct message *message)
 {

@@ -3,7 +3,7 @@
 
 #include "plain.h"
 
-/* ---- ring: body k at the angle 2 pi k/n ------------------------------------------------------------------------------ */
+/* ---- ring: body k at the angle 2 pi k/n -------------------------------------------------------------------------- */
 
 static void place_ring(const struct scene_ring *ring, double *x)
 {
@@ -15,7 +15,7 @@ static void place_ring(const struct scene_ring *ring, double *x)
     }
 }
 
-/* ---- chain ------------------------------------------------------------------------------------------------------------ */
+/* ---- chain ------------------------------------------------------------------------------------------------------- */
 
 static void place_chain(const struct scene_chain *chain, double *x)
 {
@@ -25,7 +25,7 @@ static void place_chain(const struct scene_chain *chain, double *x)
             x[3 * k + c] = chain->start[c] + (double)k * chain->spacing * (chain->direction[c] / length);
 }
 
-/* ---- lattice: x runs fastest ------------------------------------------------------------------------------------------ */
+/* ---- lattice: x runs fastest ------------------------------------------------------------------------------------- */
 
 /** Steps along x, y and z from the corner to body b. */
 static void lattice_site(const struct scene_lattice *lattice, int64_t b, int64_t site[3])
@@ -60,7 +60,7 @@ static void bond_lattice(const struct scene_lattice *lattice, int64_t n, int64_t
     }
 }
 
-/* ---- any -------------------------------------------------------------------------------------------------------------- */
+/* ---- any --------------------------------------------------------------------------------------------------------- */
 
 void arrange_positions(const struct scene *scene, double *x)
 {

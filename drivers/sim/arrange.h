@@ -11,7 +11,8 @@ void arrange_positions(const struct scene *scene, double *x);
 /** The diameter at which neighbours just touch; 0 for a single body. */
 double arrange_touching(const struct scene *scene);
 
-/** Neighbours, each pair once: ring (k, k+1) and last (n-1, 0); chain (k, k+1); lattice body by body, along x, y and z. */
+/** Neighbours, each pair once: ring (k, k+1) and last (n-1, 0); chain (k, k+1); lattice body by body, along x, y and
+ *  z. */
 int64_t arrange_bonds(const struct scene *scene);
 /** pair[arrange_bonds][2], bodies from 0. */
 void arrange_bond_pairs(const struct scene *scene, int64_t *pair);

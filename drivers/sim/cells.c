@@ -9,8 +9,8 @@
 /** Longer by what rounding can take off distances and displacements, with room to spare. */
 static const double rounding = 1.0 + 16.0 * DBL_EPSILON;
 
-/** Cells are counted to 2^40 either way, where x/width is rounded to 2^-13 of a cell: as they are 2^-10 wider than any reach,
- *  bodies in reach are never more than one cell apart. What is farther out shares the last cells. */
+/** Cells are counted to 2^40 either way, where x/width is rounded to 2^-13 of a cell: as they are 2^-10 wider than any
+ *  reach, bodies in reach are never more than one cell apart. What is farther out shares the last cells. */
 static const double last_cell = 0x1p40;
 static const double cell_margin = 1.0 + 0x1p-10;
 
@@ -24,7 +24,7 @@ struct cell {
     int64_t q[3], begin, end; /* its members */
 };
 
-/* ---- cells -------------------------------------------------------------------------------------------------------- */
+/* ---- cells ------------------------------------------------------------------------------------------------------- */
 
 static void cell_of(const struct cells *s, const double x[3], int64_t q[3])
 {
@@ -83,7 +83,7 @@ static void fill_cells(struct cells *s)
     }
 }
 
-/* ---- search ------------------------------------------------------------------------------------------------------- */
+/* ---- search ------------------------------------------------------------------------------------------------------ */
 
 static int add(struct pairs *found, int64_t i, int64_t j)
 {
@@ -149,7 +149,7 @@ int cells_search(struct cells *cells, double longest, double skin, struct pairs 
     return 0;
 }
 
-/* ---- create and destroy ------------------------------------------------------------------------------------------- */
+/* ---- create and destroy ------------------------------------------------------------------------------------------ */
 
 /** NULL if memory is out, never for being empty. */
 static void *array(int64_t count, size_t size)

@@ -28,8 +28,8 @@ struct cells {
 /** Room for n >= 0 bodies; returns 0, or -1 if memory is out, with *cells as after cells_destroy. */
 int cells_create(struct cells *cells, int64_t n);
 
-/** Sets *found to the pairs i < j whose gap, the distance less both radii, is below the skin, in no order that the caller
- *  may rely on. longest is the largest radius. Returns 0, or -1 if memory is out. */
+/** Sets *found to the pairs i < j whose gap, the distance less both radii, is below the skin, in no order that the
+ *  caller may rely on. longest is the largest radius. Returns 0, or -1 if memory is out. */
 int cells_search(struct cells *cells, double longest, double skin, struct pairs *found);
 
 void cells_destroy(struct cells *cells);

@@ -13,13 +13,14 @@ struct observer {
     int raw;       /* 0: position and velocity are of the same time. 1: the bodies as the stepper keeps them */
 };
 
-/** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple of
- *  h and the last step before it otherwise. */
+/** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple
+ *  of h and the last step before it otherwise. */
 int64_t loop_steps(double t_end, double h);
 
-/** Takes the model, which is at step from, to step steps by steps of h, and shows steps from ... steps to the observers, in
- *  their order. With from > 0 the model's bodies must be as a raw observer saw them at that step, and the run goes on with
- *  the same bits. Returns 0; 1 if an observer stopped it; -1 with one line in *message if a step was refused. */
+/** Takes the model, which is at step from, to step steps by steps of h, and shows steps from ... steps to the
+ *  observers, in their order. With from > 0 the model's bodies must be as a raw observer saw them at that step, and the
+ *  run goes on with the same bits. Returns 0; 1 if an observer stopped it; -1 with one line in *message if a step was
+ *  refused. */
 int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
              const struct observer *observers, int observers_count, struct message *message);
 

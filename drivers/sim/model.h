@@ -49,8 +49,8 @@ double model_energy(struct model *model, const vti_bodies *bodies);
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
 
-/** What the effects keep beside the bodies, booked energies and what they remember, for a run that goes on with the same bits: how many
- *  doubles, and the doubles. */
+/** What the effects keep beside the bodies, booked energies and what they remember, for a run that goes on with the
+ *  same bits: how many doubles, and the doubles. */
 int64_t model_memory_size(const struct model *model);
 void model_memory_get(const struct model *model, double *memory);
 /** Returns 0, or -1 if so many are not those of this model. */

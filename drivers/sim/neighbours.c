@@ -9,10 +9,10 @@
 
 #include "cells.h"
 
-/** The default skin, as a share of the mean diameter: a wide one means more pairs to look at in each step, a narrow one more
- *  builds. For 1e4 equal spheres that fill 0.6 of the space and move freely by 1e-4, 1e-3 or 1e-2 of their diameter in a step
- *  (root mean square per direction), search and forces take 1.4, 1.0 and 1.2 times what they take with the best skin, which
- *  is 0.05, 0.15 and 0.5. */
+/** The default skin, as a share of the mean diameter: a wide one means more pairs to look at in each step, a narrow one
+ *  more builds. For 1e4 equal spheres that fill 0.6 of the space and move freely by 1e-4, 1e-3 or 1e-2 of their
+ *  diameter in a step (root mean square per direction), search and forces take 1.4, 1.0 and 1.2 times what they take
+ *  with the best skin, which is 0.05, 0.15 and 0.5. */
 static const double default_skin = 0.2;
 
 struct neighbours_search {
@@ -26,7 +26,7 @@ struct neighbours_search {
     int64_t excluded_count;
 };
 
-/* ---- lists of pairs ----------------------------------------------------------------------------------------------- */
+/* ---- lists of pairs ---------------------------------------------------------------------------------------------- */
 
 /** Stable counting sort of pairs by their side 0 or 1, whose values are below n. */
 static void sort_by(int side, int64_t n, int64_t *start, int64_t count, const int64_t *from, int64_t *to)
@@ -72,7 +72,7 @@ static int64_t leave_out_excluded(const struct neighbours_search *s, int64_t *pa
     return count;
 }
 
-/* ---- update ------------------------------------------------------------------------------------------------------- */
+/* ---- update ------------------------------------------------------------------------------------------------------ */
 
 /** 1 if a body has moved by more than half of what the skin is above the reach, or to where there are no numbers. */
 static int has_moved(const struct neighbours *list, const vti_view *x)
@@ -139,7 +139,7 @@ int neighbours_update(struct neighbours *list, const vti_view *x, struct message
     return 1;
 }
 
-/* ---- create and destroy ------------------------------------------------------------------------------------------- */
+/* ---- create and destroy ------------------------------------------------------------------------------------------ */
 
 static int store_diameters(struct neighbours *list, const vti_scalars *diameter, double skin, struct message *message)
 {

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Neighbours: the pairs of spheres that touch or may soon, for vti_contacts. A Verlet list: it holds the pairs whose gap was
- * below the skin when it was built, and is built anew, from a list of cells, once a body has moved by more than half the
- * skin, so that no pair ever touches without being in it.
+ * Neighbours: the pairs of spheres that touch or may soon, for vti_contacts. A Verlet list: it holds the pairs whose
+ * gap was below the skin when it was built, and is built anew, from a list of cells, once a body has moved by more than
+ * half the skin, so that no pair ever touches without being in it.
  *
- * The domain has no bounds; only cells with bodies in them exist, so that bodies that fly away cost nothing. Time and memory
- * are O(n + pairs) for spheres of similar size. Cells are as wide as the largest sphere and the skin, and so hold many of
- * the smallest: at random places, with equal volumes of two sizes that fill 0.6, a build costs, per body, 1.5 times that of
- * equal spheres for diameters of 1:3, 3 times for 1:5 and 13 times for 1:10. The list itself does not grow for it. */
+ * The domain has no bounds; only cells with bodies in them exist, so that bodies that fly away cost nothing. Time and
+ * memory are O(n + pairs) for spheres of similar size. Cells are as wide as the largest sphere and the skin, and so
+ * hold many of the smallest: at random places, with equal volumes of two sizes that fill 0.6, a build costs, per body,
+ * 1.5 times that of equal spheres for diameters of 1:3, 3 times for 1:5 and 13 times for 1:10. The list itself does not
+ * grow for it. */
 #ifndef VTI_NEIGHBOURS_H
 #define VTI_NEIGHBOURS_H
 
@@ -28,20 +29,20 @@ struct neighbours {
  *
  *  diameter [n]   > 0 and finite; copied
  *  skin           a length > 0, or 0 for the default, 0.2 of the mean diameter
- *  excluded       [excluded_count][2] bodies from 0, in any order and either way round: pairs that are never in the list,
- *                 such as those that bonds hold; copied. NULL if there are none
+ *  excluded       [excluded_count][2] bodies from 0, in any order and either way round: pairs that are never in the
+ *                 list, such as those that bonds hold; copied. NULL if there are none
  *
  *  Returns 0, or -1 with one line in *message that names the body or the pair at fault, and *list as after
  *  neighbours_destroy. */
 int neighbours_create(struct neighbours *list, int64_t n, const vti_scalars *diameter, double skin,
                       int64_t excluded_count, const int64_t *excluded, struct message *message);
 
-/** Makes the list hold every pair that touches, or has a gap below list->reach, at the positions x [n], which must not be
- *  absent. Which others it holds depends on when it was built; as it is sorted and others add nothing, sums over it depend
- *  on x alone, to the bit.
+/** Makes the list hold every pair that touches, or has a gap below list->reach, at the positions x [n], which must not
+ *  be absent. Which others it holds depends on when it was built; as it is sorted and others add nothing, sums over it
+ *  depend on x alone, to the bit.
  *
- *  Returns 1 if it was built anew, 0 if it still held, or -1 with one line in *message, if a position is not finite (the
- *  line names the body) or memory is out. The list is empty then, and the next update builds it. */
+ *  Returns 1 if it was built anew, 0 if it still held, or -1 with one line in *message, if a position is not finite
+ *  (the line names the body) or memory is out. The list is empty then, and the next update builds it. */
 int neighbours_update(struct neighbours *list, const vti_view *x, struct message *message);
 
 /** Frees the list's memory; harmless for one that is destroyed already or all zeros. */

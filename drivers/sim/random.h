@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Random numbers of a scene: the sequence splitmix64 of its seed (Steele, Lea and Flood 2014), of which any number is found
- * by itself. They are the same bits everywhere, and a number does not depend on which others are drawn. */
+ * Random numbers of a scene: the sequence splitmix64 of its seed (Steele, Lea and Flood 2014), of which any number is
+ * found by itself. They are the same bits everywhere, and a number does not depend on which others are drawn. */
 #ifndef VTI_RANDOM_H
 #define VTI_RANDOM_H
 

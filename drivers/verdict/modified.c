@@ -59,11 +59,11 @@ static double fourths(const vti_bodies *b)
     return vti_sum_value(&sum);
 }
 
-/* ---- the energies ------------------------------------------------------------------------------------------------- */
+/* ---- the energies ------------------------------------------------------------------------------------------------ */
 
 /** kick(h/2) drift(h) kick(h/2) conserves H + h^2 (v V'' v/12 - (F^2/m + RM^2/J)/24 + c J Omega^4) + O(h^4), the
- *  Baker-Campbell-Hausdorff series of its parts. v V'' v = -d(F.v + RM.Omega)/dt along a free drift. A drift that turns by
- *  asin(h Omega), 2 atan(h Omega/2) or h Omega is that of a kinetic energy with c = 1/24, -1/48 or 0. */
+ *  Baker-Campbell-Hausdorff series of its parts. v V'' v = -d(F.v + RM.Omega)/dt along a free drift. A drift that turns
+ *  by asin(h Omega), 2 atan(h Omega/2) or h Omega is that of a kinetic energy with c = 1/24, -1/48 or 0. */
 static double turn_part(int64_t law)
 {
     return law == VTI_LAW_CLOSED ? 1.0 / 24.0 : law == VTI_LAW_CAYLEY ? -1.0 / 48.0 : 0.0;
@@ -72,8 +72,8 @@ static double turn_part(int64_t law)
 struct energies modified_energies(struct modified *m, const vti_bodies *bodies, double total)
 {
     struct energies e = {NAN, NAN};
-    /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves out
-     * is large */
+    /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves
+     * out is large */
     const vti_stepper *s = m->stepper;
     const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
     vti_bodies *p = &m->probe.bodies;

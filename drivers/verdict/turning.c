@@ -5,7 +5,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/** atan z for 0 <= z <= 1: tan(u/2) = tan u/(1 + sqrt(1 + tan^2 u)) three times, to z < 0.099, and the series to z^15. */
+/** atan z for 0 <= z <= 1: tan(u/2) = tan u/(1 + sqrt(1 + tan^2 u)) three times, to z < 0.099, and the series to
+ *  z^15. */
 static double arctangent(double z)
 {
     enum { HALVINGS = 3, LAST = 15 };

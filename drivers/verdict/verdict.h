@@ -3,15 +3,15 @@
  * The verdict on a run: can it be believed? It looks at the rows of a run (columns.h) and, where effects follow
  * something, at every step.
  *
- * Energy (EQUATIONS 6.9). H is the column total, what effects have booked included, H~ = H - (h^2/8) sum(F^2/m + RM^2/J) where the stepper is Verlet's. S
- * is the largest so far of T + U of the effects between bodies: of fields, walls and pivots, which break a momentum
- * (vti_effect.breaks), the energy is left out, and T is taken without that of the centre of mass in those directions in
- * which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4 at a row, or not finite. Both, since H
- * alone swings by up to (h omega)^2/4 of S in the best of runs, and H~ is exact for linear forces only; so exact that
- * it stays when a linear oscillator blows up. Therefore H - H(0) > 0.7 S is bad by itself: the energy has more than
- * tripled, as it does in stable runs only above 0.84 of the stable step, where (h omega)^2/4 is 0.7. vti3 shows
- * velocities of half a step before, by which its H swings by h omega/2 too: in fields it is called bad where it need
- * not be, in two of 2000 random scenes below half of the stable step. */
+ * Energy (EQUATIONS 6.9). H is the column total, what effects have booked included, H~ = H - (h^2/8) sum(F^2/m +
+ * RM^2/J) where the stepper is Verlet's. S is the largest so far of T + U of the effects between bodies: of fields,
+ * walls and pivots, which break a momentum (vti_effect.breaks), the energy is left out, and T is taken without that of
+ * the centre of mass in those directions in which nothing from outside acts. Bad: H - H(0) > S/4 and H~ - H~(0) > S/4
+ * at a row, or not finite. Both, since H alone swings by up to (h omega)^2/4 of S in the best of runs, and H~ is exact
+ * for linear forces only; so exact that it stays when a linear oscillator blows up. Therefore H - H(0) > 0.7 S is bad
+ * by itself: the energy has more than tripled, as it does in stable runs only above 0.84 of the stable step, where (h
+ * omega)^2/4 is 0.7. vti3 shows velocities of half a step before, by which its H swings by h omega/2 too: in fields it
+ * is called bad where it need not be, in two of 2000 random scenes below half of the stable step. */
 #ifndef VTI_VERDICT_H
 #define VTI_VERDICT_H
 
@@ -37,8 +37,9 @@ struct trend {
 
 void trend_add(struct trend *s, double t, double y);
 
-/** Least squares over the whole blocks: y per t, and its standard error by what the line leaves. Values that lie near each
- *  other in time are not independent; means over the 32 to 64 blocks of a long series nearly are. NaN below four blocks. */
+/** Least squares over the whole blocks: y per t, and its standard error by what the line leaves. Values that lie near
+ *  each other in time are not independent; means over the 32 to 64 blocks of a long series nearly are. NaN below four
+ *  blocks. */
 void trend_slope(const struct trend *s, double *slope, double *error);
 
 /* ---- the verdict ------------------------------------------------------------------------------------------------- */
@@ -122,16 +123,18 @@ void verdict_put(struct verdict *v, const double *state);
 /* By what angle a step turns a body, and how far that is from h|Omega| (EQUATIONS 2). Nothing here calls libm but for
  * square roots, so that what is reported has the same bits everywhere. */
 
-/** The angle, from 0 on and not folded at full turns, by which a drift of the law (vti_law) turns a body of t|Omega| = s >= 0:
- *  asin s (closed; s <= 1 is taken for more), 2 atan(s/2) (Cayley), 2 atan2(v, c) of the pair (c, v) of the exact laws. */
+/** The angle, from 0 on and not folded at full turns, by which a drift of the law (vti_law) turns a body of t|Omega| =
+ *  s >= 0: asin s (closed; s <= 1 is taken for more), 2 atan(s/2) (Cayley), 2 atan2(v, c) of the pair (c, v) of the
+ *  exact laws. */
 double turning_angle(int64_t law, double s);
 
-/** Sum over the stepper's drifts a_k h of | turning_angle(a_k s) - a_k s |, as a share of s = h|Omega|. 0 for s = 0, and for a
- *  stepper that is not made of drifts. */
+/** Sum over the stepper's drifts a_k h of | turning_angle(a_k s) - a_k s |, as a share of s = h|Omega|. 0 for s = 0,
+ *  and for a stepper that is not made of drifts. */
 double turning_error(const vti_stepper *stepper, double s);
 
-/** The largest turning_error that is no cause for a remark. Exact laws are meant to turn by h|Omega|: 1e-3. The angles of
- *  the others err as s^2/12 and s^2/6, which their order says already: 0.1, at h|Omega| = 1.2 (Cayley) and 0.7 (closed). */
+/** The largest turning_error that is no cause for a remark. Exact laws are meant to turn by h|Omega|: 1e-3. The angles
+ *  of the others err as s^2/12 and s^2/6, which their order says already: 0.1, at h|Omega| = 1.2 (Cayley) and 0.7
+ *  (closed). */
 double turning_tolerance(const vti_stepper *stepper);
 
 #endif

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The chain of examples/chain with LAMMPS as the host: LAMMPS owns, moves and communicates the spheres (fix nve/asphere on its
- * own domain decomposition), and asks us for the binder's forces and moments through fix external, on any number of ranks.
+ * The chain of examples/chain with LAMMPS as the host: LAMMPS owns, moves and communicates the spheres (fix nve/asphere
+ * on its own domain decomposition), and asks us for the binder's forces and moments through fix external, on any number
+ * of ranks.
  *     mpirun -n 2 lammps_chain ../chain/bodies.csv ../chain/bonds.csv STEP STEPS
- * Rank 0 prints what check.py reads: energies, the check of the forces, and the end in the columns of the other hosts. */
+ * Rank 0 prints what check.py reads: energies, the check of the forces, and the end in the columns of the other
+ * hosts. */
 #include <math.h>
 #include <mpi.h>
 #include <stdarg.h>
@@ -33,8 +35,8 @@ static void make_room(struct local *here, int64_t atoms)
     here->room = atoms;
 }
 
-/** Attitudes of all spheres by tag. LAMMPS keeps those of ghosts too, but its C library shows only those that a rank owns,
- *  so they are exchanged here. Each is summed from one value and zeros: the bits stay. */
+/** Attitudes of all spheres by tag. LAMMPS keeps those of ghosts too, but its C library shows only those that a rank
+ *  owns, so they are exchanged here. Each is summed from one value and zeros: the bits stay. */
 static void share_attitudes(struct host *host, int owned, const int *tag)
 {
     double **own = lammps_extract_compute(host->lammps, "attitude", LMP_STYLE_ATOM, LMP_TYPE_ARRAY);
@@ -55,8 +57,8 @@ static void locate(struct host *host, int atoms, const int *tag)
         host->here.place[tag[a] - 1] = a;
 }
 
-/** The bonds that pull at spheres of this rank, those whose first sphere is owned in front: their energy is this rank's. The
- *  rank of the other end computes a bond that crosses a border too, so that no force travels. */
+/** The bonds that pull at spheres of this rank, those whose first sphere is owned in front: their energy is this
+ *  rank's. The rank of the other end computes a bond that crosses a border too, so that no force travels. */
 static void choose_bonds(struct host *host, int owned)
 {
     struct local *here = &host->here;
@@ -141,7 +143,8 @@ static void turn(struct host *host, int i)
 static void create(struct host *host)
 {
     const int n = (int)host->scene.bodies;
-    /* Ranks share the chain along its length; a ghost is at most one bond away, and bonds stay far below a length of 2. */
+    /* Ranks share the chain along its length; a ghost is at most one bond away, and bonds stay far below a length of
+     * 2. */
     command(host,
             "units lj\natom_style ellipsoid\natom_modify map array\nboundary s s s\nprocessors * 1 1\n"
             "region all block -1 %d -1 1 -1 1\ncreate_box 1 all\ncomm_modify cutoff 2\npair_style none",

@@ -29,7 +29,8 @@ void *reserve(void *old, int64_t values, size_t size);
 /** printf on rank 0. */
 void say(const struct host *host, const char *format, ...);
 
-/** The end of a run: how LAMMPS' forces compare with those of all bonds at once, who had what, and where the spheres are. */
+/** The end of a run: how LAMMPS' forces compare with those of all bonds at once, who had what, and where the spheres
+ *  are. */
 void report(struct host *host);
 
 #endif

@@ -34,7 +34,8 @@ void FixNVEVTI::init()
         error->all(FLERR, "Fix nve/vti needs units in which force is mass times acceleration, such as lj and si");
 }
 
-/* Atoms change places only where neighbour lists are built, so that this is the only place to look at them one by one. */
+/* Atoms change places only where neighbour lists are built, so that this is the only place to look at them one by
+ * one. */
 void FixNVEVTI::post_neighbor()
 {
     const int n = atom->nlocal;
@@ -61,8 +62,8 @@ void FixNVEVTI::setup_post_neighbor()
     post_neighbor();
 }
 
-/* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y, z); where
-   atoms have none, as those of atom_style sphere, nothing is turned, and spins are kicked all the same. */
+/* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y,
+ * z); where atoms have none, as those of atom_style sphere, nothing is turned, and spins are kicked all the same. */
 vti_bodies FixNVEVTI::views() const
 {
     vti_bodies bodies = vti_bodies_none(atom->nlocal);

@@ -2,8 +2,8 @@
  * Part of a plugin for LAMMPS, and under the licence of LAMMPS; the library that it calls is not. See LICENSE.
  *
  * fix ID group-ID nve/vti [vti1 | vti2 | vti3 | exact]
- *     moves spheres in the place of fix nve/sphere (atom_style sphere) or, where they have an orientation (atom_style bpm/sphere), of
- *     fix nve/bpm/sphere; vti2 unless said. */
+ *     moves spheres in the place of fix nve/sphere (atom_style sphere) or, where they have an orientation (atom_style
+ *     bpm/sphere), of fix nve/bpm/sphere; vti2 unless said. */
 #ifndef FIX_NVE_VTI_H
 #define FIX_NVE_VTI_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-2.0-only
- * What LAMMPS' command `plugin load` finds. Built with VTI_LAMMPS_VERSION, the version of the LAMMPS whose headers were used:
- * LAMMPS warns when it is another. */
+ * What LAMMPS' command `plugin load` finds. Built with VTI_LAMMPS_VERSION, the version of the LAMMPS whose headers were
+ * used: LAMMPS warns when it is another. */
 #include "fix_nve_vti.h"
 
 namespace

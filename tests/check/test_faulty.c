@@ -224,7 +224,8 @@ TEST(every_mistake_is_named)
     assert_int_equal(wrong, 0);
 }
 
-/** Whether the host turns its bodies rightly, wrongly or not at all makes no difference where only translation is asked for. */
+/** Whether the host turns its bodies rightly, wrongly or not at all makes no difference where only translation is asked
+ *  for. */
 TEST(every_mistake_of_translation_is_named)
 {
     const int rotations[] = {NO_ROTATION, 0, WRONG_SIGN | WRONG_SIDE, OLD_SPIN | NO_INERTIA, BODY_MOMENT};
@@ -235,7 +236,8 @@ TEST(every_mistake_of_translation_is_named)
     assert_int_equal(wrong, 0);
 }
 
-/** A wrong constant fails the line of that constant and no other: everything else is judged by the constants measured. */
+/** A wrong constant fails the line of that constant and no other: everything else is judged by the constants
+ *  measured. */
 TEST(constants_alone_fail_no_other_line)
 {
     static const struct {
@@ -289,7 +291,7 @@ TEST(what_is_not_known_is_not_passed)
     assert_true(vti_check_run("damped", faulty_advance, &fault, &report) > 0);
 }
 
-/* ---- the host that refuses -------------------------------------------------------------------------------------------- */
+/* ---- the host that refuses --------------------------------------------------------------------------------------- */
 
 static int refuse(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat, double *omega,
                   const double *mass, const double *inertia, vti_check_forces *forces, void *kit)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What the kit says of the library's steppers and of the rivals: nothing, but of those that are known to be of first order. */
+ * What the kit says of the library's steppers and of the rivals: nothing, but of those that are known to be of first
+ * order. */
 #include "support.h"
 
 #include "method_check.h"

@@ -19,8 +19,8 @@ module lattice
     end type
 
     interface
-        function shim_lattice(name, h, steps, n, x, v, alpha, omega, mass, inertia, diameter, bonds, pair, rest, effects, &
-            results) result(status) bind(c)
+        function shim_lattice(name, h, steps, n, x, v, alpha, omega, mass, inertia, diameter, bonds, pair, rest, &
+            effects, results) result(status) bind(c)
             import :: c_char, c_double, c_int, c_int64_t
             character(kind=c_char), intent(in) :: name(*)
             real(c_double), value :: h
@@ -70,7 +70,8 @@ contains
         integer, intent(in) :: counts(3), effects
         type(crowd) :: c
         c = new_crowd(counts)
-        call expect_status(shim_lattice(name//c_null_char, h, steps, size(c%x, 2, c_int64_t), c%x, c%v, c%alpha, c%omega, &
+        call expect_status(shim_lattice(name//c_null_char, h, steps, size(c%x, 2, c_int64_t), c%x, c%v, c%alpha, &
+            c%omega, &
             c%mass, c%inertia, c%diameter, size(c%pair, 2, c_int64_t), c%pair, c%rest, int(effects, c_int64_t), &
             c%results), VTI_OK, 'the run in C')
         call expect(all(abs(c%x) < 1e3_c_double), name//': the run in C stays in place')

@@ -15,8 +15,8 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
                  double *omega, const double *mass, const double *inertia, const double *diameter, int64_t bonds,
                  const int64_t *pair, double *rest, int64_t effects, double results[4]);
 
-/** Runs the first so many effects of bonds, contacts, walls, gravity, pendulum. Bodies in pair count from 1. results are the
- *  stable step, and at the end the energy of all and of two terms. */
+/** Runs the first so many effects of bonds, contacts, walls, gravity, pendulum. Bodies in pair count from 1. results
+ *  are the stable step, and at the end the energy of all and of two terms. */
 int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x, double *v, double *alpha,
                  double *omega, const double *mass, const double *inertia, const double *diameter, int64_t count,
                  const int64_t *pair, double *rest, int64_t effects, double results[4])

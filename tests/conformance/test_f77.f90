@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> The procedures without modules: the code of f77_run.f, on COMMON blocks of (NMAX,3) arrays and on (3,N) arrays, is after
-!> 1000 steps where the run in C is, to the last bit; and what it does wrong comes back as a status with a text.
+!> The procedures without modules: the code of f77_run.f, on COMMON blocks of (NMAX,3) arrays and on (3,N) arrays, is
+!> after 1000 steps where the run in C is, to the last bit; and what it does wrong comes back as a status with a text.
 program test_f77
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double, c_int
@@ -10,8 +10,8 @@ program test_f77
     implicit none
 
     integer, parameter :: nmax = 256, mbond = 600, chain(3) = [10, 1, 1], block(3) = [7, 6, 5]
-    external :: f77row, f77col, f77qua, vtibeg, vtibnd, vtibrs, vtichk, vtidrf, vtifin, vtikck, vtiqty, vtistg, vtistp, &
-        vtitrn, vtitrq, vtitxt, vtiver
+    external :: f77row, f77col, f77qua, vtibeg, vtibnd, vtibrs, vtichk, vtidrf, vtifin, vtikck, vtiqty, vtistg, &
+        vtistp, vtitrn, vtitrq, vtitxt, vtiver
     double precision :: x(nmax, 3), v(nmax, 3), a(nmax, 3), w(nmax, 3), rm(nmax), ri(nmax), rest(4, mbond)
     integer :: ipair(2, mbond)
     common /state/ x, v, a, w, rm, ri, rest

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> How errors cross from C to Fortran: every procedure hands on the status, faults count from 1, what the constructors of
-!> views know of shapes is refused, and nothing has changed. Which input has which status is C's: tests/unit.
+!> How errors cross from C to Fortran: every procedure hands on the status, faults count from 1, what the constructors
+!> of views know of shapes is refused, and nothing has changed. Which input has which status is C's: tests/unit.
 program test_fortran_errors
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
@@ -94,7 +94,8 @@ contains
         friction = effects(4)
         call expect_status(vti_step_check(vti_stepper_find('srkn14'), [friction]), VTI_OK, 'srkn14 under gravity')
         friction%dissipates = 1
-        call expect_status(vti_step_check(vti_stepper_find('srkn14'), [friction]), VTI_E_DISSIPATES, 'srkn14 with friction')
+        call expect_status(vti_step_check(vti_stepper_find('srkn14'), [friction]), VTI_E_DISSIPATES, &
+            'srkn14 with friction')
     end subroutine
 
     !> One fault of each kind through every procedure.
@@ -182,7 +183,8 @@ contains
         call refused(VTI_E_COUNT, quantity, 'too short, '//what)
         call expect_status(vti_bodies_check_values(b, fault), VTI_E_COUNT, what)
         call expect(fault%body == 0 .and. fault%value < n .and. fault%value > 0, 'as many as it shows, '//what)
-        call expect_status(vti_bodies_check(vti_bodies_slice(b, 1_c_int64_t, nint(fault%value, c_int64_t))), VTI_OK, what)
+        call expect_status(vti_bodies_check(vti_bodies_slice(b, 1_c_int64_t, nint(fault%value, c_int64_t))), VTI_OK, &
+            what)
     end subroutine
 
     subroutine values()
@@ -211,8 +213,8 @@ contains
         call too_far(vti_step_begin(vti1, h, vti_bodies_slice(good, 2_c_int64_t, 3_c_int64_t), fault), 2_c_int64_t, &
             1.09375_c_double, 'a slice')
         call too_far(vti_drift(VTI_LAW_CLOSED, VTI_FRAME_SPACE, h, good, fault), 5_c_int64_t, 1.25_c_double, 'drift')
-        status = vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, force, s%alpha, s%omega, moment, n, s%mass, n, s%inertia, &
-            body, value)
+        status = vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, force, s%alpha, s%omega, moment, n, s%mass, n, &
+            s%inertia, body, value)
         fault = vti_fault(body, value, VTI_QUANTITY_OMEGA) ! packed arrays have no quantity
         call too_far(status, 5_c_int64_t, 1.25_c_double, 'packed')
         call expect_status(vti_step_begin(vti1, h, good), VTI_E_TOO_LARGE, 'begin without a fault to fill')
@@ -226,8 +228,8 @@ contains
         real(c_double), intent(in) :: turn
         character(len=*), intent(in) :: what
         call expect_status(status, VTI_E_TOO_LARGE, 'too large, '//what)
-        call expect(fault%body == wanted .and. abs(fault%value - turn) <= 0 .and. fault%quantity == VTI_QUANTITY_OMEGA, &
-            'the body that turns too far, '//what)
+        call expect(fault%body == wanted .and. abs(fault%value - turn) <= 0 .and. &
+            fault%quantity == VTI_QUANTITY_OMEGA, 'the body that turns too far, '//what)
         call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha), &
             'nothing has changed, '//what)
     end subroutine
@@ -252,7 +254,8 @@ contains
         pair(:, 2) = [n + 1, 2_c_int64_t]
         call element_is(vti_bonds_rest(pair, good, rest, fault), VTI_E_BOND, 2, 'a body behind the last')
         call expect(nint(fault%value, c_int64_t) == n + 1, 'a body behind the last: the value')
-        call element_is(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 2, 'a contact with a body behind the last')
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 2, &
+            'a contact with a body behind the last')
         pair(:, 2) = [2, 3]
         call element_is(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
         call element_is(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
@@ -321,14 +324,14 @@ contains
     end subroutine
 
     subroutine packed_arrays()
-        call expect_status(vti_packed_begin(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_E_STEPPER, &
-            'packed, steppers count from 1')
-        call expect_status(vti_packed_finish(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_E_STEPPER, &
-            'packed finish, steppers count from 1')
-        call expect_status(vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, masses=n - 1, mass=s%mass, inertias=1_c_int64_t), &
-            VTI_E_COUNT, 'packed, masses neither 1 nor n')
-        call expect_status(vti_packed_begin(1_c_int64_t, h, n, x=s%x, masses=1_c_int64_t, inertias=1_c_int64_t), VTI_OK, &
-            'packed, what is left out is absent')
+        call expect_status(vti_packed_begin(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), &
+            VTI_E_STEPPER, 'packed, steppers count from 1')
+        call expect_status(vti_packed_finish(0_c_int64_t, h, n, masses=1_c_int64_t, inertias=1_c_int64_t), &
+            VTI_E_STEPPER, 'packed finish, steppers count from 1')
+        call expect_status(vti_packed_begin(1_c_int64_t, h, n, s%x, s%v, masses=n - 1, mass=s%mass, &
+            inertias=1_c_int64_t), VTI_E_COUNT, 'packed, masses neither 1 nor n')
+        call expect_status(vti_packed_begin(1_c_int64_t, h, n, x=s%x, masses=1_c_int64_t, inertias=1_c_int64_t), &
+            VTI_OK, 'packed, what is left out is absent')
     end subroutine
 
     !> Every procedure refuses b and, where it says more than a status, names the quantity; and nothing has changed.
@@ -370,8 +373,9 @@ contains
 
     subroutine unchanged(what)
         character(len=*), intent(in) :: what
-        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. same_bits(s%alpha, before%alpha) .and. &
-            same_bits(s%omega, before%omega) .and. same_bits(s%mass, before%mass) .and. all(abs(force - 0.5_c_double) <= 0) &
-            .and. all(abs(moment - 0.25_c_double) <= 0) .and. all(abs(other) <= 0), what//', nothing has changed')
+        call expect(same_bits(s%x, before%x) .and. same_bits(s%v, before%v) .and. &
+            same_bits(s%alpha, before%alpha) .and. same_bits(s%omega, before%omega) .and. &
+            same_bits(s%mass, before%mass) .and. all(abs(force - 0.5_c_double) <= 0) .and. &
+            all(abs(moment - 0.25_c_double) <= 0) .and. all(abs(other) <= 0), what//', nothing has changed')
     end subroutine
 end program

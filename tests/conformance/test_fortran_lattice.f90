@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> Every effect from Fortran: a chain and a block of bonded spheres are after 1000 steps where the same run in C puts them, to
-!> the last bit, and so are rest vectors, energies and the stable step. Arrays of other layouts are in test_fortran.f90.
+!> Every effect from Fortran: a chain and a block of bonded spheres are after 1000 steps where the same run in C puts
+!> them, to the last bit, and so are rest vectors, energies and the stable step. Arrays of other layouts are in
+!> test_fortran.f90.
 program test_fortran_lattice
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use common, only: expect, expect_status, finish, same_bits
@@ -60,8 +61,8 @@ contains
         effects = [vti_bonds_effect(bonds), vti_contacts_effect(contacts), vti_walls_effect(walls), &
             vti_gravity_effect(gravity), vti_pendulum_effect(pendulum)]
         allocate (scratch(bodies%count))
-        call expect_status(vti_stable_step(effects, bodies, scratch, stable, vti_deformation(0.25_c_double, 0.125_c_double, 1)), &
-            VTI_OK, title//', stable step')
+        call expect_status(vti_stable_step(effects, bodies, scratch, stable, vti_deformation(0.25_c_double, &
+            0.125_c_double, 1)), VTI_OK, title//', stable step')
         results(1) = stable%h
 
         method = vti_stepper_find(name)
@@ -105,7 +106,8 @@ contains
         real(c_double), intent(in) :: results(4)
         character(len=*), intent(in) :: title
         call expect(same_bits(results, c%results), title//', stable step and energies')
-        call expect(results(1) > h .and. minval(abs(results(2:4))) > 1e-3_c_double, title//', results that say something')
+        call expect(results(1) > h .and. minval(abs(results(2:4))) > 1e-3_c_double, &
+            title//', results that say something')
     end subroutine
 
     subroutine columns(name, counts, title)

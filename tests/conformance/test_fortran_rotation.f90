@@ -68,10 +68,12 @@ contains
         ours(1:24) = [vti_rrv_compose(a, b), vti_rrv_inverse(a), vti_rrv_relative(a, b), vti_rrv_turn(c, b, a), &
             vti_rrv_turn_body(c, b, a), vti_rrv_rotate(a, b), vti_rrv_rotate_back(a, b), vti_rrv_angle(a), &
             vti_rrv_distance(a, b), 0d0]
-        ours(24:36) = [vti_rrv_from_rotvec(b), vti_rrv_to_rotvec(a), vti_rrv_from_quat_xyzw([b, c]), vti_rrv_to_quat_xyzw(a)]
+        ours(24:36) = [vti_rrv_from_rotvec(b), vti_rrv_to_rotvec(a), vti_rrv_from_quat_xyzw([b, c]), &
+            vti_rrv_to_quat_xyzw(a)]
         ours(37:48) = [reshape(transpose(matrix), [9]), vti_rrv_from_matrix(matrix)]
         ours(49:51) = [matrix(1, 1)*b(1) + matrix(1, 2)*b(2) + matrix(1, 3)*b(3), &
-            matrix(2, 1)*b(1) + matrix(2, 2)*b(2) + matrix(2, 3)*b(3), matrix(3, 1)*b(1) + matrix(3, 2)*b(2) + matrix(3, 3)*b(3)]
+            matrix(2, 1)*b(1) + matrix(2, 2)*b(2) + matrix(2, 3)*b(3), &
+            matrix(3, 1)*b(1) + matrix(3, 2)*b(2) + matrix(3, 3)*b(3)]
         call shim_rotations(a, b, c, theirs)
         call expect(all(transfer(ours, [0_int64]) == transfer(theirs, [0_int64])), 'the bits are those of C')
     end subroutine

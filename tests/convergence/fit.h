@@ -21,8 +21,8 @@ static inline int fit_steps(int coarsest, int k)
 }
 
 /** The slope of log(e) over log(1/n) is the order, less what the next power of h adds to it on so coarse a ladder: that
- *  is seen as scatter about the line, whose 95 % interval is to hold the order within it or next to it by `slack`, and to be
- *  narrow itself. */
+ *  is seen as scatter about the line, whose 95 % interval is to hold the order within it or next to it by `slack`, and
+ *  to be narrow itself. */
 static inline void assert_order(const char *what, const int steps[RUNGS], const double error[RUNGS], double order,
                                 double slack)
 {

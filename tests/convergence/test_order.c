@@ -80,8 +80,8 @@ static void shows(const vti_stepper *method, double order, int coarsest)
     }
 }
 
-/* Coarsest steps: fine enough for the first power of h to rule, and so coarse that the finest errors, 4^order smaller, are
- * well above the rounding of t_end/h additions. */
+/* Coarsest steps: fine enough for the first power of h to rule, and so coarse that the finest errors, 4^order smaller,
+ * are well above the rounding of t_end/h additions. */
 static const struct {
     const char *name;
     int order, coarsest;

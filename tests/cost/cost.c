@@ -2,9 +2,9 @@
  *
  * A scene made of the effects that its argument names, stepped so many times: what callgrind counts instructions of.
  *     cost CONFIG STEPS [WEIGHT]
- *                           CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact,
- *                           w wall, g gravity, p pendulum; h the pendulum by hand, without the library's steps and effects;
- *                           1 one body, u not sealed */
+ *             CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact, w
+ *             wall, g gravity, p pendulum; h the pendulum by hand, without the library's steps and effects; 1 one body,
+ *             u not sealed */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

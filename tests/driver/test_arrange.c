@@ -19,7 +19,8 @@ static void assert_pair(const vti_bonds *bonds, int64_t k, int64_t i, int64_t j)
     assert_int_equal(bonds->pair[2 * k + 1], j);
 }
 
-/** EQUATIONS 3, Torus: D_p, particle k at 2 pi k/80, bonds (k, k + 1 mod 80), particle 40 just at the wall, E_0 = 40. */
+/** EQUATIONS 3, Torus: D_p, particle k at 2 pi k/80, bonds (k, k + 1 mod 80), particle 40 just at the wall, E_0 =
+ *  40. */
 TEST(the_torus)
 {
     struct scene scene;
@@ -126,9 +127,10 @@ TEST(one_body_of_each)
     }
 }
 
-/* ---- random velocities ------------------------------------------------------------------------------------------------ */
+/* ---- random velocities ------------------------------------------------------------------------------------------- */
 
-/** splitmix64 as published (seed 1234567), and its doubles, computed in Python by the sequential form of the generator. */
+/** splitmix64 as published (seed 1234567), and its doubles, computed in Python by the sequential form of the
+ *  generator. */
 TEST(the_generator)
 {
     static const uint64_t published[] = {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,

@@ -7,7 +7,7 @@
 #define CHAIN "bodies: {mass: 1, chain: {count: 4, spacing: 1}"
 #define WALL "wall: {stiffness: 10, planes: [[0, 0, 2, -6]]}\n"
 
-/* ---- absence ---------------------------------------------------------------------------------------------------------- */
+/* ---- absence ----------------------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *text;
@@ -92,9 +92,10 @@ TEST(planes_are_made_unit)
     model_destroy(&model);
 }
 
-/* ---- contacts --------------------------------------------------------------------------------------------------------- */
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-/** Neighbours of a chain that is pressed together: 1 - 0.8/1 = 0.2 of overlap. Bonds keep them from contact unless asked. */
+/** Neighbours of a chain that is pressed together: 1 - 0.8/1 = 0.2 of overlap. Bonds keep them from contact unless
+ *  asked. */
 TEST(contact_inside_bonds)
 {
     static const char *const bonded[] = {"", ", bonded: no", ", bonded: yes"};
@@ -114,7 +115,8 @@ TEST(contact_inside_bonds)
     }
 }
 
-/** Forces and energy are those of the bodies that are passed in, wherever their views lie and however far they have gone. */
+/** Forces and energy are those of the bodies that are passed in, wherever their views lie and however far they have
+ *  gone. */
 TEST(contacts_follow_the_bodies)
 {
     double x[4][3] = {{0, 0, 0}, {100, 0, 0}, {200, 0, 0}, {0, 0.5, 0}}, force[4][3]; /* 0 and 3 were far apart */
@@ -159,7 +161,7 @@ TEST(a_body_that_is_nowhere)
     model_destroy(&model);
 }
 
-/* ---- the stable step -------------------------------------------------------------------------------------------------- */
+/* ---- the stable step --------------------------------------------------------------------------------------------- */
 
 static double overlap(const struct model *model)
 {
@@ -203,7 +205,7 @@ TEST(overlaps_and_stable_steps)
     model_destroy(&model);
 }
 
-/* ---- steps that a bound at rest allows, and that blow up ---------------------------------------------------------------- */
+/* ---- steps that a bound at rest allows, and that blow up --------------------------------------------------------- */
 
 /** The largest energy over that at the start, of `steps` steps of h; infinite if one is refused. */
 static double growth(const char *text, double h, int64_t steps)

@@ -13,7 +13,7 @@ const char *__asan_default_options(void)
     return "allocator_may_return_null=1";
 }
 
-/* ---- one build ---------------------------------------------------------------------------------------------------- */
+/* ---- one build --------------------------------------------------------------------------------------------------- */
 
 /** A new list holds the pairs with a gap below the skin and no others. Returns how many. */
 static int64_t holds_the_near(double skin)
@@ -120,7 +120,7 @@ TEST(default_skin_is_a_share_of_the_mean_diameter)
     neighbours_destroy(&list);
 }
 
-/* ---- refused ------------------------------------------------------------------------------------------------------ */
+/* ---- refused ----------------------------------------------------------------------------------------------------- */
 
 static void assert_message(const char *part)
 {

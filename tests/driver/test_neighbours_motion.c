@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The list of neighbours over time: no touching pair is missed, and what a list went through leaves no trace in the forces. */
+ * The list of neighbours over time: no touching pair is missed, and what a list went through leaves no trace in the
+ * forces. */
 #include "packing.h"
 
 static packing b, other;

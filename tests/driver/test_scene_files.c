@@ -76,8 +76,8 @@ TEST(a_huge_file)
                    "t.yaml: is larger than 1 MiB; a scene is short, is this the right file?");
 }
 
-/** A text of a megabyte costs no more than a second, however it is nested: what libfyaml takes the square of the size for is
- *  refused before. */
+/** A text of a megabyte costs no more than a second, however it is nested: what libfyaml takes the square of the size
+ *  for is refused before. */
 TEST(deep_and_long_texts)
 {
     static const struct {

@@ -7,10 +7,11 @@
 
 static const char *folder;
 
-/** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; pendulum 0.04 + 1/sqrt(2) (EQUATIONS 3);
- *  chain, pile and heap, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its own splitmix64, and
- *  for the last two sum of 9.81 z. error bounds |E - E_0|/E_0 over steps of h: twice what was measured; that it is the error of a method of
- *  second order is what the test looks at. Of the spin nothing changes, so that it has no error at all. */
+/** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; pendulum 0.04 + 1/sqrt(2) (EQUATIONS
+ *  3); chain, pile and heap, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its own splitmix64, and
+ *  for the last two sum of 9.81 z. error bounds |E - E_0|/E_0 over steps of h: twice what was measured; that it is the
+ *  error of a method of second order is what the test looks at. Of the spin nothing changes, so that it has no error at
+ *  all. */
 static const struct {
     const char *name;
     const char *effects;
@@ -89,7 +90,7 @@ TEST(half_of_the_stable_step)
     }
 }
 
-/* ---- energy ----------------------------------------------------------------------------------------------------------- */
+/* ---- energy ------------------------------------------------------------------------------------------------------ */
 
 struct watch {
     struct model *model;

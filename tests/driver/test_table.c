@@ -51,7 +51,7 @@ TEST(reads_many_rows)
     table_destroy(&t);
 }
 
-/* ---- files that are refused ------------------------------------------------------------------------------------------ */
+/* ---- files that are refused -------------------------------------------------------------------------------------- */
 
 static const struct {
     const struct table_kind *kind;
@@ -109,7 +109,7 @@ TEST(what_is_no_file)
                    "b.csv:2:5: a byte 0; give a text file");
 }
 
-/* ---- tables that do not go with their scene -------------------------------------------------------------------------- */
+/* ---- tables that do not go with their scene ---------------------------------------------------------------------- */
 
 #define BODIES "bodies: {table: b.csv, mass: 1}\n"
 #define BONDED BODIES "binder: {table: c.csv, axial: 1}\n"
@@ -167,7 +167,7 @@ TEST(mismatches)
     }
 }
 
-/* ---- models of tables ------------------------------------------------------------------------------------------------- */
+/* ---- models of tables -------------------------------------------------------------------------------------------- */
 
 TEST(bodies_and_bonds)
 {

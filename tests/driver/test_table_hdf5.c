@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Tables of bodies and bonds as HDF5: what is read, whatever the type of the numbers, and the line that each fault gets. */
+ * Tables of bodies and bonds as HDF5: what is read, whatever the type of the numbers, and the line that each fault
+ * gets. */
 #define _POSIX_C_SOURCE 200809L
 #include <hdf5.h>
 
@@ -12,7 +13,7 @@
 
 #define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
 
-/* ---- writing ---------------------------------------------------------------------------------------------------------- */
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
 
 static void put(hid_t group, const char *name, hid_t type, int dimensions, hsize_t n, const double *values)
 {
@@ -58,7 +59,7 @@ static void write_both(const char *path)
     H5Fclose(file);
 }
 
-/* ---- reading ---------------------------------------------------------------------------------------------------------- */
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 TEST(reads)
 {
@@ -85,7 +86,7 @@ TEST(reads)
     tables_destroy(&tables);
 }
 
-/* ---- refusals --------------------------------------------------------------------------------------------------------- */
+/* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 static void refused(const struct table_kind *kind, const char *line)
 {

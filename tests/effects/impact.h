@@ -61,8 +61,8 @@ static inline double impact_ledger(const impact *m)
     return vti_energy(m->effects, m->count, &m->b) + vti_booked(m->effects, m->count);
 }
 
-/** Of a Hertzian contact of F = k_h delta^{3/2} that reduced mass m meets at the speed v: 2.943 (5 m/(4 k_h))^{2/5} v^{-1/5}
- *  (Hertz), how long it lasts without damping. */
+/** Of a Hertzian contact of F = k_h delta^{3/2} that reduced mass m meets at the speed v: 2.943 (5 m/(4 k_h))^{2/5}
+ *  v^{-1/5} (Hertz), how long it lasts without damping. */
 static inline double impact_duration(double m, double k_h, double v)
 {
     return 2.9432751 * pow(1.25 * m / k_h, 0.4) * pow(v, -0.2);

@@ -164,7 +164,8 @@ TEST(others_may_refuse)
     assert_int_equal(applied, 2);
 }
 
-/** A list of contacts may change after the effect was made, and then lack something: refused, and no number is its energy. */
+/** A list of contacts may change after the effect was made, and then lack something: refused, and no number is its
+ *  energy. */
 TEST(contacts_are_looked_at_again)
 {
     const int64_t pair[2] = {0, 1};

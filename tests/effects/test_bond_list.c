@@ -62,7 +62,8 @@ TEST(many_are_the_sum_of_one_at_a_time)
     }
 }
 
-/** Stiffnesses with strides: one for all bonds is an array of equal ones, and every third number of an array another. */
+/** Stiffnesses with strides: one for all bonds is an array of equal ones, and every third number of an array
+ *  another. */
 TEST(strides)
 {
     rng g = rng_seed(3045);

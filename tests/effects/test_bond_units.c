@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The kernels of bonds for wide units give the bits of those for any processor, and strided bodies those of packed ones:
- * every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them. Their
- * tables are private to the library, and declared here as in src/vti_binder_table.h. */
+ * The kernels of bonds for wide units give the bits of those for any processor, and strided bodies those of packed
+ * ones: every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them.
+ * Their tables are private to the library, and declared here as in src/vti_binder_table.h. */
 #include "crowd.h"
 
 struct bond_kernel {

@@ -11,7 +11,7 @@ static const vti_stepper *vti2(void)
     return vti_stepper_find("vti2");
 }
 
-/* ---- restitution --------------------------------------------------------------------------------------------------- */
+/* ---- restitution ------------------------------------------------------------------------------------------------- */
 
 /** e of zeta in libm's functions (EQUATIONS 6.3). */
 static double closed_form(double zeta, int pull)
@@ -35,8 +35,8 @@ TEST(zeta_of_restitution)
                 isnan(vti_dashpots_zeta(1.5, 0)) && isnan(vti_dashpots_zeta(NAN, 1)));
 }
 
-/** The share of the speed that is left after head-on impacts of two unequal spheres (or one and a plane) by so many steps
- *  in a contact without damping: the largest error over places of the first touch within a step. */
+/** The share of the speed that is left after head-on impacts of two unequal spheres (or one and a plane) by so many
+ *  steps in a contact without damping: the largest error over places of the first touch within a step. */
 static double restitution_error(double zeta, int pull, int plane, double speed, int steps)
 {
     double worst = 0;
@@ -82,7 +82,7 @@ TEST(restitution)
             }
 }
 
-/* ---- one touch ----------------------------------------------------------------------------------------------------- */
+/* ---- one touch --------------------------------------------------------------------------------------------------- */
 
 /** A random state of two spheres, or one and a plane, that overlap by a share o of their mean diameter. */
 static void random_touch(rng *g, int plane, double o)
@@ -126,8 +126,8 @@ static void relative(int plane, double u[3], double w[3], double masses[3])
     masses[2] = 1 / (1 / m.c.inertia[0] + other / m.c.inertia[1]);
 }
 
-/** Each of the four alone decays its own velocity by its own mass, leaves the parts that it must not touch, keeps momenta
- *  and books what went. */
+/** Each of the four alone decays its own velocity by its own mass, leaves the parts that it must not touch, keeps
+ *  momenta and books what went. */
 TEST(each_flow)
 {
     rng g = rng_seed(1403);
@@ -173,7 +173,7 @@ TEST(each_flow)
     }
 }
 
-/* ---- impacts ------------------------------------------------------------------------------------------------------- */
+/* ---- impacts ----------------------------------------------------------------------------------------------------- */
 
 /** T + U + what is lost after an oblique impact at so many degrees, against before. */
 static double ledger_error(double degrees, int plane, int steps)
@@ -263,7 +263,7 @@ TEST(random_impacts_never_gain)
     assert_true(parted > impacts * 9 / 10);
 }
 
-/* ---- many ---------------------------------------------------------------------------------------------------------- */
+/* ---- many -------------------------------------------------------------------------------------------------------- */
 
 /** A dense crowd: velocities after the flow of t = 1, forwards and backwards by so many halves. */
 static void crowd_flow(int halves, double v[40][3])

@@ -98,7 +98,8 @@ TEST(a_medium_that_moves)
     }
 }
 
-/** A fall from rest with linear drag: v = g (m/c) (1 - exp(-c t/m)); the error and the ledger's fall fourfold with h/2. */
+/** A fall from rest with linear drag: v = g (m/c) (1 - exp(-c t/m)); the error and the ledger's fall fourfold with
+ *  h/2. */
 TEST(a_fall)
 {
     const double linear = 1.5, still[3] = {0, 0, 0}, m = 2, end = 3, exact = m / linear * -expm1(-linear * end / m);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Friction against the closed forms of a sphere on a plane (EQUATIONS 6.5), the ledger and the order of oblique impacts,
- * stuck pairs that turn as one, and the table of what touches hold. */
+ * Friction against the closed forms of a sphere on a plane (EQUATIONS 6.5), the ledger and the order of oblique
+ * impacts, stuck pairs that turn as one, and the table of what touches hold. */
 #include "impact.h"
 
 enum { SLOTS = 1024 };
@@ -37,14 +37,14 @@ static void rub(int plane)
     impact_add(&m, plane ? vti_walls_effect(&m.walls) : vti_contacts_effect(&m.contacts));
 }
 
-/* ---- a sphere on a plane ------------------------------------------------------------------------------------------- */
+/* ---- a sphere on a plane ----------------------------------------------------------------------------------------- */
 
 static vti_gravity gravity;
 static const double mass = 2, inertia = 0.21, radius = 0.5, stiffness = 1e4, weight = 2 * 10.0;
 static double arm; /* height of the centre at rest: the arm of friction */
 
-/** At rest under its weight on the plane z = 0; gravity tilted by tan = slope along +x, of which weight is the part along
- *  -z. Load and heights are those of rest, so that nothing bounces. */
+/** At rest under its weight on the plane z = 0; gravity tilted by tan = slope along +x, of which weight is the part
+ *  along -z. Load and heights are those of rest, so that nothing bounces. */
 static void lay(double slope, double mu, double mu_r, double mu_w)
 {
     impact_clear(&m, 1, 1, stiffness);
@@ -108,8 +108,8 @@ TEST(rolling_stops)
     assert_close(impact_ledger(&m), before, 1e-5 * fabs(before));
 }
 
-/** On an incline: g sin/(1 + J/(m l^2)) while it rolls freely, tan < mu (1 + m l^2/J); g (sin - mu cos) where rolling is
- *  held and tan > mu; rest where tan < mu. */
+/** On an incline: g sin/(1 + J/(m l^2)) while it rolls freely, tan < mu (1 + m l^2/J); g (sin - mu cos) where rolling
+ *  is held and tan > mu; rest where tan < mu. */
 TEST(incline)
 {
     const double g = weight / mass;
@@ -143,7 +143,7 @@ TEST(spin_stops)
     assert_below(fabs(m.c.omega[0][2]), 1e-9);
 }
 
-/* ---- impacts ------------------------------------------------------------------------------------------------------- */
+/* ---- impacts ----------------------------------------------------------------------------------------------------- */
 
 /** An oblique impact by h = 0.4/steps of two unequal spheres or one and a plane: velocities after it, and in *ledger by
  *  how much T + U + lost has changed. */
@@ -189,7 +189,8 @@ static void collide(double degrees, int plane, int mindlin, double start, int st
     }
 }
 
-/** Touch, slip, stick and opening: velocities and the ledger converge with second order, over two places of the start. */
+/** Touch, slip, stick and opening: velocities and the ledger converge with second order, over two places of the
+ *  start. */
 TEST(oblique_impacts)
 {
     static const double angles[] = {20, 45, 60, 76};
@@ -233,7 +234,7 @@ TEST(random_impacts_never_gain)
     }
 }
 
-/* ---- one drift ----------------------------------------------------------------------------------------------------- */
+/* ---- one drift --------------------------------------------------------------------------------------------------- */
 
 /** A pair that turns as one by a radian and more, in one drift, keeps its loads in its own frame, and loses nothing. */
 TEST(stuck_pairs_turn)
@@ -337,7 +338,7 @@ TEST(limits_and_momenta)
     assert_true(limited > 400 && limited < 3600);
 }
 
-/* ---- the table ----------------------------------------------------------------------------------------------------- */
+/* ---- the table --------------------------------------------------------------------------------------------------- */
 
 /** Touches that begin and end in any order, in a table that is nearly full, are those that there are. */
 TEST(table)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * vti_stable_step away from rest: strained bonds, contacts that may come, a host's own effect and numbers of any size, against
- * the eigenvalues of the whole (hessian.h) and closed forms. */
+ * vti_stable_step away from rest: strained bonds, contacts that may come, a host's own effect and numbers of any size,
+ * against the eigenvalues of the whole (hessian.h) and closed forms. */
 #include "crowd.h"
 
 #include "hessian.h"
@@ -107,9 +107,9 @@ TEST(each_its_own)
     all_below("  where the bodies are", now, CLUSTERS);
 }
 
-/** Clusters whose bodies are moved at random until some bond is strained by 0.3. That bends bonds, which the bound makes no
- *  promise for: where the bodies are it is above the limit by up to 0.15. Within the strain it held in 6000 clusters with axial
- *  stiffness; of those without, 4 in 6000 were above it, by up to 0.016. */
+/** Clusters whose bodies are moved at random until some bond is strained by 0.3. That bends bonds, which the bound
+ *  makes no promise for: where the bodies are it is above the limit by up to 0.15. Within the strain it held in 6000
+ *  clusters with axial stiffness; of those without, 4 in 6000 were above it, by up to 0.016. */
 TEST(moved_at_random)
 {
     static double within[CLUSTERS], now[CLUSTERS];
@@ -234,7 +234,7 @@ TEST(contacts_that_may_come)
     all_below("contacts that may come", ratio, 200);
 }
 
-/* ---- a host's own effect ------------------------------------------------------------------------------------------- */
+/* ---- a host's own effect ----------------------------------------------------------------------------------------- */
 
 /** Rubber between bodies: F_i = -k (x_i - x_j), at any distance. */
 struct rubber {
@@ -303,7 +303,7 @@ TEST(own_effect)
     all_below("bonds and a host's own springs", ratio, 100);
 }
 
-/* ---- numbers of any size ------------------------------------------------------------------------------------------- */
+/* ---- numbers of any size ----------------------------------------------------------------------------------------- */
 
 /** log2(2^a + 2^b) */
 static double log_sum(double a, double b)
@@ -369,8 +369,8 @@ TEST(any_size)
     assert_close(bound(&effect, 1, &rest) / 1e-250, sqrt(2), 1e-14);
 }
 
-/** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside fast
- *  ones changes nothing. */
+/** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside
+ *  fast ones changes nothing. */
 TEST(other_units)
 {
     rng g = rng_seed(4107);

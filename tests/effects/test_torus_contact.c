@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The torus with contact inside its bonds as well: test_torus_contact [t]. Bonded bodies touch at rest, so that the onset of
- * the contact, a kink of its stiffness, sits where every bond oscillates, and energy climbs (E20). With every K times L0^2,
- * the printed shear and this contact, h = 1e-2 gets to t = 500, which the printed numbers do not (E19). */
+ * The torus with contact inside its bonds as well: test_torus_contact [t]. Bonded bodies touch at rest, so that the
+ * onset of the contact, a kink of its stiffness, sits where every bond oscillates, and energy climbs (E20). With every
+ * K times L0^2, the printed shear and this contact, h = 1e-2 gets to t = 500, which the printed numbers do not
+ * (E19). */
 #include "torus.h"
 
 enum { PAIRS = RING * (RING - 1) / 2 };
@@ -50,8 +51,8 @@ static double energy_error(torus *t, const char *stepper, double h, double end, 
     return sqrt(squares);
 }
 
-/** h = 2e-3 to t = 100: +1.3 to +4.9 of 40 as seen of eight starts that differ by 1e-13; without the contact inside 0.12 % at
- *  all times. With 500 for t and h = 1e-3, 41.18. */
+/** h = 2e-3 to t = 100: +1.3 to +4.9 of 40 as seen of eight starts that differ by 1e-13; without the contact inside
+ *  0.12 % at all times. With 500 for t and h = 1e-3, 41.18. */
 TEST(energy_climbs)
 {
     static torus t;
@@ -66,8 +67,8 @@ TEST(energy_climbs)
     assert_below(energy_error(&t, "vti2", h, 100, &last), 3e-3);
 }
 
-/** The printed shear is chaotic: starts that differ by 1e-13 end with other errors. VTI-2 at h = 1e-2 has 1.8 to 4.8 % in seven
- *  of them, at h = 5e-3 a tenth of that; all seven run with 500 for t. */
+/** The printed shear is chaotic: starts that differ by 1e-13 end with other errors. VTI-2 at h = 1e-2 has 1.8 to 4.8 %
+ *  in seven of them, at h = 5e-3 a tenth of that; all seven run with 500 for t. */
 TEST(other_reading_of_the_figure)
 {
     static torus t;

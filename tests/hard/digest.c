@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A digest of the core's bits: steppers on a scene of every effect in every storage, each effect alone, measures, algebra.
+ * A digest of the core's bits: steppers on a scene of every effect in every storage, each effect alone, measures,
+ * algebra.
  *
  *     digest              one line "name hash" for each
  *     digest --numbers    the numbers at the end of each stepper's run, for machines whose bits have to differ

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What the digest is made of: a hash over the bits of numbers, a seeded generator, and a scene with every effect in it. No
- * libm but sqrt and fabs, no test library: it has to build wherever the core does. */
+ * What the digest is made of: a hash over the bits of numbers, a seeded generator, and a scene with every effect in it.
+ * No libm but sqrt and fabs, no test library: it has to build wherever the core does. */
 #ifndef VTI_TESTS_DIGEST_H
 #define VTI_TESTS_DIGEST_H
 

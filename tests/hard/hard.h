@@ -11,7 +11,8 @@
 /* A composition cuts half turns off at |alpha_i| = 2^60: 4/2^60 rad. */
 #define CUT 3.5e-18
 
-/** A line of the table, "robust | case | who | outcome": whoever behaves alike in a case is put together by table.py. */
+/** A line of the table, "robust | case | who | outcome": whoever behaves alike in a case is put together by
+ *  table.py. */
 static inline void robust(const char *what, const char *who, const char *outcome, ...)
 {
     va_list args;
@@ -23,7 +24,7 @@ static inline void robust(const char *what, const char *who, const char *outcome
     va_end(args);
 }
 
-/* ---- laws --------------------------------------------------------------------------------------------------------- */
+/* ---- laws -------------------------------------------------------------------------------------------------------- */
 
 /** The angle by which a drift turns, s = t|Omega| of either sign; NaN beyond the bound of the closed form. */
 static inline long double law_angle(int64_t law, long double s)
@@ -49,7 +50,7 @@ static inline long double step_angle(const vti_stepper *method, long double s)
     return sum;
 }
 
-/* ---- bodies under effects ------------------------------------------------------------------------------------------- */
+/* ---- bodies under effects ---------------------------------------------------------------------------------------- */
 
 /** A crowd and its effects. It points into itself and is not to be copied once ready. */
 typedef struct troupe {

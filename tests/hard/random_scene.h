@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Random physics as the text of a scene: contacts, walls, gravity, pendulums, bonds; sizes, masses and stiffnesses over orders
- * of magnitude, speeds such that contacts go up to some percent of a diameter deep and bonds stretch by as much. Without libm,
- * so that a seed is the same scene everywhere. */
+ * Random physics as the text of a scene: contacts, walls, gravity, pendulums, bonds; sizes, masses and stiffnesses over
+ * orders of magnitude, speeds such that contacts go up to some percent of a diameter deep and bonds stretch by as much.
+ * Without libm, so that a seed is the same scene everywhere. */
 #ifndef VTI_RANDOM_SCENE_H
 #define VTI_RANDOM_SCENE_H
 
@@ -97,8 +97,8 @@ static inline void random_scene(rng *g, const char *const *steppers, int n, char
     say(text, "stepper: %s\nh: 1\nt_end: 1\n", steppers[rng_below(g, n)]);
 }
 
-/** The stable step that the energies of the start allow, contacts that may come included. To seven bits, so that nothing hangs
- *  on the last of them. */
+/** The stable step that the energies of the start allow, contacts that may come included. To seven bits, so that
+ *  nothing hangs on the last of them. */
 static inline double random_bound(const struct model *model)
 {
     struct message message;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Energy over very many steps of the paper's pendulum: test_conserve [evaluations]. A straight line through the averages of
- * blocks has no slope but what chance gives it. Steppers of more stages play fewer steps, so that all cost alike. */
+ * Energy over very many steps of the paper's pendulum: test_conserve [evaluations]. A straight line through the
+ * averages of blocks has no slope but what chance gives it. Steppers of more stages play fewer steps, so that all cost
+ * alike. */
 #include "rig.h"
 
 #include "hard.h"

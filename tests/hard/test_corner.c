@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Very many bodies on top of each other in a corner, with the list of neighbours that a program has: it holds every pair, the
- * forces are finite and balanced, and a step within the stable one keeps the energy. */
+ * Very many bodies on top of each other in a corner, with the list of neighbours that a program has: it holds every
+ * pair, the forces are finite and balanced, and a step within the stable one keeps the energy. */
 #include "hard.h"
 #include "neighbours.h"
 

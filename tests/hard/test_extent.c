@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Index arithmetic beyond 2^31 bodies: the address range of 2^31 + 2 bodies is reserved, and only the last are touched. */
+ * Index arithmetic beyond 2^31 bodies: the address range of 2^31 + 2 bodies is reserved, and only the last are
+ * touched. */
 #define _DEFAULT_SOURCE
 #include <sys/mman.h>
 

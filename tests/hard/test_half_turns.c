@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Attitudes where Rodrigues vectors are at their worst: through and at half a turn, and of any size of alpha. The truth is
- * the product of unit quaternions in long double. */
+ * Attitudes where Rodrigues vectors are at their worst: through and at half a turn, and of any size of alpha. The truth
+ * is the product of unit quaternions in long double. */
 #include "hard.h"
 
 static const double axis[3] = {0.6, -0.64, 0.48}, across[3] = {0.48, 0.6, 0.64};
@@ -70,7 +70,7 @@ TEST(sizes_of_alpha)
     }
 }
 
-/* ---- effects ------------------------------------------------------------------------------------------------------------ */
+/* ---- effects ----------------------------------------------------------------------------------------------------- */
 
 /** Loads of the effect on two bodies with |alpha| = 10^e, and on the same attitudes as unit quaternions. */
 static void compare_loads(const vti_effect *effect, int e, int f, double scale)
@@ -123,7 +123,7 @@ TEST(effects_at_sizes_of_alpha)
     }
 }
 
-/* ---- quarter and half turns --------------------------------------------------------------------------------------------- */
+/* ---- quarter and half turns -------------------------------------------------------------------------------------- */
 
 enum { WALK = 400 };
 
@@ -177,7 +177,8 @@ TEST(products_of_quarter_and_half_turns)
     }
 }
 
-/** The residual of an alpha near half a turn is as large as 2^-53 of it, and means nothing to the alpha on the other side. */
+/** The residual of an alpha near half a turn is as large as 2^-53 of it, and means nothing to the alpha on the other
+ *  side. */
 TEST(residuals_at_half_a_turn)
 {
     for (int e = 4; e < 60; ++e)

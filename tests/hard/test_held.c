@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Bodies that do not move, few bodies and tiny numbers. Mass and inertia are finite; a held body is one that is left out of
- * the slice that is stepped, as effects act across slices. A huge mass does almost the same. */
+ * Bodies that do not move, few bodies and tiny numbers. Mass and inertia are finite; a held body is one that is left
+ * out of the slice that is stepped, as effects act across slices. A huge mass does almost the same. */
 #include "hard.h"
 
 static const double h = 0.01;
@@ -122,7 +122,7 @@ TEST(no_body_and_one)
     }
 }
 
-/* ---- denormals --------------------------------------------------------------------------------------------------------- */
+/* ---- denormals --------------------------------------------------------------------------------------------------- */
 
 /** Everything a denormal number: nothing but underflow happens, and the attitude goes on being the identity. */
 TEST(denormals)
@@ -146,7 +146,8 @@ TEST(denormals)
         assert_int_equal(vti_step_finish(method, 1, &b), VTI_OK);
         assert_true(all_finite(c.x[0], 6) && all_finite(c.v[0], 6) && all_finite(c.alpha[0], 6) &&
                     all_finite(c.omega[0], 6));
-        /* F/m = 2^-1074/2^-1022 = 2^-52, during a step of 1; what is of the attitude is half of it or all, as kicks come */
+        /* F/m = 2^-1074/2^-1022 = 2^-52, during a step of 1; what is of the attitude is half of it or all, as kicks
+         * come */
         for (int a = 0; a < 3; ++a) {
             assert_close(c.v[0][a], 0x1p-52, 0x1p-100);
             assert_close(c.omega[1][a], 3 * 0x1p-52, 0x1p-100);

@@ -33,7 +33,8 @@ static void pose(crowd *c, enum crowd_storage storage, const double about[3], do
     vti_rrv_from_quat_xyzw(c->quat[0], c->alpha[0]);
 }
 
-/** T_i = -K theta axis with theta = 2 atan2(1, w) below half a turn; above it theta - 2 pi, which pulls the other way. */
+/** T_i = -K theta axis with theta = 2 atan2(1, w) below half a turn; above it theta - 2 pi, which pulls the other
+ *  way. */
 TEST(moment_on_both_sides)
 {
     static crowd c;

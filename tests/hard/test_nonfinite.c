@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * NaN and infinity in every field of the interface: a status, or they stay with the body whose they are and whom it acts on,
- * and show there. Nothing is swallowed. */
+ * NaN and infinity in every field of the interface: a status, or they stay with the body whose they are and whom it
+ * acts on, and show there. Nothing is swallowed. */
 #include "hard.h"
 
 enum { N = 5, BAD = 2, FIELDS = 8 };
@@ -127,7 +127,7 @@ TEST(in_the_step)
     }
 }
 
-/* ---- effects ------------------------------------------------------------------------------------------------------------ */
+/* ---- effects ----------------------------------------------------------------------------------------------------- */
 
 static web w;
 
@@ -163,7 +163,8 @@ TEST(bond_parameters)
            vti_status_text(VTI_E_BOND));
 }
 
-/** The other effects have no check of their own: NaN comes out where it matters, in force and energy of those it acts on. */
+/** The other effects have no check of their own: NaN comes out where it matters, in force and energy of those it acts
+ *  on. */
 TEST(other_parameters)
 {
     const int64_t pair[2] = {0, 1};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The paper's own claim for the torus: h = 1e-2 to t = 500. The printed numbers are stable below h = 8.3e-3 at rest, and
- * below less when it hits the wall; so it is not to be had, and this is how it ends. */
+ * The paper's own claim for the torus: h = 1e-2 to t = 500. The printed numbers are stable below h = 8.3e-3 at rest,
+ * and below less when it hits the wall; so it is not to be had, and this is how it ends. */
 #include "effects/torus.h"
 #include "hard.h"
 

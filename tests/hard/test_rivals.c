@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The same hard cases for what people use instead: test_rivals SCENES. Nothing is asserted of rivals but that what they do is
- * what the page says they do; ours stand beside them. */
+ * The same hard cases for what people use instead: test_rivals SCENES. Nothing is asserted of rivals but that what they
+ * do is what the page says they do; ours stand beside them. */
 #include "rivals/journey.h"
 
 #include "hard.h"

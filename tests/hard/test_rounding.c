@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What rounding does to what a step conserves exactly. Brouwer's law: it walks at random, as sqrt(N), and to neither side.
- * And reversed runs return. */
+ * What rounding does to what a step conserves exactly. Brouwer's law: it walks at random, as sqrt(N), and to neither
+ * side. And reversed runs return. */
 #include "rig.h"
 
 #include "hard.h"
 
 enum { ENSEMBLE = 64, FIRST = 8, LAST = 14 }; /* steps 2^8 to 2^14 */
 
-/* ---- Brouwer's law ------------------------------------------------------------------------------------------------------ */
+/* ---- Brouwer's law ----------------------------------------------------------------------------------------------- */
 
 typedef struct walk {
     double sum[LAST + 1], squares[LAST + 1];
@@ -20,9 +20,9 @@ static void note(walk *w, int n, double off)
     w->squares[n] += off * off;
 }
 
-/** log(rms) over log(N) by a line. 64 members know an rms to 9 %, and neighbours share most of their walk: the slope over
- *  six octaves errs by some 0.03, so that 0.1 is three times that. The mean of the last is 0 within 3.5 of its standard
- *  errors. */
+/** log(rms) over log(N) by a line. 64 members know an rms to 9 %, and neighbours share most of their walk: the slope
+ *  over six octaves errs by some 0.03, so that 0.1 is three times that. The mean of the last is 0 within 3.5 of its
+ *  standard errors. */
 static void check(const walk *w, const char *what, const char *who)
 {
     double x = 0, y = 0, xx = 0, xy = 0;
@@ -132,11 +132,11 @@ TEST(oscillator)
     }
 }
 
-/* ---- reversal ---------------------------------------------------------------------------------------------------------- */
+/* ---- reversal ---------------------------------------------------------------------------------------------------- */
 
-/** N steps forth and N back. Each kick leaves a rounding of Omega, of rms eps/2 of its size, which is below 2; from there
- *  the attitude goes astray linearly, as the motion is regular: after n = 2N steps the sum of independent
- *  eps (n - k) h over k is eps h n^{3/2}/sqrt 3. It is all of the same size for the kicks of a step of h together. */
+/** N steps forth and N back. Each kick leaves a rounding of Omega, of rms eps/2 of its size, which is below 2; from
+ *  there the attitude goes astray linearly, as the motion is regular: after n = 2N steps the sum of independent eps (n
+ *  - k) h over k is eps h n^{3/2}/sqrt 3. It is all of the same size for the kicks of a step of h together. */
 TEST(forth_and_back)
 {
     enum { STEPS = 100000 };

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Motions that repeat the same small sum very often: test_steady [drifts]. Steady spin, steady precession, and rotations so
- * small that plain sums lose them. Every stepper plays as many drifts, so that those of more stages play fewer steps. */
+ * Motions that repeat the same small sum very often: test_steady [drifts]. Steady spin, steady precession, and
+ * rotations so small that plain sums lose them. Every stepper plays as many drifts, so that those of more stages play
+ * fewer steps. */
 #include <time.h>
 
 #include "rig.h"
@@ -15,11 +16,11 @@ static long steps_of(const vti_stepper *method)
     return drifts / (long)method->stages;
 }
 
-/* ---- spin ------------------------------------------------------------------------------------------------------------- */
+/* ---- spin -------------------------------------------------------------------------------------------------------- */
 
-/** Independent roundings: after 1e8 drifts 2e4 eps, else sqrt(N) of it, and 64 eps for a start. The increment itself, where
- *  it is not t Omega, rounds too and alike in every step: eps of the whole angle. So does R^T Omega in the body's frame.
- *  N h|Omega| in long double is good to N 2^-64. */
+/** Independent roundings: after 1e8 drifts 2e4 eps, else sqrt(N) of it, and 64 eps for a start. The increment itself,
+ *  where it is not t Omega, rounds too and alike in every step: eps of the whole angle. So does R^T Omega in the body's
+ *  frame. N h|Omega| in long double is good to N 2^-64. */
 TEST(steady_spin)
 {
     const double alpha[3] = {0.5, -0.25, 1}, omega[3] = {7e-3, 1e-2, -4e-3};
@@ -45,7 +46,7 @@ TEST(steady_spin)
     }
 }
 
-/* ---- precession --------------------------------------------------------------------------------------------------------- */
+/* ---- precession -------------------------------------------------------------------------------------------------- */
 
 /** A fast pendulum with its arm at 60 degrees to the field: Omega = a e3 + b arm goes round with it if a b = -m g/J. */
 static rig top(const vti_stepper *method)
@@ -63,8 +64,8 @@ static rig top(const vti_stepper *method)
     return p;
 }
 
-/** The inclination cos = arm.e3 has the same band in the last tenth as in the first: nutation, which the step's own error
- *  starts, does not grow. */
+/** The inclination cos = arm.e3 has the same band in the last tenth as in the first: nutation, which the step's own
+ *  error starts, does not grow. */
 TEST(steady_precession)
 {
     const double h = 1.0 / 16;
@@ -89,7 +90,8 @@ TEST(steady_precession)
             else
                 rig_steps(&p, method, h, n);
         }
-        /* nutation is sampled at 10 n places of its circle: they miss its rim by 1/n of the width; and roundings walk */
+        /* nutation is sampled at 10 n places of its circle: they miss its rim by 1/n of the width; and roundings
+         * walk */
         const double slack = (high[0] - low[0]) * 10 / (double)n + 4 * EPS * sqrt((double)drifts);
         print_message("%-14s arm.e3 from %.12f to %.12f, then from %.12f to %.12f\n", method->name, low[0], high[0],
                       low[1], high[1]);
@@ -102,9 +104,10 @@ TEST(steady_precession)
     }
 }
 
-/* ---- tiny rotations ---------------------------------------------------------------------------------------------------- */
+/* ---- tiny rotations ---------------------------------------------------------------------------------------------- */
 
-/** N steps by `turn` rad from |alpha| = 1.5 about the same axis; the share of the rotation that is lost, and the time. */
+/** N steps by `turn` rad from |alpha| = 1.5 about the same axis; the share of the rotation that is lost, and the
+ *  time. */
 static double lost(const vti_stepper *method, enum rig_storage storage, double turn, long steps, double *seconds)
 {
     rig p;
@@ -140,8 +143,8 @@ TEST(tiny_rotations)
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
         double plain, carried, none;
-        /* |alpha| = 1.5 is spaced by eps, and its increment is 25/16 of the turn: a sum rounds by eps/2 and always the same
-         * way. The quotient of two angles rounds by 2^-63/(N 1e-12) on the way out. */
+        /* |alpha| = 1.5 is spaced by eps, and its increment is 25/16 of the turn: a sum rounds by eps/2 and always the
+         * same way. The quotient of two angles rounds by 2^-63/(N 1e-12) on the way out. */
         const double loss = lost(method, RIG_ALPHA, 1e-12, steps, &plain);
         assert_below(loss, (double)method->stages * 0.5 * EPS / (25.0 / 16 * 1e-12));
         const double kept = lost(method, RIG_RESIDUALS, 1e-12, steps, &carried);

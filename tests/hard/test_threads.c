@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Slices of the same bodies stepped by threads of their own: the bits of one thread. Under -fsanitize=thread (./dev sanitize)
- * also that no thread touches what another writes. */
+ * Slices of the same bodies stepped by threads of their own: the bits of one thread. Under -fsanitize=thread (./dev
+ * sanitize) also that no thread touches what another writes. */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Each stepper beside the stable step, on two bodies with a bond that resists torsion. theta'' = -K (1/J_i + 1/J_j) theta:
- * vti_stable_step is then exact, and h = share * reach/2 * vti_stable_step. */
+ * Each stepper beside the stable step, on two bodies with a bond that resists torsion. theta'' = -K (1/J_i + 1/J_j)
+ * theta: vti_stable_step is then exact, and h = share * reach/2 * vti_stable_step. */
 #include "hard.h"
 
 enum { STEPS = 20000 };

@@ -30,7 +30,7 @@ static double apart(const vti_effect *effect, double d)
     return vti_energy(effect, 1, &b);
 }
 
-/* ---- distances ---------------------------------------------------------------------------------------------------------- */
+/* ---- distances --------------------------------------------------------------------------------------------------- */
 
 /** o = 1 - r/D down to the least distance; no direction below 2^-500, where r^2 begins to vanish. */
 TEST(contact_at_all_distances)
@@ -95,7 +95,7 @@ TEST(bond_at_all_distances)
     }
 }
 
-/* ---- stiffness and mass ---------------------------------------------------------------------------------------------------- */
+/* ---- stiffness and mass ------------------------------------------------------------------------------------------ */
 
 /** A chain of three, bonds K and 1e12 K: stable at the step that the stiff one allows, and the bound says so. */
 TEST(unequal)
@@ -132,11 +132,12 @@ TEST(unequal)
             vti_step_sync(method, h, &t.b);
             vti_momentum(&t.b, p);
             assert_true(troupe_is_finite(&t));
-            /* (h omega)^2/4 = 0.16 of the energy in the fastest mode is what a step of order 2 errs by; forces of roundings of
-             * distance, K eps, kick by h K eps and do so as sqrt(N) */
+            /* (h omega)^2/4 = 0.16 of the energy in the fastest mode is what a step of order 2 errs by; forces of
+             * roundings of distance, K eps, kick by h K eps and do so as sqrt(N) */
             const double noise = what == 0 ? 1e12 * EPS * EPS * 5000 : 0;
             assert_below(energy, 1.25 * start + noise);
-            /* equal and opposite kicks of v, |v| <= 0.02, that round apart: eps/2 |v| sqrt(5000 evals), less than 3 eps */
+            /* equal and opposite kicks of v, |v| <= 0.02, that round apart: eps/2 |v| sqrt(5000 evals), less than 3
+             * eps */
             assert_close(p[0], 0.01, 16 * EPS);
             robust(what == 0 ? "stiffness ratio 1e12, at 0.4 of the stable step"
                              : "mass ratio 1e9, at 0.4 of the stable step",
@@ -144,7 +145,7 @@ TEST(unequal)
         }
 }
 
-/* ---- walls ---------------------------------------------------------------------------------------------------------------- */
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
 
 static double wall(double x, double stiffness)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Large rotations per step, h|Omega| = 0.99 to 1e6 and beyond: each stepper refuses them and says why, or turns by the angle
- * that its laws have in closed form. */
+ * Large rotations per step, h|Omega| = 0.99 to 1e6 and beyond: each stepper refuses them and says why, or turns by the
+ * angle that its laws have in closed form. */
 #include "hard.h"
 
 /* exact, so that h|Omega| = 1 is just that */
@@ -26,8 +26,8 @@ static void refusal(const vti_stepper *method, double s, troupe *t)
     robust(what, method->name, "reported, bodies unchanged: %s", vti_status_text(VTI_E_TOO_LARGE));
 }
 
-/** From two attitudes, so that the angle does not depend on where it starts. Rounding: each drift's pair (c, u) is good to
- *  8 eps, and so is its angle. */
+/** From two attitudes, so that the angle does not depend on where it starts. Rounding: each drift's pair (c, u) is good
+ *  to 8 eps, and so is its angle. */
 static void turn(const vti_stepper *method, double s, const double alpha[3])
 {
     static troupe t;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The verdict on runs: of those that blow up to finite numbers it is bad, of sane ones it is not, and of 300 scenes of random
- * physics at 0.05 to 3 times the stable step it is bad where a reference run says so. test_verdict SCENES [SANE] */
+ * The verdict on runs: of those that blow up to finite numbers it is bad, of sane ones it is not, and of 300 scenes of
+ * random physics at 0.05 to 3 times the stable step it is bad where a reference run says so. test_verdict SCENES
+ * [SANE] */
 #define _POSIX_C_SOURCE 200809L
 #include "hard.h"
 #include "random_scene.h"
@@ -9,7 +10,7 @@
 static const char *folder;
 static int sane_scenes = 200;
 
-/* ---- runs --------------------------------------------------------------------------------------------------------- */
+/* ---- runs -------------------------------------------------------------------------------------------------------- */
 
 enum { ROWS = 256 };
 
@@ -88,7 +89,7 @@ static const struct judgement *judge_shipped(const char *name, const char *const
     return &judged.judgement;
 }
 
-/* ---- scenes as they are shipped ------------------------------------------------------------------------------------ */
+/* ---- scenes as they are shipped ---------------------------------------------------------------------------------- */
 
 TEST(shipped)
 {
@@ -100,7 +101,7 @@ TEST(shipped)
     robust("scenes as shipped", "verdict", "good");
 }
 
-/* ---- what was seen to blow up --------------------------------------------------------------------------------------- */
+/* ---- what was seen to blow up ------------------------------------------------------------------------------------ */
 
 static void assert_bad(const char *what, const struct judgement *j, double factor)
 {
@@ -148,7 +149,7 @@ TEST(linear)
     robust("a linear oscillator at 1.025 and 0.95 of its limit", "verdict", "bad, good");
 }
 
-/* ---- too fast --------------------------------------------------------------------------------------------------------- */
+/* ---- too fast ---------------------------------------------------------------------------------------------------- */
 
 TEST(travel)
 {
@@ -183,7 +184,7 @@ TEST(travel)
            "bad, and a warning at the start");
 }
 
-/* ---- random scenes ----------------------------------------------------------------------------------------------------- */
+/* ---- random scenes ----------------------------------------------------------------------------------------------- */
 
 static const char *const steppers[] = {"vti1",  "vti2",    "vti2",  "vti3",   "exact",
                                        "exact", "suzuki4", "srkn6", "srkn11", "chin4"};

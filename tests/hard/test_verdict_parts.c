@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What the verdict is made of: angles of the laws against libm's in long double, the modified energy's order, slopes of series
- * with known ones, bonds that turn past half a turn. */
+ * What the verdict is made of: angles of the laws against libm's in long double, the modified energy's order, slopes of
+ * series with known ones, bonds that turn past half a turn. */
 #define _POSIX_C_SOURCE 200809L
 #include "hard.h"
 
 #include "../driver/model_support.h"
 #include "verdict.h"
 
-/* ---- angles ---------------------------------------------------------------------------------------------------------- */
+/* ---- angles ------------------------------------------------------------------------------------------------------ */
 
 /** law_angle folds nothing either, but for the whole turn that atan2l takes off beyond 2 pi. */
 TEST(angles)
@@ -21,7 +21,8 @@ TEST(angles)
         }
 }
 
-/** The shares by which steps of the exact laws miss h|Omega|: of s^7 and s^9, and none but that of the law is left at 10. */
+/** The shares by which steps of the exact laws miss h|Omega|: of s^7 and s^9, and none but that of the law is left at
+ *  10. */
 TEST(errors)
 {
     const vti_stepper *exact = vti_stepper_find("exact"), *kl8 = vti_stepper_find("kl8"),
@@ -36,7 +37,7 @@ TEST(errors)
                 turning_error(vti2, 1.0) < turning_tolerance(vti2));
 }
 
-/* ---- the modified energy ---------------------------------------------------------------------------------------------- */
+/* ---- the modified energy ----------------------------------------------------------------------------------------- */
 
 static const char chain[] =
     "bodies:\n  chain: {count: 6, spacing: 1}\n  mass: 1\n  random: {seed: 5, v: 0.3, omega: 0.9}\n"
@@ -100,8 +101,8 @@ TEST(orders)
         }
 }
 
-/** In a uniform field H is conserved by Verlet but for rounding, and the modified energy is another constant. Other lists have
- *  no such column. */
+/** In a uniform field H is conserved by Verlet but for rounding, and the modified energy is another constant. Other
+ *  lists have no such column. */
 TEST(elsewhere)
 {
     static struct scene scene;
@@ -120,7 +121,7 @@ TEST(elsewhere)
     model_destroy(&model);
 }
 
-/* ---- slopes ------------------------------------------------------------------------------------------------------------- */
+/* ---- slopes ------------------------------------------------------------------------------------------------------ */
 
 TEST(slopes)
 {
@@ -152,7 +153,7 @@ TEST(slopes)
     assert_true(isnan(slope) && isnan(error));
 }
 
-/* ---- bonds ---------------------------------------------------------------------------------------------------------------- */
+/* ---- bonds ------------------------------------------------------------------------------------------------------- */
 
 static int follow(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
@@ -165,8 +166,8 @@ static int follow(void *self, int64_t step, double t, const vti_bodies *bodies)
     return 0;
 }
 
-/** Two bodies held by a moment alone, turning against each other: theta_max = Omega sqrt(J/(2 K)), J/2 being the reduced inertia
- *  and Omega the relative speed. */
+/** Two bodies held by a moment alone, turning against each other: theta_max = Omega sqrt(J/(2 K)), J/2 being the
+ *  reduced inertia and Omega the relative speed. */
 static int64_t turned(double share)
 {
     static struct scene scene;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Trouble at a chosen moment, preloaded into a program (LD_PRELOAD): of the calls that change files in the folder TROUBLE_IN the
- * one whose number is TROUBLE_AT meets TROUBLE_HOW:
+ * Trouble at a chosen moment, preloaded into a program (LD_PRELOAD): of the calls that change files in the folder
+ * TROUBLE_IN the one whose number is TROUBLE_AT meets TROUBLE_HOW:
  *     kill   SIGKILL before it              torn   SIGKILL when half of its bytes are written
  *     term   SIGTERM before it              full   no space, from this call on
  *     nolock no locks, whatever the call    once   no space, for this call only

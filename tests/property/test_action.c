@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * VTI-1, VTI-2 and VTI-3 are variational, each with a discrete Lagrangian of its own (E14, E15): on the trajectories that they
- * compute the discrete action, the sum of L_d over the steps, is stationary under every variation of interior positions and
- * attitudes, and its derivatives by the ends are minus the momenta at the start and the momenta at the end. With dR R^T =
- * S(eta) on the left, U the potential and K(a) the kinetic part of a turn by a = dalpha,
+ * VTI-1, VTI-2 and VTI-3 are variational, each with a discrete Lagrangian of its own (E14, E15): on the trajectories
+ * that they compute the discrete action, the sum of L_d over the steps, is stationary under every variation of interior
+ * positions and attitudes, and its derivatives by the ends are minus the momenta at the start and the momenta at the
+ * end. With dR R^T = S(eta) on the left, U the potential and K(a) the kinetic part of a turn by a = dalpha,
  *
  *     L_d = sum m |dx|^2/(2h) + sum K(dalpha) - h U-part:
  *     VTI-1   K = 2 J |a|^2/((4 + |a|^2) h)      U-part (U_k + U_{k+1})/2
@@ -21,7 +21,8 @@ struct node {
     rotor q[BODIES];
 };
 
-/** A computed trajectory, and what its bodies are. momenta: at the start and at the end, in the order of the coordinates. */
+/** A computed trajectory, and what its bodies are. momenta: at the start and at the end, in the order of the
+ *  coordinates. */
 struct path {
     int bodies;
     double h, mass[BODIES], inertia[BODIES], momenta[2][BODIES][COORDINATES];
@@ -31,7 +32,7 @@ struct path {
     chain pair;
 };
 
-/* ---- energies -------------------------------------------------------------------------------------------------------- */
+/* ---- energies ---------------------------------------------------------------------------------------------------- */
 
 static void turned(rotor q, const double p[3], long double r[3])
 {
@@ -69,9 +70,10 @@ static long double pair_energy(const struct path *p, const struct node *at)
     return k[0] * theta * theta / 2 + k[1] * stretch * stretch / 2 + k[2] * (1 - cosine);
 }
 
-/* ---- discrete Lagrangians -------------------------------------------------------------------------------------------- */
+/* ---- discrete Lagrangians ---------------------------------------------------------------------------------------- */
 
-/** The kinetic part of a turn with |dalpha|^2 = a2, times h/J, and how much of the potential belongs to the step's start. */
+/** The kinetic part of a turn with |dalpha|^2 = a2, times h/J, and how much of the potential belongs to the step's
+ *  start. */
 struct lagrangian {
     const char *stepper;
     long double (*turn)(long double a2);
@@ -145,7 +147,7 @@ static void defects(const struct path *p, const struct lagrangian *l, double *in
             }
 }
 
-/* ---- trajectories ---------------------------------------------------------------------------------------------------- */
+/* ---- trajectories ------------------------------------------------------------------------------------------------ */
 
 static void pendulum_node(struct path *p, int k)
 {
@@ -194,11 +196,12 @@ static void pair_path(struct path *p, rng *g, const vti_stepper *method)
     }
 }
 
-/* ---- the test -------------------------------------------------------------------------------------------------------- */
+/* ---- the test ---------------------------------------------------------------------------------------------------- */
 
 /** Every stepper against every Lagrangian: its own is stationary and has its momenta; that of another turn is not
- *  stationary, and that of another share of the potential has other momenta. A slope is a difference of momenta of two steps,
- *  each (J/h or m/h, at most 2/h) times what two attitudes or positions differ by, which are rounded by some eps. */
+ *  stationary, and that of another share of the potential has other momenta. A slope is a difference of momenta of two
+ *  steps, each (J/h or m/h, at most 2/h) times what two attitudes or positions differ by, which are rounded by some
+ *  eps. */
 static void own_action_is_stationary(void (*make)(struct path *, rng *, const vti_stepper *), uint64_t seed)
 {
     static struct path p;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A free body turns in each drift about Omega by exactly the angle of its law: asin s (closed), 2 atan(s/2) (Cayley), that of
- * the continued fractions of tan(s/2) (exact); in each step by the sum of them, and its Omega keeps every bit. */
+ * A free body turns in each drift about Omega by exactly the angle of its law: asin s (closed), 2 atan(s/2) (Cayley),
+ * that of the continued fractions of tan(s/2) (exact); in each step by the sum of them, and its Omega keeps every
+ * bit. */
 #include "rig.h"
 
 /** tan(angle/2) = u/c for s = |t Omega| of either sign. */
@@ -140,7 +141,8 @@ TEST(many_steps)
         }
 }
 
-/** Right angles in VTI-2: h|Omega| = 2 turns by pi/2 exactly, so four steps are a whole turn through alpha = infinity. */
+/** Right angles in VTI-2: h|Omega| = 2 turns by pi/2 exactly, so four steps are a whole turn through alpha =
+ *  infinity. */
 TEST(right_angles)
 {
     const vti_stepper *vti2 = vti_stepper_find("vti2");
@@ -174,7 +176,8 @@ static rotor drifted(rig *p, int law, double size, const double axis[3], rotor *
     return rig_attitude(p);
 }
 
-/** s where c or u vanishes, the pole of the pair: s^2 = 10 and 60; s^2 = 90 -+ sqrt(90^2 - 1680) and 42; and between. */
+/** s where c or u vanishes, the pole of the pair: s^2 = 10 and 60; s^2 = 90 -+ sqrt(90^2 - 1680) and 42; and
+ *  between. */
 TEST(through_the_pole)
 {
     const double root = sqrt(90 * 90 - 1680);
@@ -207,7 +210,8 @@ TEST(nearly_exact)
     }
 }
 
-/** From s = 2^30 on the exact laws turn by half a turn about Omega, and every law stays finite to the largest numbers. */
+/** From s = 2^30 on the exact laws turn by half a turn about Omega, and every law stays finite to the largest
+ *  numbers. */
 TEST(beyond_all_bounds)
 {
     const double sizes[] = {0x1p30, 0x1p31, 1e12, 1e77, 1e100, 1e154, 1e160, 1e250, 1e300, 1.7e308};

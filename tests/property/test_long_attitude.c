@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Attitude after very many compositions with a steady increment: test_long_attitude [compositions]. The incremental form
- * of (+) does not repeat the same rounding error each time, so the error grows as sqrt(N); the direct form would be off
- * by 4e6 eps after 1e8. The truth is the closed form, axis and N times the angle of one increment. */
+ * Attitude after very many compositions with a steady increment: test_long_attitude [compositions]. The incremental
+ * form of (+) does not repeat the same rounding error each time, so the error grows as sqrt(N); the direct form would
+ * be off by 4e6 eps after 1e8. The truth is the closed form, axis and N times the angle of one increment. */
 #include "support.h"
 
 static long compositions = 1000000;

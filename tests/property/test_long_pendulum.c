@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The paper's pendulum over very many steps: test_long_pendulum [steps]. |R rho0| = 1 and R rho0 . Omega = 0 are exact
- * invariants of every stepper here (the kick is normal to the arm, the drift turns both), so that what is seen of them is
- * rounding; the energy of a symplectic map keeps its band. */
+ * invariants of every stepper here (the kick is normal to the arm, the drift turns both), so that what is seen of them
+ * is rounding; the energy of a symplectic map keeps its band. */
 #include "rig.h"
 
 static long steps = 100000;
@@ -51,8 +51,8 @@ static record run(const vti_stepper *method, enum rig_storage storage)
 
 static const char *const names[] = {"vti1", "vti2", "vti3", "vti3-leapfrog"};
 
-/** Brouwer's law: in each step roundings add to R rho0 . Omega, at random, 0.6 eps of its factors' sizes; residuals leave
- *  a twentieth of that, the arm's own rounding. 8 eps for the evaluation itself. */
+/** Brouwer's law: in each step roundings add to R rho0 . Omega, at random, 0.6 eps of its factors' sizes; residuals
+ *  leave a twentieth of that, the arm's own rounding. 8 eps for the evaluation itself. */
 static double random_walk(enum rig_storage storage)
 {
     const double omega = 1.87; /* sqrt(2 (E0 + 1)), at the bottom */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a symmetry conserves, every stepper conserves to rounding: P and L of a free bonded chain, e3 . J Omega and
- * R rho0 . J Omega of the pendulum, for those that are exactly symplectic. chin4 keeps P; its L is as good as its order. */
+ * What a symmetry conserves, every stepper conserves to rounding: P and L of a free bonded chain, e3 . J Omega and R
+ * rho0 . J Omega of the pendulum, for those that are exactly symplectic. chin4 keeps P; its L is as good as its
+ * order. */
 #include "chain.h"
 #include "rig.h"
 
@@ -27,7 +28,8 @@ static void drift_of_chain(const vti_stepper *method, int storage, double h, dou
         off[k / 3] = fmax(off[k / 3], fabs(after[k] - before[k]));
 }
 
-/** Each stage rounds 8 momenta of order 1 and 8 arms of up to 8, by eps/2 a piece, at random: sqrt(8 N stages), times 8. */
+/** Each stage rounds 8 momenta of order 1 and 8 arms of up to 8, by eps/2 a piece, at random: sqrt(8 N stages), times
+ *  8. */
 static double rounding(const vti_stepper *method, double h)
 {
     return 8 * EPS * sqrt(8 * 10 / h * (double)(method->stages + 1));
@@ -94,7 +96,8 @@ TEST(in_the_inertial_frame)
     }
 }
 
-/** Forces are taken at displaced bodies and act at the others: L is kept to the order of the displacement's square, h^4. */
+/** Forces are taken at displaced bodies and act at the others: L is kept to the order of the displacement's square,
+ *  h^4. */
 TEST(of_chin4)
 {
     double coarse[2], fine[2];

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What docs/linking.md says of a restart: positions, velocities, attitudes, spins and what these leave out, as they are between two
- * steps, are the whole state of a run. Nothing else is kept: forces are computed anew, velocities that lag stay so. */
+ * What docs/linking.md says of a restart: positions, velocities, attitudes, spins and what these leave out, as they are
+ * between two steps, are the whole state of a run. Nothing else is kept: forces are computed anew, velocities that lag
+ * stay so. */
 #include "support.h"
 
 enum { N = 5, BONDS = N - 1, STEPS = 24 };

@@ -19,8 +19,8 @@ static double return_error(const vti_stepper *method, rig p, double h)
     return rig_difference(&p, &start);
 }
 
-/** Each of 2 N stages errs by 8 eps at worst in Omega and attitude; an error in Omega grows linearly, by h each step, as
- *  the pendulum's motion is regular: after n steps 8 eps sqrt(n) (1 + n h) if the errors are independent. */
+/** Each of 2 N stages errs by 8 eps at worst in Omega and attitude; an error in Omega grows linearly, by h each step,
+ *  as the pendulum's motion is regular: after n steps 8 eps sqrt(n) (1 + n h) if the errors are independent. */
 static double rounding(const vti_stepper *method, double h)
 {
     const double n = 2.0 * STEPS;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The 24 rotations of the cube, where Rodrigues vectors are at their worst: every other product is a half turn, alpha at
- * infinity. Compositions are followed in exact integer matrices. */
+ * The 24 rotations of the cube, where Rodrigues vectors are at their worst: every other product is a half turn, alpha
+ * at infinity. Compositions are followed in exact integer matrices. */
 #include "support.h"
 
 enum { TRIALS = 1000000 };

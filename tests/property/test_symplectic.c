@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Each stepper conserves the symplectic two-form of T*SO(3) exactly (E14, E15). On the pendulum chin4 does so too, because a
- * probe's moment is a function of the tilt alone and thereby a gradient; elsewhere it does not, see test_symplectic_chain.c.
+ * Each stepper conserves the symplectic two-form of T*SO(3) exactly (E14, E15). On the pendulum chin4 does so too,
+ * because a probe's moment is a function of the tilt alone and thereby a gradient; elsewhere it does not, see
+ * test_symplectic_chain.c.
  *
  * A tangent vector at (R, mu), mu = J Omega, is (eta, dmu) with the spatial variation dR = S(eta) R. The canonical
- * one-form is theta = mu . eta. Fields of constant eta are right-invariant, so their bracket is that of -eta1 x eta2, and
+ * one-form is theta = mu . eta. Fields of constant eta are right-invariant, so their bracket is that of -eta1 x eta2,
+ * and
  *
  *     d theta(X1, X2) = dmu1 . eta2 - dmu2 . eta1 + mu . (eta1 x eta2).
  *
- * In the body's frame dR = R S(xi) is left-invariant and the last term changes its sign. The Jacobian of one step is made
- * of central differences in the chart exp(eta) R at each end. */
+ * In the body's frame dR = R S(xi) is left-invariant and the last term changes its sign. The Jacobian of one step is
+ * made of central differences in the chart exp(eta) R at each end. */
 #include "rig.h"
 
 typedef void map(rig *p, double h);
@@ -75,8 +77,8 @@ static double defect(map *step, const rig *start, double h)
     return most;
 }
 
-/* The quotients err by e^2/6 of third derivatives and 8 eps/e of rounding, both about 4e-11 at e = eps^(1/3); a form is a
- * sum of nine products of them with numbers of order 1 to 4. */
+/* The quotients err by e^2/6 of third derivatives and 8 eps/e of rounding, both about 4e-11 at e = eps^(1/3); a form is
+ * a sum of nine products of them with numbers of order 1 to 4. */
 #define TOLERANCE (100 * (cbrt(EPS) * cbrt(EPS)))
 
 static const vti_stepper *method;

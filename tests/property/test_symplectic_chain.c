@@ -84,7 +84,8 @@ static double defect(const vti_stepper *method, const chain *start, double h)
     return most;
 }
 
-/* As in test_symplectic.c: differences err by e^2 of third derivatives and some eps/e, both 4e-11, in sums of dozens. */
+/* As in test_symplectic.c: differences err by e^2 of third derivatives and some eps/e, both 4e-11, in sums of
+ * dozens. */
 #define TOLERANCE (100 * (cbrt(EPS) * cbrt(EPS)))
 
 TEST(symplectic_steppers_conserve_it)
@@ -103,8 +104,8 @@ TEST(symplectic_steppers_conserve_it)
         }
 }
 
-/** The probe's force is a gradient but for terms of h^4, and acts for h. Two terms of the largest defect may cancel at one
- *  of the steps, hence the mean of several chains. */
+/** The probe's force is a gradient but for terms of h^4, and acts for h. Two terms of the largest defect may cancel at
+ *  one of the steps, hence the mean of several chains. */
 TEST(chin4_is_off_by_h5)
 {
     enum { CHAINS = 8 };

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The library of -Dchecked=true: what goes wrong after a seal, or in a list after its check, is refused by the next call, and
- * nothing is written. Linked with the other library each of these would be a crash, or NaN somewhere later. */
+ * The library of -Dchecked=true: what goes wrong after a seal, or in a list after its check, is refused by the next
+ * call, and nothing is written. Linked with the other library each of these would be a crash, or NaN somewhere
+ * later. */
 #include "bodies.h"
 #include "support.h"
 

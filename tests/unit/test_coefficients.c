@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The coefficients of the steppers against theory: sums, symmetry, the equations that compositions and splittings solve, and
- * the harmonic oscillator, whose flow every list must agree with to its order. In long double. */
+ * The coefficients of the steppers against theory: sums, symmetry, the equations that compositions and splittings
+ * solve, and the harmonic oscillator, whose flow every list must agree with to its order. In long double. */
 #include "support.h"
 
 enum { STAGES = 24, DEGREE = 2 * STAGES };
@@ -22,8 +22,8 @@ TEST(sums)
     }
 }
 
-/** Kicks and drifts in the order of a step, without those at the ends that are 0; the lag is taken from the first kick and
- *  given to the last, as the stepper is read. Returns how many there are. */
+/** Kicks and drifts in the order of a step, without those at the ends that are 0; the lag is taken from the first kick
+ *  and given to the last, as the stepper is read. Returns how many there are. */
 static int sequence(const vti_stepper *s, double *list)
 {
     int n = 0;
@@ -63,8 +63,8 @@ TEST(suzuki)
         assert_close(s->drift[i], i == 2 ? 1 - 4 * p : p, 2 * EPS);
 }
 
-/** A composition of a symmetric step: kicks are the means of the drifts on either side, and sums of odd powers vanish. They
- *  are necessary for order 6 (powers 3 and 5) and 8 (also 7); their sizes are those of 17 numbers of order 1/2. */
+/** A composition of a symmetric step: kicks are the means of the drifts on either side, and sums of odd powers vanish.
+ *  They are necessary for order 6 (powers 3 and 5) and 8 (also 7); their sizes are those of 17 numbers of order 1/2. */
 TEST(kahan_li)
 {
     const char *const names[] = {"suzuki4", "kl6", "kl8"};
@@ -90,8 +90,8 @@ static void add_shifted(poly a, long double c, const poly b)
         a[k] += c * b[k - 1];
 }
 
-/** The matrix of a step on x'' = -x as polynomials in z = h: rows x and v, columns of the start. A kick with a probe takes
- *  the force -(1 - c z^2) x. */
+/** The matrix of a step on x'' = -x as polynomials in z = h: rows x and v, columns of the start. A kick with a probe
+ *  takes the force -(1 - c z^2) x. */
 static void oscillator(const vti_stepper *s, poly matrix[2][2])
 {
     memset(matrix, 0, 4 * sizeof(poly));

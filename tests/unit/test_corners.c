@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What seldom happens to the stable step, to lists that know where their values end, and to moves: each is refused, or done as body
- * by body. */
+ * What seldom happens to the stable step, to lists that know where their values end, and to moves: each is refused, or
+ * done as body by body. */
 #include "support.h"
 
 static double x[20][3], v[20][3], force[20][3], v_low[20][3], alpha[20][3], omega[20][3], moment[20][3];
@@ -26,7 +26,7 @@ static vti_bodies bodies(int64_t n)
     return b;
 }
 
-/* ---- springs that a host reports ----------------------------------------------------------------------------------- */
+/* ---- springs that a host reports --------------------------------------------------------------------------------- */
 
 /** Springs, and another one from the second time on that they are asked for, where there is one. */
 struct host {
@@ -135,7 +135,7 @@ TEST(strains_and_contacts_of_no_use)
     assert_int_equal(vti_stable_step(&wall, 1, &b, NULL, scratch, &found), VTI_E_COUNT);
 }
 
-/* ---- lists that know where their values end ------------------------------------------------------------------------ */
+/* ---- lists that know where their values end ---------------------------------------------------------------------- */
 
 TEST(lists_longer_than_their_values)
 {
@@ -160,7 +160,7 @@ TEST(lists_longer_than_their_values)
     assert_int_equal(vti_contacts_check(&contacts, 3, &fault), VTI_OK);
 }
 
-/* ---- moves ------------------------------------------------------------------------------------------------------------ */
+/* ---- moves ------------------------------------------------------------------------------------------------------- */
 
 TEST(a_stepper_of_ones_own)
 {
@@ -184,7 +184,8 @@ TEST(a_stepper_of_ones_own)
     assert_same_bits(x, expected, 9);
 }
 
-/** Many bodies that carry the residuals of velocities alone, or whose quaternions lie in parts, are moved as each by itself. */
+/** Many bodies that carry the residuals of velocities alone, or whose quaternions lie in parts, are moved as each by
+ *  itself. */
 TEST(what_no_kernel_takes)
 {
     static double quat[60][3], expected[60][3];

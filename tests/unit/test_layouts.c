@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Kick, drift and the clearing of loads against their formulas, to the bit, with every quantity in every layout beside every
- * other: the loops that are compiled for one layout do what the loop for any does, and write nowhere else. */
+ * Kick, drift and the clearing of loads against their formulas, to the bit, with every quantity in every layout beside
+ * every other: the loops that are compiled for one layout do what the loop for any does, and write nowhere else. */
 #include "support.h"
 
 enum { N = 13, ROOM = 8 * N };

@@ -198,7 +198,8 @@ static void distances(void **state)
     assert_close(vti_h1_distance(&b, &r), 42, 0);
 }
 
-/** The reference has to have what the bodies have; what it has besides is not looked at. No bodies are no distance apart. */
+/** The reference has to have what the bodies have; what it has besides is not looked at. No bodies are no distance
+ *  apart. */
 TEST(what_can_be_compared)
 {
     const size_t offsets[] = {offsetof(vti_bodies, x), offsetof(vti_bodies, v), offsetof(vti_bodies, omega),

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Moves of many bodies by the kernels of every vector width against the same bodies moved one by one, to the bit: all layouts, laws
- * and frames, no kick, one and two, attitudes past half a turn and of any size, spins of any size. And vti_step_next against
- * the finish and the begin that it stands for. The kernels' tables are private to the library. */
+ * Moves of many bodies by the kernels of every vector width against the same bodies moved one by one, to the bit: all
+ * layouts, laws and frames, no kick, one and two, attitudes past half a turn and of any size, spins of any size. And
+ * vti_step_next against the finish and the begin that it stands for. The kernels' tables are private to the library. */
 #include "../../src/vti_move.h"
 #include "support.h"
 
@@ -43,8 +43,8 @@ static vti_bodies bodies_in(int layout, int by_quat, int one_mass, struct body_m
     return b;
 }
 
-/** Random bodies; some are near or past half a turn, some spin beyond every bound, and one is of huge numbers. closed: all turn by
- *  less than 1. */
+/** Random bodies; some are near or past half a turn, some spin beyond every bound, and one is of huge numbers. closed:
+ *  all turn by less than 1. */
 static void fill(rng *g, int closed, const vti_bodies *b)
 {
     for (int64_t i = 0; i < N; ++i) {

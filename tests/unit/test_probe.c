@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * vti_step_probe: x + c h^2 F/m and R(c h^2 RM/J) R, for one mass and for many, in alpha and in quaternions, space and body
- * frame; the bodies themselves are not touched; what it refuses. */
+ * vti_step_probe: x + c h^2 F/m and R(c h^2 RM/J) R, for one mass and for many, in alpha and in quaternions, space and
+ * body frame; the bodies themselves are not touched; what it refuses. */
 #include "bodies.h"
 #include "support.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * vti_stepper.reach: a harmonic oscillator of frequency f, of a centre or of an attitude about a fixed axis, is stable for
- * all h f below it and not shortly above. The step is played; its matrix is of determinant 1, so that it is stable where its
- * trace lies between -2 and 2. */
+ * vti_stepper.reach: a harmonic oscillator of frequency f, of a centre or of an attitude about a fixed axis, is stable
+ * for all h f below it and not shortly above. The step is played; its matrix is of determinant 1, so that it is stable
+ * where its trace lies between -2 and 2. */
 #include "play.h"
 
 typedef struct body {
@@ -70,8 +70,8 @@ TEST(stable_below_and_not_above)
             for (int what = 0; what < 2; ++what)
                 assert_below(fabs(trace[what]), 1 + 256 * EPS);
         }
-        /* reach has six digits. Within 1e-4 of it there is what is not stable: by the cube of the distance in chin4, whose
-         * trace is -2 - (z - 12)^3/432 with z = (h f)^2, and that is 2e-11 */
+        /* reach has six digits. Within 1e-4 of it there is what is not stable: by the cube of the distance in chin4,
+         * whose trace is -2 - (z - 12)^3/432 with z = (h f)^2, and that is 2e-11 */
         for (int i = 0; i <= 100; ++i) {
             half_traces(method, method->reach * (1 + 1e-6 * i), trace);
             for (int what = 0; what < 2; ++what)

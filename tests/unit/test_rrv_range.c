@@ -200,8 +200,9 @@ TEST(convert_to_alpha)
     }
 }
 
-/** cos(6381956970095103 2^797) = -4.7e-19: no double comes nearer to an odd number of right angles. Twice that is a half turn,
- *  whose tangent lies beyond the largest alpha: cut off as compositions are, on every axis, either way round. */
+/** cos(6381956970095103 2^797) = -4.7e-19: no double comes nearer to an odd number of right angles. Twice that is a
+ *  half turn, whose tangent lies beyond the largest alpha: cut off as compositions are, on every axis, either way
+ *  round. */
 TEST(nearest_half_turn)
 {
     for (int k = 0; k < 6; ++k) {

@@ -135,7 +135,8 @@ TEST(compositions)
     }
 }
 
-/** The increment as a pair: spatial on the left, in the body's frame on the right; its length and sign do not matter. */
+/** The increment as a pair: spatial on the left, in the body's frame on the right; its length and sign do not
+ *  matter. */
 TEST(turns)
 {
     for (size_t i = 0; i < COUNT(pair_cases); ++i) {

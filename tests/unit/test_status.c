@@ -63,7 +63,8 @@ static void at_fault(const vti_fault *fault, int status, int64_t body, int64_t q
                  vti_quantity_text(fault->quantity), (int)fault->body, vti_quantity_text(quantity), (int)body);
 }
 
-/** Every call that takes bodies refuses them with the status and, where it says more, names the quantity, and writes nothing. */
+/** Every call that takes bodies refuses them with the status and, where it says more, names the quantity, and writes
+ *  nothing. */
 static void refused(vti_bodies bad, int status, int64_t quantity)
 {
     double before[6][DOUBLES], after[6][DOUBLES];
@@ -317,7 +318,8 @@ TEST(masses)
     assert_int_equal(vti_bodies_check(&bad), VTI_OK);
 }
 
-/** The state before the first step: finite, and no quaternion that memory has been cleared to. Forces need not be there yet. */
+/** The state before the first step: finite, and no quaternion that memory has been cleared to. Forces need not be there
+ *  yet. */
 TEST(states)
 {
     const double wrong[] = {NAN, INFINITY, -INFINITY};
@@ -358,8 +360,8 @@ TEST(states)
     assert_int_equal(vti_bodies_check_values(&b, &fault), VTI_OK);
 }
 
-/** A seal is for bodies that pass: others lose one that they had, and are looked at again. It is of one object: a copy that is given
- *  other views is looked at, whoever made it, and so is a slice. */
+/** A seal is for bodies that pass: others lose one that they had, and are looked at again. It is of one object: a copy
+ *  that is given other views is looked at, whoever made it, and so is a slice. */
 TEST(seal)
 {
     assert_int_equal(vti_bodies_seal(NULL), VTI_E_NULL);

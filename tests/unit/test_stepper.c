@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Steppers as data: how they are found, that their coefficients are consistent, and that a step is what its list of kicks
- * and drifts says, for a list of the caller's own as well. */
+ * Steppers as data: how they are found, that their coefficients are consistent, and that a step is what its list of
+ * kicks and drifts says, for a list of the caller's own as well. */
 #include "support.h"
 
 TEST(found_by_name_and_index)
@@ -205,7 +205,8 @@ TEST(no_kick_no_forces)
     }
 }
 
-/** What is absent is not touched, by any stage of any stepper: forces without velocities, velocities without positions. */
+/** What is absent is not touched, by any stage of any stepper: forces without velocities, velocities without
+ *  positions. */
 TEST(absent_physics)
 {
     const double one = 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Views that share memory, told from addresses, strides and count: the mistakes that hosts make, the layouts that they have,
- * and random views against a look at every number of every body. */
+ * Views that share memory, told from addresses, strides and count: the mistakes that hosts make, the layouts that they
+ * have, and random views against a look at every number of every body. */
 #include "bodies.h"
 #include "support.h"
 

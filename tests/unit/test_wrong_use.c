@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a stateless library can see of wrong use beside bodies (test_status.c has those): arguments that are NULL, lists that
- * name no body, effects and steppers in part. A status where there is one, no number where there is none, never a crash. */
+ * What a stateless library can see of wrong use beside bodies (test_status.c has those): arguments that are NULL, lists
+ * that name no body, effects and steppers in part. A status where there is one, no number where there is none, never a
+ * crash. */
 #include "every_call.h"
 #include "support.h"
 

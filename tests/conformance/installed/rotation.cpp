@@ -14,7 +14,8 @@ int main()
     bodies.omega = vti_view_packed(omega.data());
     const vti_stepper *method = vti_stepper_find("exact");
     for (int k = 0; k < 50; ++k)
-        if (vti_step_begin(method, 0.01, &bodies, nullptr) != VTI_OK || vti_step_finish(method, 0.01, &bodies) != VTI_OK)
+        if (vti_step_begin(method, 0.01, &bodies, nullptr) != VTI_OK ||
+            vti_step_finish(method, 0.01, &bodies) != VTI_OK)
             return 1;
     std::printf("turned by %.10g\n", vti_rrv_angle(alpha.data()));
     return 0;

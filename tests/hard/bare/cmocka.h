@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A stand-in for CMocka on machines for which there is none: what the tests of the core use of it. The first failure ends the
- * program. */
+ * A stand-in for CMocka on machines for which there is none: what the tests of the core use of it. The first failure
+ * ends the program. */
 #ifndef VTI_TESTS_BARE_CMOCKA_H
 #define VTI_TESTS_BARE_CMOCKA_H
 

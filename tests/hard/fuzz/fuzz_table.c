@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Any bytes as a CSV table, of bodies or of bonds by the first byte: refused with one line, or numbers that can stand where
- * they do and of which a model can be made. */
+ * Any bytes as a CSV table, of bodies or of bonds by the first byte: refused with one line, or numbers that can stand
+ * where they do and of which a model can be made. */
 #include "fuzz.h"
 
 #include "binder.h"
