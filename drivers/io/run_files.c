@@ -92,8 +92,7 @@ static int write_text(const struct run_files *files, const struct record *record
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
-/** One of an earlier run beside the files of this one would only mislead; one of somebody else's is none of our
- *  business. */
+/** A file of an earlier run, which would not belong to those of this one. Files that are not ours stay. */
 static void remove_earlier(const struct run_files *files, int kind)
 {
     char name[264], path[FOLDER_PATH];

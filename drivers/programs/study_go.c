@@ -20,7 +20,7 @@ int study_agree(int failed, int rank, const struct message *message)
 {
     int ranks;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    /* whether all is well, and the lowest rank that knows why it is not, which is the one that speaks */
+    /* whether all ranks went on; and the lowest rank that has a message, which prints it */
     int mine[2] = {failed == 0, failed != 0 && message->text[0] != '\0' ? rank : ranks}, all[2] = {0, 0};
     MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     if (all[0] == 1)
@@ -103,7 +103,7 @@ static int is_asked(void)
     return run_signals_seen() != NULL;
 }
 
-/** From now on whoever wants the study to end is heard. */
+/** From now on signals are noted, and the study ends at its next look for them. */
 static struct study_watch begin_watch(void)
 {
     const struct study_watch watch = {show, is_asked};

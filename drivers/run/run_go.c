@@ -23,7 +23,7 @@ static int stop(struct run *run, enum run_end end)
     return 1;
 }
 
-/* ---- numbers that are none --------------------------------------------------------------------------------------- */
+/* ---- NaN and infinities ------------------------------------------------------------------------------------------ */
 
 /** Ends the run at a state that is not finite, or whose energies are not; row may be NULL. */
 static int broken(struct run *run, int64_t step, double t, const vti_bodies *bodies, const double *row)

@@ -63,7 +63,7 @@ static int read_decimal(const char **p, double *value)
         return -1;
     char *stop;
     const double x = strtod(*p, &stop);
-    /* in a locale with a decimal comma strtod stops early: better no number than a wrong one */
+    /* in a locale with a decimal comma strtod stops at the point: what it has read so far is wrong */
     if (stop != end || !isfinite(x) || (x == 0.0 && !is_zero))
         return -1;
     *p = end;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Foreign text inside messages: whatever a file or a command line holds, a message stays one readable line. */
+ * Text of files and command lines inside messages: whatever it holds, a message stays one readable line. */
 #ifndef VTI_QUOTE_H
 #define VTI_QUOTE_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A scene as words: what the file and the --set arguments say, a value for each row of the table of keys, and which of
- * them said it. Numbers are still words here, because --set may replace one that is wrong. */
+ * A scene as text: what the file and the --set arguments give, a value for each row of the table of keys, and which of
+ * them gave it. Numbers are still text here, because --set may replace one that is wrong. */
 #ifndef VTI_SCENE_READER_H
 #define VTI_SCENE_READER_H
 

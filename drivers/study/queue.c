@@ -23,7 +23,7 @@ struct state {
     struct report *report;
     int report_bytes;
     /* rank 0 */
-    int workers; /* that have not been sent home */
+    int workers; /* that still ask for tasks */
     char *home;  /* [ranks] 1 for those that have */
     int stopped; /* 0, or what queue_run returns */
     int64_t own_task;

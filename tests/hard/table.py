@@ -25,7 +25,7 @@ SECTIONS = {
     "touch": "Contacts, bonds and walls at their extremes",
     "corner": "Crowds",
     "verdict": "Whether a run can be believed",
-    "nonfinite": "Numbers that are none",
+    "nonfinite": "NaN and infinities",
     "held": "Held bodies, no bodies, denormals",
     "extent": "Very many bodies",
     "every_status": "Status codes",
