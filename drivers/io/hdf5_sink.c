@@ -96,12 +96,17 @@ void hdf5_attribute(struct hdf5_sink *s, const char *name, hid_t type, hsize_t c
     H5Sclose(space);
 }
 
-void hdf5_text(struct hdf5_sink *s, const char *name, const char *text)
+hid_t hdf5_text_type(size_t length)
 {
-    const size_t length = strlen(text);
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, length > 0 ? length : 1);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
+    return type;
+}
+
+void hdf5_text(struct hdf5_sink *s, const char *name, const char *text)
+{
+    const hid_t type = hdf5_text_type(strlen(text));
     hdf5_attribute(s, name, type, 1, text);
     H5Tclose(type);
 }
@@ -118,12 +123,7 @@ static size_t width(const struct hdf5_column *column)
 /** To be closed if it is a text's. */
 static hid_t type_of(const struct hdf5_column *column)
 {
-    if (column->text == 0)
-        return column->is_integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, column->text);
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
-    return type;
+    return column->text > 0 ? hdf5_text_type(column->text) : column->is_integer ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
 }
 
 struct hdf5_table hdf5_table_begin(struct hdf5_sink *parent, const char *name, const struct hdf5_column *columns,

@@ -30,6 +30,8 @@ void hdf5_dataset(struct hdf5_sink *s, const char *name, hid_t type, int rank, c
 void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data);
 
 void hdf5_attribute(struct hdf5_sink *s, const char *name, hid_t type, hsize_t count, const void *values);
+/** Texts of a fixed length, padded by zeros; to be closed by H5Tclose. */
+hid_t hdf5_text_type(size_t length);
 /** ASCII, of the text's own length. */
 void hdf5_text(struct hdf5_sink *s, const char *name, const char *text);
 

@@ -10,17 +10,6 @@
 
 enum { NAME = 64 };
 
-/* ---- texts of one length ----------------------------------------------------------------------------------------- */
-
-/** Fixed-length, null-padded. */
-static hid_t text_type(size_t length)
-{
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, length);
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
-    return type;
-}
-
 static void dataset(struct hdf5_sink *s, const char *name, hid_t type, int64_t n, const void *data)
 {
     const hsize_t count = (hsize_t)n;
@@ -29,15 +18,9 @@ static void dataset(struct hdf5_sink *s, const char *name, hid_t type, int64_t n
 
 /* ---- columns: one member of every struct of an array ------------------------------------------------------------- */
 
-/** A member of 8 bytes: where it is in its struct, and what. */
-struct column {
-    const char *name;
-    size_t offset;
-    int is_integer;
-};
-
 /** Dataset of the column, from n structs of the given size. */
-static void write_column(struct hdf5_sink *s, const struct column *column, const void *structs, size_t size, int64_t n)
+static void write_column(struct hdf5_sink *s, const struct hdf5_column *column, const void *structs, size_t size,
+                         int64_t n)
 {
     char *values = calloc((size_t)n + 1, 8);
     for (int64_t r = 0; values != NULL && r < n; ++r)
@@ -51,7 +34,7 @@ static void write_column(struct hdf5_sink *s, const struct column *column, const
 static void write_texts(struct hdf5_sink *s, const char *name, const char *const *texts, int64_t n)
 {
     char(*column)[NAME] = calloc((size_t)n + 1, sizeof *column);
-    const hid_t type = text_type(NAME);
+    const hid_t type = hdf5_text_type(NAME);
     for (int64_t r = 0; column != NULL && r < n; ++r)
         strncpy(column[r], texts[r], NAME - 1);
     s->failed |= column == NULL;
@@ -66,24 +49,24 @@ static void write_texts(struct hdf5_sink *s, const char *name, const char *const
 static void write_verdicts(struct hdf5_sink *s, const struct study *study)
 {
     for (int k = 0; k < VERDICT_NUMBERS; ++k) {
-        const struct column column = {verdict_numbers[k].name,
-                                      offsetof(struct outcome, judgement) + verdict_numbers[k].offset,
-                                      verdict_numbers[k].is_integer};
+        const struct hdf5_column column = {verdict_numbers[k].name,
+                                           offsetof(struct outcome, judgement) + verdict_numbers[k].offset,
+                                           verdict_numbers[k].is_integer, 0};
         write_column(s, &column, study->outcomes, sizeof *study->outcomes, study->runs);
     }
 }
 
 static void write_runs(struct hdf5_sink *file, const struct study *study)
 {
-    static const struct column of_trial[] = {{"h", offsetof(struct trial, h), 0},
-                                             {"t_end", offsetof(struct trial, t_end), 0},
-                                             {"steps", offsetof(struct trial, steps), 1}};
-    static const struct column of_outcome[] = {{"force_evals", offsetof(struct outcome, force_evals), 1},
-                                               {"e_error", offsetof(struct outcome, e_error), 0},
-                                               {"q_error", offsetof(struct outcome, q_error), 0},
-                                               {"h1_error", offsetof(struct outcome, h1_error), 0},
-                                               {"attitude_error", offsetof(struct outcome, attitude_error), 0},
-                                               {"momentum_error", offsetof(struct outcome, momentum_error), 0}};
+    static const struct hdf5_column of_trial[] = {{"h", offsetof(struct trial, h), 0, 0},
+                                                  {"t_end", offsetof(struct trial, t_end), 0, 0},
+                                                  {"steps", offsetof(struct trial, steps), 1, 0}};
+    static const struct hdf5_column of_outcome[] = {{"force_evals", offsetof(struct outcome, force_evals), 1, 0},
+                                                    {"e_error", offsetof(struct outcome, e_error), 0, 0},
+                                                    {"q_error", offsetof(struct outcome, q_error), 0, 0},
+                                                    {"h1_error", offsetof(struct outcome, h1_error), 0, 0},
+                                                    {"attitude_error", offsetof(struct outcome, attitude_error), 0, 0},
+                                                    {"momentum_error", offsetof(struct outcome, momentum_error), 0, 0}};
     struct hdf5_sink s = hdf5_group(file, "runs");
     const char **texts = calloc((size_t)(2 * study->runs), sizeof *texts);
     s.failed |= texts == NULL;
@@ -107,10 +90,12 @@ static void write_runs(struct hdf5_sink *file, const struct study *study)
 /** Rows: stepper by stepper, every measure. */
 static void write_orders(struct hdf5_sink *file, const struct study *study)
 {
-    static const struct column of_order[] = {
-        {"order", offsetof(struct order, order), 0},   {"interval", offsetof(struct order, interval), 0},
-        {"h_min", offsetof(struct order, h_min), 0},   {"h_max", offsetof(struct order, h_max), 0},
-        {"points", offsetof(struct order, points), 1}, {"log2_constant", offsetof(struct order, log2_constant), 0}};
+    static const struct hdf5_column of_order[] = {{"order", offsetof(struct order, order), 0, 0},
+                                                  {"interval", offsetof(struct order, interval), 0, 0},
+                                                  {"h_min", offsetof(struct order, h_min), 0, 0},
+                                                  {"h_max", offsetof(struct order, h_max), 0, 0},
+                                                  {"points", offsetof(struct order, points), 1, 0},
+                                                  {"log2_constant", offsetof(struct order, log2_constant), 0, 0}};
     const char *steppers[STUDY_STEPPERS * STUDY_MEASURES], *measures[STUDY_STEPPERS * STUDY_MEASURES];
     struct hdf5_sink s = hdf5_group(file, "orders");
     const int64_t n = study->plan->steppers_count * STUDY_MEASURES;

@@ -156,7 +156,7 @@ static int has_gone(const struct keep *keep)
 
 /* ---- commits ----------------------------------------------------------------------------------------------------- */
 
-static double now(void)
+double keep_now(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
@@ -165,7 +165,7 @@ static double now(void)
 
 int keep_commit(struct keep *keep, struct message *message)
 {
-    const double begin = now();
+    const double begin = keep_now();
     if (is_broken(keep))
         return fail_as(keep, keep->reason, message);
     if (has_gone(keep))
@@ -174,13 +174,13 @@ int keep_commit(struct keep *keep, struct message *message)
         return -1;
     keep->holds = 1;
     keep->waits = 0;
-    keep->due = now() + fmax(0.5, 20.0 * (now() - begin));
+    keep->due = keep_now() + fmax(0.5, 20.0 * (keep_now() - begin));
     return 0;
 }
 
 int keep_settle(struct keep *keep, struct message *message)
 {
-    return keep->waits && now() >= keep->due ? keep_commit(keep, message) : 0;
+    return keep->waits && keep_now() >= keep->due ? keep_commit(keep, message) : 0;
 }
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */

@@ -1,21 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * A run while it goes: who looks at the bodies, and what happens at the end. */
-#define _POSIX_C_SOURCE 200809L
 #include "run.h"
 
 #include <math.h>
-#include <time.h>
 
 #include "number.h"
 #include "signals.h"
 #include "state.h"
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static int stop(struct run *run, enum run_end end)
 {
@@ -58,7 +49,7 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     const double *more = travel_state(&run->travel, &count);
     run->checkpoint.step = step;
-    run->saved = now();
+    run->saved = keep_now();
     if (checkpoint_write(&run->journal, &run->checkpoint, bodies, &run->verdict, more, count, run->message) != 0)
         return stop(run, RUN_FAILED);
     run->kept = 1;
@@ -90,8 +81,8 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
     }
     if (step % run->poll_every != 0)
         return 0;
-    p->progress(step - run->from, run->steps - run->from, now() - run->began);
-    return now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
+    p->progress(step - run->from, run->steps - run->from, keep_now() - run->began);
+    return keep_now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
 }
 
 static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -171,7 +162,7 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
                                          {see_frame, run, run->checkpoint.frames_every, 0}};
     run->message = message;
     run->end = RUN_COMPLETE;
-    run->began = run->saved = now();
+    run->began = run->saved = keep_now();
     run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
     if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
@@ -185,6 +176,6 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
         run->kept = 1; /* --resume begins it again, whatever run the files are of */
     if (run->end == RUN_COMPLETE || run->end == RUN_BROKEN)
         run->end = write_files(run);
-    run->seconds = now() - run->began;
+    run->seconds = keep_now() - run->began;
     return run->end;
 }
