@@ -13,11 +13,12 @@ module vti_types
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
         VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
-        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21
+        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
     integer(c_int64_t), parameter :: VTI_TERMS = 8
+    integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3
 
     !> What bodies consist of, in the order of the members of vti_bodies.
     integer(c_int64_t), parameter :: VTI_QUANTITY_NONE = 0, VTI_QUANTITY_X = 1, VTI_QUANTITY_V = 2, &
@@ -70,6 +71,20 @@ module vti_types
         integer(c_int64_t) :: law = 0, frame = 0, order = 0, reversible = 0, symplectic = 0, stages = 0, evals = 0
         real(c_double) :: lag = 0, reach = 0
         type(c_ptr) :: kick = c_null_ptr, drift = c_null_ptr, probe = c_null_ptr, about = c_null_ptr
+    end type
+
+    !> AN(K, c), a multistep method as data; vti_text reads name and about.
+    type, bind(c) :: vti_multistep
+        type(c_ptr) :: name = c_null_ptr
+        integer(c_int64_t) :: depth = 0
+        real(c_double) :: c = 0, reach = 0
+        type(c_ptr) :: about = c_null_ptr
+    end type
+
+    !> What bodies have felt: memory is the address of an array (6, depth, bodies) of the caller's.
+    type, bind(c) :: vti_past
+        type(c_ptr) :: memory = c_null_ptr
+        integer(c_int64_t) :: depth = 0, known = 0
     end type
 
     !> A drift that has been done, as effects are told of it.

@@ -22,6 +22,7 @@
 #include "vti_friction.h"
 #include "vti_gravity.h"
 #include "vti_measure.h"
+#include "vti_multistep.h"
 #include "vti_pendulum.h"
 #include "vti_rrv.h"
 #include "vti_stable.h"

@@ -71,7 +71,10 @@ extern "C" {
         "finite, or friction has no stiffness, or two; give finite numbers >= 0, one stiffness for each motion")      \
     ROW(VTI_E_HISTORY, -21,                                                                                            \
         "the table of what touches hold is full, or its slots are no power of 2; give it twice as many slots as "      \
-        "bodies touch, and begin anew or from a restart")
+        "bodies touch, and begin anew or from a restart")                                                              \
+    ROW(VTI_E_PAST, -22,                                                                                               \
+        "a multistep method remembers too little, or has no memory; record the accelerations before each of K - 1 "    \
+        "steps of another method, and after them")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

@@ -70,6 +70,8 @@ contains
         type(vti_history), target :: history
         type(vti_friction), target :: friction
         type(vti_dashpots), target :: dashpots
+        type(vti_multistep), target :: multistep
+        type(vti_past), target :: past
         type(vti_bonds), target :: bonds
         type(vti_contacts), target :: contacts
         type(vti_walls), target :: walls
@@ -112,6 +114,9 @@ contains
             c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
             c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost)])
+        call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
+            c_loc(multistep%c), c_loc(multistep%reach), c_loc(multistep%about)])
+        call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &

@@ -17,6 +17,7 @@ static int reached(int status)
     vti_drag drag = {.lost = lost};
     vti_held held = {.i = 1, .j = 2};
     vti_history history = {.slots = 3, .slot = &held};
+    vti_past past = {NULL, 1, 0};
     const vti_stepper *const vti1 = vti_stepper_find("vti1");
     crowd_clear(&c, 2, CROWD_ALPHA);
     vti_bodies b = crowd_bodies(&c);
@@ -87,6 +88,8 @@ static int reached(int status)
         drag.linear = vti_scalars_one(&negative);
         effect = vti_drag_effect(&drag);
         return vti_effects_check(&effect, 1, &b, &fault);
+    case VTI_E_PAST:
+        return vti_multistep_record(&past, &b);
     case VTI_E_HISTORY:
         return vti_history_add(&history, &held);
     default:
@@ -121,9 +124,10 @@ TEST(every_status)
 {
     int count = 0;
     for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
-        fault.quantity = status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS || status == VTI_E_HISTORY
-                             ? VTI_QUANTITY_NONE
-                             : -7; /* those calls have no fault to fill */
+        fault.quantity =
+            status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS || status == VTI_E_HISTORY || status == VTI_E_PAST
+                ? VTI_QUANTITY_NONE
+                : -7; /* those calls have no fault to fill */
         assert_int_equal(reached(status), status);
         assert_int_equal(fault.quantity, named(status));
         if (status == VTI_E_TOO_LARGE)

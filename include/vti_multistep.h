@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Multistep methods: one force evaluation a step, of any order up to 11, where trajectories count. */
+#ifndef VTI_MULTISTEP_H
+#define VTI_MULTISTEP_H
+
+#include "vti_bodies.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
+ *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1. Linear momentum is kept to rounding, angular
+ *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces, which may depend on
+ *  velocities; for long times, and for contacts, the steppers of vti_step.h. */
+typedef struct vti_multistep {
+    const char *name;  /**< what vti_multistep_find knows it by */
+    int64_t depth;     /**< K, accelerations that it remembers, 1 to 10 */
+    double c;          /**< of the corrector: accurate at 3/4, steady at larger steps where it is negative */
+    double reach;      /**< oscillations of frequency f are stable while h f < reach */
+    const char *about; /**< what it is, in a line */
+} vti_multistep;
+
+/** "an4", "an6", "an8", "an9" by their K; NULL if there is none of that name. The objects are constants of the
+ *  library. */
+VTI_API const vti_multistep *vti_multistep_find(const char *name);
+/** How many there are. */
+VTI_API int64_t vti_multistep_count(void);
+/** Each of them by number; NULL outside 0 <= index < vti_multistep_count(). */
+VTI_API const vti_multistep *vti_multistep_at(int64_t index);
+
+/** What bodies have felt, in memory of the caller's: backward differences of F/m and RM/J. Copied with the bodies, a run
+ *  goes on with its bits. Slices that are stepped apart each have one of their own, on the same memory. */
+typedef struct vti_past {
+    double *memory; /**< [count of bodies][depth][6], from body 0 of the views, not of the slice */
+    int64_t depth;  /**< differences that it holds; at least the K of the method */
+    int64_t known;  /**< accelerations recorded so far, at most depth. 0 begins anew: after any jump of forces or h */
+} vti_past;
+
+/** Remembers the accelerations by the force and moment of now. At the start, and after any jump, once before each of
+ *  K - 1 steps of h by another method, and once after the last: then known = K. For the order that method has to
+ *  be accurate: srkn11 for K up to 8, kl8 in parts of h/4 for 9. */
+VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
+
+/* The loop of a host, once past->known >= K:
+ *
+ *      vti_multistep_predict(method, h, past, &bodies, &fault);
+ *      forces and moments at the new positions (and velocities, where they depend on them)
+ *      vti_multistep_correct(method, h, past, &bodies);
+ *
+ * Between the two nothing but force and moment may be written. After the second the forces stay as they are: they are
+ * those of the predicted state. */
+
+/** Moves the bodies to where they will be but for the correction. VTI_E_PAST, and nothing is written, while known is
+ *  less than K, or where there is no memory. Views of rounding errors (x_low ...) are refused with VTI_E_VIEW. */
+VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
+                                  vti_fault *fault);
+/** Corrects by the difference D of the new accelerations from those that were foreseen, and records them. */
+VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *bodies);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * AN(K, c): orders K + 1 on a chain of bonds, the reach of each from the growth of an oscillator, what is kept, and that slices,
+ * layouts and copies of the past keep the bits. */
+#include "chain.h"
+
+enum { DEPTH = 10, BODIES = 4 };
+
+/** A chain and what it has felt. */
+typedef struct flight {
+    chain c;
+    double memory[BODIES][DEPTH][6];
+    vti_past past;
+} flight;
+
+static void flight_make(flight *f, enum chain_storage storage, int64_t depth)
+{
+    chain_make(&f->c, BODIES, 7, storage);
+    const vti_past none = {f->memory[0][0], depth, 0};
+    f->past = none;
+    const vti_bodies b = chain_bodies(&f->c);
+    chain_load(&f->c, &b);
+}
+
+static void step(flight *f, const vti_multistep *m, double h)
+{
+    const vti_bodies b = chain_bodies(&f->c);
+    assert_int_equal(vti_multistep_predict(m, h, &f->past, &b, NULL), VTI_OK);
+    chain_load(&f->c, &b);
+    assert_int_equal(vti_multistep_correct(m, h, &f->past, &b), VTI_OK);
+}
+
+/** K - 1 steps of h by a method that is accurate enough, the accelerations remembered before each and after the last. */
+static void start(flight *f, const vti_multistep *m, double h)
+{
+    const vti_bodies b = chain_bodies(&f->c);
+    while (f->past.known < m->depth - 1) {
+        assert_int_equal(vti_multistep_record(&f->past, &b), VTI_OK);
+        const int parts = m->depth < 9 ? 1 : 4;
+        for (int k = 0; k < parts; ++k)
+            play_step(vti_stepper_find(parts == 1 ? "srkn11" : "kl8"), h / parts, &b, NULL, chain_load, &f->c);
+    }
+    assert_int_equal(vti_multistep_record(&f->past, &b), VTI_OK);
+}
+
+static void fly(flight *f, const vti_multistep *m, double h, int steps)
+{
+    start(f, m, h);
+    for (int k = (int)m->depth - 1; k < steps; ++k)
+        step(f, m, h);
+}
+
+/** Largest difference of positions, attitudes and spins. */
+static double distance(const chain *a, const chain *b)
+{
+    double worst = 0.0;
+    for (int i = 0; i < BODIES; ++i)
+        for (int k = 0; k < 3; ++k) {
+            worst = fmax(worst, fabs(a->x[i][k] - b->x[i][k]));
+            worst = fmax(worst, fabs(a->omega[i][k] - b->omega[i][k]));
+            worst = fmax(worst, quat_distance(chain_attitude(a, i), chain_attitude(b, i)));
+        }
+    return worst;
+}
+
+/** At t = 4 by kl8, another method of another kind, at a step where its own error is rounding. */
+static void solve(chain *c, enum chain_storage storage)
+{
+    chain_make(c, BODIES, 7, storage);
+    const vti_bodies b = chain_bodies(c);
+    chain_load(c, &b);
+    for (int k = 0; k < 400; ++k)
+        play_step(vti_stepper_find("kl8"), 0.01, &b, NULL, chain_load, c);
+}
+
+static void orders(void **state)
+{
+    (void)state;
+    static const double finest[] = {0.01, 0.02, 0.02, 0.025};
+    chain exact;
+    solve(&exact, CHAIN_ALPHA);
+    for (int64_t k = 0; k < vti_multistep_count(); ++k) {
+        const vti_multistep *m = vti_multistep_at(k);
+        double error[2];
+        for (int level = 0; level < 2; ++level) {
+            flight f;
+            const double h = finest[k] * (level == 0 ? 2 : 1);
+            flight_make(&f, CHAIN_ALPHA, m->depth);
+            fly(&f, m, h, (int)lround(4.0 / h));
+            error[level] = distance(&f.c, &exact);
+        }
+        const double order = log2(error[0] / error[1]);
+        print_message("%s: errors %.2e, %.2e, order %.2f\n", m->name, error[0], error[1], order);
+        assert_true(order > (double)m->depth + 0.4 && order < (double)m->depth + 2.0);
+    }
+}
+
+/** Growth per step of x'' = -x, from a past that excites all roots. */
+static double growth(const vti_multistep *m, double h)
+{
+    double x[3] = {1.0, 0.0, 0.0}, v[3] = {0.0, 0.0, 0.0}, f[3] = {0.0, 0.0, 0.0}, memory[DEPTH][6], size[2];
+    const double mass = 1.0;
+    vti_bodies b = vti_bodies_none(1);
+    vti_past past = {memory[0], DEPTH, 0};
+    b.x = vti_view_packed(x);
+    b.v = vti_view_packed(v);
+    b.force = vti_view_packed(f);
+    b.mass = vti_scalars_one(&mass);
+    for (int k = 0; k < m->depth; ++k) {
+        f[0] = k % 2 == 0 ? 1.0 : -0.5;
+        assert_int_equal(vti_multistep_record(&past, &b), VTI_OK);
+    }
+    for (int half = 0; half < 2; ++half) {
+        size[half] = 0.0;
+        for (int k = 0; k < 60000; ++k) {
+            assert_int_equal(vti_multistep_predict(m, h, &past, &b, NULL), VTI_OK);
+            f[0] = -x[0];
+            assert_int_equal(vti_multistep_correct(m, h, &past, &b), VTI_OK);
+            size[half] = k >= 59900 ? fmax(size[half], hypot(x[0], v[0])) : 0.0;
+        }
+    }
+    return pow(size[1] / size[0], 1.0 / 60000);
+}
+
+static void reaches(void **state)
+{
+    (void)state;
+    for (int64_t k = 0; k < vti_multistep_count(); ++k) {
+        const vti_multistep *m = vti_multistep_at(k);
+        const double below = 0.985 * m->reach, above = 1.015 * m->reach;
+        print_message("%s: %.3g of h a step below its reach, %.3g above\n", m->name, (growth(m, below) - 1.0) / below,
+                      (growth(m, above) - 1.0) / above);
+        assert_true(growth(m, below) < 1.0 + 1e-3 * below);
+        assert_true(growth(m, above) > 1.0 + 1e-3 * above);
+    }
+}
+
+static void linear_momentum(void **state)
+{
+    (void)state;
+    for (int64_t k = 0; k < vti_multistep_count(); ++k) {
+        flight f;
+        double before[3], after[3];
+        flight_make(&f, CHAIN_ALPHA, DEPTH);
+        const vti_bodies b = chain_bodies(&f.c);
+        vti_momentum(&b, before);
+        fly(&f, vti_multistep_at(k), 0.01, 400);
+        vti_momentum(&b, after);
+        for (int c = 0; c < 3; ++c)
+            assert_true(fabs(after[c] - before[c]) < 1e-13);
+    }
+}
+
+static void steady_spin(void **state)
+{
+    (void)state;
+    double alpha[3] = {0.0, 0.0, 0.0}, omega[3] = {0.3, -0.2, 0.6}, memory[4][6] = {{0.0}};
+    vti_bodies b = vti_bodies_none(1);
+    vti_past past = {memory[0], 4, 4};
+    b.alpha = vti_view_packed(alpha);
+    b.omega = vti_view_packed(omega);
+    for (int k = 0; k < 100; ++k) {
+        assert_int_equal(vti_multistep_predict(vti_multistep_find("an4"), 0.1, &past, &b, NULL), VTI_OK);
+        assert_int_equal(vti_multistep_correct(vti_multistep_find("an4"), 0.1, &past, &b), VTI_OK);
+    }
+    const double theta[3] = {3.0, -2.0, 6.0};
+    double exact[3];
+    vti_rrv_from_rotvec(theta, exact);
+    assert_true(vti_rrv_distance(alpha, exact) < 1e-12);
+}
+
+/** By two slices, each with a past of its own on the same memory, and after a copy: the bits of one flight. */
+static void slices_and_copies(void **state)
+{
+    (void)state;
+    const vti_multistep *m = vti_multistep_find("an6");
+    for (int storage = CHAIN_ALPHA; storage <= CHAIN_QUAT; ++storage) {
+        flight whole, parts;
+        flight_make(&whole, (enum chain_storage)storage, m->depth);
+        fly(&whole, m, 0.02, 40);
+        flight_make(&parts, (enum chain_storage)storage, m->depth);
+        fly(&parts, m, 0.02, 20);
+        flight copy = parts;
+        copy.past.memory = copy.memory[0][0];
+        const vti_bodies b = chain_bodies(&copy.c);
+        for (int k = 20; k < 40; ++k) {
+            vti_past own[2] = {copy.past, copy.past};
+            const vti_bodies half[2] = {vti_bodies_slice(b, 0, 1), vti_bodies_slice(b, 1, BODIES - 1)};
+            for (int s = 0; s < 2; ++s)
+                assert_int_equal(vti_multistep_predict(m, 0.02, &own[s], &half[s], NULL), VTI_OK);
+            chain_load(&copy.c, &b);
+            for (int s = 0; s < 2; ++s)
+                assert_int_equal(vti_multistep_correct(m, 0.02, &own[s], &half[s]), VTI_OK);
+        }
+        assert_memory_equal(&copy.c, &whole.c, sizeof copy.c);
+        assert_memory_equal(copy.memory, whole.memory, sizeof copy.memory[0] * BODIES * (size_t)m->depth / DEPTH);
+    }
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    flight f;
+    const vti_multistep *m = vti_multistep_find("an8");
+    flight_make(&f, CHAIN_ALPHA, DEPTH);
+    const chain before = f.c;
+    vti_bodies b = chain_bodies(&f.c);
+    vti_fault fault;
+    assert_null(vti_multistep_find("an5"));
+    assert_null(vti_multistep_at(vti_multistep_count()));
+    assert_int_equal(vti_multistep_predict(NULL, 0.1, &f.past, &b, &fault), VTI_E_STEPPER);
+    assert_int_equal(vti_multistep_predict(m, 0.1, NULL, &b, &fault), VTI_E_NULL);
+    assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_PAST);
+    assert_true(fault.value == 0.0);
+    f.past.known = 8;
+    assert_int_equal(vti_multistep_correct(m, -0.1, &f.past, &b), VTI_E_TIME);
+    b.x_low = vti_view_packed(f.memory[0][0]);
+    assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
+    assert_int_equal(fault.quantity, VTI_QUANTITY_X_LOW);
+    f.past.memory = NULL;
+    b.x_low = vti_view_none();
+    assert_int_equal(vti_multistep_record(&f.past, &b), VTI_E_PAST);
+    assert_memory_equal(&f.c, &before, sizeof before);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orders),      cmocka_unit_test(reaches),           cmocka_unit_test(linear_momentum),
+        cmocka_unit_test(steady_spin), cmocka_unit_test(slices_and_copies), cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
