@@ -86,7 +86,7 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | Ctrl-C, SIGTERM or SIGUSR1, to `./dev study` or to any rank | vti-study | ends with 75, by `mpirun` itself with 1 but after SIGUSR1 (that of Open MPI 5 holds our message back then); what is done is kept; the same bytes after --resume | study_terminal, hard study_resume |
 | a reference that does not fit into memory | vti-study | is held in windows of up to --memory, which each run integrates again | study_windows |
 | one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
-| two studies in one folder, two runs into one file | vti-study, vti-run | the second is refused: another vti-study is writing there | hard study_resume, hard keep, run_resume |
+| two studies in one folder, two runs into one file | vti-study, vti-run | the second is refused: another vti-study is writing there | hard keep, run_resume |
 | OUT.run or a journal cut at any length or changed in any bit | vti-run; vti-study | reported: damaged; or, where SQLite does not use the bit, the right bytes | hard damaged |
 | --resume with another scene, option or table | the same | reported: the first line that differs, `h: 0.01 there, 0.02 here` | run_resume, hard study_resume |
 | scenes, tables and --set of random bytes | all | reported: the line, the value and the remedy; no fault of memory (`./dev fuzz`) | hard fuzz scene, table, set |

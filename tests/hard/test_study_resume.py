@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-from programs import ENVIRONMENT, PATIENCE, contents, holds, one_line, run, size_of
+from programs import ENVIRONMENT, PATIENCE, contents, holds, one_line, run
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES = map(os.path.abspath, sys.argv[1:4])
@@ -158,51 +158,6 @@ def refused_resumes(base):
         refusal("another end", ["another study: --t-end: 10 there, 9 here"], path, *LADDER, "--resume", "--t-end", "9")
 
 
-def changed_tables(base):
-    """One number of a table is changed between a study and its resumption."""
-    def write(mass, axial):
-        with open(f"{base}/bodies.csv", "w", encoding="ascii") as file:
-            file.write(f"x,y,z,mass\n0,0,0,1\n1,0,0,{mass}\n2,0.1,0,1\n")
-        with open(f"{base}/bonds.csv", "w", encoding="ascii") as file:
-            file.write(f"i,j,axial\n0,1,{axial}\n1,2,10\n")
-        with open(f"{base}/own.yaml", "w", encoding="ascii") as file:
-            file.write("bodies: {table: bodies.csv}\nbinder: {table: bonds.csv}\nh: 1/64\nt_end: 10\n")
-
-    folder, arguments = f"{base}/out", [f"{base}/own.yaml", "--h", "1/64:1/8192", "--resume"]
-    write(1, 10)
-    begun(folder, *arguments)
-    for mass, axial, word in ((1.5, 10, "table of bodies, mass: "), (1, 10.5, "table of bonds, axial: ")):
-        write(mass, axial)
-        result = study(0, *arguments, "-o", folder)
-        check(one_line(result, "another study", word), f"another {word}{result.stderr.strip()[:200]}")
-    write(1, 10)
-    result = study(2, *arguments, "-o", folder)
-    check(result.returncode == 0 and "goes on" in result.stdout, "... with its own tables it goes on")
-
-
-def two_at_once(base):
-    """The first is held while the others try; one that had ended before it could be held says nothing, and is begun anew."""
-    folder, arguments = f"{base}/out", [scene("pendulum"), *LADDER]
-    journal, held, tries = f"{folder}/study.journal", [], 0
-    while not held and tries < 20:
-        tries += 1
-        shutil.rmtree(folder, ignore_errors=True)
-        with subprocess.Popen(command(2, *arguments, "-o", folder), env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
-            while process.poll() is None and size_of(journal) == 0:
-                time.sleep(0.001)
-            held = processes(folder)
-            tell(held, signal.SIGSTOP)
-            if not os.path.exists(journal):
-                held = []
-            for more in ([], ["--resume"]) if held else ():
-                result = study(2 if more else 0, *arguments, *more, "-o", folder)
-                check(one_line(result, "another vti-study is writing there"), f"two at once {more}: {result.stderr.strip()[:200]}")
-            tell(processes(folder), signal.SIGCONT)
-            code = process.wait(timeout=PATIENCE)
-    check(held and code == 0, "... and the first ends well")
-    check(sorted(os.listdir(folder)) == ["study.csv", "study.h5", "timing.csv"], "... with its files and no others")
-
-
 def full_disk(base):
     """A file that cannot be written, and files that may not grow: the results before stay, and nothing that was done is lost."""
     arguments = [scene("pendulum"), "--h", "2^-4:2^-9"]
@@ -283,7 +238,7 @@ random.seed(20240605)
 TOPICS = [lambda base: kills(base, "pendulum", TIMED, scene("pendulum"), *LADDER),
           lambda base: kills(base, "cost", ("cost.csv", "prices.csv", "machine.txt"), "--cost", scene("pendulum"), "--evals",
                              "4096", "--repeats", "1", "--t-end", "1", "--steppers", "vti1,vti2,rk4,exact,srkn6"),
-          refused_resumes, changed_tables, two_at_once, full_disk, stopped, failing_rank]
+          refused_resumes, full_disk, stopped, failing_rank]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         started = time.monotonic()
