@@ -117,6 +117,12 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
+        function c_bond_dashpots_effect(dashpots) result(effect) bind(c, name='vti_bond_dashpots_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: dashpots
+            type(vti_effect) :: effect
+        end function
+
         function c_dashpots_effect(dashpots) result(effect) bind(c, name='vti_dashpots_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: dashpots

@@ -20,7 +20,7 @@ module vti_effects
     public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
-        vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add
+        vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_bond_dashpots_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
 
@@ -223,6 +223,12 @@ contains
         type(vti_friction), pointer, intent(in) :: friction
         type(vti_effect) :: effect
         if (associated(friction)) effect = c_friction_effect(c_loc(friction))
+    end function
+
+    function vti_bond_dashpots_effect(dashpots) result(effect)
+        type(vti_bond_dashpots), pointer, intent(in) :: dashpots
+        type(vti_effect) :: effect
+        if (associated(dashpots)) effect = c_bond_dashpots_effect(c_loc(dashpots))
     end function
 
     ! ---- bonds -------------------------------------------------------------------------------------------------------

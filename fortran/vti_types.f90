@@ -144,6 +144,14 @@ module vti_types
         integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
     end type
 
+    !> Dashpots of bonds: bonds is the address of a vti_bonds, lost that of an array of four type(vti_sum), zeros at the
+    !> start.
+    type, bind(c) :: vti_bond_dashpots
+        type(c_ptr) :: bonds = c_null_ptr
+        real(c_double) :: zeta = 0, axial = 0, shear = 0, bending = 0, twisting = 0
+        type(c_ptr) :: lost = c_null_ptr
+    end type
+
     !> What the springs of one touch hold: i and j count from 1 (j of plane w, which counts from 1 too: -w); i = 0 is an
     !> empty slot.
     type, bind(c) :: vti_held

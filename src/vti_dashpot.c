@@ -114,15 +114,12 @@ static double limited(const double p[3], const double f[3], double t, double lim
 static double decay(const struct place *at, double mass, double c, double t, double share_of_force, const double f[3],
                     double a[3])
 {
-    const double gone = vti_decay(c * t / mass).gone, v2 = vti_dot(a, a), delta = at->touch.delta;
-    double s = 1.0;
-    for (int k = 0; k < 3; ++k)
-        a[k] *= -mass * gone;
-    if (share_of_force > 0.0)
-        s = limited(a, f, t, delta > 0.0 ? share_of_force * at->k_h * delta * sqrt(delta) : 0.0);
-    for (int k = 0; k < 3; ++k)
-        a[k] *= s;
-    return mass * s * gone * (1.0 - 0.5 * s * gone) * v2;
+    const double gone = vti_decay(c * t / mass).gone, delta = at->touch.delta;
+    if (!(share_of_force > 0.0))
+        return vti_touch_decay(mass, gone, a);
+    const double whole[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
+    const double limit = delta > 0.0 ? share_of_force * at->k_h * delta * sqrt(delta) : 0.0;
+    return vti_touch_decay(mass, gone * limited(whole, f, t, limit), a);
 }
 
 static void flow_tangential(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)

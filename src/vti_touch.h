@@ -131,6 +131,26 @@ static inline void vti_touch_turn(const struct vti_touch *at, const vti_bodies *
         vti_touch_add(&b->omega, at->j, -at->per_j_j, l);
 }
 
+/** Of a velocity a against which mass resists and of which the share gone goes: becomes the impulse. Returns the kinetic
+ *  energy that it takes, -p.(a + a')/2. */
+static inline double vti_touch_decay(double mass, double gone, double a[3])
+{
+    const double lost = mass * gone * (1.0 - 0.5 * gone) * vti_dot(a, a);
+    for (int c = 0; c < 3; ++c)
+        a[c] *= -mass * gone;
+    return lost;
+}
+
+/** a = (a.n) n + P a: leaves P a there, and (a.n) n in along. */
+static inline void vti_touch_split(const struct vti_touch *at, double a[3], double along[3])
+{
+    const double an = vti_dot(a, at->n);
+    for (int c = 0; c < 3; ++c) {
+        along[c] = an * at->n[c];
+        a[c] -= along[c];
+    }
+}
+
 static inline double vti_touch_normal_mass(const struct vti_touch *at)
 {
     return 1.0 / (at->per_m_i + at->per_m_j);

@@ -166,6 +166,11 @@ static void deform(const struct effect *e, const vti_bodies *b, double energy, v
 
 /* ---- together ---------------------------------------------------------------------------------------------------- */
 
+static const vti_bonds *bonds(const struct effect *e)
+{
+    return &((const struct binder_self *)e->self)->bonds;
+}
+
 static const struct effect_term terms[] = {{"binder_moment", "$U^{\\mathrm{m}}$", "bending and torsion", "#E69F00"},
                                            {"binder_axial", "$U^{\\mathrm{a}}$", "axial", "#D55E00"},
                                            {"binder_shear", "$U^{\\mathrm{s}}$", "shear", "#AA4499"}};
@@ -186,4 +191,5 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .limit = limit,
                                           .deform = deform,
                                           .lines = &binder_lines,
+                                          .bonds = bonds,
                                           .watch = &binder_watch};

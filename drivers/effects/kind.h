@@ -158,6 +158,8 @@ struct effect_kind {
     const struct effect_planes *planes;
     /** Fills in what touches in it, and leaves the rest of *surfaces as it is. */
     void (*surfaces)(const struct effect *e, struct effect_surfaces *surfaces);
+    /** The bonds of its lines, which others damp. */
+    const vti_bonds *(*bonds)(const struct effect *e);
     /** The friction where they touch. */
     const vti_friction *(*friction)(const struct effect *e);
     const struct effect_watch *watch;

@@ -11,7 +11,8 @@
 #include "vti.h"
 
 #define EFFECT_KINDS(KIND)                                                                                             \
-    KIND(drag) KIND(binder) KIND(contact) KIND(wall) KIND(friction) KIND(dashpot) KIND(gravity) KIND(pendulum)
+    KIND(drag)                                                                                                         \
+    KIND(binder) KIND(bond_dashpot) KIND(contact) KIND(wall) KIND(friction) KIND(dashpot) KIND(gravity) KIND(pendulum)
 
 #define EFFECT_NUMBER(NAME) EFFECT_##NAME,
 enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };

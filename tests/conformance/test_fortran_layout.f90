@@ -69,6 +69,7 @@ contains
         type(vti_held), target :: held
         type(vti_history), target :: history
         type(vti_friction), target :: friction
+        type(vti_bond_dashpots), target :: bond_dashpots
         type(vti_dashpots), target :: dashpots
         type(vti_multistep), target :: multistep
         type(vti_past), target :: past
@@ -117,6 +118,9 @@ contains
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
             c_loc(multistep%c), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
+        call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), c_loc(bond_dashpots%zeta), &
+            c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
+            c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost)])
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &

@@ -20,6 +20,13 @@ gravity: [0, 0, -1]
 h: 1/64
 t_end: 4
 """,
+    "swing": """name: swing
+bodies: {chain: {count: 6, spacing: 1}, mass: 1, inertia: 0.1, diameter: 1, random: {seed: 3, v: 0.2, omega: 0.2}}
+binder: {moment: 5, axial: 100, shear: {stiffness: 50, form: objective}}
+bond_dashpot: {zeta: 0.125}
+h: 1/256
+t_end: 4
+""",
     "heap": """name: heap
 bodies:
   lattice: {counts: [2, 2, 4], spacing: 1.1, corner: [0.6, 0.6, 0.6]}
@@ -36,7 +43,7 @@ t_end: 4
 """,
 }
 BAND = {"fall": 1e-13,  # of the largest energy: Verlet is exact in a uniform field
-        "heap": 3e-3}   # of order h^2
+        "swing": 1e-3, "heap": 3e-3}   # of order h^2
 
 
 def ledger(base, name):
@@ -50,7 +57,7 @@ def ledger(base, name):
     columns = dict(zip(names, rows.T))
     lost = [key for key in columns if key.startswith("lost_")]
     held = sum(columns[key] for key in columns if key.startswith("kinetic_") or key in ("gravity", "contact", "wall")
-               or key.startswith("friction_"))
+               or key.startswith(("friction_", "binder_")))
     taken = sum(columns[key] for key in lost)
     check(lost and all(columns[key][0] == 0 and columns[key][-1] > 0 for key in lost), f"... from 0 on it loses: {lost}")
     scale = max(abs(held)) + max(abs(taken))

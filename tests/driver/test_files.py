@@ -117,7 +117,10 @@ def dissipating(base, u):
 bodies: {{table: bodies.csv}}
 drag: {{linear: {u['kg'] / u['s'] / 2!r}, quadratic: {u['kg'] / u['m'] / 4!r}, angular: {u['J'] * u['s'] / 8!r},
   medium: [{u['m'] / u['s'] / 2!r}, 0, 0]}}
-contact: {{stiffness: {128 * u['J']!r}}}
+binder: {{table: bonds.csv}}
+bond_dashpot: {{zeta: 0.125, axial: {u['kg'] / u['s']!r}, shear: {u['kg'] / u['s']!r}, bending: {u['J'] * u['s'] / 32!r},
+  twisting: {u['J'] * u['s'] / 16!r}}}
+contact: {{stiffness: {128 * u['J']!r}, bonded: yes}}
 friction: {{sliding: 0.5, poisson: 0.25, rolling: {u['m'] / 8!r}, rolling_stiffness: {u['J']!r}, twisting: {u['m'] / 16!r},
   twisting_stiffness: {u['J'] / 2!r}}}
 dashpot: {{zeta: 0.25, normal: {u['kg'] / u['s'] / 4!r}, tangential: {u['kg'] / u['s'] / 2!r}, ratio: 0.5,

@@ -35,7 +35,7 @@ def listed(what):
 
 
 check({"vti1", "vti2", "vti3", "exact", "srkn11"} <= set(listed("steppers")), "the steppers of the README are there")
-check(listed("effects") == ["drag", "binder", "contact", "wall", "friction", "dashpot", "gravity", "pendulum"], "effects")
+check(listed("effects") == ["drag", "binder", "bond_dashpot", "contact", "wall", "friction", "dashpot", "gravity", "pendulum"], "effects")
 keys = listed("keys")
 with open(os.path.join(root, "docs", "scenes.md"), encoding="utf-8") as file:
     check(file.read() == page(run(vti_run, "--list", "keys").stdout),

@@ -104,6 +104,12 @@ static const struct refusal refused[] = {
     {CHAIN "contact: {stiffness: 1}\nfriction: {rolling: 1}\n" TIME,
      "3:21: friction.rolling: has no stiffness; give friction.rolling_stiffness"},
 
+    /* bond_dashpot */
+    {CHAIN "contact: {stiffness: 1}\nbond_dashpot: {zeta: 1}\n" TIME,
+     "3:1: bond_dashpot: there are no bonds; give binder"},
+    {CHAIN "binder: {axial: 1}\nbond_dashpot: {zeta: 0}\n" TIME,
+     "3:1: bond_dashpot: no coefficient above 0; give zeta"},
+
     /* dashpot */
     {CHAIN "dashpot: {zeta: 1}\n" TIME, "2:1: dashpot: nothing touches; give contact or wall"},
     {CHAIN "contact: {stiffness: 1}\ndashpot: {zeta: 1, restitution: 0.5}\n" TIME,

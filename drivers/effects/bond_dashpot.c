@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Dashpots in bonds (EQUATIONS 6.3). */
+#include "kind.h"
+#include "model.h"
+#include "scene_reader.h"
+
+struct bond_dashpot_settings {
+    double zeta, axial, shear, bending, twisting;
+};
+
+/* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+#define NUMBER_AT(KEY, ABOUT, SAYS)                                                                                    \
+    {                                                                                                                  \
+        "bond_dashpot." #KEY, SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE,                                             \
+            offsetof(struct bond_dashpot_settings, KEY), ABOUT, SAYS, NULL                                             \
+    }
+static const struct scene_field fields[] = {
+    {"bond_dashpot", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "dashpots of bonds",
+     "Damps the bonds; steppers with negative coefficients are refused.", NULL},
+    NUMBER_AT(zeta, "damping ratio",
+              "Of each term that a bond has, by its own stiffness; adds to the coefficients below."),
+    NUMBER_AT(axial, "axial coefficient", "Mass per time, along the bond."),
+    NUMBER_AT(shear, "shear coefficient", "Mass per time, across the bond."),
+    NUMBER_AT(bending, "bending coefficient", "Energy times time; bodies turn then."),
+    NUMBER_AT(twisting, "twisting coefficient", "Energy times time; bodies turn then."),
+};
+#undef NUMBER_AT
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    const struct bond_dashpot_settings *d = settings;
+    int bonded = 0;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        bonded |= scene->has[k] && kinds_at(k)->bonds != NULL;
+    if (!bonded)
+        return scene_reader_fail(reader, "bond_dashpot", "there are no bonds; give binder");
+    if (!(d->zeta > 0.0 || d->axial > 0.0 || d->shear > 0.0 || d->bending > 0.0 || d->twisting > 0.0))
+        return scene_reader_fail(reader, "bond_dashpot", "no coefficient above 0; give zeta");
+    return 0;
+}
+
+/* ---- what it does ------------------------------------------------------------------------------------------------ */
+
+static void fill(vti_bond_dashpots *dashpots, const struct bond_dashpot_settings *d, vti_sum *lost)
+{
+    dashpots->zeta = d->zeta;
+    dashpots->axial = d->axial;
+    dashpots->shear = d->shear;
+    dashpots->bending = d->bending;
+    dashpots->twisting = d->twisting;
+    dashpots->lost = lost;
+}
+
+/** Bonds with moments turn bodies by themselves: only constants ask for it here. */
+static vti_effect draft(const void *settings, const struct table *table)
+{
+    static vti_sum nothing[VTI_BOND_DASHPOT_BOOKS];
+    static const vti_bonds none;
+    const struct bond_dashpot_settings *d = settings;
+    vti_bond_dashpots dashpots = {.bonds = &none};
+    (void)table;
+    fill(&dashpots, d, nothing);
+    vti_effect effect = vti_bond_dashpots_effect(&dashpots);
+    effect.gives = d->bending > 0.0 || d->twisting > 0.0 ? EFFECT_MOMENT : 0;
+    effect.self = effect.booked = NULL;
+    return effect;
+}
+
+static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
+                struct message *message)
+{
+    vti_bond_dashpots *dashpots = effect_memory(e, sizeof *dashpots, message);
+    (void)table;
+    if (dashpots == NULL)
+        return -1;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->bonds != NULL)
+            dashpots->bonds = model->rooms[k].kind->bonds(&model->rooms[k]);
+    fill(dashpots, e->settings, e->booked);
+    *made = vti_bond_dashpots_effect(dashpots);
+    made->needs &= ~(int64_t)(1 << VTI_QUANTITY_OMEGA); /* what bonds turn has it */
+    made->needs |= dashpots->bending > 0.0 || dashpots->twisting > 0.0 ? 1 << VTI_QUANTITY_OMEGA : 0;
+    return 0;
+}
+
+static const struct effect_term terms[] = {
+    {"lost_bond_axial", "$Q^{\\mathrm{ba}}$", "lost to axial dashpots", "#999944"},
+    {"lost_bond_shear", "$Q^{\\mathrm{bs}}$", "lost to shear dashpots", "#332288"},
+    {"lost_bond_bending", "$Q^{\\mathrm{bb}}$", "lost to bending dashpots", "#88CCEE"},
+    {"lost_bond_twisting", "$Q^{\\mathrm{bw}}$", "lost to torsion dashpots", "#117733"}};
+
+const struct effect_kind effect_bond_dashpot = {.number = EFFECT_bond_dashpot,
+                                                .key = "bond_dashpot",
+                                                EFFECT_FIELDS(fields),
+                                                .settings = sizeof(struct bond_dashpot_settings),
+                                                .check = check,
+                                                .draft = draft,
+                                                .make = make,
+                                                EFFECT_TERMS(terms)};

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Dashpots of bonds as flows of the time t (EQUATIONS 6.3), with u and w of vti_touch.h for shares of 1/2:
+ *
+ *     axial p = m_n expm1(-c_a t/m_n) (u.n) n             shear p = m_t expm1(-c_s t/m_t) P u
+ *     bending l = J_r expm1(-c_b t/J_r) P w               twisting l = J_r expm1(-c_w t/J_r) (w.n) n
+ *
+ * Bond by bond in this order, backward reversed. */
+#include "vti_decay.h"
+#include "vti_touch.h"
+
+enum { AXIAL, SHEAR, BENDING, TWISTING, MOTIONS };
+
+/** Bond k where it is. Returns 1, or 0 where its bodies coincide. */
+static int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies *b, int64_t k)
+{
+    double d[3], xj[3];
+    at->i = p->pair[2 * k] - p->base;
+    at->j = p->pair[2 * k + 1] - p->base;
+    vti_load(&b->x, at->i, d);
+    vti_load(&b->x, at->j, xj);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= xj[c];
+    at->r = vti_norm(d);
+    for (int c = 0; c < 3; ++c)
+        at->n[c] = d[c] / at->r;
+    at->s_i = at->s_j = 0.5;
+    vti_touch_masses(at, b);
+    return at->r > VTI_COINCIDENT;
+}
+
+/** 2 zeta sqrt(m k) and the constant; stiffness is an energy, k that over length^2. */
+static double coefficient(double constant, double zeta, double mass, const vti_scalars *stiffness, int64_t k,
+                          double length)
+{
+    const double energy = stiffness->p != NULL && zeta > 0.0 ? vti_scalar(stiffness, k) : 0.0;
+    return constant + (energy > 0.0 ? 2.0 * zeta * sqrt(mass * energy) / length : 0.0);
+}
+
+static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, const vti_bodies *b, double t, int64_t k,
+                     int motion)
+{
+    const vti_bonds *bonds = p->bonds;
+    const int turns = motion == BENDING || motion == TWISTING;
+    const double constants[MOTIONS] = {p->axial, p->shear, p->bending, p->twisting};
+    const vti_scalars *stiffness = motion == AXIAL ? &bonds->axial : motion == SHEAR ? &bonds->shear : &bonds->moment;
+    if (turns && !vti_has(&b->omega))
+        return;
+    const double mass = turns             ? vti_touch_rolling_inertia(at)
+                        : motion == AXIAL ? vti_touch_normal_mass(at)
+                                          : vti_touch_tangential_mass(at);
+    const double c = coefficient(constants[motion], p->zeta, mass, stiffness, k, turns ? 1.0 : bonds->rest[4 * k + 3]);
+    double u[3], w[3], along[3];
+    if (!(c > 0.0))
+        return;
+    vti_touch_velocities(at, b, u, w);
+    double *const a = turns ? w : u;
+    vti_touch_split(at, a, along);
+    double *const damped = motion == AXIAL || motion == TWISTING ? along : a;
+    vti_sum_add(&p->lost[motion], vti_touch_decay(mass, vti_decay(c * t / mass).gone, damped));
+    if (turns)
+        vti_touch_turn(at, b, damped);
+    else
+        vti_touch_push(at, b, damped);
+}
+
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    const vti_bond_dashpots *p = self;
+    struct vti_touch at;
+    for (int64_t k = 0; k < p->bonds->count; ++k) {
+        const int64_t bond = drift < 0.0 ? p->bonds->count - 1 - k : k;
+        for (int m = 0; find_bond(&at, p->bonds, b, bond) && m < MOTIONS; ++m)
+            flow_one(p, &at, b, t, bond, drift < 0.0 ? MOTIONS - 1 - m : m);
+    }
+}
+
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_bond_dashpots *p = self;
+    const double all[] = {p->zeta, p->axial, p->shear, p->bending, p->twisting};
+    for (int k = 0; k < 5; ++k)
+        if (!(isfinite(all[k]) && all[k] >= 0.0))
+            return VTI_E_DAMPING;
+    if (p->bonds->count > 0 && (p->bonds->pair == NULL || p->bonds->rest == NULL))
+        return VTI_E_NULL;
+    return vti_has(&b->omega) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+}
+
+vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)
+{
+    static const char *const book[VTI_BOND_DASHPOT_BOOKS] = {"lost_bond_axial", "lost_bond_shear", "lost_bond_bending",
+                                                             "lost_bond_twisting"};
+    const vti_bond_dashpots *p = dashpots;
+    if (p == NULL || p->lost == NULL || p->bonds == NULL)
+        return vti_effect_none();
+    const int turns = p->bending > 0.0 || p->twisting > 0.0 || (p->zeta > 0.0 && p->bonds->moment.p != NULL);
+    const int spins = turns || p->shear > 0.0 || (p->zeta > 0.0 && p->bonds->shear.p != NULL);
+    const vti_effect effect = {.name = "bond_dashpot",
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .flow = flow,
+                               .self = p,
+                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
+                                        (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                               .smooth = 1,
+                               .breaks = spins ? 0700 : 0,
+                               .dissipates = 1,
+                               .books = VTI_BOND_DASHPOT_BOOKS,
+                               .book = book,
+                               .booked = p->lost};
+    return effect;
+}
