@@ -10,8 +10,8 @@ program test_fortran_layout
     integer(c_int64_t), parameter :: quantity(13) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
         VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_MASS, &
         VTI_QUANTITY_INERTIA, VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW]
-    character(len=9), parameter :: name(13) = [character(len=9) :: 'x', 'v', 'force', 'alpha', 'quat', 'omega', 'moment', &
-        'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low']
+    character(len=9), parameter :: name(13) = [character(len=9) :: 'x', 'v', 'force', 'alpha', 'quat', 'omega', &
+        'moment', 'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low']
     integer :: k
 
     call members()
