@@ -28,8 +28,8 @@ struct sampled_other {
     void *self;
 };
 
-/** Fills the states, and then finds how far they are from those of a looser tolerance. other is NULL where both are done
- *  here, one after the other. Each returns 0, or -1 with one line in *message, or WATCH_ASKED. */
+/** Fills the states, and then finds how far they are from those of a looser tolerance. other is NULL where both are
+ *  done here, one after the other. Each returns 0, or -1 with one line in *message, or WATCH_ASKED. */
 int sampled_solve(struct sampled *sampled, const struct sampled_other *other, const struct watch *watch,
                   struct message *message);
 int sampled_compare(struct sampled *sampled, const struct sampled_other *other, const struct watch *watch,

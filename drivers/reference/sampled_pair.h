@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The two solutions of a sampled reference by two ranks at once: rank 0 of a communicator makes the states that are kept,
- * rank 1 those of the looser tolerance, and compares. */
+ * The two solutions of a sampled reference by two ranks at once: rank 0 of a communicator makes the states that are
+ * kept, rank 1 those of the looser tolerance, and compares. */
 #ifndef VTI_SAMPLED_PAIR_H
 #define VTI_SAMPLED_PAIR_H
 

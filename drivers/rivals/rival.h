@@ -64,8 +64,8 @@ enum { COURSE_NUMBERS = 3 };
 /** The model at t = 0 with a rival that steps it by h. Returns NULL with one line in *message if that cannot be. */
 struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message);
 void course_destroy(struct course *course);
-/** Forces of the bodies as they stand, of a course that was put where it is (steps > 0). Returns 0, or -1 with one line in
- *  *message. */
+/** Forces of the bodies as they stand, of a course that was put where it is (steps > 0). Returns 0, or -1 with one line
+ *  in *message. */
 int course_begin(struct course *course, struct message *message);
 /** Takes it so many steps further. Returns 0, or -1 with one line in *message. */
 int course_go(struct course *course, int64_t steps, struct message *message);

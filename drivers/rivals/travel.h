@@ -49,9 +49,9 @@ struct travel {
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
 
-/** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0.
- *  Of a rival observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such as: step too
- *  large), after which there is nothing left to do but travel_destroy. */
+/** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0. Of
+ *  a rival observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such
+ *  as: step too large), after which there is nothing left to do but travel_destroy. */
 int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
                 struct message *message);
 /** The same without observers, in a tight loop. */
