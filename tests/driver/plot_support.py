@@ -27,8 +27,8 @@ sys.dont_write_bytecode = True
 
 
 def plot(program, *given, dpi=COARSE, only=None):
-    """vti-plot within this process, which takes a second less than by itself; where that may matter there is apart(). only: no
-    other pictures than these."""
+    """vti-plot within this process, which takes a second less than by itself; where that may matter there is apart().
+    only: no other pictures than these."""
     loader = SourceFileLoader("vti_plot", program)
     module = types.ModuleType(loader.name)
     module.__file__ = program

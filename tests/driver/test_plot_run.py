@@ -75,7 +75,8 @@ def test_pictures(program, folder):
     write_run(run)
     once, said = draws(program, run, os.path.join(folder, "once"), dpi=FINE)
     assert apart(program, run, "-o", os.path.join(folder, "again")).returncode == 0
-    assert once == [plot_support.picture(os.path.join(folder, "again", name), 1000) for name in ALL], "the same file gave different bytes"
+    again = [plot_support.picture(os.path.join(folder, "again", name), 1000) for name in ALL]
+    assert once == again, "the same file gave different bytes"
     assert "note:" not in said, said
     some = ("energy.png", "shapes.png")
     once, _ = draws(program, run, os.path.join(folder, "coarse"), pictures=some, only=some)

@@ -21,9 +21,9 @@ has() {
     done
 }
 
-# What each build may do that another does not: keep the order of the source (-O0), do without vectors as compilers that have none
-# (VTI_WIDTH=1), write vectors of its own (-O3), fuse and write wider ones (v3 and v4). gcc, which takes twice as long as clang, does
-# only the wider of the last two.
+# What each build may do that another does not: keep the order of the source (-O0), do without vectors as compilers that
+# have none (VTI_WIDTH=1), write vectors of its own (-O3), fuse and write wider ones (v3 and v4). gcc, which takes twice as
+# long as clang, does only the wider of the last two.
 wide=
 units=
 if [ "$(uname -m)" = x86_64 ]; then
@@ -50,7 +50,7 @@ objects() {
     done
 }
 
-# picks COMPILER: with kernels for wide units, among which the library picks as it runs; the other objects are those of -O3
+# picks COMPILER: with kernels for wide units, among which the library picks as it runs; other objects are those of -O3
 picks() {
     defines=
     for unit in $units; do
