@@ -187,6 +187,24 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_bonds_loads(bonds, bodies, first, last, loads) result(status) bind(c, name='vti_bonds_loads')
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
+            type(vti_bonds), intent(in) :: bonds
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int64_t), value :: first, last
+            real(c_double), intent(inout) :: loads(*)
+            integer(c_int) :: status
+        end function
+
+        function c_bonds_sum(bonds, loads, first, last, bodies) result(status) bind(c, name='vti_bonds_sum')
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
+            type(vti_bonds), intent(in) :: bonds
+            real(c_double), intent(in) :: loads(*)
+            integer(c_int64_t), value :: first, last
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
         function c_contacts_check(contacts, n, fault) result(status) bind(c, name='vti_contacts_check')
             import :: c_int, c_int64_t, vti_contacts, vti_fault
             type(vti_contacts), intent(in) :: contacts

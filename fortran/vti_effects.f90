@@ -21,7 +21,7 @@ module vti_effects
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
         vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_bond_dashpots_effect
-    public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect
+    public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
 
     abstract interface
@@ -287,6 +287,33 @@ contains
         type(vti_fault) :: found
         status = c_bonds_check(bonds, n, found)
         if (present(fault)) fault = from_one(found)
+    end function
+
+    !> The effect of the bonds in two passes that threads can share, with its bits: here the loads of the bonds first to
+    !> last (from 1), each thread those of its own range. Errors as in C, VTI_E_COUNT also unless loads is
+    !> (VTI_BOND_LOADS, last - first + 1).
+    function vti_bonds_loads(bonds, bodies, first, last, loads) result(status)
+        type(vti_bonds), intent(in) :: bonds
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int64_t), intent(in) :: first, last
+        real(c_double), contiguous, intent(inout) :: loads(:, :)
+        integer(c_int) :: status
+        status = VTI_E_COUNT
+        if (size(loads, 1) /= VTI_BOND_LOADS .or. size(loads, 2, c_int64_t) /= last - first + 1) return
+        status = c_bonds_loads(bonds, bodies, first - 1, last, loads)
+    end function
+
+    !> The other pass: adds loads(VTI_BOND_LOADS, last - first + 1) of the bonds first to last to force and moment of
+    !> those of their bodies that are in the slice. No two threads may sum for the same body.
+    function vti_bonds_sum(bonds, loads, first, last, bodies) result(status)
+        type(vti_bonds), intent(in) :: bonds
+        real(c_double), contiguous, intent(in) :: loads(:, :)
+        integer(c_int64_t), intent(in) :: first, last
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int) :: status
+        status = VTI_E_COUNT
+        if (size(loads, 1) /= VTI_BOND_LOADS .or. size(loads, 2, c_int64_t) /= last - first + 1) return
+        status = c_bonds_sum(bonds, loads, first - 1, last, bodies)
     end function
 
     function vti_bonds_effect(bonds) result(effect)

@@ -17,7 +17,7 @@ module vti_types
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
-    integer(c_int64_t), parameter :: VTI_TERMS = 8
+    integer(c_int64_t), parameter :: VTI_TERMS = 8, VTI_BOND_LOADS = 9
     integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3
 
     !> What bodies consist of, in the order of the members of vti_bodies.

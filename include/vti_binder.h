@@ -41,6 +41,21 @@ VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, con
 /** Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite and
  *  >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong. */
 VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault);
+/** Numbers of one bond between vti_bonds_loads and vti_bonds_sum. */
+#define VTI_BOND_LOADS 9
+
+/** The effect of the bonds in two passes that threads can share: first loads of bonds, each thread those of its own
+ *  range, then their sums, each thread those of its own bodies. The bits are those of the effect, however many share.
+ *  vti_bonds_loads writes loads[(last - first) * VTI_BOND_LOADS] of the bonds first <= k < last, counted from 0, of the
+ *  bodies as they are; nothing else changes. Once before use: vti_bonds_check. VTI_E_NULL without a list, bodies or
+ *  loads, VTI_E_COUNT unless 0 <= first <= last <= count, VTI_E_BOND for a shear_form that is none, VTI_E_NEEDS without
+ *  the positions or attitudes that the bonds read, or what is wrong with the bodies. */
+VTI_API int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *loads);
+/** Adds loads[(last - first) * VTI_BOND_LOADS] of the bonds first <= k < last to force and moment of those of their
+ *  bodies that are in the slice, in the order of the list; an absent one is left out. No two threads may sum for the
+ *  same body. Errors as those of vti_bonds_loads. */
+VTI_API int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last,
+                          const vti_bodies *b);
 /** The effect of *bonds, which must outlive it. It acts on all of its bonds, whatever the slice of bodies. Energy
  *  terms, of those that are present: "binder_moment", "binder_axial", "binder_shear". */
 VTI_API vti_effect vti_bonds_effect(const vti_bonds *bonds);

@@ -2,31 +2,91 @@
  * The binder: which kernels are its, and making and checking its list. */
 #include "vti_binder_table.h"
 
-/* ---- the effect -------------------------------------------------------------------------------------------------- */
+/* ---- the kernels ------------------------------------------------------------------------------------------------- */
 
-/** The kernels for this machine's vector units; none that a list of so many bonds does not fill. */
-static const struct bond_kernel (*kernels(int64_t count))[4]
+/** The kernels for this machine's vector units; none that so many bonds do not fill. */
+static const struct bond_kernels *kernels(int64_t count)
 {
     (void)count;
 #ifdef VTI_HAS_AVX512
     if (count > 4 && vti_serves_avx512())
-        return vti_binder_avx512;
+        return &vti_binder_avx512;
 #endif
 #ifdef VTI_HAS_AVX2
     if (count > 2 && vti_serves_avx2())
-        return vti_binder_avx2;
+        return &vti_binder_avx2;
 #endif
-    return vti_binder_baseline;
-}
-
-static int has_list(const vti_bonds *bonds)
-{
-    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
+    return &vti_binder_baseline;
 }
 
 static int form_is_known(const vti_bonds *bonds)
 {
     return bonds->shear_form >= VTI_SHEAR_OBJECTIVE && bonds->shear_form <= VTI_SHEAR_PRINTED;
+}
+
+/** 0 without shear. Any form will do for one that is none: check refuses it. */
+static int form_of(const vti_bonds *bonds)
+{
+    return bonds->shear.p == NULL ? 0 : form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE;
+}
+
+static int terms_of(const vti_bonds *bonds)
+{
+    return (bonds->moment.p != NULL ? TERM_MOMENT : 0) | (bonds->axial.p != NULL ? TERM_AXIAL : 0) |
+           (bonds->shear.p != NULL ? TERM_SHEAR : 0);
+}
+
+static const struct bond_kernel *kernel_of(const struct bond_kernels *kernels, const vti_bonds *bonds)
+{
+    return &kernels->of[form_of(bonds)][terms_of(bonds) & (TERM_MOMENT | TERM_AXIAL)];
+}
+
+/** Of all that the terms read and write. */
+static enum layout layout_of(int terms, const vti_bodies *b)
+{
+    const int turns = terms & (TERM_MOMENT | TERM_SHEAR), pulls = terms & (TERM_AXIAL | TERM_SHEAR);
+    const vti_view *const all[] = {pulls ? &b->x : NULL, pulls ? &b->force : NULL, turns ? &b->moment : NULL,
+                                   turns ? &b->alpha : NULL};
+    const vti_quat_view *q = &b->quat;
+    for (int k = 0; k < 4; ++k)
+        if (all[k] != NULL && vti_has(all[k]) && !vti_is_packed(all[k]))
+            return ANY;
+    if (!turns || vti_has(&b->alpha))
+        return ALPHA;
+    const int side_by_side =
+        q->xyzw[1] == q->xyzw[0] + 1 && q->xyzw[2] == q->xyzw[0] + 2 && q->xyzw[3] == q->xyzw[0] + 3;
+    return q->stride == 4 && side_by_side ? QUAT : ANY;
+}
+
+/** Bonds that are evaluated before they are summed: their rows stay in the first-level cache. */
+enum { TILE = 64 };
+
+static void apply(const void *self, const vti_bodies *b)
+{
+    const vti_bonds *bonds = self;
+    const struct bond_kernels *all = kernels(bonds->count);
+    const struct bond_kernel *kernel = kernel_of(all, bonds);
+    const int terms = terms_of(bonds);
+    const enum layout layout = layout_of(terms, b);
+    double rows[TILE * VTI_BOND_LOADS];
+    for (int64_t first = 0; first < bonds->count; first += TILE) {
+        const int64_t last = bonds->count - first < TILE ? bonds->count : first + TILE;
+        kernel->loads[layout](bonds, b, first, last, rows);
+        all->sum[0][layout == ANY](terms, bonds, b, first, last, rows);
+    }
+}
+
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_bonds *bonds = self;
+    kernel_of(kernels(bonds->count), bonds)->energy(bonds, b, energies);
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+static int has_list(const vti_bonds *bonds)
+{
+    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
 }
 
 /** The list may be another one than when the effect was made. */
@@ -113,14 +173,12 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
     const int has_moment = bonds->moment.p != NULL, has_axial = bonds->axial.p != NULL,
               has_shear = bonds->shear.p != NULL;
     const int pulls = has_axial || has_shear, turns = has_moment || has_shear;
-    /* any kernel will do for a form that is none: check refuses it */
-    const int form = has_shear ? (form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE) : 0;
+    const int form = form_of(bonds);
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
     const int64_t breaks = form == VTI_SHEAR_PRINTED ? 0x038 : form != 0 ? 0x1c0 : 0;
-    const struct bond_kernel kernel = kernels(bonds->count)[form][has_moment + 2 * has_axial];
     const vti_effect effect = {.name = "binder",
-                               .apply = kernel.apply,
-                               .energy = kernel.energy,
+                               .apply = apply,
+                               .energy = energy,
                                .check = check,
                                .springs = springs,
                                .self = bonds,
@@ -131,6 +189,40 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                .term = names[has_moment + 2 * has_axial + 4 * has_shear],
                                .breaks = breaks};
     return effect;
+}
+
+/* ---- the two passes of threads ----------------------------------------------------------------------------------- */
+
+static int pass_check(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, const double *loads)
+{
+    if (bonds == NULL || b == NULL || !has_list(bonds) || (last > first && loads == NULL))
+        return VTI_E_NULL;
+    if (first < 0 || first > last || last > bonds->count)
+        return VTI_E_COUNT;
+    const int terms = terms_of(bonds);
+    if (terms & TERM_SHEAR && !form_is_known(bonds))
+        return VTI_E_BOND;
+    const int status = vti_bodies_ready(b);
+    const int lacks = (terms & (TERM_AXIAL | TERM_SHEAR) && !vti_has(&b->x)) ||
+                      (terms & (TERM_MOMENT | TERM_SHEAR) && !vti_has_attitude(b));
+    return status != VTI_OK ? status : lacks ? VTI_E_NEEDS : VTI_OK;
+}
+
+int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *loads)
+{
+    const int status = pass_check(bonds, b, first, last, loads);
+    if (status == VTI_OK)
+        kernel_of(kernels(bonds->count), bonds)->loads[layout_of(terms_of(bonds), b)](bonds, b, first, last, loads);
+    return status;
+}
+
+int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last, const vti_bodies *b)
+{
+    const int status = pass_check(bonds, b, first, last, loads);
+    const int terms = status == VTI_OK ? terms_of(bonds) : 0;
+    if (status == VTI_OK)
+        kernels(bonds->count)->sum[1][layout_of(terms, b) == ANY](terms, bonds, b, first, last, loads);
+    return status;
 }
 
 /* ---- making and checking a list ---------------------------------------------------------------------------------- */

@@ -7,12 +7,25 @@
 
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
+/** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY: whatever
+ *  the views say. */
+enum layout { ALPHA, QUAT, ANY };
+
 struct bond_kernel {
-    void (*apply)(const void *self, const vti_bodies *b);
-    void (*energy)(const void *self, const vti_bodies *b, double *energies);
+    /** The rows of the bonds first <= k < last, VTI_BOND_LOADS numbers each; [layout] */
+    void (*loads[3])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
+    void (*energy)(const vti_bonds *bonds, const vti_bodies *b, double *energies);
 };
 
-/** [form of shear, 0 for none][moment + 2 axial]; the same bits from each. */
-extern const struct bond_kernel vti_binder_baseline[4][4], vti_binder_avx2[4][4], vti_binder_avx512[4][4];
+struct bond_kernels {
+    /** [form of shear, 0 for none][moment + 2 axial] */
+    struct bond_kernel of[4][4];
+    /** Adds rows to their bodies in the order of the bonds; [only those of the slice][layout is ANY] */
+    void (*sum[2][2])(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
+                      const double *rows);
+};
+
+/** The same bits from each. */
+extern const struct bond_kernels vti_binder_baseline, vti_binder_avx2, vti_binder_avx512;
 
 #endif

@@ -70,7 +70,6 @@ check(any(map(shear.search, names_whole)), "... and one with shear does")
 rotation = re.compile("turn|rotate|moment")
 _, names = per_body("tla")
 check(not any(map(rotation.search, names)), "a scene in which nothing can turn calls no function of rotation")
-kernels = {n.removesuffix(".cold") for n in names_whole if re.match("apply_|energy_", n)}
-check(kernels == {"apply_moment_axial_objective", "apply_packed_moment_axial_objective"},
-      f"one kernel of bonds, and no energy unless asked: {sorted(kernels)}")
+kernels = {n.removesuffix(".cold") for n in names_whole if re.match("loads_|energy_", n)}
+check(kernels == {"loads_ALPHA_moment_axial_objective"}, f"one kernel of bonds, and no energy unless asked: {kernels}")
 conclude()
