@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Bonds: every combination of terms and every form of shear is a kernel of its own, made from the formulas of
- * vti_pair.h with literal masks. WIDTH bonds are done together, a bond to a lane, into a row of loads for each; rows are
- * added to the bodies in the order of the bonds, so that the bits depend neither on the width nor on who evaluates what.
+ * vti_pair.h with literal masks. WIDTH bonds are done together, a bond to a lane, into a row of loads for each; rows
+ * are added to the bodies in the order of the bonds, so that the bits depend neither on the width nor on who evaluates
+ * what.
  *
  * The files vti_binder_*.c include this and nothing else: each is compiled for vector units of its own, and defines
  * BOND_KERNELS, the name of its table. */
@@ -140,8 +141,8 @@ VTI_INLINE void write_rows(const struct bond_loads *loads, double rows[WIDTH * V
     lanes_scatter(rows + 8, at, loads->moment_j[2]);
 }
 
-/** The loads of WIDTH bonds that come seldom: the last ones, and those of which some alpha may be so large that it has to
- *  be scaled, as vti_load_pair does. */
+/** The loads of WIDTH bonds that come seldom: the last ones, and those of which some alpha may be so large that it has
+ *  to be scaled, as vti_load_pair does. */
 VTI_APART void evaluate_apart(int terms, int form, const vti_bonds *block, const vti_bodies *b,
                               double rows[WIDTH * VTI_BOND_LOADS])
 {

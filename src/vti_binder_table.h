@@ -7,8 +7,8 @@
 
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
-/** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY: whatever
- *  the views say. */
+/** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY:
+ *  whatever the views say. */
 enum layout { ALPHA, QUAT, ANY };
 
 struct bond_kernel {
