@@ -45,7 +45,7 @@ struct cost_price cost_price_factor(const struct cost_price prices[COST_TARGETS]
 
 /** What is known about a case besides its runs. */
 struct cost_facts {
-    int turns; /* 0: priced by the error of velocities */
+    int turns;          /* 0: priced by the error of velocities */
     double uncertainty; /* of the reference by its own estimate, relative (reference.h), without long ways' rounding */
 };
 
