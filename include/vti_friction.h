@@ -15,7 +15,8 @@ extern "C" {
 /** Entries of vti_friction.lost. */
 enum { VTI_FRICTION_BOOKS = 3 };
 
-/** What the springs of one touch hold, on body i against the other: loads across the normal, and the moment about it. */
+/** What the springs of one touch hold, on body i against the other: loads across the normal, and the moment about
+ *  it. */
 typedef struct vti_held {
     int64_t i;         /**< 1 + body, from 0; 0: this slot is empty */
     int64_t j;         /**< 1 + the other body; -1 - w: plane w, from 0 */
@@ -65,8 +66,8 @@ typedef struct vti_friction {
                                        sliding, rolling and twisting have taken so far */
 } vti_friction;
 
-/** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs x,
- *  v, an attitude, omega, mass and inertia. Energy terms, of the springs: "friction_sliding", "friction_rolling",
+/** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs
+ *  x, v, an attitude, omega, mass and inertia. Energy terms, of the springs: "friction_sliding", "friction_rolling",
  *  "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
  *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
  *  stiffness. */

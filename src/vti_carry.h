@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * How the springs of a touch follow a drift (EQUATIONS 6.5, carry): through the turn of the normal (swing) and of both
- * bodies about it (twirl), stretched by how far the surfaces have moved over each other, and returned to the limit along
+ * bodies about it (twirl), stretched by how far surfaces have moved over each other, and returned to the limit along
  * the mean of the old and the new direction, which is of second order. */
 #ifndef VTI_CARRY_H
 #define VTI_CARRY_H
@@ -140,7 +140,7 @@ static inline void vti_carry_return(const double z[3], const double turned[3], d
         y1[k] = (z[k] - lambda * e[k]) * factor;
 }
 
-/** A spring's limits and stiffnesses at both ends of the drift, the stiffness on the way, and the share of its load that
+/** A spring's limits and stiffnesses at both ends of the drift, the stiffness on the way, the share of its load that
  *  it keeps while the contact opens and softens. */
 struct vti_carry_law {
     double a0, a1, k0, k1, k_m, kept;

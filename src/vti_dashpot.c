@@ -14,7 +14,7 @@
 
 enum { NORMAL, TANGENTIAL, ROLLING, TWISTING };
 
-/* ---- coefficients, as their mean over the drift ------------------------------------------------------------------- */
+/* ---- coefficients, as their mean over the drift ------------------------------------------------------------------ */
 
 /** x^{5/4} of x > 0, else 0 */
 static double power_5_4(double x)
@@ -58,7 +58,7 @@ static double normal_coefficient(const vti_dashpots *p, const struct place *at)
     return c;
 }
 
-/* ---- the four flows ------------------------------------------------------------------------------------------------ */
+/* ---- the four flows ---------------------------------------------------------------------------------------------- */
 
 /** Pulls no harder than the contact pushes, if it may not: p >= -t F_n. */
 static void flow_normal(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
@@ -176,7 +176,7 @@ static int flows_of(const vti_dashpots *p, one_flow *list[4])
     return n;
 }
 
-/* ---- all of them --------------------------------------------------------------------------------------------------- */
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 /** What each touch takes part in. */
 struct sweep {
@@ -187,8 +187,8 @@ struct sweep {
     int flows;
 };
 
-/** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n: ahead of
- *  a drift that follows (drift > 0), behind one that has been. */
+/** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n, ahead
+ *  of a drift that follows (drift > 0), behind one that has been. */
 static void visit(const struct sweep *s, struct place *at, double stiffness)
 {
     struct vti_touch *touch = &at->touch;
@@ -237,7 +237,7 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         visit_planes(&s);
 }
 
-/* ---- restitution --------------------------------------------------------------------------------------------------- */
+/* ---- restitution ------------------------------------------------------------------------------------------------- */
 
 /** atan(sqrt(s))/sqrt(s), atanh(sqrt(-s))/sqrt(-s) of s > -1: halved by atan x = 2 atan(x/(1 + sqrt(1 + x^2))) until
  *  the series 1 - s/3 + s^2/5 - ... ends at s^8 < 2^-60. */
@@ -280,7 +280,7 @@ double vti_dashpots_zeta(double e, int64_t pull)
     return e < 1.0 ? high : 0.0;
 }
 
-/* ---- the effect ---------------------------------------------------------------------------------------------------- */
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
 
 static int check(const void *self, const vti_bodies *b)
 {

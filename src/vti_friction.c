@@ -8,7 +8,7 @@
 #include "vti_carry.h"
 #include "vti_hertz.h"
 
-/* ---- the table ----------------------------------------------------------------------------------------------------- */
+/* ---- the table --------------------------------------------------------------------------------------------------- */
 
 static int is_power_of_2(int64_t n)
 {
@@ -29,7 +29,7 @@ int vti_history_add(vti_history *history, const vti_held *held)
     return VTI_OK;
 }
 
-/* ---- all touches, in the order of the lists ------------------------------------------------------------------------ */
+/* ---- all touches, in the order of the lists ---------------------------------------------------------------------- */
 
 typedef void visitor(void *context, const struct vti_touch *touch, double stiffness, vti_held *held);
 
@@ -55,7 +55,7 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
         }
 }
 
-/* ---- forces and energies ------------------------------------------------------------------------------------------- */
+/* ---- forces and energies ----------------------------------------------------------------------------------------- */
 
 static void push(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
 {
@@ -117,7 +117,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
         energies[k] = vti_sum_value(&e.sum[k]);
 }
 
-/* ---- history ------------------------------------------------------------------------------------------------------- */
+/* ---- history ----------------------------------------------------------------------------------------------------- */
 
 /** Carries the springs of a touch, which begin where it does and leave the table where it ends. */
 static void carry_touch(const vti_friction *p, struct vti_carry *c, double stiffness, int64_t i, int64_t j)
@@ -162,7 +162,7 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
             }
 }
 
-/* ---- the stable step (EQUATIONS 6.10) ------------------------------------------------------------------------------ */
+/* ---- the stable step (EQUATIONS 6.10) ---------------------------------------------------------------------------- */
 
 /** The springs of a touch as it is (at NULL), or at the overlap of *at. */
 static void show(const vti_friction *p, struct vti_touch *touch, double stiffness, int64_t element,
@@ -224,7 +224,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
     return VTI_OK;
 }
 
-/* ---- the effect ---------------------------------------------------------------------------------------------------- */
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
 
 static int check(const void *self, const vti_bodies *b)
 {

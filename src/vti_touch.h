@@ -33,7 +33,8 @@ static inline void vti_touch_masses(struct vti_touch *at, const vti_bodies *b)
     at->per_j_j = turns && at->j >= 0 ? 1.0 / vti_scalar(&b->inertia, at->j) : 0.0;
 }
 
-/** Of pair k of the list. Returns 1, or 0 where centres coincide, which gives no direction, or the gap is above reach. */
+/** Of pair k of the list. Returns 1, or 0 where centres coincide, so that there is no direction, or the gap is above
+ *  reach. */
 static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, const vti_bodies *b, int64_t k,
                                  double reach)
 {
@@ -131,8 +132,8 @@ static inline void vti_touch_turn(const struct vti_touch *at, const vti_bodies *
         vti_touch_add(&b->omega, at->j, -at->per_j_j, l);
 }
 
-/** Of a velocity a against which mass resists and of which the share gone goes: becomes the impulse. Returns the kinetic
- *  energy that it takes, -p.(a + a')/2. */
+/** Of a velocity a against which mass resists and of which the share gone goes: becomes the impulse. Returns the
+ *  kinetic energy that it takes, -p.(a + a')/2. */
 static inline double vti_touch_decay(double mass, double gone, double a[3])
 {
     const double lost = mass * gone * (1.0 - 0.5 * gone) * vti_dot(a, a);

@@ -118,8 +118,8 @@ contains
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
             c_loc(multistep%c), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
-        call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), c_loc(bond_dashpots%zeta), &
-            c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
+        call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), &
+            c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
             c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost)])
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &

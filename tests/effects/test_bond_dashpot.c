@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Dashpots of bonds: each motion of a pair that its springs make linear against the damped oscillator's closed form, and
- * what a crowd of bonded bodies keeps and books. */
+ * Dashpots of bonds: each motion of a pair that its springs make linear against the damped oscillator's closed form,
+ * and what a crowd of bonded bodies keeps and books. */
 #include "crowd.h"
 
 static crowd c;
