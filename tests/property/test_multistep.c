@@ -197,29 +197,75 @@ static void slices_and_copies(void **state)
     }
 }
 
+/** Bodies that only fly, only turn, or have no attitude: what is absent stays out, and what is there moves as with the rest. */
+static void parts(void **state)
+{
+    (void)state;
+    const vti_multistep *m = vti_multistep_find("an4");
+    flight whole;
+    flight_make(&whole, CHAIN_ALPHA, m->depth);
+    start(&whole, m, 0.02);
+    const chain at = whole.c;
+    const vti_bodies b = chain_bodies(&whole.c);
+    assert_int_equal(vti_multistep_predict(m, 0.02, &whole.past, &b, NULL), VTI_OK);
+    for (int part = 0; part < 4; ++part) {
+        flight one = whole;
+        one.c = at;
+        one.past.memory = one.memory[0][0];
+        vti_bodies some = chain_bodies(&one.c);
+        if (part == 0) /* flies */
+            some.omega = some.alpha = some.moment = vti_view_none();
+        if (part == 1) /* turns */
+            some.v = some.x = some.force = vti_view_none();
+        if (part >= 2) /* v and omega without x and attitude, and without loads */
+            some.x = some.alpha = vti_view_none();
+        if (part == 3)
+            some.force = some.moment = vti_view_none();
+        assert_int_equal(vti_multistep_predict(m, 0.02, &one.past, &some, NULL), VTI_OK);
+        assert_int_equal(memcmp(one.c.v, whole.c.v, sizeof one.c.v) == 0, part != 1);
+        assert_int_equal(memcmp(one.c.omega, whole.c.omega, sizeof one.c.omega) == 0, part != 0);
+        assert_int_equal(memcmp(one.c.x, whole.c.x, sizeof one.c.x) == 0, part == 0);
+        assert_int_equal(memcmp(one.c.alpha, whole.c.alpha, sizeof one.c.alpha) == 0, part == 1);
+        assert_int_equal(vti_multistep_correct(m, 0.02, &one.past, &some), VTI_OK);
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
     flight f;
     const vti_multistep *m = vti_multistep_find("an8");
+    vti_multistep wrong[] = {*m, *m, *m};
+    wrong[0].depth = 0;
+    wrong[1].depth = 11;
+    wrong[2].c = NAN;
     flight_make(&f, CHAIN_ALPHA, DEPTH);
     const chain before = f.c;
     vti_bodies b = chain_bodies(&f.c);
     vti_fault fault;
     assert_null(vti_multistep_find("an5"));
+    assert_null(vti_multistep_find(NULL));
     assert_null(vti_multistep_at(vti_multistep_count()));
+    assert_null(vti_multistep_at(-1));
     assert_int_equal(vti_multistep_predict(NULL, 0.1, &f.past, &b, &fault), VTI_E_STEPPER);
+    for (int k = 0; k < 3; ++k)
+        assert_int_equal(vti_multistep_predict(&wrong[k], 0.1, &f.past, &b, &fault), VTI_E_STEPPER);
     assert_int_equal(vti_multistep_predict(m, 0.1, NULL, &b, &fault), VTI_E_NULL);
+    assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, NULL, &fault), VTI_E_NULL);
     assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_PAST);
     assert_true(fault.value == 0.0);
     f.past.known = 8;
     assert_int_equal(vti_multistep_correct(m, -0.1, &f.past, &b), VTI_E_TIME);
+    assert_int_equal(vti_multistep_predict(m, NAN, &f.past, &b, &fault), VTI_E_TIME);
     b.x_low = vti_view_packed(f.memory[0][0]);
     assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
     assert_int_equal(fault.quantity, VTI_QUANTITY_X_LOW);
-    f.past.memory = NULL;
     b.x_low = vti_view_none();
-    assert_int_equal(vti_multistep_record(&f.past, &b), VTI_E_PAST);
+    const vti_past no_past[] = {{NULL, 8, 8}, {f.memory[0][0], 0, 0}, {f.memory[0][0], 8, -1}, {f.memory[0][0], 8, 9}};
+    for (int k = 0; k < 4; ++k) {
+        vti_past past = no_past[k];
+        assert_int_equal(vti_multistep_record(&past, &b), VTI_E_PAST);
+    }
     assert_memory_equal(&f.c, &before, sizeof before);
 }
 
@@ -227,7 +273,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orders),      cmocka_unit_test(reaches),           cmocka_unit_test(linear_momentum),
-        cmocka_unit_test(steady_spin), cmocka_unit_test(slices_and_copies), cmocka_unit_test(refusals),
+        cmocka_unit_test(steady_spin), cmocka_unit_test(slices_and_copies), cmocka_unit_test(parts),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
