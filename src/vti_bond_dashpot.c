@@ -22,11 +22,13 @@ static int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies 
     for (int c = 0; c < 3; ++c)
         d[c] -= xj[c];
     at->r = vti_norm(d);
+    if (!(at->r > VTI_COINCIDENT))
+        return 0;
     for (int c = 0; c < 3; ++c)
         at->n[c] = d[c] / at->r;
     at->s_i = at->s_j = 0.5;
     vti_touch_masses(at, b);
-    return at->r > VTI_COINCIDENT;
+    return 1;
 }
 
 /** 2 zeta sqrt(m k) and the constant; stiffness is an energy, k that over length^2. */

@@ -22,20 +22,20 @@ static double power_5_4(double x)
     return x > 0.0 ? x * sqrt(sqrt(x)) : 0.0;
 }
 
-/** The share of the way from delta to other on which they overlap. */
+/** The share of the way from delta to other on which they overlap, as they do at one end or at both. */
 static double share(double delta, double other)
 {
     if (delta > 0.0 && other > 0.0)
         return 1.0;
     const double inside = delta > 0.0 ? delta : other, outside = delta > 0.0 ? other : delta;
-    return inside > 0.0 ? inside / (inside - outside) : 0.0;
+    return inside / (inside - outside);
 }
 
-/** Mean of delta_+^{1/4} on the way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
+/** Mean of delta_+^{1/4} on the same way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
 static double mean_power(double delta, double other)
 {
     if (fabs(delta - other) < 1e-6 * fabs(delta))
-        return delta > 0.0 ? sqrt(sqrt(delta)) : 0.0;
+        return sqrt(sqrt(delta));
     return 0.8 * (power_5_4(delta) - power_5_4(other)) / (delta - other);
 }
 

@@ -125,8 +125,6 @@ static void carry_touch(const vti_friction *p, struct vti_carry *c, double stiff
     if (!(c->delta0 >= -p->reach) && c->touch.j >= 0)
         return; /* lists need not have it */
     vti_held *held = vti_history_at(p->history, i, j);
-    if (held->i == 0 && c->touch.delta <= 0.0)
-        return;
     if (held->i == 0 && p->history->used + 1 >= p->history->slots) {
         ++p->history->missed;
         return;

@@ -136,6 +136,46 @@ TEST(each_flow)
     }
 }
 
+/** Bodies that do not turn: axial and shear decay the velocity of the centres by the constants and zeta, of the terms
+ *  that there are; bodies that coincide have no direction. */
+TEST(bodies_that_do_not_turn)
+{
+    const double zeta = 0.4, t = 0.3, axial = 30, shear = 20, half = 0.5; /* of one body, the reduced mass */
+    for (int which = 0; which < 12; ++which) {
+        const int terms = which % 4 == 0 ? 0 : which % 4 == 1 ? AXIAL : which % 4 == 2 ? SHEAR : AXIAL | SHEAR;
+        const double z = which / 4 == 0 ? 0 : zeta, constant = which / 4 == 1 ? 0 : 0.7;
+        crowd_clear(&c, 2, CROWD_ALPHA);
+        memset(&w, 0, sizeof w);
+        memset(lost, 0, sizeof lost);
+        w.pair[0][1] = 1;
+        w.rest[0][0] = 1;
+        w.rest[0][3] = 2;
+        w.axial[0] = axial;
+        w.shear[0] = shear;
+        web_terms(&w, 1, terms, VTI_SHEAR_OBJECTIVE);
+        c.x[0][0] = 2;
+        c.v[0][0] = 1;
+        c.v[0][1] = -3;
+        b = crowd_bodies(&c);
+        b.omega = b.moment = b.alpha = vti_view_none();
+        const vti_bond_dashpots dashpots = {
+            .bonds = &w.bonds, .zeta = z, .axial = constant, .shear = constant, .lost = lost};
+        const vti_effect effect = vti_bond_dashpots_effect(&dashpots);
+        assert_int_equal(effect.breaks, constant > 0 || (terms & SHEAR && z > 0) ? 0700 : 0);
+        const double before = vti_energy(&effect, 1, &b);
+        assert_int_equal(vti_effects_flow(&effect, 1, t, 1, &b), VTI_OK);
+        const double ca = constant + (terms & AXIAL ? 2 * z * sqrt(half * axial) / 2 : 0),
+                     cs = constant + (terms & SHEAR ? 2 * z * sqrt(half * shear) / 2 : 0);
+        assert_close(c.v[0][0] - c.v[1][0], exp(-ca * t / half), 1e-15);
+        assert_close(c.v[0][1] - c.v[1][1], -3 * exp(-cs * t / half), 4e-15);
+        assert_close(vti_energy(&effect, 1, &b) + vti_booked(&effect, 1), before, 4 * EPS * before);
+        c.x[0][0] = 0;
+        const double v = c.v[0][0];
+        assert_int_equal(vti_effects_flow(&effect, 1, t, 1, &b), VTI_OK);
+        assert_true(c.v[0][0] == v);
+    }
+}
+
 TEST(refusals)
 {
     crowd_clear(&c, 2, CROWD_ALPHA);
@@ -151,4 +191,5 @@ TEST(refusals)
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
 }
 
-RUN_TESTS(cmocka_unit_test(oscillators), cmocka_unit_test(each_flow), cmocka_unit_test(refusals))
+RUN_TESTS(cmocka_unit_test(oscillators), cmocka_unit_test(each_flow), cmocka_unit_test(bodies_that_do_not_turn),
+          cmocka_unit_test(refusals))

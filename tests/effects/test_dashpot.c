@@ -30,6 +30,8 @@ TEST(zeta_of_restitution)
             const double e = pow(10, -4.0 * k / 400), zeta = vti_dashpots_zeta(e, pull);
             assert_close(closed_form(zeta, pull), e, e * 1e-13 * (1 + 1 / fabs(1 - zeta)));
         }
+    const double nearly_none = vti_dashpots_zeta(1e-40, 0); /* beyond 1e12 nothing rebounds any more */
+    assert_true(isfinite(nearly_none) && nearly_none >= 1e12);
     assert_true(vti_dashpots_zeta(1, 0) == 0 && vti_dashpots_zeta(1, 1) == 0);
     assert_true(isnan(vti_dashpots_zeta(0, 0)) && isnan(vti_dashpots_zeta(-0.5, 1)) &&
                 isnan(vti_dashpots_zeta(1.5, 0)) && isnan(vti_dashpots_zeta(NAN, 1)));
@@ -171,6 +173,88 @@ TEST(each_flow)
             assert_close3(l1, l, 1e-13 * (m.c.mass[0] + m.c.mass[1]) * 30);
         }
     }
+}
+
+/** Bodies that do not turn: the normal and the tangential dashpot decay the velocities of the centres, on their reduced
+ *  mass. */
+TEST(bodies_that_do_not_turn)
+{
+    rng g = rng_seed(1407);
+    for (int trial = 0; trial < 400; ++trial) {
+        const int plane = trial % 2;
+        const double c = uniform(&g, 0, 20), t = uniform(&g, 0.01, 1);
+        double u[3], along[3], p[3], p1[3];
+        random_touch(&g, plane, 0.01);
+        memset(m.c.omega, 0, sizeof m.c.omega);
+        m.b.omega = m.b.moment = m.b.alpha = vti_view_none();
+        m.b.inertia.p = NULL;
+        const vti_dashpots dashpots = {.contacts = plane ? NULL : &m.contacts,
+                                       .walls = plane ? &m.walls : NULL,
+                                       .normal = c,
+                                       .tangential = 2 * c,
+                                       .pull = 1,
+                                       .reach = 0,
+                                       .lost = m.lost};
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        const double mass = 1 / (1 / m.c.mass[0] + (plane ? 0 : 1 / m.c.mass[1])),
+                     before = vti_energy(&effect, 1, &m.b);
+        for (int k = 0; k < 3; ++k)
+            u[k] = m.c.v[0][k] - (plane ? 0 : m.c.v[1][k]);
+        const double un = vti_dot(u, m.plane[0]);
+        for (int k = 0; k < 3; ++k) {
+            along[k] = un * m.plane[0][k];
+            u[k] = (u[k] - along[k]) * exp(-2 * c * t / mass) + along[k] * exp(-c * t / mass);
+        }
+        vti_momentum(&m.b, p);
+        assert_int_equal(vti_effects_flow(&effect, 1, t, 0, &m.b), VTI_OK);
+        vti_momentum(&m.b, p1);
+        const double small = 1e-12 * (1 + mass / fmin(m.c.mass[0], m.c.mass[1]));
+        for (int k = 0; k < 3; ++k) {
+            assert_close(m.c.v[0][k] - (plane ? 0 : m.c.v[1][k]), u[k], small);
+            assert_close(plane ? p[k] : p1[k], p[k], 1e-12 * (m.c.mass[0] + m.c.mass[1]));
+        }
+        assert_close(vti_energy(&effect, 1, &m.b) + vti_booked(&effect, 1), before, 1e-13 * before);
+    }
+}
+
+/** Without springs of friction a tangential dashpot is held to mu F_n, which stops what is slow; where nothing presses
+ *  yet, nothing is lost across the normal; a ratio of no normal coefficient is none; and centres that coincide, or a
+ *  velocity that is no number, have no direction or no end. */
+TEST(limits_of_dashpots)
+{
+    const double t = 0.01, mu = 0.3, limit = t * mu * 1e4 * pow(0.01, 1.5);
+    vti_history nothing = {0, 0, 0, NULL};
+    for (int which = 0; which < 4; ++which) {
+        const vti_friction friction = {.sliding = mu, .history = which % 2 ? &nothing : NULL};
+        const double gap = which / 2 ? 0.01 : -0.01, way = 0.5;
+        impact_clear(&m, 2, 0, 1e4);
+        m.c.x[0][2] = 1 + gap;
+        m.c.v[0][2] = -1;
+        m.c.v[0][0] = way;
+        const vti_dashpots dashpots = {
+            .contacts = &m.contacts, .friction = &friction, .tangential = 1e6, .reach = 1, .lost = m.lost};
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        assert_int_equal(vti_effects_flow(&effect, 1, t, 0.05, &m.b), VTI_OK);
+        assert_close(m.c.v[1][0], which / 2 ? 0 : limit, 1e-12);
+        assert_close(m.c.v[0][0] + m.c.v[1][0], way, 4 * EPS);
+        assert_true((m.lost[1].high > 0) == (gap < 0));
+    }
+    impact_clear(&m, 2, 0, 1e4);
+    m.c.v[0][0] = 1;
+    const vti_dashpots ratio = {.contacts = &m.contacts, .ratio = 1, .reach = 1, .lost = m.lost};
+    vti_effect effect = vti_dashpots_effect(&ratio);
+    m.c.x[0][2] = 0.99;
+    assert_int_equal(vti_effects_flow(&effect, 1, t, 0, &m.b), VTI_OK);
+    assert_true(m.c.v[0][0] == 1 && m.lost[1].high == 0);
+    const vti_dashpots normal = {.contacts = &m.contacts, .normal = 1, .zeta = 1, .reach = 1, .lost = m.lost};
+    effect = vti_dashpots_effect(&normal);
+    m.c.x[0][2] = 0;
+    assert_int_equal(vti_effects_flow(&effect, 1, t, 0, &m.b), VTI_OK);
+    assert_true(m.c.v[0][0] == 1 && m.lost[0].high == 0);
+    m.c.x[0][2] = 1.01;
+    m.c.v[0][2] = NAN;
+    assert_int_equal(vti_effects_flow(&effect, 1, t, 1, &m.b), VTI_OK);
+    assert_true(isnan(m.c.v[0][2]) && isnan(m.lost[0].high));
 }
 
 /* ---- impacts ----------------------------------------------------------------------------------------------------- */
@@ -317,4 +401,5 @@ TEST(crowds)
 }
 
 RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(restitution), cmocka_unit_test(each_flow),
-          cmocka_unit_test(ledger), cmocka_unit_test(random_impacts_never_gain), cmocka_unit_test(crowds))
+          cmocka_unit_test(bodies_that_do_not_turn), cmocka_unit_test(limits_of_dashpots), cmocka_unit_test(ledger),
+          cmocka_unit_test(random_impacts_never_gain), cmocka_unit_test(crowds))

@@ -119,6 +119,36 @@ TEST(lists_after_their_check)
     list_refused(&wall, VTI_E_CONTACT);
 }
 
+/** Every number of planes that is wrong, one after the other. */
+TEST(planes_after_their_check)
+{
+    static const double good[4] = {0, 0, 1, -5};
+    static const double bad[][4] = {{0, 0, 2, -5}, {NAN, 0, 1, -5}, {0, 0, 1, INFINITY}, {0, 0, 1, NAN}};
+    static const double not_positive[] = {0, -1, INFINITY, NAN}, negative[] = {-1, INFINITY, NAN};
+    const vti_walls all = walls;
+    const vti_effect wall = vti_walls_effect(&walls);
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    for (int k = 0; k < 4; ++k) {
+        walls = all;
+        walls.plane = bad[k];
+        list_refused(&wall, VTI_E_CONTACT);
+        walls.plane = good;
+        walls.diameter = vti_scalars_one(&not_positive[k]);
+        list_refused(&wall, VTI_E_CONTACT);
+        walls.diameter = all.diameter;
+        walls.stiffness = negative[k % 3];
+        list_refused(&wall, VTI_E_CONTACT);
+    }
+    walls = all;
+    walls.plane = NULL;
+    list_refused(&wall, VTI_E_NULL);
+    walls.plane = good;
+    walls.diameter.p = NULL;
+    list_refused(&wall, VTI_E_NULL);
+    walls.count = 0; /* none needs nothing */
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+}
+
 /** Bodies that are held lie outside the slice that is stepped: the views say that they exist. */
 TEST(held_bodies)
 {
@@ -130,4 +160,5 @@ TEST(held_bodies)
 }
 
 RUN_TESTS(cmocka_unit_test_setup(views_after_the_seal, sound), cmocka_unit_test_setup(numbers_after_the_seal, sound),
-          cmocka_unit_test_setup(lists_after_their_check, sound), cmocka_unit_test_setup(held_bodies, sound))
+          cmocka_unit_test_setup(lists_after_their_check, sound),
+          cmocka_unit_test_setup(planes_after_their_check, sound), cmocka_unit_test_setup(held_bodies, sound))
