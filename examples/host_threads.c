@@ -48,7 +48,8 @@ static vti_bodies slice(const vti_bodies *bodies, int s)
     return vti_bodies_slice(*bodies, first, end - first);
 }
 
-/** Spheres are stepped by all threads at once. Bonds are not: two of them may add to one sphere. */
+/** Spheres are stepped by all threads at once, and loaded too, as a slice's loads are written by nobody else. Here
+ *  every thread looks at all bonds; a host with many gives each slice those of vti_pairs_of_slice. */
 static void run(const vti_bodies *bodies, const vti_effect *binder, double h)
 {
     const vti_stepper *method = vti_stepper_find("vti2");
@@ -61,10 +62,11 @@ static void run(const vti_bodies *bodies, const vti_effect *binder, double h)
 #pragma omp parallel for
         for (int s = 0; s < SLICES; ++s)
             must(vti_step_begin(method, h, &part[s], NULL));
-        must(vti_apply(binder, 1, bodies));
 #pragma omp parallel for
-        for (int s = 0; s < SLICES; ++s)
+        for (int s = 0; s < SLICES; ++s) {
+            must(vti_apply(binder, 1, &part[s])); /* once all have moved */
             must(vti_step_finish(method, h, &part[s]));
+        }
     }
 }
 

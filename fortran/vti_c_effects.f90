@@ -213,6 +213,14 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_pairs_of_slice(count, pair, base, first, bodies, which) result(n) bind(c, name='vti_pairs_of_slice')
+            import :: c_int64_t
+            integer(c_int64_t), value :: count, base, first, bodies
+            integer(c_int64_t), intent(in) :: pair(2, *)
+            integer(c_int64_t), intent(inout) :: which(*)
+            integer(c_int64_t) :: n
+        end function
+
         function c_step_check(method, effects, n) result(status) bind(c, name='vti_step_check')
             import :: c_int, c_int64_t, c_ptr, vti_effect
             type(c_ptr), value :: method

@@ -17,6 +17,7 @@ module vti_effects
     implicit none
     private
     public :: vti_apply, vti_energy, vti_booked, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
+    public :: vti_pairs_of_slice
     public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
@@ -42,6 +43,21 @@ contains
         type(vti_bodies), intent(in) :: bodies
         integer(c_int) :: status
         status = c_apply(effects, size(effects, kind=c_int64_t), bodies)
+    end function
+
+    !> The numbers, from 1 and ascending, of those pairs of the list pair(2,:) that act on bodies of the slice
+    !> first ... first + bodies - 1. A list of these alone, of bonds with their rest and stiffnesses or of contacts,
+    !> gives that slice the loads of the whole list, to the bit. Of size 0 where pair has the wrong shape.
+    function vti_pairs_of_slice(pair, first, bodies) result(which)
+        integer(c_int64_t), contiguous, intent(in) :: pair(:, :)
+        integer(c_int64_t), intent(in) :: first, bodies
+        integer(c_int64_t), allocatable :: which(:)
+        integer(c_int64_t) :: n
+        allocate (which(size(pair, 2)))
+        n = 0
+        if (size(pair, 1) == 2) &
+            n = c_pairs_of_slice(size(pair, 2, c_int64_t), pair, 1_c_int64_t, first - 1, bodies, which)
+        which = which(:n) + 1
     end function
 
     !> Kinetic energies and all energies of the effects.

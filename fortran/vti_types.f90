@@ -18,7 +18,8 @@ module vti_types
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
     integer(c_int64_t), parameter :: VTI_TERMS = 8, VTI_BOND_LOADS = 9
-    integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3
+    integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3, &
+        VTI_BOND_DASHPOT_BOOKS = 4
 
     !> What bodies consist of, in the order of the members of vti_bodies.
     integer(c_int64_t), parameter :: VTI_QUANTITY_NONE = 0, VTI_QUANTITY_X = 1, VTI_QUANTITY_V = 2, &

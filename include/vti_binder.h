@@ -56,7 +56,7 @@ VTI_API int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t
  *  same body. Errors as those of vti_bonds_loads. */
 VTI_API int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last,
                           const vti_bodies *b);
-/** The effect of *bonds, which must outlive it. It acts on all of its bonds, whatever the slice of bodies. Energy
+/** The effect of *bonds, which must outlive it. Bonds across the slice's edge load its own bodies only. Energy
  *  terms, of those that are present: "binder_moment", "binder_axial", "binder_shear". */
 VTI_API vti_effect vti_bonds_effect(const vti_bonds *bonds);
 

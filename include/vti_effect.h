@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
  *  The interface of an effect: a line of physics with its forces, moments and energies, and what it says of itself. The
- *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h, vti_drag.h);
- *  a host's is served alike. */
+ *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h,
+ *  vti_drag.h); a host's is served alike. */
 #ifndef VTI_EFFECT_H
 #define VTI_EFFECT_H
 
@@ -65,8 +65,8 @@ typedef struct vti_drifted {
  *  nothing: {.name = "magnet", .apply = pull, .self = &magnet}. */
 typedef struct vti_effect {
     const char *name; /**< what it is called */
-    /** Adds this effect's force and moment to the bodies' (a force or moment that is absent is left out). NULL for what
-     *  acts by its flow only. */
+    /** Adds this effect's force and moment to those of the slice's bodies (a force or moment that is absent is left
+     *  out). Other bodies are read and not written: slices may be done at once. NULL for what acts by its flow only. */
     void (*apply)(const void *self, const vti_bodies *bodies);
     /** Writes the effect's energies, one per term. Without it the energy is not known, unless there is no apply either.
      *  */
@@ -115,8 +115,16 @@ VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const v
 VTI_API int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *bodies, vti_fault *fault);
 
 /** force = moment = 0 on the slice, then every effect in order. Where vti_effects_check refuses, nothing has been
- *  touched. */
+ *  touched. Loads of bodies outside the slice are not written: threads may do a slice each at once, once all bodies
+ *  have moved, and get the bits of one call for all, as each body's loads are added in the order of the lists. A list
+ *  may be that of vti_pairs_of_slice. */
 VTI_API int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *bodies);
+/** Which pairs of the list pair[count][2], whose first body is base, act on bodies of the slice first ... first +
+ *  bodies - 1 (from 0): their numbers k from 0, ascending, into which[count] unless that is NULL. Returns how many
+ *  there are; 0 where pair is NULL. A list of these pairs alone, of bonds with their rest and stiffnesses or of
+ *  contacts, gives that slice the loads of the whole list, to the bit. */
+VTI_API int64_t vti_pairs_of_slice(int64_t count, const int64_t *pair, int64_t base, int64_t first, int64_t bodies,
+                                   int64_t *which);
 /** Once before a run, if forces are effects: VTI_E_DISSIPATES if method has a negative coefficient and some effect
  *  dissipates, flows, carries or ruptures, else VTI_OK. vti_effects_begin asks it; vti_step_begin sees no effects, and
  *  a host that calls neither is not refused: its dissipation then turns into gain wherever the stepper steps back. */

@@ -72,7 +72,7 @@ static void apply(const void *self, const vti_bodies *b)
     for (int64_t first = 0; first < bonds->count; first += TILE) {
         const int64_t last = bonds->count - first < TILE ? bonds->count : first + TILE;
         kernel->loads[layout](bonds, b, first, last, rows);
-        all->sum[0][layout == ANY](terms, bonds, b, first, last, rows);
+        all->sum[1][layout == ANY](terms, bonds, b, first, last, rows); /* of the slice's bodies only */
     }
 }
 

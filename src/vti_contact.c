@@ -44,8 +44,11 @@ static void apply(const void *self, const vti_bodies *b)
         const double r = sqrt(r2), inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
         const double f = vti_hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
         const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
-        vti_add(&b->force, p->pair[2 * k] - p->base, force);
-        vti_add(&b->force, p->pair[2 * k + 1] - p->base, back);
+        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+        if (vti_owns(b, i))
+            vti_add(&b->force, i, force);
+        if (vti_owns(b, j))
+            vti_add(&b->force, j, back);
     }
 }
 

@@ -110,3 +110,19 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
             effects[k].apply(effects[k].self, b);
     return VTI_OK;
 }
+
+int64_t vti_pairs_of_slice(int64_t count, const int64_t *pair, int64_t base, int64_t first, int64_t bodies,
+                           int64_t *which)
+{
+    const int64_t begin = first + base, end = begin + bodies;
+    int64_t n = 0;
+    for (int64_t k = 0; pair != NULL && k < count; ++k) {
+        const int64_t i = pair[2 * k], j = pair[2 * k + 1];
+        if ((i < begin || i >= end) && (j < begin || j >= end))
+            continue;
+        if (which != NULL)
+            which[n] = k;
+        ++n;
+    }
+    return n;
+}

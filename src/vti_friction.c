@@ -57,6 +57,13 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
 
 /* ---- forces and energies ----------------------------------------------------------------------------------------- */
 
+/** To bodies of the slice only. */
+static void add_load(const vti_bodies *b, const vti_view *view, int64_t i, double s, const double a[3])
+{
+    if (vti_owns(b, i))
+        vti_touch_add(view, i, s, a);
+}
+
 static void push(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
 {
     const vti_bodies *b = context;
@@ -64,20 +71,20 @@ static void push(void *context, const struct vti_touch *touch, double stiffness,
     (void)stiffness;
     vti_cross(touch->n, held->sliding, arm);
     if (vti_has(&b->force)) {
-        vti_touch_add(&b->force, touch->i, -1.0, held->sliding);
+        add_load(b, &b->force, touch->i, -1.0, held->sliding);
         if (touch->j >= 0)
-            vti_touch_add(&b->force, touch->j, 1.0, held->sliding);
+            add_load(b, &b->force, touch->j, 1.0, held->sliding);
     }
     if (!vti_has(&b->moment))
         return;
     for (int k = 0; k < 3; ++k)
         moment[k] = held->rolling[k] + held->twisting * touch->n[k];
-    vti_touch_add(&b->moment, touch->i, touch->s_i * touch->r, arm);
-    vti_touch_add(&b->moment, touch->i, -1.0, moment);
+    add_load(b, &b->moment, touch->i, touch->s_i * touch->r, arm);
+    add_load(b, &b->moment, touch->i, -1.0, moment);
     if (touch->j < 0)
         return;
-    vti_touch_add(&b->moment, touch->j, touch->s_j * touch->r, arm);
-    vti_touch_add(&b->moment, touch->j, 1.0, moment);
+    add_load(b, &b->moment, touch->j, touch->s_j * touch->r, arm);
+    add_load(b, &b->moment, touch->j, 1.0, moment);
 }
 
 static void apply(const void *self, const vti_bodies *b)

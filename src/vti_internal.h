@@ -80,6 +80,12 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** Whether the slice has body i: loads are added to its own bodies only, so that slices may be done at once. */
+static inline int vti_owns(const vti_bodies *b, int64_t i)
+{
+    return i >= b->first && i < b->first + b->count;
+}
+
 /** VTI_OK if both bodies of a pair are in the slice. */
 static inline int vti_pair_check(const vti_bodies *b, int64_t i, int64_t j)
 {

@@ -38,6 +38,9 @@ extern const struct table_kind binder_table;
 /** Makes e->self->bonds. Returns 0, or -1 with one line in *message. */
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *table, struct message *message);
 
+/** The bonds of a slice (binder_part.c). */
+int binder_take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part);
+
 /** Follows bonds to half a turn. */
 extern const struct effect_watch binder_watch;
 

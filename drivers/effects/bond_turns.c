@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "threads.h"
+
 static double stiffness(const vti_bonds *bonds, int64_t k)
 {
     const vti_scalars *moment = &bonds->moment;
@@ -76,22 +78,44 @@ static void row(struct effect *e, const vti_bodies *bodies, double energy)
     }
 }
 
+/** Follows bond k; returns 1 if it has turned past half a turn just now. */
+static int follow(const struct bond_turns *b, const vti_bodies *bodies, int64_t k)
+{
+    double now[4], *pair = b->pair + 4 * k;
+    if (is_marked(pair))
+        return 0;
+    relative(b, bodies, k, now);
+    const double side = vti_dot(now, pair) + now[3] * pair[3] < 0.0 ? -1.0 : 1.0;
+    for (int c = 0; c < 4; ++c)
+        pair[c] = side * now[c];
+    if (!(pair[3] < 0.0))
+        return 0;
+    memset(pair, 0, 4 * sizeof *pair);
+    return 1;
+}
+
+struct following {
+    const struct bond_turns *turns;
+    const vti_bodies *bodies;
+    int64_t parts;
+};
+
+static int64_t follow_part(void *self, int64_t part)
+{
+    const struct following *f = self;
+    const int64_t all = f->turns->bonds->count, end = threads_begin(all, part + 1, f->parts);
+    int64_t turned = 0;
+    for (int64_t k = threads_begin(all, part, f->parts); k < end; ++k)
+        turned += follow(f->turns, f->bodies, k);
+    return turned;
+}
+
 static void step(struct effect *e, const vti_bodies *bodies)
 {
     struct bond_turns *b = turns_of(e);
-    for (int64_t k = 0; b->pair != NULL && b->watching != 0.0 && k < b->bonds->count; ++k) {
-        double now[4], *pair = b->pair + 4 * k;
-        if (is_marked(pair))
-            continue;
-        relative(b, bodies, k, now);
-        const double side = vti_dot(now, pair) + now[3] * pair[3] < 0.0 ? -1.0 : 1.0;
-        for (int c = 0; c < 4; ++c)
-            pair[c] = side * now[c];
-        if (pair[3] < 0.0) {
-            memset(pair, 0, 4 * sizeof *pair);
-            ++b->turned;
-        }
-    }
+    struct following following = {b, bodies, threads_used()};
+    if (b->pair != NULL && b->watching != 0.0)
+        b->turned += (double)threads_sum(following.parts, follow_part, &following);
 }
 
 static int64_t turned(const struct effect *e)

@@ -79,6 +79,30 @@ static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message
     return result < 0 ? -1 : 0;
 }
 
+static int take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part)
+{
+    const struct contact_self *self = e->self;
+    const vti_contacts *all = &self->contacts;
+    if (part->age == self->neighbours.builds)
+        return 0;
+    const int64_t n = vti_pairs_of_slice(all->count, all->pair, all->base, slice->first, slice->count, NULL);
+    int64_t *pair = effect_part_room(part, 2 * n);
+    if (pair == NULL)
+        return -1;
+    part->age = self->neighbours.builds;
+    part->contacts = *all;
+    part->contacts.count = 0;
+    part->contacts.pair = pair;
+    for (int64_t k = 0; k < all->count; ++k)
+        if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) > 0) {
+            int64_t *to = pair + 2 * part->contacts.count++;
+            to[0] = all->pair[2 * k];
+            to[1] = all->pair[2 * k + 1];
+        }
+    part->made = vti_contacts_effect(&part->contacts);
+    return 0;
+}
+
 static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 {
     const struct contact_self *self = e->self;
@@ -119,6 +143,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .make = make,
                                            .destroy = destroy,
                                            .find_pairs = find_pairs,
+                                           .take_part = take_part,
                                            EFFECT_TERMS(terms),
                                            .limit = limit,
                                            .deform = deform,

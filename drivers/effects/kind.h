@@ -33,6 +33,16 @@ struct effect {
     vti_sum booked[VTI_TERMS]; /* its booked energies, which make points to where it has some; a run keeps them */
 };
 
+/** An effect as a slice of the bodies feels it. */
+struct effect_part {
+    vti_effect made;
+    void *memory; /* its lists, of room bytes */
+    size_t room;
+    vti_bonds bonds; /* what made acts with, of the kind's */
+    vti_contacts contacts;
+    int64_t age; /* of the lists that these are taken from; 0: none yet */
+};
+
 /** A term of its energy, or an entry of what it has booked, in pictures. */
 struct effect_term {
     const char *name;    /* as in the library and in files */
@@ -137,6 +147,10 @@ struct effect_kind {
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
     /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
+    /** Makes *part act with the pairs alone that name a body of the slice, if the effect's have changed since it did
+     *  last. Threads call it at once, each with a part of its own. Returns 0, or -1 if there is no memory. NULL: a
+     *  slice looks at all pairs, or there are none. */
+    int (*take_part)(const struct effect *e, const vti_bodies *slice, struct effect_part *part);
     const struct effect_term *terms; /* of all energies that it may have, and may book */
     int terms_count;
 
@@ -168,6 +182,9 @@ struct effect_kind {
 
 /** Makes self, of so many bytes and zeros. Returns it, or NULL with one line in *message. */
 void *effect_memory(struct effect *e, size_t bytes, struct message *message);
+
+/** Room for n int64 or double, which may move: the part's memory, or NULL. */
+void *effect_part_room(struct effect_part *part, int64_t n);
 
 /** Arrays in initialisers of struct effect_kind, with their lengths. */
 #define EFFECT_FIELDS(ARRAY) .fields = (ARRAY), .fields_count = sizeof(ARRAY) / sizeof((ARRAY)[0])

@@ -82,6 +82,17 @@ void *effect_memory(struct effect *e, size_t bytes, struct message *message)
     return e->self;
 }
 
+void *effect_part_room(struct effect_part *part, int64_t n)
+{
+    const size_t bytes = (size_t)(n > 0 ? n : 1) * sizeof(double);
+    if (bytes > part->room) {
+        free(part->memory);
+        part->memory = malloc(bytes);
+        part->room = part->memory != NULL ? bytes : 0;
+    }
+    return part->memory;
+}
+
 /* ---- what must not be forgotten ---------------------------------------------------------------------------------- */
 
 static int fail(int k, const char *about, const char *what, struct message *message)

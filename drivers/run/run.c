@@ -12,8 +12,33 @@
 #include "loop.h"
 #include "number.h"
 #include "signals.h"
+#include "slices.h"
+#include "threads.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
+
+int64_t run_threads(int64_t bodies)
+{
+    static const char *const launched[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"};
+    enum { LEAST = 1000 }; /* bodies, of which a step takes as long as waking threads up and waiting for the last */
+    for (size_t k = 0; k < sizeof launched / sizeof launched[0]; ++k)
+        if (getenv(launched[k]) != NULL)
+            return 1;
+    return bodies >= LEAST ? threads_most() : 1;
+}
+
+static int start_threads(struct run *run, struct message *message)
+{
+    const int64_t asked = run->request->threads;
+    run->threads = asked > 0 ? asked : run_threads(run->model.bodies.count);
+    if (run->threads > 1 && !threads_are_there())
+        return message_set(message,
+                           "--threads: %lld are not to be had, this vti-run was built by a compiler without OpenMP; "
+                           "leave it out",
+                           (long long)asked);
+    threads_use(run->threads);
+    return slices_create(&run->model, message);
+}
 
 static int open_scene(struct run *run, struct message *message)
 {
@@ -27,6 +52,8 @@ static int open_scene(struct run *run, struct message *message)
     if (run->steps < 1)
         return message_set(message, "h = %s is longer than t_end = %s: no step fits; give a smaller h or a later t_end",
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
+    if (start_threads(run, message) != 0)
+        return -1;
     return travel_create(&run->travel, run->scene.stepper, &run->model, run->scene.h, message);
 }
 

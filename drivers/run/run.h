@@ -19,11 +19,12 @@ struct run_request {
     const char *output;                 /* path of the HDF5 file; NULL: the scene's name and .h5 */
     int64_t record_every, frames_every; /* steps; 0: about 1000 rows and 100 frames */
     double checkpoint_seconds;
-    int resume; /* go on from the checkpoint, if there is one */
-    int dump;   /* write the LAMMPS dump */
-    int xdmf;   /* write the XDMF index of however many frames */
-    int force;  /* replace files that are not ours */
-    int fields; /* FIELD_ (record.h) */
+    int64_t threads; /* 0: run_threads chooses */
+    int resume;      /* go on from the checkpoint, if there is one */
+    int dump;        /* write the LAMMPS dump */
+    int xdmf;        /* write the XDMF index of however many frames */
+    int force;       /* replace files that are not ours */
+    int fields;      /* FIELD_ (record.h) */
 };
 
 /** How a run has ended. */
@@ -48,7 +49,7 @@ struct run {
     struct checkpoint checkpoint;
     struct record record;
     struct verdict verdict;
-    int64_t from, steps;
+    int64_t from, steps, threads;
     struct travel travel;
     int done;      /* it was complete before: there is nothing to do */
     int restored;  /* it goes on from the files of a complete run */
@@ -70,6 +71,10 @@ struct run {
 /** Reads the scene, makes the model and opens the journal; with request->resume from where it was. request must
  *  outlive the run. Returns 0, or -1 with one line in *message. run_close is due after either. */
 int run_open(const struct run_request *request, struct run *run, struct message *message);
+
+/** How many threads a run of so many bodies gets if nobody says: all cores where they pay, one among the ranks of an
+ *  MPI launcher, which has given the cores away already. */
+int64_t run_threads(int64_t bodies);
 
 /** Runs and writes the files. The line in *message is that of all ends but RUN_COMPLETE. progress is shown as in
  *  terminal.h. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "number.h"
+#include "slices.h"
 #include "state.h"
 
 int64_t loop_steps(double t_end, double h)
@@ -62,26 +63,40 @@ static int probe_forces(struct run *run, int64_t k)
 
 /* ---- the loop ---------------------------------------------------------------------------------------------------- */
 
+static int stage(struct run *run, int64_t k, vti_fault *fault)
+{
+    struct model *model = run->model;
+    if (run->effects > 0)
+        return vti_effects_stage(run->stepper, k, run->h, model->effects, run->effects, &model->bodies, fault);
+    if (model->slices != NULL)
+        return slices_stage(model, run->stepper, k, run->h, fault);
+    return vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
+}
+
+static int finish(struct run *run)
+{
+    struct model *model = run->model;
+    if (run->effects > 0)
+        return vti_effects_finish(run->stepper, run->h, model->effects, run->effects, &model->bodies);
+    if (model->slices != NULL)
+        return slices_finish(model, run->stepper, run->h);
+    return vti_step_finish(run->stepper, run->h, &model->bodies);
+}
+
 /** One step of any method: stages of kick, drift and forces, and what is left after the last. */
 static int one_step(struct run *run, vti_fault *fault)
 {
-    struct model *model = run->model;
-    const int64_t n = run->effects;
     for (int64_t k = 0; k < run->stepper->stages; ++k) {
         int status = probe_forces(run, k);
         if (status == VTI_OK)
-            status = n > 0 ? vti_effects_stage(run->stepper, k, run->h, model->effects, n, &model->bodies, fault)
-                           : vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
+            status = stage(run, k, fault);
         if (status == VTI_OK)
-            status = model_forces(model, &model->bodies);
+            status = model_forces(run->model, &run->model->bodies);
         if (status != VTI_OK)
             return status;
     }
     const int status = probe_forces(run, run->stepper->stages);
-    if (status != VTI_OK)
-        return status;
-    return n > 0 ? vti_effects_finish(run->stepper, run->h, model->effects, n, &model->bodies)
-                 : vti_step_finish(run->stepper, run->h, &model->bodies);
+    return status == VTI_OK ? finish(run) : status;
 }
 
 static int show(struct run *run, int64_t step)

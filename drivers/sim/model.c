@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model_parts.h"
+#include "slices.h"
 
 /* ---- from the scene ---------------------------------------------------------------------------------------------- */
 
@@ -60,6 +61,7 @@ int model_create(const struct scene *scene, struct model *model, struct message 
 
 void model_destroy(struct model *model)
 {
+    slices_destroy(model);
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
         if (e->kind->destroy != NULL && e->self != NULL)
@@ -85,6 +87,8 @@ int model_find_pairs(struct model *model, const vti_bodies *bodies)
 int model_forces(struct model *model, const vti_bodies *bodies)
 {
     const int status = model_find_pairs(model, bodies);
+    if (status == VTI_OK && model->slices != NULL && bodies == &model->bodies)
+        return slices_apply(model);
     return status == VTI_OK ? vti_apply(model->effects, model->effects_count, bodies) : status;
 }
 

@@ -15,6 +15,8 @@ enum { MODEL_EFFECTS = 8, MODEL_INVARIANTS = 8 };
 /** Among the statuses of the core: the pairs of an effect could not be found; model->trouble says why. */
 enum { MODEL_E_PAIRS = -1000 };
 
+struct slices; /* slices.h */
+
 /** Effects stand in the order of effects/kinds.h, of those that there are. The model points into itself and must not be
  *  moved or copied. */
 struct model {
@@ -30,6 +32,7 @@ struct model {
     double mass, inertia, sphere; /* of all bodies, where no table says more; sphere is the diameter */
     double *memory;               /* of the bodies */
     struct message trouble;
+    struct slices *slices; /* of the bodies, for threads; NULL: all in one piece */
 };
 
 /** Makes the model of *scene at t = 0, forces and moments included. Returns 0, or -1 with one line in *message. */

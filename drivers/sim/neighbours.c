@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cells.h"
+#include "threads.h"
 
 /** The default skin, as a share of the mean diameter: a wide one means more pairs to look at in each step, a narrow one
  *  more builds. For 1e4 equal spheres that fill 0.6 of the space and move freely by 1e-4, 1e-3 or 1e-2 of their
@@ -74,17 +75,35 @@ static int64_t leave_out_excluded(const struct neighbours_search *s, int64_t *pa
 
 /* ---- update ------------------------------------------------------------------------------------------------------ */
 
-/** 1 if a body has moved by more than half of what the skin is above the reach, or to where there are no numbers. */
-static int has_moved(const struct neighbours *list, const vti_view *x)
+/** Who looks whether bodies have moved. */
+struct look {
+    const struct neighbours *list;
+    const vti_view *x;
+    int64_t parts;
+};
+
+/** 1 if a body of a part has moved by more than half of what the skin is above the reach, or to where there are no
+ *  numbers. */
+static int64_t part_has_moved(void *self, int64_t part)
 {
-    const double *at = list->search->cells.x, way = 0.5 * (list->skin - list->reach), limit = way * way;
-    for (int64_t i = 0; i < list->search->cells.n; ++i, at += 3) {
-        const int64_t k = i * x->stride;
-        const double d[3] = {x->c[0][k] - at[0], x->c[1][k] - at[1], x->c[2][k] - at[2]};
+    const struct look *l = self;
+    const struct cells *cells = &l->list->search->cells;
+    const int64_t begin = threads_begin(cells->n, part, l->parts), end = threads_begin(cells->n, part + 1, l->parts);
+    const double *at = cells->x + 3 * begin, way = 0.5 * (l->list->skin - l->list->reach), limit = way * way;
+    const vti_view x = *l->x;
+    for (int64_t i = begin; i < end; ++i, at += 3) {
+        const int64_t k = i * x.stride;
+        const double d[3] = {x.c[0][k] - at[0], x.c[1][k] - at[1], x.c[2][k] - at[2]};
         if (!(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit))
             return 1;
     }
     return 0;
+}
+
+static int has_moved(const struct neighbours *list, const vti_view *x)
+{
+    struct look look = {list, x, threads_used()};
+    return threads_sum(look.parts, part_has_moved, &look) > 0;
 }
 
 static int store_positions(struct cells *cells, const vti_view *x, struct message *message)

@@ -57,9 +57,9 @@ for name, path in hosts.items():
         check(abs(energies[1] - energy) < 1e-9 * energy, "legacy_after has the same energy")
     check(by_host(path, "bonds.csv")[2] != 0 and by_host(path, "nothing")[2] != 0, f"{name} refuses what are no spheres")
 for threads in ("1", "2", "3", "7", "16"):
-    if "host_threads" in hosts:
-        rows = by_host(hosts["host_threads"], OMP_NUM_THREADS=threads)[0]
-        check(rows.tobytes() == expected.tobytes(), f"host_threads, {threads} threads")
+    for name in {"host_threads", "host_threads_fortran"} & set(hosts):
+        rows = by_host(hosts[name], OMP_NUM_THREADS=threads)[0]
+        check(rows.tobytes() == expected.tobytes(), f"{name}, {threads} threads")
 for ranks in (2, 3, 7) if "host_ranks" in hosts and shutil.which("mpirun") else ():
     rows = by_host(["mpirun", "--quiet", "-n", str(ranks), hosts["host_ranks"]])[0]
     check(rows.tobytes() == expected.tobytes(), f"host_ranks, {ranks} ranks")

@@ -23,13 +23,10 @@ struct member {
     int number, status;
 };
 
-static void load(struct team *t, const vti_bodies *all, const vti_bodies *mine, int number)
+static void load(struct team *t, const vti_bodies *mine)
 {
-    vti_apply(t->effects + 2, 3, mine); /* walls, gravity, pendulum: of the slice only */
-    pthread_barrier_wait(&t->barrier);
-    for (int e = 0; e < 2 && number == 0; ++e) /* bonds and contacts act across slices: by one thread */
-        t->effects[e].apply(t->effects[e].self, all);
-    pthread_barrier_wait(&t->barrier);
+    vti_apply(t->effects, EFFECTS, mine); /* bonds and contacts too load the slice's bodies alone */
+    pthread_barrier_wait(&t->barrier);    /* nobody's positions are moved before all have read them */
 }
 
 static void *work(void *argument)
@@ -39,13 +36,13 @@ static void *work(void *argument)
     const vti_bodies all = scene_bodies(&t->s, t->storage);
     const int64_t first = BODIES * m->number / t->threads, end = BODIES * (m->number + 1) / t->threads;
     const vti_bodies mine = vti_bodies_slice(all, first, end - first);
-    load(t, &all, &mine, m->number);
+    load(t, &mine);
     for (int k = 0; k < STEPS; ++k) {
         for (int64_t stage = 0; stage < t->method->stages; ++stage) {
             const int status = vti_step_stage(t->method, stage, 1.0 / 64, &mine, NULL);
             m->status = status != VTI_OK ? status : m->status;
             pthread_barrier_wait(&t->barrier); /* nobody's positions are read before all have moved */
-            load(t, &all, &mine, m->number);
+            load(t, &mine);
         }
         const int status = vti_step_finish(t->method, 1.0 / 64, &mine);
         m->status = status != VTI_OK ? status : m->status;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Slices and layouts do not change a bit: a block of bonded spheres, 1000 steps by every stepper of one stage, whole,
- * in slices of all sizes, which threads (OpenMP) step where there are any, and in every layout. The chain of the same
- * kind is in test_hosts.py. */
+ * in slices of all sizes, which threads (OpenMP) step and load where there are any, and in every layout. The chain of
+ * the same kind is in test_hosts.py. */
 #include "support.h"
 
 enum { NX = 7, NY = 6, NZ = 5, N = NX * NY * NZ, MOST = 3 * N, STEPS = 1000, MOVING = 12 };
@@ -80,8 +80,11 @@ static vti_bodies start(struct block *s, enum layout layout)
     return b;
 }
 
-/** Half a step of each slice of so many bodies; the last may be shorter. */
-static int each_slice(const vti_stepper *method, double h, const vti_bodies *b, int64_t size, int begins)
+enum half { BEGIN, FORCES, FINISH };
+
+/** Half a step of each slice of so many bodies, or the forces between; the last may be shorter. */
+static int each_slice(const vti_stepper *method, double h, const vti_effect *binder, const vti_bodies *b, int64_t size,
+                      enum half half)
 {
     int failed = 0;
 #ifdef _OPENMP
@@ -89,7 +92,9 @@ static int each_slice(const vti_stepper *method, double h, const vti_bodies *b, 
 #endif
     for (int64_t first = 0; first < N; first += size) {
         const vti_bodies part = vti_bodies_slice(*b, first, N - first < size ? N - first : size);
-        failed |= begins ? vti_step_begin(method, h, &part, NULL) : vti_step_finish(method, h, &part);
+        failed |= half == BEGIN    ? vti_step_begin(method, h, &part, NULL)
+                  : half == FORCES ? vti_apply(binder, 1, &part)
+                                   : vti_step_finish(method, h, &part);
     }
     return failed;
 }
@@ -110,11 +115,12 @@ static void run(const char *name, int64_t size, enum layout layout, struct block
     assert_int_equal(vti_bonds_rest(bonded, pair[0], 0, &b.x, rest[0], NULL), VTI_OK);
     const vti_effect binder = vti_bonds_effect(&bonds);
     assert_int_equal(vti_apply(&binder, 1, &b), VTI_OK);
-    for (int k = 0; k < STEPS; ++k) {
-        assert_int_equal(each_slice(method, h, &b, size, 1), VTI_OK);
-        assert_int_equal(vti_apply(&binder, 1, &b), VTI_OK);
-        assert_int_equal(each_slice(method, h, &b, size, 0), VTI_OK);
-    }
+    for (int k = 0; k < STEPS; ++k)
+        for (int half = BEGIN; half <= FINISH; ++half) {
+            /* of many slices each would look at all bonds */
+            const int64_t now = half == FORCES && size < 64 ? N : size;
+            assert_int_equal(each_slice(method, h, &binder, &b, now, (enum half)half), VTI_OK);
+        }
 }
 
 static void same_motion(struct block *s, struct block *t, enum layout layout)
@@ -149,4 +155,60 @@ TEST(slices_and_layouts_do_not_change_a_bit)
     }
 }
 
-RUN_TESTS(cmocka_unit_test(slices_and_layouts_do_not_change_a_bit))
+/** The loads of a list of what acts on a slice, of bonds and contacts, counted from 1: bits of the whole list, and
+ *  nothing outside the slice. */
+TEST(a_slice_needs_the_pairs_that_name_it)
+{
+    static struct block whole, part;
+    static int64_t named[2 * MOST], which[MOST];
+    static double picked[4 * MOST];
+    static const double none[N][3];
+    const double stiffness = 20.0, diameter = 1.3;
+    connect();
+    const vti_bodies b = start(&whole, PACKED), c = start(&part, PACKED);
+    assert_int_equal(vti_bonds_rest(bonded, pair[0], 0, &b.x, rest[0], NULL), VTI_OK);
+    for (int64_t i = 0; i < N; ++i)
+        for (int k = 0; k < 3; ++k)
+            b.alpha.c[k][i * b.alpha.stride] = c.alpha.c[k][i * c.alpha.stride] = 0.1 * sin((double)(7 * i + k));
+    vti_bonds bonds = {.count = bonded,
+                       .pair = pair[0],
+                       .rest = rest[0],
+                       .moment = vti_scalars_one(&stiffness),
+                       .shear = vti_scalars_one(&stiffness),
+                       .shear_form = VTI_SHEAR_OBJECTIVE};
+    vti_contacts contacts = {bonded, pair[0], 0, vti_scalars_one(&diameter), stiffness};
+    const vti_effect all[] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts)};
+    assert_int_equal(vti_apply(all, 2, &b), VTI_OK);
+    for (int64_t first = 0; first < N; first += 37) {
+        const int64_t count = N - first < 37 ? N - first : 37;
+        const int64_t n = vti_pairs_of_slice(bonded, pair[0], 0, first, count, which);
+        assert_int_equal(vti_pairs_of_slice(bonded, pair[0], 0, first, count, NULL), n);
+        assert_true(n > 0 && n < bonded);
+        for (int64_t k = 0; k < n; ++k) {
+            named[2 * k] = pair[which[k]][0] + 1;
+            named[2 * k + 1] = pair[which[k]][1] + 1;
+            memcpy(picked + 4 * k, rest[which[k]], 4 * sizeof *picked);
+        }
+        assert_int_equal(vti_pairs_of_slice(n, named, 1, first, count, NULL), n);
+        vti_bonds own = bonds;
+        vti_contacts near = contacts;
+        own.count = near.count = n;
+        own.pair = near.pair = named;
+        own.base = near.base = 1;
+        own.rest = picked;
+        const vti_effect some[] = {vti_bonds_effect(&own), vti_contacts_effect(&near)};
+        const vti_bodies slice = vti_bodies_slice(c, first, count);
+        memset(part.f, 0, sizeof part.f);
+        memset(part.m, 0, sizeof part.m);
+        assert_int_equal(vti_apply(some, 2, &slice), VTI_OK);
+        assert_same_bits(part.f[first], whole.f[first], 3 * count);
+        assert_same_bits(part.m[first], whole.m[first], 3 * count);
+        assert_same_bits(part.f[0], none[0], 3 * first);
+        assert_same_bits(part.m[0], none[0], 3 * first);
+        assert_same_bits(part.f[first + count - 1] + 3, none[0], 3 * (N - first - count));
+    }
+    assert_int_equal(vti_pairs_of_slice(5, NULL, 0, 0, N, NULL), 0);
+}
+
+RUN_TESTS(cmocka_unit_test(slices_and_layouts_do_not_change_a_bit),
+          cmocka_unit_test(a_slice_needs_the_pairs_that_name_it))

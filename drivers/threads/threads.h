@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The threads of a program, by OpenMP where the compiler has it: the one place where they are started. */
+#ifndef VTI_THREADS_H
+#define VTI_THREADS_H
+
+#include <stdint.h>
+
+/** 1 if this program can start threads. */
+int threads_are_there(void);
+/** As many as this process may use, at least 1. */
+int64_t threads_most(void);
+
+/** From now on work is done by so many threads at once; 1 at the start of the program. */
+void threads_use(int64_t count);
+int64_t threads_used(void);
+
+/** Does parts 0 ... parts - 1 of some work at once, and returns the sum of what they return. No part may depend on
+ *  another; what they write is for each its own. */
+int64_t threads_sum(int64_t parts, int64_t (*work)(void *self, int64_t part), void *self);
+
+/** Where part k of parts of so many begins; parts are as long as each other, but for one. */
+static inline int64_t threads_begin(int64_t all, int64_t part, int64_t parts)
+{
+    const int64_t rest = all % parts;
+    return all / parts * part + (part < rest ? part : rest);
+}
+
+#endif

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""vti-run with threads: the same bytes of all files for any number of them, and for runs that go on with another one.
+                            test_run_threads.py VTI_RUN SCENES"""
+import os
+import sys
+import tempfile
+
+from programs import contents, one_line, run
+from tally import check, conclude
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+TOGETHER = """name: together
+bodies: {lattice: {counts: [5, 4, 6], spacing: 1, corner: [1, 0, 0]}, mass: 1, diameter: 1.02, v: [-2, 0, 0],
+         random: {seed: 3, v: 0.5, omega: 1.5}}
+binder: {moment: 2, axial: 200, shear: {stiffness: 100}}
+contact: {stiffness: 2000, bonded: yes}
+wall: {stiffness: 2000, planes: [[1, 0.2, 0, 1]]}
+gravity: [0, 0, -1]
+h: 2^-8
+t_end: 1
+"""
+
+
+def files(scene, folder, threads, *options):
+    """What a run leaves, or what it says."""
+    done = run(RUN, scene, "-o", os.path.join(folder, "out.h5"), "--threads", str(threads), "--record", "8",
+               "--frames", "32", *options)
+    return contents(folder) if done.returncode in (0, 3) else done.stderr
+
+
+def same_bytes(scene, base, *options):
+    """1 piece, 2, 3, 7; stopped halfway and prolonged by another number of threads."""
+    folder = lambda name: os.path.join(base, os.path.basename(scene) + "-" + name)
+    one = files(scene, folder("1"), 1, "--t-end", "1", *options)
+    check(isinstance(one, dict) and len(one) >= 4, f"{os.path.basename(scene)} {' '.join(options)}: runs")
+    for threads in (2, 3, 7) if not options else (3,):
+        other = files(scene, folder(str(threads)), threads, "--t-end", "1", *options)
+        check(other == one, f"... the same bytes on {threads} threads")
+    files(scene, folder("on"), 2, "--t-end", "0.5", *options)
+    check(files(scene, folder("on"), 3, "--t-end", "1", "--resume", *options) == one, "... and by 2 threads, then 3")
+
+
+def refusals(scene):
+    for value in ("0", "-2", "two", "1e9"):
+        check(one_line(run(RUN, scene, "--threads", value), "--threads", f"'{value}'"), f"--threads {value}")
+
+
+with tempfile.TemporaryDirectory() as root:
+    together = os.path.join(root, "together.yaml")
+    with open(together, "w", encoding="ascii") as file:
+        file.write(TOGETHER)
+    if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
+        sys.exit(77)
+    same_bytes(together, root)
+    same_bytes(os.path.join(SCENES, "pile.yaml"), root, "--h", "2^-8")
+    same_bytes(os.path.join(SCENES, "torus.yaml"), root, "--stepper", "vti1", "--h", "1/256")
+    refusals(together)
+conclude()
