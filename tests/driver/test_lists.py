@@ -4,6 +4,7 @@
 test_lists.py ROOT VTI_RUN PROGRAM..."""
 import os
 import re
+import shutil
 import sys
 
 from programs import run
@@ -13,7 +14,7 @@ from tally import check, conclude
 root, vti_run, *others = map(os.path.abspath, sys.argv[1:])
 
 commit = "unknown"
-if os.path.exists(os.path.join(root, ".git")):
+if os.path.exists(os.path.join(root, ".git")) and shutil.which("git"):
     commit = run("git", "-C", root, "rev-parse", "--short=7", "HEAD").stdout.strip()
 with open(os.path.join(root, "include", "vti.h"), encoding="utf-8") as file:
     version = re.search(r'VTI_VERSION_STRING "(.*)"', file.read()).group(1)

@@ -216,6 +216,9 @@ def failing_rank(base):
         result = study(ranks, scene("pendulum"), "--steppers", "vti1,vti2", "--h", "2,1,1/64,2^-16", "-o", f"{base}/{ranks}")
         check(one_line(result, "vti1 at h = ", "reduce h") and os.listdir(f"{base}/{ranks}") == [],
               f"a run fails, {ranks} ranks: {result.stderr.strip()[:120]}")
+    if run(MPIRUN, "-n", "1", "true", ":", "-n", "1", "true").returncode != 0:
+        print("skipped here: Open MPI 5.0.7 crashes on two programs at once")
+        return
     arguments = ["--h", "1/64", "--no-plot", "-o", f"{base}/unread"]
     result = run(MPIRUN, "-n", "1", STUDY, scene("pendulum"), *arguments, ":", "-n", "1", STUDY, f"{base}/none.yaml", *arguments)
     check(one_line(result, "none.yaml", "cannot be read") and not os.path.exists(f"{base}/unread"),
