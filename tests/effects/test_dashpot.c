@@ -30,8 +30,7 @@ TEST(zeta_of_restitution)
             const double e = pow(10, -4.0 * k / 400), zeta = vti_dashpots_zeta(e, pull);
             assert_close(closed_form(zeta, pull), e, e * 1e-13 * (1 + 1 / fabs(1 - zeta)));
         }
-    const double nearly_none = vti_dashpots_zeta(1e-40, 0); /* beyond 1e12 nothing rebounds any more */
-    assert_true(isfinite(nearly_none) && nearly_none >= 1e12);
+    assert_true(vti_dashpots_zeta(1e-40, 0) >= 1e12 && isfinite(vti_dashpots_zeta(1e-40, 0))); /* no rebound */
     assert_true(vti_dashpots_zeta(1, 0) == 0 && vti_dashpots_zeta(1, 1) == 0);
     assert_true(isnan(vti_dashpots_zeta(0, 0)) && isnan(vti_dashpots_zeta(-0.5, 1)) &&
                 isnan(vti_dashpots_zeta(1.5, 0)) && isnan(vti_dashpots_zeta(NAN, 1)));
@@ -193,7 +192,6 @@ TEST(bodies_that_do_not_turn)
                                        .normal = c,
                                        .tangential = 2 * c,
                                        .pull = 1,
-                                       .reach = 0,
                                        .lost = m.lost};
         const vti_effect effect = vti_dashpots_effect(&dashpots);
         const double mass = 1 / (1 / m.c.mass[0] + (plane ? 0 : 1 / m.c.mass[1])),
@@ -218,39 +216,37 @@ TEST(bodies_that_do_not_turn)
 }
 
 /** Without springs of friction a tangential dashpot is held to mu F_n, which stops what is slow; where nothing presses
- *  yet, nothing is lost across the normal; a ratio of no normal coefficient is none; and centres that coincide, or a
- *  velocity that is no number, have no direction or no end. */
+ *  yet, nothing is lost across the normal; a ratio of no normal coefficient is none; centres that coincide have no
+ *  direction; and a velocity that is no number shows. */
 TEST(limits_of_dashpots)
 {
     const double t = 0.01, mu = 0.3, limit = t * mu * 1e4 * pow(0.01, 1.5);
-    vti_history nothing = {0, 0, 0, NULL};
+    vti_history nothing = {0};
     for (int which = 0; which < 4; ++which) {
         const vti_friction friction = {.sliding = mu, .history = which % 2 ? &nothing : NULL};
-        const double gap = which / 2 ? 0.01 : -0.01, way = 0.5;
+        const double gap = which / 2 ? 0.01 : -0.01;
         impact_clear(&m, 2, 0, 1e4);
         m.c.x[0][2] = 1 + gap;
         m.c.v[0][2] = -1;
-        m.c.v[0][0] = way;
+        m.c.v[0][0] = 0.5;
         const vti_dashpots dashpots = {
             .contacts = &m.contacts, .friction = &friction, .tangential = 1e6, .reach = 1, .lost = m.lost};
         const vti_effect effect = vti_dashpots_effect(&dashpots);
         assert_int_equal(vti_effects_flow(&effect, 1, t, 0.05, &m.b), VTI_OK);
         assert_close(m.c.v[1][0], which / 2 ? 0 : limit, 1e-12);
-        assert_close(m.c.v[0][0] + m.c.v[1][0], way, 4 * EPS);
+        assert_close(m.c.v[0][0] + m.c.v[1][0], 0.5, 4 * EPS);
         assert_true((m.lost[1].high > 0) == (gap < 0));
     }
     impact_clear(&m, 2, 0, 1e4);
     m.c.v[0][0] = 1;
-    const vti_dashpots ratio = {.contacts = &m.contacts, .ratio = 1, .reach = 1, .lost = m.lost};
-    vti_effect effect = vti_dashpots_effect(&ratio);
     m.c.x[0][2] = 0.99;
+    vti_dashpots p = {.contacts = &m.contacts, .ratio = 1, .reach = 1, .lost = m.lost};
+    const vti_effect effect = vti_dashpots_effect(&p);
     assert_int_equal(vti_effects_flow(&effect, 1, t, 0, &m.b), VTI_OK);
-    assert_true(m.c.v[0][0] == 1 && m.lost[1].high == 0);
-    const vti_dashpots normal = {.contacts = &m.contacts, .normal = 1, .zeta = 1, .reach = 1, .lost = m.lost};
-    effect = vti_dashpots_effect(&normal);
+    p.normal = p.zeta = 1;
     m.c.x[0][2] = 0;
     assert_int_equal(vti_effects_flow(&effect, 1, t, 0, &m.b), VTI_OK);
-    assert_true(m.c.v[0][0] == 1 && m.lost[0].high == 0);
+    assert_true(m.c.v[0][0] == 1 && m.lost[0].high == 0 && m.lost[1].high == 0);
     m.c.x[0][2] = 1.01;
     m.c.v[0][2] = NAN;
     assert_int_equal(vti_effects_flow(&effect, 1, t, 1, &m.b), VTI_OK);

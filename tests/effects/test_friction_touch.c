@@ -229,8 +229,8 @@ static double limit_at(const vti_deformation *at)
     return stable.h;
 }
 
-/** 2/omega of one touch: omega^2 = k/m_t of sliding, m_t that of EQUATIONS 6.2 with r = length, and k/J_r of rolling and
- *  twisting; at an overlap that is given, and as the bodies are, which is 1/10 too. */
+/** 2/omega of one touch: omega^2 = k/m_t of sliding, m_t that of EQUATIONS 6.2 with r = length, and k/J_r of rolling
+ *  and twisting; at an overlap that is given, and as the bodies are, which is 1/10 too. */
 TEST(stable_steps)
 {
     rng g = rng_seed(1432);
