@@ -51,11 +51,11 @@ VTI_API int vti_history_add(vti_history *history, const vti_held *held);
  *  momentum are kept to rounding. A motion whose coefficient is 0 does not exist. */
 typedef struct vti_friction {
     const vti_contacts *contacts; /**< as in vti_dashpots */
-    const vti_walls *walls;
-    double sliding;            /**< coefficient mu */
-    double rolling;            /**< length: mu_r, about mu times the radius or less */
-    double twisting;           /**< length */
-    double stiffness;          /**< of sliding, force/length */
+    const vti_walls *walls;       /**< the same */
+    double sliding;               /**< coefficient mu */
+    double rolling;               /**< length: mu_r, about mu times the radius or less */
+    double twisting;              /**< length */
+    double stiffness;             /**< of sliding, force/length */
     double mindlin;            /**< in place of it: the ratio of the tangential to the normal stiffness, for bodies of
                                        one material of Poisson's ratio nu 2 (1 - nu)/(2 - nu) */
     double rolling_stiffness;  /**< moment */

@@ -290,7 +290,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "vti-study: %s\n", message.text);
         failed = -1;
     }
-    if (failed > 0 && failed != WATCH_ASKED && rank > 0)
+    if (failed > 0 && rank > 0)
         return EXIT_SUCCESS; /* rank 0 says it: mpirun would end the pictures with the first that ends so */
     return failed == WATCH_ASKED ? EXIT_RESUME : failed < 0 ? EXIT_FAILURE : failed > 0 ? EXIT_BAD : EXIT_SUCCESS;
 }
