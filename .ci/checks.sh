@@ -32,12 +32,15 @@ fuzz() {
     done
 }
 
+# Compilers take minutes under their sanitizers for the kernels of each wider vector unit, which are the same source: these builds do
+# without them. Valgrind sees those of the machine.
+
 # core [meson test options]: the core's tests by clang, under its sanitizers (divisions by zero among them, which gcc cannot do
 # without the one that is meant), and what they reach: clang counts branches as they are written, not as they are compiled.
 core() {
     export LLVM_PROFILE_FILE="$PWD/build-core/raw/%m.profraw" # of what configuring runs as well
     CC=clang configure build-core -Ddrivers=disabled -Dcheck=disabled -Dfortran=disabled -Dtests=enabled \
-        -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
+        -Dvectors=baseline -Dbuildtype=debugoptimized -Db_sanitize=address,undefined -Db_lundef=false \
         -Dc_args="-fprofile-instr-generate -fcoverage-mapping -fsanitize=float-divide-by-zero,float-cast-overflow \
         -fno-sanitize-recover=all -fsanitize-ignorelist=$PWD/tests/hard/divides.txt" \
         -Dc_link_args=-fprofile-instr-generate
@@ -49,7 +52,7 @@ core() {
 
 # sanitize [meson test options]: by gcc, which goes on after undefined behaviour unless it is told not to.
 sanitize() {
-    configure build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -Dbuildtype=debugoptimized \
+    configure build-sanitize -Dvectors=baseline -Db_sanitize=address,undefined -Db_lundef=false -Dbuildtype=debugoptimized \
         -Dc_args='-fsanitize=float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow'
     # Open MPI and HDF5 keep memory to the end of the process: valgrind looks for leaks, in the core's tests, which use neither.
     ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --no-suite slow --no-suite bits "$@"

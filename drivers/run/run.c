@@ -20,7 +20,7 @@
 int64_t run_threads(int64_t bodies)
 {
     static const char *const launched[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"};
-    enum { LEAST = 1000 }; /* bodies, of which a step takes as long as waking threads up and waiting for the last */
+    enum { LEAST = 1000 }; /* bodies; for fewer, waking threads up is taken to cost more than they save */
     for (size_t k = 0; k < sizeof launched / sizeof launched[0]; ++k)
         if (getenv(launched[k]) != NULL)
             return 1;
