@@ -17,15 +17,18 @@ struct last {
     double rest[4 * WIDTH], stiffness[TERMS][WIDTH];
 };
 
-/** The bonds from first on. */
+/** The bonds from first on. What is absent is NULL, to which C lets nobody add 0. */
 VTI_INLINE vti_bonds from(const vti_bonds *bonds, int64_t first)
 {
     vti_bonds block = *bonds;
+    vti_scalars *const all[TERMS] = {&block.moment, &block.axial, &block.shear};
+    if (first == 0)
+        return block;
     block.pair += 2 * first;
     block.rest += 4 * first;
-    block.moment.p += first * block.moment.stride;
-    block.axial.p += first * block.axial.stride;
-    block.shear.p += first * block.shear.stride;
+    for (int c = 0; c < TERMS; ++c)
+        if (all[c]->p != NULL)
+            all[c]->p += first * all[c]->stride;
     return block;
 }
 

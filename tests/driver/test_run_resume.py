@@ -53,7 +53,7 @@ def kills(base, name, *options):
     duration = time.monotonic() - begin
     whole = contents(f"{base}/whole/out")
     done, tries, same, left, gone_on = 0, 0, 0, 0, 0
-    while done < KILLS and tries < 50 * KILLS:
+    while (done < KILLS or gone_on == 0) and tries < 50 * KILLS:
         tries += 1
         folder = f"{base}/killed{tries}"
         again = [*arguments, "--checkpoint", "0.03", "-o", f"{folder}/out.h5", "--resume"]
@@ -67,7 +67,7 @@ def kills(base, name, *options):
         same += last.returncode == 0 and contents(f"{folder}/out") == whole
         left += len(os.listdir(folder)) != len(whole)
         shutil.rmtree(folder)
-    check(None not in whole.values() and done == same == KILLS,
+    check(None not in whole.values() and done == same >= KILLS,
           f"{name}: killed {done} times, resumed {same} times to the same bytes")
     check(left == 0, "... and nothing is left behind")
     check(gone_on > 0, f"... {gone_on} times from a checkpoint")
