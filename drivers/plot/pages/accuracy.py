@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev cost`:  python3 -m plot.accuracy FOLDER [--into DIR].  What accuracy costs with every method: pictures,
+"""The page of `./dev cost`:  python3 -m plot.pages.accuracy FOLDER [--into DIR].  What accuracy costs with every method: pictures,
 the price list, what is claimed and whether it holds, and which stepper to take when. FOLDER is what vti-study --cost wrote,
 and may hold spin/STEPPER.h5 of `vti-run scenes/spin.yaml`, first and last frame. The page accuracy.md and its pictures go beside
 it, or with --into as DIR/accuracy.md and DIR/accuracy/*.png. All measured numbers come from files, but for
 DOP853 in claims.py."""
-import argparse
 import os
-import sys
 
 import numpy as np
 
 from .. import methods, style
-from ..trouble import Trouble
 from . import advice, claims, price_list, steady_spin, work_precision
 from .cost_file import read_cost
-from .page import Page
+from .page import Page, write_page
 from .price_list import power, three
 
 NOISY = 0.1             # of a time: a spread that no quiet machine shows
@@ -166,15 +163,7 @@ def _save(figure, root, into, name):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="python3 -m plot.accuracy", description="The page of what accuracy costs.")
-    parser.add_argument("folder", help="what vti-study --cost wrote")
-    parser.add_argument("--into", metavar="DIR", help="write DIR/accuracy.md and DIR/accuracy/*.png (default: into the "
-                        "folder, and every picture there is)")
-    given = parser.parse_args()
-    try:
-        build(given.folder, given.into or given.folder, "accuracy" if given.into else None)
-    except (Trouble, OSError) as trouble:
-        sys.exit(f"accuracy: {trouble}")
+    write_page("accuracy", "what vti-study --cost wrote", build)
 
 
 if __name__ == "__main__":

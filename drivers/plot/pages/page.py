@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A page of headings, paragraphs, tables and pictures, written as Markdown and as HTML from the same blocks."""
+import argparse
 import html
 import os
 import re
+import sys
+
+from ..trouble import Trouble
 
 STYLE = ("body{max-width:60em;margin:2em auto;padding:0 1em;font:16px/1.5 sans-serif;color:#222}"
          "img{max-width:100%;border:1px solid #ddd}td,th{padding:.2em .8em;border-bottom:1px solid #ddd;text-align:left}"
@@ -67,3 +71,17 @@ class Page:
 def _marked(text):
     text = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", html.escape(text))
     return re.sub(r"`(.+?)`", r"<code>\1</code>", text)
+
+
+def write_page(name, source, build):
+    """The program of a page: FOLDER [--into DIR]. build(folder, into, below) is told where the page goes and below which folder
+    beside it its pictures go; None: beside it."""
+    parser = argparse.ArgumentParser(prog=f"python3 -m plot.pages.{name}", description=f"The page {name}.md.")
+    parser.add_argument("folder", help=source)
+    parser.add_argument("--into", metavar="DIR", help=f"write DIR/{name}.md and its pictures into DIR/{name} (default: into the "
+                        "folder)")
+    given = parser.parse_args()
+    try:
+        build(given.folder, given.into or given.folder, name if given.into else None)
+    except (Trouble, OSError) as trouble:
+        sys.exit(f"{name}: {trouble}")

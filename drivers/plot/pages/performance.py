@@ -2,15 +2,13 @@
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes. FOLDER holds UNITS.csv and UNITS.txt, as vti-bench
 prints rows and --version. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
-import argparse
 import csv
 import os
-import sys
 from dataclasses import dataclass
 
 from .. import style
 from ..trouble import Trouble
-from .page import Page
+from .page import Page, write_page
 
 UNITS = {"widest": "AVX-512", "avx2": "AVX2", "baseline": "SSE2"}    # where the widest are those
 COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
@@ -164,15 +162,7 @@ def build(folder, into, below):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="python3 -m plot.pages.performance", description="The page of what each part costs.")
-    parser.add_argument("folder", help="what ./dev bench wrote")
-    parser.add_argument("--into", metavar="DIR", help="write DIR/performance.md and DIR/performance/bench.png (default: into the "
-                        "folder)")
-    given = parser.parse_args()
-    try:
-        build(given.folder, given.into or given.folder, "performance" if given.into else None)
-    except (Trouble, OSError) as trouble:
-        sys.exit(f"performance: {trouble}")
+    write_page("performance", "what ./dev bench wrote", build)
 
 
 if __name__ == "__main__":
