@@ -2,19 +2,10 @@
  *
  * The kernels of bonds for wide units give the bits of those for any processor, and strided bodies those of packed
  * ones: every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them.
- * Their tables are private to the library, and declared here as in src/vti_binder_table.h. */
+ * Their tables are private to the library. */
 #include "crowd.h"
 
-struct bond_kernel {
-    void (*loads[3])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
-    void (*energy)(const vti_bonds *bonds, const vti_bodies *b, double *energies);
-};
-struct bond_kernels {
-    struct bond_kernel of[4][4];
-    void (*sum[2][2])(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
-                      const double *rows);
-};
-extern const struct bond_kernels vti_binder_baseline, vti_binder_avx2, vti_binder_avx512;
+#include "../../src/vti_binder_table.h"
 
 static crowd c, wide;
 static web w;
