@@ -61,7 +61,7 @@ cost() {
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.accuracy "$1" ${2:+--into "$2"}
 }
 
-# bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units.
+# bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units, and what its cores share.
 bench() {
     mkdir -p "$1"
     for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline; do
@@ -72,5 +72,7 @@ bench() {
         "$program" --version >"$1/${name:-widest}.txt"
         "$program" >"$1/${name:-widest}.csv"
     done
+    echo "dev: threads and ranks"
+    python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
 }

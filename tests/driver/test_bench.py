@@ -41,6 +41,8 @@ def test_page(vti_plot, folder, rows):
         for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
             with open(os.path.join(folder, name + end), "w", encoding="utf-8") as file:
                 file.write(content)
+    with open(os.path.join(folder, "scaling.csv"), "w", encoding="utf-8") as file:
+        file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run(*page, env=beside)
@@ -52,6 +54,7 @@ def test_page(vti_plot, folder, rows):
     check("| `vti2 next` | x(3,n) | 7 (1.40) | 7 (1.40) |" in made, "one pass beside one pass")
     check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
     check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
+    check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
     check(os.path.getsize(os.path.join(folder, "bench.png")) < 300_000, "picture")
     with open(os.path.join(folder, "widest.csv"), "w", encoding="utf-8") as file:
         file.write("what,n\n")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
-machine, for every vector unit it has, beside a loop that moves the same bytes. FOLDER holds UNITS.csv and UNITS.txt, as vti-bench
-prints rows and --version. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
+machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
+UNITS.txt, as vti-bench prints rows and --version, and scaling.csv of bench/scaling.py. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
 import csv
 import os
 from dataclasses import dataclass
@@ -16,6 +16,8 @@ LAYOUTS = {"packed": "x(3,n)", "separate": "x(n,3), three arrays", "quaternions"
 STEPS = ("vti2", "vti1", "exact", "vti2 next")
 EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a touching pair", "pair apart": "contact of a pair that does not touch",
            "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
+SCALING = ["what", "workers", "median_s", "least_s"]
+CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
 
@@ -85,7 +87,7 @@ def opening(page, benches):
               "library; it takes no memory beyond the caller's.")
     flags = [line for line in benches[0].version.splitlines() if line.startswith("flags: ")]
     page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own; all give the same bits. "
-              + (f"Compiler's {flags[0]}. " if flags else "") + "One core.")
+              + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for the last table.")
 
 
 def steps_part(page, benches, sizes):
@@ -121,6 +123,24 @@ def effects_part(page, benches, sizes):
     page.table(["", "n", *(one.units for one in benches)], rows)
 
 
+def cores_part(page, folder):
+    """Threads of one scene and ranks of a study."""
+    page.heading("Threads and ranks")
+    path = os.path.join(folder, "scaling.csv")
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows or list(rows[0]) != SCALING:
+        raise Trouble(path, "has other columns than bench/scaling.py prints", "make it anew with ./dev bench")
+    alone = {row["what"]: float(row["median_s"]) for row in rows if row["workers"] == "1"}
+    page.text("Medians of rounds in which all have their turn. `vti-run --threads`: 500 steps of 97336 bonded spheres (bench/lattice.yaml), "
+              "start and files left out. `vti-study` under mpirun: whole studies, from start to end, without pictures.")
+    page.table(["", "threads or ranks", "seconds", "of the time of one"],
+               [[CORES[row["what"]], row["workers"], short(float(row["median_s"])), f"{float(row['median_s']) / alone[row['what']]:.2f}"]
+                for row in rows])
+    page.text("Files are the same bytes for any number of either. `./dev lammps` times this library inside LAMMPS beside LAMMPS' own "
+              "steps and bonds.")
+
+
 def picture(benches, path):
     figure = style.new_figure(4.6)
     axes = figure.subplots(1, 2)
@@ -154,9 +174,7 @@ def build(folder, into, below):
     steps_part(page, benches, sizes)
     memory_part(page, benches, sizes)
     effects_part(page, benches, sizes)
-    page.heading("Other codes, threads, ranks")
-    page.text("`./dev lammps` times this library inside LAMMPS beside LAMMPS' own steps and bonds. `vti-run --threads` steps one scene "
-              "on several cores; independent runs of a study need nothing from each other and scale with its ranks.")
+    cores_part(page, folder)
     with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
         file.write(page.markdown())
 
