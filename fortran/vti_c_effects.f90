@@ -123,6 +123,27 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
+        function c_rupture_effect(rupture) result(effect) bind(c, name='vti_rupture_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: rupture
+            type(vti_effect) :: effect
+        end function
+
+        function c_rupture_check(rupture, fault) result(status) bind(c, name='vti_rupture_check')
+            import :: c_int, vti_fault, vti_rupture
+            type(vti_rupture), intent(in) :: rupture
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
+        function c_rupture_take_out(rupture, count, id) result(status) bind(c, name='vti_rupture_take_out')
+            import :: c_int, c_int64_t, vti_rupture
+            type(vti_rupture), intent(in) :: rupture
+            integer(c_int64_t), value :: count
+            integer(c_int64_t), intent(in) :: id(*)
+            integer(c_int) :: status
+        end function
+
         function c_dashpots_effect(dashpots) result(effect) bind(c, name='vti_dashpots_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: dashpots
@@ -193,6 +214,15 @@ module vti_c_effects
             type(vti_bodies), intent(in) :: bodies
             integer(c_int64_t), value :: first, last
             real(c_double), intent(inout) :: loads(*)
+            integer(c_int) :: status
+        end function
+
+        function c_bonds_measure(bonds, bodies, first, last, measures) result(status) bind(c, name='vti_bonds_measure')
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
+            type(vti_bonds), intent(in) :: bonds
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int64_t), value :: first, last
+            real(c_double), intent(inout) :: measures(*)
             integer(c_int) :: status
         end function
 

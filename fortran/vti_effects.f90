@@ -23,6 +23,7 @@ module vti_effects
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
         vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_bond_dashpots_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
+    public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
 
     abstract interface
@@ -241,6 +242,32 @@ contains
         if (associated(friction)) effect = c_friction_effect(c_loc(friction))
     end function
 
+    function vti_rupture_effect(rupture) result(effect)
+        type(vti_rupture), pointer, intent(in) :: rupture
+        type(vti_effect) :: effect
+        if (associated(rupture)) effect = c_rupture_effect(c_loc(rupture))
+    end function
+
+    !> Once before use, after vti_bonds_check: numbers ascend from 1, every limit is > 0. VTI_E_BOND, with fault%body the
+    !> place of the bond (from 1) and fault%value what is wrong.
+    function vti_rupture_check(rupture, fault) result(status)
+        type(vti_rupture), intent(in) :: rupture
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_rupture_check(rupture, found)
+        if (present(fault)) fault = from_one(found)
+    end function
+
+    !> Takes the bonds of these numbers, which ascend, out of the list, and books nothing. VTI_E_BOND where one is not
+    !> in it.
+    function vti_rupture_take_out(rupture, id) result(status)
+        type(vti_rupture), intent(in) :: rupture
+        integer(c_int64_t), contiguous, intent(in) :: id(:)
+        integer(c_int) :: status
+        status = c_rupture_take_out(rupture, size(id, kind=c_int64_t), id)
+    end function
+
     function vti_bond_dashpots_effect(dashpots) result(effect)
         type(vti_bond_dashpots), pointer, intent(in) :: dashpots
         type(vti_effect) :: effect
@@ -330,6 +357,20 @@ contains
         status = VTI_E_COUNT
         if (size(loads, 1) /= VTI_BOND_LOADS .or. size(loads, 2, c_int64_t) /= last - first + 1) return
         status = c_bonds_sum(bonds, loads, first - 1, last, bodies)
+    end function
+
+    !> What the springs of the bonds first to last (from 1) hold: measures(VTI_BOND_MEASURES, last - first + 1), with N
+    !> in row VTI_BOND_NORMAL + 1, and so on for VTI_BOND_ACROSS, VTI_BOND_BENDING, VTI_BOND_TORSION, VTI_BOND_ENERGY and
+    !> VTI_BOND_STRETCH. VTI_E_COUNT for another shape.
+    function vti_bonds_measure(bonds, bodies, first, last, measures) result(status)
+        type(vti_bonds), intent(in) :: bonds
+        type(vti_bodies), intent(in) :: bodies
+        integer(c_int64_t), intent(in) :: first, last
+        real(c_double), contiguous, intent(inout) :: measures(:, :)
+        integer(c_int) :: status
+        status = VTI_E_COUNT
+        if (size(measures, 1) /= VTI_BOND_MEASURES .or. size(measures, 2, c_int64_t) /= last - first + 1) return
+        status = c_bonds_measure(bonds, bodies, first - 1, last, measures)
     end function
 
     function vti_bonds_effect(bonds) result(effect)

@@ -19,7 +19,10 @@ module vti_types
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
     integer(c_int64_t), parameter :: VTI_TERMS = 8, VTI_BOND_LOADS = 9
     integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3, &
-        VTI_BOND_DASHPOT_BOOKS = 4
+        VTI_BOND_DASHPOT_BOOKS = 4, VTI_RUPTURE_BOOKS = 1
+    !> What vti_bonds_measure says of a bond: its row, counted from 0 as in C, and how many there are.
+    integer(c_int64_t), parameter :: VTI_BOND_NORMAL = 0, VTI_BOND_ACROSS = 1, VTI_BOND_BENDING = 2, &
+        VTI_BOND_TORSION = 3, VTI_BOND_ENERGY = 4, VTI_BOND_STRETCH = 5, VTI_BOND_MEASURES = 6
 
     !> What bodies consist of, in the order of the members of vti_bodies.
     integer(c_int64_t), parameter :: VTI_QUANTITY_NONE = 0, VTI_QUANTITY_X = 1, VTI_QUANTITY_V = 2, &
@@ -143,6 +146,15 @@ module vti_types
         type(c_ptr) :: rest = c_null_ptr
         type(vti_scalars) :: moment, axial, shear
         integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
+    end type
+
+    !> What bonds bear: bonds is the address of a vti_bonds, id that of as many numbers, 1, 2, 3 ..., and lost that of one
+    !> type(vti_sum), zero at the start. pair, rest, the bonds' arrays of stiffnesses and id are written when bonds
+    !> leave: what has left stands behind the bonds%count that hold. Limits that are absent are none.
+    type, bind(c) :: vti_rupture
+        type(c_ptr) :: bonds = c_null_ptr, id = c_null_ptr
+        type(vti_scalars) :: stretch, normal, shear, bending, torsion, energy
+        type(c_ptr) :: lost = c_null_ptr
     end type
 
     !> Dashpots of bonds: bonds is the address of a vti_bonds, lost that of an array of four type(vti_sum), zeros at the

@@ -26,6 +26,7 @@
 #include "vti_multistep.h"
 #include "vti_pendulum.h"
 #include "vti_rrv.h"
+#include "vti_rupture.h"
 #include "vti_stable.h"
 #include "vti_status.h"
 #include "vti_step.h"

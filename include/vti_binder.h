@@ -56,6 +56,22 @@ VTI_API int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t
  *  same body. Errors as those of vti_bonds_loads. */
 VTI_API int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last,
                           const vti_bodies *b);
+/** What vti_bonds_measure says of a bond, with n, r and L0 as above. */
+enum vti_bond_measure {
+    VTI_BOND_NORMAL = 0,  /**< N = (K^a/L0)(r/L0 - 1): a force, negative under pressure */
+    VTI_BOND_ACROSS = 1,  /**< V, the force across n; of the objective shear (K^s/r)|P mh|, P u = u - (u.n) n */
+    VTI_BOND_BENDING = 2, /**< M_b = K^m|P theta_ij|: a moment */
+    VTI_BOND_TORSION = 3, /**< M_t = K^m|theta_ij.n| */
+    VTI_BOND_ENERGY = 4,  /**< U, of all terms */
+    VTI_BOND_STRETCH = 5, /**< r/L0 - 1 */
+    VTI_BOND_MEASURES = 6 /**< how many they are */
+};
+
+/** What the springs of the bonds first <= k < last hold where the bodies are, without dashpots: measures[(last - first)
+ *  * VTI_BOND_MEASURES], bond by bond. Of a term that is absent it is 0. Errors as those of vti_bonds_loads; positions
+ *  are needed whatever the terms. */
+VTI_API int vti_bonds_measure(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
+                              double *measures);
 /** The effect of *bonds, which must outlive it. Bonds across the slice's edge load its own bodies only. Energy
  *  terms, of those that are present: "binder_moment", "binder_axial", "binder_shear". */
 VTI_API vti_effect vti_bonds_effect(const vti_bonds *bonds);

@@ -66,7 +66,8 @@ typedef struct vti_drifted {
 typedef struct vti_effect {
     const char *name; /**< what it is called */
     /** Adds this effect's force and moment to those of the slice's bodies (a force or moment that is absent is left
-     *  out). Other bodies are read and not written: slices may be done at once. NULL for what acts by its flow only. */
+     *  out). Other bodies are read and not written: slices may be done at once. NULL for what acts by its flow or its
+     *  rupture only. */
     void (*apply)(const void *self, const vti_bodies *bodies);
     /** Writes the effect's energies, one per term. Without it the energy is not known, unless there is no apply either.
      *  */
@@ -109,9 +110,9 @@ VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const v
                              vti_spring_visit *visit, void *context);
 
 /** Whether all of them may be used with the bodies: what every call with effects looks at first. VTI_E_NULL for an
- *  effect that does nothing, having neither apply nor flow, as is made of what is NULL or given in part; VTI_E_NEEDS
- *  for one that needs what the bodies do not have; or what its check says. fault, which may be NULL, has in body the
- *  number of the effect, from 0, and in quantity what is missing; or what vti_bodies_check finds. */
+ *  effect that does nothing, having neither apply nor flow nor rupture, as is made of what is NULL or given in part;
+ *  VTI_E_NEEDS for one that needs what the bodies do not have; or what its check says. fault, which may be NULL, has in
+ *  body the number of the effect, from 0, and in quantity what is missing; or what vti_bodies_check finds. */
 VTI_API int vti_effects_check(const vti_effect *effects, int64_t n, const vti_bodies *bodies, vti_fault *fault);
 
 /** force = moment = 0 on the slice, then every effect in order. Where vti_effects_check refuses, nothing has been

@@ -225,6 +225,19 @@ int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, in
     return status;
 }
 
+/* ---- what bonds hold --------------------------------------------------------------------------------------------- */
+
+int vti_bonds_measure(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *measures)
+{
+    const int status = pass_check(bonds, b, first, last, measures);
+    if (status != VTI_OK || first == last)
+        return status;
+    if (!vti_has(&b->x))
+        return VTI_E_NEEDS;
+    kernels(bonds->count)->measure(terms_of(bonds), form_of(bonds), bonds, b, first, last, measures);
+    return VTI_OK;
+}
+
 /* ---- making and checking a list ---------------------------------------------------------------------------------- */
 
 /** d = x_i - x_j of one pair; returns |d|. */

@@ -7,6 +7,8 @@
  *
  * The files vti_binder_*.c include this and nothing else: each is compiled for vector units of its own, and defines
  * BOND_KERNELS, the name of its table. */
+#include <string.h>
+
 #include "vti_pair.h"
 
 /* ---- blocks of the list ------------------------------------------------------------------------------------------ */
@@ -107,7 +109,19 @@ VTI_INLINE void gather_end(int terms, enum layout layout, const vti_bonds *block
         gather_vectors(layout, &b->x, body, x);
 }
 
-VTI_INLINE void gather(int terms, enum layout layout, const vti_bonds *block, const vti_bodies *b, struct bond_state *s)
+VTI_INLINE void gather_stiffness(int terms, const vti_bonds *block, struct bond_state *s)
+{
+    if (terms & TERM_MOMENT)
+        s->moment = lanes_of_scalars(block->moment.p, block->moment.stride);
+    if (terms & TERM_AXIAL)
+        s->axial = lanes_of_scalars(block->axial.p, block->axial.stride);
+    if (terms & TERM_SHEAR)
+        s->shear = lanes_of_scalars(block->shear.p, block->shear.stride);
+}
+
+/** Where the bodies are, and the rest vectors. */
+VTI_INLINE void gather_places(int terms, enum layout layout, const vti_bonds *block, const vti_bodies *b,
+                              struct bond_state *s)
 {
     int64_t at[WIDTH];
     lanes xj[3], rest[4];
@@ -122,12 +136,12 @@ VTI_INLINE void gather(int terms, enum layout layout, const vti_bonds *block, co
         }
         s->length = rest[3];
     }
-    if (terms & TERM_MOMENT)
-        s->moment = lanes_of_scalars(block->moment.p, block->moment.stride);
-    if (terms & TERM_AXIAL)
-        s->axial = lanes_of_scalars(block->axial.p, block->axial.stride);
-    if (terms & TERM_SHEAR)
-        s->shear = lanes_of_scalars(block->shear.p, block->shear.stride);
+}
+
+VTI_INLINE void gather(int terms, enum layout layout, const vti_bonds *block, const vti_bodies *b, struct bond_state *s)
+{
+    gather_places(terms, layout, block, b, s);
+    gather_stiffness(terms, block, s);
 }
 
 /* ---- evaluate ---------------------------------------------------------------------------------------------------- */
@@ -214,6 +228,28 @@ VTI_INLINE void energy_all(int terms, int form, const vti_bonds *bonds, const vt
     for (int c = 0, n = 0; c < TERMS; ++c)
         if (terms >> c & 1)
             energies[n++] = vti_sum_value(&sum[c]);
+}
+
+/* ---- measure ----------------------------------------------------------------------------------------------------- */
+
+/** Of any terms and form, which are no literals here: what breaks looks once in a step. */
+static void measure(int terms, int form, const vti_bonds *bonds, const vti_bodies *bodies, int64_t first, int64_t last,
+                    double *rows)
+{
+    struct bond_state state;
+    struct bond_measures of;
+    struct last few;
+    memset(&state, 0, sizeof state); /* terms that are absent are not gathered */
+    for (; first < last; first += WIDTH) {
+        const int64_t left = last - first;
+        const vti_bonds block = left >= WIDTH ? from(bonds, first) : from_last(bonds, first, last, &few);
+        gather_places(terms | TERM_AXIAL, ANY, &block, bodies, &state);
+        gather_stiffness(terms, &block, &state);
+        bond_measure(terms, form, &state, &of);
+        for (int l = 0; l < WIDTH && l < left; ++l)
+            for (int c = 0; c < VTI_BOND_MEASURES; ++c)
+                *rows++ = lanes_get(of.of[c], l);
+    }
 }
 
 /* ---- sum --------------------------------------------------------------------------------------------------------- */
@@ -342,4 +378,5 @@ const struct bond_kernels BOND_KERNELS = {{{PICK(none), PICK(moment), PICK(axial
                                            PICK_SHEAR(objective),
                                            PICK_SHEAR(quartic),
                                            PICK_SHEAR(printed)},
-                                          {{sum_packed, sum_any}, {sum_packed_sliced, sum_any_sliced}}};
+                                          {{sum_packed, sum_any}, {sum_packed_sliced, sum_any_sliced}},
+                                          measure};

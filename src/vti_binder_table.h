@@ -23,6 +23,9 @@ struct bond_kernels {
     /** Adds rows to their bodies in the order of the bonds; [only those of the slice][layout is ANY] */
     void (*sum[2][2])(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
                       const double *rows);
+    /** What the bonds first <= k < last hold, VTI_BOND_MEASURES numbers each. */
+    void (*measure)(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
+                    double *rows);
 };
 
 /** The same bits from each. */

@@ -61,7 +61,7 @@ static inline int64_t lacking(int64_t needs, const vti_bodies *b)
 static inline int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *quantity)
 {
     *quantity = VTI_QUANTITY_NONE;
-    if (e->apply == NULL && e->flow == NULL)
+    if (e->apply == NULL && e->flow == NULL && e->rupture == NULL)
         return VTI_E_NULL;
     if (e->needs != 0)
         *quantity = lacking(e->needs, b);

@@ -38,7 +38,7 @@ int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t
     for (int64_t k = 0; k <= method->stages; ++k)
         backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;
     for (int64_t e = 0; e < n; ++e) {
-        if (effects[e].apply == NULL && effects[e].flow == NULL)
+        if (effects[e].apply == NULL && effects[e].flow == NULL && effects[e].rupture == NULL)
             return VTI_E_NULL;
         dissipates |= effects[e].dissipates != 0 || effects[e].rupture != NULL;
     }

@@ -26,6 +26,11 @@ struct bond_loads {
     lanes energy[TERMS];
 };
 
+/** What a bond holds, in the order of vti_bond_measure. */
+struct bond_measures {
+    lanes of[VTI_BOND_MEASURES];
+};
+
 /** c[0] + c[1] y + c[2] y^2 + c[3] y^3 */
 VTI_INLINE lanes cubic(const double c[4], lanes y, lanes y2)
 {
@@ -176,6 +181,39 @@ VTI_INLINE void bond_evaluate(int terms, int form, const struct bond_state *b, s
         objective_shear(form, b, inv_r, n, &along, out);
     for (int k = 0; k < 3; ++k)
         out->force[k] += along * n[k];
+}
+
+/** What the bond holds (EQUATIONS 6.7), each by the loads of its term alone:
+ *      N = (K^a/L0)(r/L0 - 1),  V = (K^s/r)|P mh|,  M_b = K|P theta|,  M_t = K|theta.n|,  U,  r/L0 - 1.
+ *  Positions are there, whatever the terms. */
+VTI_INLINE void bond_measure(int terms, int form, const struct bond_state *b, struct bond_measures *out)
+{
+    const lanes zero = lanes_of(0.0), r = lanes_sqrt(lanes_dot(b->d, b->d));
+    const lanes inv_r = lanes_where(r > VTI_COINCIDENT, 1.0 / r, zero);
+    const lanes n[3] = {b->d[0] * inv_r, b->d[1] * inv_r, b->d[2] * inv_r};
+    struct bond_loads loads;
+    lanes pull = zero, along = zero, across[3];
+    for (int k = 0; k < 3; ++k)
+        loads.force[k] = loads.moment_i[k] = loads.moment_j[k] = loads.energy[k] = zero;
+    if (terms & TERM_MOMENT)
+        moment_term(b, &loads);
+    const lanes twist = lanes_dot(loads.moment_i, n);
+    for (int k = 0; k < 3; ++k)
+        across[k] = loads.moment_i[k] - twist * n[k];
+    out->of[VTI_BOND_BENDING] = lanes_sqrt(lanes_dot(across, across));
+    out->of[VTI_BOND_TORSION] = lanes_abs(twist);
+    if (terms & TERM_AXIAL)
+        axial_term(b, r, &pull, &loads);
+    if (terms & TERM_SHEAR && form == VTI_SHEAR_PRINTED)
+        printed_shear(b, inv_r, n, &along, &loads);
+    else if (terms & TERM_SHEAR)
+        objective_shear(form, b, inv_r, n, &along, &loads);
+    for (int k = 0; k < 3; ++k)
+        across[k] = loads.force[k] + along * n[k];
+    out->of[VTI_BOND_NORMAL] = zero - pull;
+    out->of[VTI_BOND_ACROSS] = lanes_sqrt(lanes_dot(across, across));
+    out->of[VTI_BOND_ENERGY] = (loads.energy[0] + loads.energy[1]) + loads.energy[2];
+    out->of[VTI_BOND_STRETCH] = (r - b->length) / b->length;
 }
 
 #endif

@@ -279,13 +279,14 @@ contains
         type(vti_drag), pointer :: no_drag
         type(vti_dashpots), pointer :: no_dashpots
         type(vti_bond_dashpots), pointer :: no_bond_dashpots
+        type(vti_rupture), pointer :: no_rupture
         type(vti_friction), pointer :: no_friction
         type(vti_pendulum), pointer :: no_pendulum
         type(vti_bonds), target :: other_bonds
         type(vti_contacts), target :: other_contacts
         type(vti_walls), target :: other_walls
         nullify (no_bonds, no_contacts, no_walls, no_gravity, no_drag, no_dashpots, no_friction, no_bond_dashpots, &
-            no_pendulum)
+            no_rupture, no_pendulum)
         call no_effect(vti_bonds_effect(no_bonds), 'no bonds')
         call no_effect(vti_contacts_effect(no_contacts), 'no contacts')
         call no_effect(vti_walls_effect(no_walls), 'no walls')
@@ -295,6 +296,7 @@ contains
         call expect(abs(vti_dashpots_zeta(exp(-2.0_c_double), 0_c_int64_t) - 1) < 1e-7_c_double, 'zeta of exp(-2)')
         call no_effect(vti_friction_effect(no_friction), 'no friction')
         call no_effect(vti_bond_dashpots_effect(no_bond_dashpots), 'no dashpots of bonds')
+        call no_effect(vti_rupture_effect(no_rupture), 'no rupture')
         call no_effect(vti_pendulum_effect(no_pendulum), 'no pendulum')
         other_bonds = vti_bonds_between(wrong_pair, rest)
         call no_effect(vti_bonds_effect(other_bonds), 'bonds of the wrong shape')

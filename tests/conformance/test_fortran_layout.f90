@@ -70,6 +70,7 @@ contains
         type(vti_history), target :: history
         type(vti_friction), target :: friction
         type(vti_bond_dashpots), target :: bond_dashpots
+        type(vti_rupture), target :: rupture
         type(vti_dashpots), target :: dashpots
         type(vti_multistep), target :: multistep
         type(vti_past), target :: past
@@ -121,6 +122,9 @@ contains
         call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), &
             c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
             c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost)])
+        call add(c_sizeof(rupture), c_loc(rupture), [c_loc(rupture%bonds), c_loc(rupture%id), c_loc(rupture%stretch), &
+            c_loc(rupture%normal), c_loc(rupture%shear), c_loc(rupture%bending), c_loc(rupture%torsion), &
+            c_loc(rupture%energy), c_loc(rupture%lost)])
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &

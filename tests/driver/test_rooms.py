@@ -17,7 +17,7 @@ from tally import check, conclude
 root, vti_run = map(os.path.abspath, sys.argv[1:])
 listed = [line.split("\t")[0] for line in run(vti_run, "--list", "effects").stdout.splitlines()]
 names = "|".join(listed)
-LIBRARY = "vti_(?:bonds|bond_dashpots|contacts|walls|friction|dashpots|drag|gravity|pendulum)"
+LIBRARY = "vti_(?:bonds|bond_dashpots|rupture|contacts|walls|friction|dashpots|drag|gravity|pendulum)"
 IDENTIFIER = re.compile(rf"\b(?:has_(?:{names})|EFFECT_(?:{names})|effect_(?:{names})|{names}|{LIBRARY}\w*)\b")
 WORD = re.compile(rf"(?:{names})(?:[._](?!yaml)\w+)*")     # "binder", "binder.shear.form", "binder_shear"; not "pendulum.yaml"
 SCENES = ("figures.py", "advice.py", "claims.py", "accuracy.py")

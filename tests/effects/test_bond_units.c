@@ -9,6 +9,7 @@
 
 static crowd c, wide;
 static web w;
+static double held[WEB_MAX][VTI_BOND_MEASURES], held_too[WEB_MAX][VTI_BOND_MEASURES];
 
 /** The quantities of a crowd one body further apart. */
 struct sparse {
@@ -98,6 +99,9 @@ static void agree(const struct bond_kernels *kernels)
         assert_same_bits(wide.force[0], c.force[0], 3 * c.n);
         assert_same_bits(wide.moment[0], c.moment[0], 3 * c.n);
         assert_same_bits(others, energies, 3);
+        vti_binder_baseline.measure(terms, row, &w.bonds, &b, 0, w.bonds.count, held[0]);
+        kernels->measure(terms, row, &w.bonds, &apart, 0, w.bonds.count, held_too[0]);
+        assert_same_bits(held_too[0], held[0], (int)w.bonds.count * VTI_BOND_MEASURES);
         for (int i = 0; i < c.n; ++i)
             for (int k = 0; k < 3; ++k) {
                 assert_same_bits(&apart.force.c[k][i * apart.force.stride], &c.force[i][k], 1);
