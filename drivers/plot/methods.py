@@ -11,8 +11,11 @@ NAMES = {
     "exact": "exact", "suzuki4": "Suzuki 4", "kl6": "Kahan-Li 6", "kl8": "Kahan-Li 8", "chin4": "Chin 4",
     "lammps-richardson": "LAMMPS (Richardson)", "mercury": "MercuryDPM", "yade-exp-verlet": "YADE exp. Verlet",
     "yade-leapfrog": "YADE leapfrog", "omelyan": "Omelyan", "campello": "Campello", "lgvi": "LGVI",
-    "quat-euler": "quaternion Euler", "rk4": "RK4", "rk8pd": "RK8(7) fixed", "rk8pd-adaptive": "RK8(7) adaptive",
-    "spiral": "SPIRAL",
+    "quat-euler": "quaternion Euler", "rk4": "RK4", "rk8pd": "RK8(7) fixed, GSL", "rk8pd-adaptive": "RK8(7) adaptive, GSL",
+    "spiral": "SPIRAL", "gear": "Gear", "pefrl": "PEFRL", "takahashi-imada": "Takahashi-Imada", "pd8": "RK8(7), fused",
+    "dop853": "DOP853", "vern9": "Verner 9", "abm6": "Adams PECE 6", "abm8": "Adams PECE 8", "abm10": "Adams PECE 10",
+    "abm12": "Adams PECE 12", "gbs8": "GBS 8", "gbs12": "GBS 12", "verlet-x8": "Verlet extrapolated 8",
+    "verlet-x12": "Verlet extrapolated 12",
 }
 
 # Verlet's scheme with a quaternion, each as its users have it
@@ -51,6 +54,6 @@ def looks(kinds):
     for key in sorted(kinds):
         turn = taken.setdefault(kinds[key], 0)
         colours = COLOURS[kinds[key]]
-        chosen[key] = Look(colours[turn % len(colours)], MARKERS[turn % len(MARKERS)])
+        chosen[key] = Look(colours[turn % len(colours)], MARKERS[(turn + 5 * (turn // len(colours))) % len(MARKERS)])
         taken[kinds[key]] += 1
     return chosen

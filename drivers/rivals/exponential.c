@@ -19,30 +19,10 @@
 #include "quaternion.h"
 #include "verlet.h"
 
-/** r = exp(u/2) q */
-VTI_INLINE int turned(const double u[3], const double q[4], double r[4])
-{
-    const double s = sqrt(vti_dot(u, u));
-    if (s == 0.0)
-        return 0;
-    double sine, c;
-    vti_sin_cos(0.5 * s, &sine, &c);
-    const double k = sine / s, v[3] = {k * u[0], k * u[1], k * u[2]};
-    quat_turned(c, v, q, r);
-    return 1;
-}
-
-VTI_INLINE void turn_and_normalise(const double u[3], double q[4])
-{
-    double r[4];
-    if (turned(u, q, r))
-        quat_unit_of(r, q);
-}
-
 VTI_INLINE void turn(const double u[3], double q[4])
 {
     double r[4];
-    if (!turned(u, q, r))
+    if (!quat_turned_exactly(u, q, r))
         return;
     for (int k = 0; k < 4; ++k)
         q[k] = r[k];
@@ -50,12 +30,12 @@ VTI_INLINE void turn(const double u[3], double q[4])
 
 static int exp_verlet(struct course *c, int64_t steps)
 {
-    return rival_verlet(c, steps, turn_and_normalise);
+    return rival_verlet(c, steps, quat_turn_exactly);
 }
 
 static int leapfrog(struct course *c, int64_t steps)
 {
-    return rival_leapfrog(c, steps, turn_and_normalise);
+    return rival_leapfrog(c, steps, quat_turn_exactly);
 }
 
 static int spiral(struct course *c, int64_t steps)

@@ -34,4 +34,25 @@ VTI_INLINE void quat_turn_normalised(const double u[3], double q[4])
     quat_unit_of(r, q);
 }
 
+/** r = exp(u/2) q, u = h Omega; 0, and r left alone, if that is no turn. */
+VTI_INLINE int quat_turned_exactly(const double u[3], const double q[4], double r[4])
+{
+    const double s = sqrt(vti_dot(u, u));
+    if (s == 0.0)
+        return 0;
+    double sine, c;
+    vti_sin_cos(0.5 * s, &sine, &c);
+    const double k = sine / s, v[3] = {k * u[0], k * u[1], k * u[2]};
+    quat_turned(c, v, q, r);
+    return 1;
+}
+
+/** q <- normalise(exp(u/2) q), u = h Omega: turns by |u|. */
+VTI_INLINE void quat_turn_exactly(const double u[3], double q[4])
+{
+    double r[4];
+    if (quat_turned_exactly(u, q, r))
+        quat_unit_of(r, q);
+}
+
 #endif

@@ -25,6 +25,16 @@ int64_t rates_width(const struct course *c)
     return places_of(c).end;
 }
 
+int64_t rates_room(const struct course *c)
+{
+    return (rates_width(c) + 7) / 8 * 8;
+}
+
+int64_t rates_velocities(const struct course *c)
+{
+    return places_of(c).v;
+}
+
 static void copy(double *to, const double *from, int64_t n)
 {
     memcpy(to, from, (size_t)n * sizeof *to);
@@ -62,6 +72,20 @@ void rates_look_at(struct course *c, const double *state)
         for (int k = 0; k < 4; ++k)
             c->bodies.quat.xyzw[k] = s + p.q + k;
         point(&c->bodies.omega, s + p.w);
+    }
+}
+
+void rates_live_in(struct course *c, double *state)
+{
+    const struct places p = places_of(c);
+    rates_look_at(c, state);
+    if (c->x != NULL) {
+        c->x = state;
+        c->v = state + p.v;
+    }
+    if (c->q != NULL) {
+        c->q = state + p.q;
+        c->w = state + p.w;
     }
 }
 

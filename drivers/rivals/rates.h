@@ -12,15 +12,21 @@
 
 #include "rivals.h"
 
-/** Doubles per body of a state, at most. */
-enum { RATES_WIDTH = 13 };
+/** Doubles per body of a state, at most; and of one in the room of rates_room. */
+enum { RATES_WIDTH = 13, RATES_ROOM = 16 };
 
 /** Doubles of a state. */
 int64_t rates_width(const struct course *course);
+/** The same rounded up to whole blocks of eight, for sums over states. */
+int64_t rates_room(const struct course *course);
+/** Where the velocities begin; 0 if nothing translates. */
+int64_t rates_velocities(const struct course *course);
 /** The course's bodies as a state. */
 void rates_start(const struct course *course, double *state);
 /** Makes the course's bodies views of the state. */
 void rates_look_at(struct course *course, const double *state);
+/** The same, and what the course moves is the state. */
+void rates_live_in(struct course *course, double *state);
 /** The derivative of a state. One force evaluation; returns its status. */
 int rates(struct course *course, const double *state, double *rate);
 /** Normalises the quaternions of a state. */

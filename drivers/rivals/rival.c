@@ -7,13 +7,17 @@
 #include "rivals.h"
 
 static const struct rival *const rivals[] = {
-    &rival_quat_euler, &rival_campello, &rival_lammps, &rival_mercury, &rival_yade_exp_verlet, &rival_yade_leapfrog,
-    &rival_spiral,     &rival_omelyan,  &rival_lgvi,   &rival_rk4,     &rival_rk8pd,           &rival_rk8pd_adaptive,
+    &rival_quat_euler,    &rival_campello,        &rival_lammps,  &rival_mercury, &rival_yade_exp_verlet,
+    &rival_yade_leapfrog, &rival_spiral,          &rival_omelyan, &rival_lgvi,    &rival_gear,
+    &rival_pefrl,         &rival_takahashi_imada, &rival_rk4,     &rival_rk8pd,   &rival_rk8pd_adaptive,
+    &rival_pd8,           &rival_dop853,          &rival_vern9,   &rival_abm6,    &rival_abm8,
+    &rival_abm10,         &rival_abm12,           &rival_gbs8,    &rival_gbs12,   &rival_verlet_x8,
+    &rival_verlet_x12,
 };
 
 enum { RIVALS = sizeof rivals / sizeof rivals[0] };
 
-static const struct rival *const unlisted[] = {&rival_campello_0, &rival_campello_1};
+static const struct rival *const unlisted[] = {&rival_campello_0, &rival_campello_1, &rival_abm4};
 
 enum { UNLISTED = sizeof unlisted / sizeof unlisted[0] };
 

@@ -21,6 +21,7 @@ struct course;
 struct rival {
     vti_stepper stepper; /* what it is listed and named as: it has no coefficients, and the core refuses it */
     double phi;          /* Campello's: the share of a kick that is by the forces at the step's start */
+    const void *table;   /* what the engine of a family goes by; NULL where a rival is alone */
     int64_t own_width;   /* doubles per body of its own, besides the quaternion */
     /** What it needs before the first step, forces excepted; NULL if nothing. Returns 0, or -1 if there is no memory
      *  or, with a line in *message, for another reason. */

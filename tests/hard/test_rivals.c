@@ -10,11 +10,18 @@ enum { SAMPLES = 10000 };
 
 static struct journey j;
 
-/** The next method with steps of its own choice left out: h says little about it. */
+/** Steps of its own choice, about which h says little, and rivals of high order: rk8pd stands for these. */
+static int is_left_out(const vti_stepper *method)
+{
+    const int is_adaptive = strcmp(method->name, "rk8pd-adaptive") == 0, is_rk8pd = strcmp(method->name, "rk8pd") == 0;
+    return is_adaptive || (method_rival(method) != NULL && method->order > 4 && !is_rk8pd);
+}
+
+/** The next method. */
 static const vti_stepper *method_of_steps(int64_t *k)
 {
     const vti_stepper *method = method_at((*k)++);
-    if (method != NULL && strcmp(method->name, "rk8pd-adaptive") == 0)
+    while (method != NULL && is_left_out(method))
         method = method_at((*k)++);
     return method;
 }

@@ -70,6 +70,24 @@ TEST(force_evals)
     assert_int_equal(evals_of("chin4", "chain", 1.0 / 64, 20), 1 + 3 * 20);
     assert_int_equal(evals_of("rk4", "chain", 1.0 / 512, 20), 80);
     assert_int_equal(evals_of("rk8pd", "chain", 1.0 / 64, 20), 260);
+    static const struct {
+        const char *name;
+        int64_t evals;
+    } others[] = {{"pd8", 13 * 20},
+                  {"dop853", 12 * 20},
+                  {"vern9", 15 * 20},
+                  {"gbs8", 17 * 20},
+                  {"gbs12", 37 * 20},
+                  {"verlet-x8", 10 * 20},
+                  {"verlet-x12", 21 * 20},
+                  {"pefrl", 4 * 20},
+                  {"takahashi-imada", 3 + 2 * 20 + 3},
+                  /* K - 1 steps of DOP853, the slope after them, and two or one in each further step */
+                  {"abm4", 2 * 12 + 1 + 2 * 18},
+                  {"abm12", 10 * 12 + 1 + 2 * 10},
+                  {"gear", 3 * 12 + 1 + 17}};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
+        assert_int_equal(evals_of(others[i].name, "chain", 1.0 / 512, 20), others[i].evals);
     /* no loads: the first iteration settles it; the pendulum's contract by (h omega)^2/2 = 2^-13 or so each */
     assert_int_equal(evals_of("campello", "spin", 1.0 / 64, 20), 21);
     const int64_t iterated = evals_of("campello", "pendulum", 1.0 / 64, 20);
@@ -310,7 +328,8 @@ TEST(free_flight)
         go(&j, 80);
         const vti_bodies b = travel_bodies(&j.travel);
         assert_null(b.omega.c[0]);
-        assert_close(b.x.c[0][0], x + 10.0 * v, 1e-13);
+        /* the weights of old slopes and of extrapolated results are large, and so is what is rounded */
+        assert_close(b.x.c[0][0], x + 10.0 * v, method_at(i)->order < 5 ? 1e-13 : 1e-12);
         assert_close(b.v.c[0][0], v, 0.0);
         end(&j);
     }
@@ -323,7 +342,7 @@ TEST(contacts)
         struct scene scene;
         struct journey j;
         read_scene("pile", &scene);
-        begin(&j, &scene, method_at(i), 1.0 / 2048);
+        begin(&j, &scene, method_at(i), strcmp(method_at(i)->name, "abm12") == 0 ? 1.0 / 4096 : 1.0 / 2048);
         const double before = model_energy(&j.model, &j.model.bodies);
         go(&j, 1000);
         const vti_bodies b = travel_bodies(&j.travel);

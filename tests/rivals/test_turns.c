@@ -74,6 +74,8 @@ TEST(free_spin)
         {"lgvi", asin_law},
         {"lammps-richardson", richardson_law},
         {"rk4", rk4_law},
+        {"pefrl", exact_law},
+        {"takahashi-imada", exact_law},
     };
     static const double h[] = {1e-6, 1.0 / 64, 0.3, 0.9}; /* |Omega| = 1 */
     for (size_t i = 0; i < sizeof laws / sizeof laws[0]; ++i)
@@ -82,6 +84,9 @@ TEST(free_spin)
     /* their own error: the first term that a series of order 8 lacks, and the tolerance 1e-7 h^8 of every step */
     assert_angle("rk8pd", 0.3, 0.3, pow(0.15, 9) / 362880.0 + 4.0 * EPS);
     assert_angle("rk8pd-adaptive", 0.3, 0.3, 1e-7 * pow(0.3, 8));
+    /* what is extrapolated is exact, and its rounding is multiplied by the weights: their sizes add up to 24 */
+    assert_angle("verlet-x8", 0.3, 0.3, 24.0 * EPS);
+    assert_angle("verlet-x12", 0.3, 0.3, 24.0 * EPS);
 }
 
 /** The law of lgvi ends at h|Omega| = 1, that of the others does not. */
