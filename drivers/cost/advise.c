@@ -151,17 +151,16 @@ static int look_at(struct search *s)
     return failed;
 }
 
-/** Orders of 6 and 8 first: they set the limit for the others. Rivals come last, and set none. */
+/** The highest orders first: they set the limit for the others. Rivals come last, and set none. */
 static void list_offers(struct advice *a, const vti_stepper *const *steppers, int64_t count)
 {
-    enum { HIGHEST = 8 };
-    const int64_t known = count > 0 ? count : vti_stepper_count();
+    enum { HIGHEST = 16 };
+    const int64_t known = count > 0 ? count : method_count();
     for (int rival = 0; rival <= 1; ++rival)
         for (int64_t order = HIGHEST; order > 0; --order)
             for (int64_t k = 0; k < known && a->count < ADVICE_MOST; ++k) {
-                const vti_stepper *stepper = count > 0 ? steppers[k] : vti_stepper_at(k);
-                if (stepper->order == order && stepper->frame == VTI_FRAME_SPACE &&
-                    (method_rival(stepper) != NULL) == rival)
+                const vti_stepper *stepper = count > 0 ? steppers[k] : method_at(k);
+                if (stepper->order == order && (method_rival(stepper) != NULL) == rival && (count > 0 || !rival))
                     a->offers[a->count++].stepper = stepper;
             }
 }

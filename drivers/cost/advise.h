@@ -54,7 +54,7 @@ struct advice {
 };
 
 /** Works out the advice by pilot runs over the whole time, coarse ones where they suffice. Steppers are those of the
- *  list, or all of the core for count 0. Rivals in it are measured too, and are never the advice. say (may be NULL)
+ *  list, or all of ours for count 0. Rivals in it are measured too, and are never the advice. say (may be NULL)
  *  hears of every run. Returns 0, or -1 with one line in *message, so too if no run comes near enough to the others
  *  to tell its error, or would take more than budget seconds for that. */
 int advise(const struct scene *scene, double target, double t_end, double budget, const vti_stepper *const *steppers,

@@ -41,6 +41,9 @@ int64_t rival_count(void);
 const struct rival *rival_at(int64_t i);
 /** Members of a family that are found by name and not listed; NULL after the last. */
 const struct rival *rival_unlisted(int64_t i);
+/** No rivals, but the library's own multistep methods, which go their way as rivals do; NULL outside 0 <= i <
+ *  vti_multistep_count(). The first call for an i is not for two threads. */
+const struct rival *multistep_at(int64_t i);
 
 /** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
  *  the model does not have are NULL. x, v, w, f and m are the model's own memory. */

@@ -11,7 +11,7 @@ enum { RIVAL_E_DIVERGES = -2000 };
 extern const struct rival rival_quat_euler, rival_mercury;                              /* normalised.c */
 extern const struct rival rival_lammps;                                                 /* richardson.c */
 extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral;     /* exponential.c */
-extern const struct rival rival_omelyan;                                                /* omelyan.c */
+extern const struct rival rival_omelyan;                                                /* normalised.c */
 extern const struct rival rival_campello, rival_campello_0, rival_campello_1;           /* campello.c */
 extern const struct rival rival_lgvi;                                                   /* lgvi.c */
 extern const struct rival rival_rk4, rival_pd8, rival_dop853, rival_vern9;              /* runge_kutta.c */

@@ -20,6 +20,8 @@ static void collect(void)
     for (int64_t i = 0; i < vti_stepper_count() && methods_count < METHODS_MAX; ++i)
         if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE)
             methods[methods_count++] = vti_stepper_at(i);
+    for (int64_t i = 0; multistep_at(i) != NULL && methods_count < METHODS_MAX; ++i)
+        methods[methods_count++] = &multistep_at(i)->stepper;
     for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
         methods[methods_count++] = &rival_at(i)->stepper;
     methods_all = methods_count;
@@ -27,14 +29,17 @@ static void collect(void)
         methods[methods_all++] = &rival_unlisted(i)->stepper;
 }
 
-static const vti_stepper *rival_stepper_at(int64_t i)
+/** What scenes may name beside the steppers of the core. */
+static const vti_stepper *admitted_at(int64_t i)
 {
-    return rival_at(i) != NULL ? &rival_at(i)->stepper : NULL;
+    const int64_t ours = vti_multistep_count();
+    const struct rival *way = i < ours ? multistep_at(i) : rival_at(i - ours);
+    return way != NULL ? &way->stepper : NULL;
 }
 
 void method_admit(void)
 {
-    scene_stepper_admit(rival_stepper_at);
+    scene_stepper_admit(admitted_at);
 }
 
 int64_t method_count(void)
@@ -68,6 +73,15 @@ const struct rival *method_rival(const vti_stepper *stepper)
         if (stepper == &rival_unlisted(i)->stepper)
             return rival_unlisted(i);
     return NULL;
+}
+
+/** What takes a model along where that is no list of kicks and drifts; else NULL. */
+static const struct rival *way_of(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; multistep_at(i) != NULL; ++i)
+        if (stepper == &multistep_at(i)->stepper)
+            return multistep_at(i);
+    return method_rival(stepper);
 }
 
 const char *method_kind(const vti_stepper *stepper)
@@ -119,33 +133,36 @@ int methods_width(const vti_stepper *const *list, int64_t n)
 
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
 
-/** Only steppers of ours flow and carry, and of those only the ones that never step back. */
-static int check_dissipation(const vti_stepper *stepper, const struct rival *rival, const struct model *model,
+/** Only lists of kicks and drifts flow and carry, and of those only the ones that never step back. */
+static int check_dissipation(const vti_stepper *stepper, const struct rival *way, const struct model *model,
                              struct message *message)
 {
     const vti_effect *e = model_dissipates(model);
-    if (e == NULL || (rival == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
+    if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
+    const char *const why = way == NULL ? "it has negative coefficients"
+                            : method_rival(stepper) != NULL
+                                ? "rivals have forces alone"
+                                : "a multistep method takes smooth forces of positions alone";
     return message_set(message,
                        "%s: %s dissipates, which the stepper %s cannot do: %s; take vti2, vti1, exact or chin4",
-                       model->scene->name, e->name, stepper->name,
-                       rival != NULL ? "rivals have forces alone" : "it has negative coefficients");
+                       model->scene->name, e->name, stepper->name, why);
 }
 
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message)
 {
-    const struct rival *rival = method_rival(stepper);
+    const struct rival *way = way_of(stepper);
     memset(travel, 0, sizeof *travel);
     travel->stepper = stepper;
     travel->model = model;
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
-    if (check_dissipation(stepper, rival, model, message) != 0)
+    if (check_dissipation(stepper, way, model, message) != 0)
         return -1;
-    if (rival != NULL) {
-        travel->course = course_create(rival, model, h, message);
+    if (way != NULL) {
+        travel->course = course_create(way, model, h, message);
         if (travel->course == NULL)
             return -1;
     }

@@ -13,14 +13,14 @@ struct course; /* rival.h */
 /** Lets scenes name rivals as their stepper. To be called before the first scene is read. */
 void method_admit(void);
 
-/** Every stepper of the core whose angular velocity is spatial, then every rival. Not to be called first by two
- *  threads. */
+/** Every stepper of the core whose angular velocity is spatial, its multistep methods, then every rival. Not to be
+ *  called first by two threads. */
 int64_t method_count(void);
 /** NULL outside 0 <= i < method_count(). */
 const vti_stepper *method_at(int64_t i);
 /** Also those that are not listed. NULL if there is none. */
 const vti_stepper *method_find(const char *name);
-/** NULL for a stepper of the core. */
+/** NULL for a method of the core. */
 const struct rival *method_rival(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */
 const char *method_kind(const vti_stepper *stepper);
@@ -39,9 +39,9 @@ struct travel {
     struct model *model;
     double h;
     int64_t steps;         /* taken so far */
-    struct course *course; /* of a rival, else NULL */
+    struct course *course; /* of a rival or a multistep method, else NULL */
     double *copies;        /* of velocities, for steppers that lag; else NULL */
-    vti_bodies seen[2];    /* of a rival: what observers are shown, in time and raw; sealed */
+    vti_bodies seen[2];    /* of a course: what observers are shown, in time and raw; sealed */
 };
 
 /** Prepares *stepper to take *model, at t = 0, by steps of h. The model must outlive the travel and be left alone by
@@ -50,7 +50,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
                   struct message *message);
 
 /** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0. Of
- *  a rival observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such
+ *  a course observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such
  *  as: step too large), after which there is nothing left to do but travel_destroy. */
 int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
                 struct message *message);
@@ -61,11 +61,11 @@ int travel_go(struct travel *travel, int64_t steps, struct message *message);
  *  lagging stepper are brought there on copies. The views hold until the next travel_go. */
 vti_bodies travel_bodies(struct travel *travel);
 
-/** What a rival keeps beside the model's bodies, *count doubles that belong into a checkpoint and are put back from it;
- *  NULL and 0 for a stepper of the core. */
+/** What a course keeps beside the model's bodies, *count doubles that belong into a checkpoint and are put back from it;
+ *  NULL and 0 for a list of kicks and drifts. */
 double *travel_state(struct travel *travel, int64_t *count);
 /** After the model's bodies, as a raw observer saw them, and travel_state are what they were after so many steps: a
- *  fresh travel goes on from there with the same bits. Force evaluations of a rival are counted anew. */
+ *  fresh travel goes on from there with the same bits. Force evaluations of a course are counted anew. */
 void travel_resume(struct travel *travel, int64_t steps);
 
 /** Force evaluations of a run to here without a stop, the first at t = 0 included: what a stop costs (a stepper

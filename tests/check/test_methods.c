@@ -36,7 +36,16 @@ static const struct known *known_of(const char *name)
 static int is_judged(const vti_stepper *m)
 {
     return strncmp(m->name, "abm", 3) != 0 && strcmp(m->name, "gear") != 0 && strcmp(m->name, "pd8") != 0 &&
-           m->order <= 8;
+           (m->order <= 8 || vti_multistep_find(m->name) != NULL);
+}
+
+/** One whose steps are stable for less than the kit's h omega = 0.2 fails there, and nowhere else. */
+static int fails_by_reach(const vti_check_report *report, int faults)
+{
+    int elsewhere = 0;
+    for (int k = 0; k < report->lines; ++k)
+        elsewhere += report->line[k].verdict == VTI_CHECK_FAIL && strstr(report->line[k].name, "h omega =") == NULL;
+    return faults == 1 && elsewhere == 0 && strstr(report->word[0].text, "frequency at h omega = 0.2") != NULL;
 }
 
 /** sentences: of those of order 1, the second is about rotation. */
@@ -51,6 +60,8 @@ static int wrongly_judged(const vti_stepper *m, int sentences)
         good = strcmp(report.word[k].text, known->sentence[k]) == 0;
     for (int k = 0; k < report.lines && known == NULL; ++k)
         good = good && report.line[k].verdict != VTI_CHECK_FAIL;
+    if (m->reach < 0.2)
+        good = fails_by_reach(&report, faults);
     if (!good) {
         print_error("%s is judged wrongly\n", m->name);
         vti_check_print(&report, stderr);

@@ -14,7 +14,8 @@ from programs import run
 from tally import check, conclude
 
 KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "stable_h", "h_max_omega", "alternatives"]
-STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4"]
+STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4",
+            "an4", "an6", "an8", "an9"]
 
 advise, study, mpirun, scenes = sys.argv[1:5]
 

@@ -76,7 +76,8 @@ def refusals(base):
     check(remembers.returncode == 1 and "--fields: the forces of friction depend on what was before" in remembers.stderr,
           f"--fields: {remembers.stderr.strip()}")
     path = f"{base}/fall.yaml"
-    for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone")):
+    for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone"),
+                          ("an6", "smooth forces of positions alone")):
         result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/none.h5")
         check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and word in result.stderr
               and "drag dissipates" in result.stderr and "take vti2" in result.stderr and not os.path.exists(f"{base}/none.h5"),

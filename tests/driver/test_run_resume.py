@@ -243,6 +243,7 @@ def continued(base):
     even = ["--h", "1e-3"]  # rows and frames every 0.005 and 0.05 for any of these ends
     cases = [("torus", "vti2", ["--record", "7", "--frames", "32"], ("0.1", "0.25", "0.4")),
              ("pendulum", "vti3-leapfrog", even, ("4", "4.5", "5")), ("pendulum", "srkn6", [], ("1/4", "1", "2")),
+             ("torus", "an4", ["--record", "7", "--frames", "32"], ("0.002", "0.1", "0.25")),  # from within its start
              ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2"))]
     for number, (name, stepper, options, ends) in enumerate(cases):
         arguments = [name + ".yaml" if name.startswith(base) else scene(name), "--stepper", stepper, *options]

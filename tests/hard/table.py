@@ -55,7 +55,8 @@ NOTES = {
                "what lies between may be called either.",
     "rivals": "What `drivers/rivals` holds beside this library's steppers, in the cases that all of them can be put to. "
               "h = 0.9 and 1.1 of 2/omega is the limit of velocity Verlet, the same for all. Methods that choose their steps "
-              "themselves are left out.",
+              "themselves are left out. Multistep methods (an4, an6, an8, an9) begin with steps of srkn11 or kl8, which a single "
+              "step therefore is, and are stable up to shorter steps than these.",
 }
 
 HEAD = """# What happens in hard cases

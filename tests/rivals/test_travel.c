@@ -13,18 +13,23 @@ TEST(list)
     method_admit();
     for (int64_t i = 0; i < vti_stepper_count(); ++i)
         spatial += vti_stepper_at(i)->frame == VTI_FRAME_SPACE;
-    assert_int_equal(method_count(), spatial + rival_count());
+    assert_int_equal(method_count(), spatial + vti_multistep_count() + rival_count());
     assert_null(method_at(-1));
     assert_null(method_at(method_count()));
     assert_null(rival_at(-1));
     assert_null(rival_at(rival_count()));
+    assert_null(multistep_at(-1));
+    assert_null(multistep_at(vti_multistep_count()));
     assert_null(method_find("nobody"));
     assert_null(method_find(NULL));
     assert_null(method_find("vti1-body"));
     for (int64_t i = 0; i < method_count(); ++i) {
         const vti_stepper *m = method_at(i);
         assert_ptr_equal(method_find(m->name), m); /* no two of one name */
-        assert_int_equal(vti_stepper_find(m->name) == NULL, method_rival(m) != NULL);
+        const vti_multistep *multistep = vti_multistep_find(m->name);
+        assert_int_equal((vti_stepper_find(m->name) != NULL) + (multistep != NULL) + (method_rival(m) != NULL), 1);
+        if (multistep != NULL)
+            assert_int_equal(m->order, multistep->depth + 1);
         assert_ptr_equal(scene_stepper_find(m->name), m); /* and scenes may name it */
         assert_true(strlen(m->about) > 0 && strchr(m->about, '\n') == NULL);
         assert_true(m->order > 0);
@@ -40,6 +45,7 @@ TEST(list)
     }
     assert_null(rival_unlisted(-1));
     assert_string_equal(method_kind(method_of("exact")), "ours");
+    assert_string_equal(method_kind(method_of("an6")), "ours");
     assert_string_equal(method_kind(method_of("vti3-leapfrog")), "paper");
     assert_string_equal(method_kind(method_of("mercury")), "rival");
 }
@@ -68,6 +74,12 @@ TEST(force_evals)
         assert_int_equal(evals_of(once[i], "chain", 1.0 / 512, 20), 21);
     assert_int_equal(evals_of("srkn11", "chain", 1.0 / 64, 20), 1 + 11 * 20);
     assert_int_equal(evals_of("chin4", "chain", 1.0 / 64, 20), 1 + 3 * 20);
+    /* the start's: K - 1 steps of eleven, or of four times seventeen */
+    assert_int_equal(evals_of("an4", "chain", 1.0 / 64, 20), 1 + 3 * 11 + 17);
+    assert_int_equal(evals_of("an6", "chain", 1.0 / 64, 20), 1 + 5 * 11 + 15);
+    assert_int_equal(evals_of("an8", "chain", 1.0 / 64, 20), 1 + 7 * 11 + 13);
+    assert_int_equal(evals_of("an9", "chain", 1.0 / 64, 20), 1 + 8 * 4 * 17 + 12);
+    assert_int_equal(evals_of("an6", "chain", 1.0 / 64, 3), 1 + 3 * 11);
     assert_int_equal(evals_of("rk4", "chain", 1.0 / 512, 20), 80);
     assert_int_equal(evals_of("rk8pd", "chain", 1.0 / 64, 20), 260);
     static const struct {
@@ -200,13 +212,20 @@ TEST(looking)
     }
 }
 
+/** When to keep the bodies, and where. */
+struct keeper {
+    int64_t step;
+    double *bodies;
+};
+
 /** x, v, alpha and omega as kept, as a checkpoint has them. */
 static int keep(void *self, int64_t step, double t, const vti_bodies *b)
 {
     const vti_view *const views[] = {&b->x, &b->v, &b->alpha, &b->omega};
-    double *p = self;
+    const struct keeper *keeper = self;
+    double *p = keeper->bodies;
     (void)t;
-    for (int v = 0; v < 4 && step == 25; ++v)
+    for (int v = 0; v < 4 && step == keeper->step; ++v)
         for (int64_t i = 0; views[v]->c[0] != NULL && i < b->count; ++i)
             for (int k = 0; k < 3; ++k)
                 *p++ = views[v]->c[k][i * views[v]->stride];
@@ -222,8 +241,8 @@ static void put(const double *p, const vti_bodies *b)
                 views[v]->c[k][i * views[v]->stride] = *p++;
 }
 
-/** From a checkpoint at step 25 a fresh travel ends with the bits of one that was not interrupted. */
-static void assert_resumes(const vti_stepper *method, const char *where, double h)
+/** From a checkpoint at that step a fresh travel ends with the bits of one that was not interrupted. */
+static void assert_resumes(const vti_stepper *method, const char *where, double h, int64_t at)
 {
     struct scene scene;
     struct journey whole, first, second;
@@ -235,20 +254,21 @@ static void assert_resumes(const vti_stepper *method, const char *where, double 
     go(&whole, 60);
     const size_t n = (size_t)(12 * first.model.bodies.count);
     double *bodies = calloc(n, sizeof *bodies);
-    const struct observer observer = {keep, bodies, 1, 1};
+    struct keeper keeper = {at, bodies};
+    const struct observer observer = {keep, &keeper, 1, 1};
     assert_int_equal(travel_show(&first.travel, 30, &observer, 1, &first.message), 0);
     end(&first);
     begin(&first, &scene, method, h);
-    go(&first, 25);
+    go(&first, at);
     const double *state = travel_state(&first.travel, &count);
     double *mine = travel_state(&second.travel, &again);
     assert_int_equal(count, again);
-    assert_true((count == 0) == (method_rival(method) == NULL));
+    assert_true((count == 0) == (vti_stepper_find(method->name) != NULL));
     if (count > 0)
         memcpy(mine, state, (size_t)count * sizeof *mine);
     put(bodies, &second.model.bodies);
-    travel_resume(&second.travel, 25);
-    go(&second, 35);
+    travel_resume(&second.travel, at);
+    go(&second, 60 - at);
     assert_same_bodies(&whole, &second);
     free(bodies);
     end(&whole);
@@ -259,9 +279,10 @@ static void assert_resumes(const vti_stepper *method, const char *where, double 
 TEST(resumed)
 {
     for (int64_t i = 0; i < method_count(); ++i) {
-        assert_resumes(method_at(i), "pendulum", 1.0 / 16);
-        assert_resumes(method_at(i), "chain", 1.0 / 512);
-        assert_resumes(method_at(i), "pile", 1.0 / 2048);
+        assert_resumes(method_at(i), "pendulum", 1.0 / 16, 25);
+        assert_resumes(method_at(i), "chain", 1.0 / 512, 25);
+        assert_resumes(method_at(i), "pile", 1.0 / 2048, 25);
+        assert_resumes(method_at(i), "chain", 1.0 / 512, 2); /* where multistep methods have not yet begun */
     }
 }
 

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * The library's multistep methods on their way through scenes: their orders on the pendulum and the free chain against the
+ * study's reference, and the drift of the energy, which goes on with time as that of the lists of kicks and drifts does
+ * not. */
+#include "journey.h"
+
+#include "fit.h"
+
+enum { RUNGS = 6, METHODS = 4 };
+
+struct ladder {
+    const char *scene;
+    double t_end;
+    int64_t steps[METHODS]; /* of the coarsest rung; others are a factor of 2^(1/4) apart */
+};
+
+static void errors(const struct scene *scene, const vti_stepper *method, double h, int64_t steps,
+                   const vti_bodies *exact, double *attitude, double *velocity)
+{
+    struct journey j;
+    begin(&j, scene, method, h);
+    go(&j, steps);
+    const vti_bodies b = travel_bodies(&j.travel);
+    *attitude = attitude_distance(&b, exact);
+    *velocity = velocity_distance(&b, exact);
+    end(&j);
+}
+
+static void assert_order(const char *where, const char *of, const vti_stepper *method, const double *h,
+                         const double *error)
+{
+    double floor[RUNGS];
+    for (int k = 0; k < RUNGS; ++k)
+        floor[k] = 1e-13; /* rounding after some hundred steps */
+    const struct order fit = fit_order(h, error, floor, RUNGS);
+    print_message("%s: %s: %s order %.3f +- %.3f, errors %.2e ... %.2e\n", where, method->name, of, fit.order,
+                  fit.interval, error[0], error[RUNGS - 1]);
+    assert_true(fit.points >= 4);
+    /* order 10 has little room between its longest steps, whose errors fall faster, and rounding */
+    assert_close(fit.order, (double)method->order, method->order < 10 ? 0.5 : 2.0);
+}
+
+static void orders(const struct ladder *ladder)
+{
+    struct scene scene;
+    double *state;
+    read_scene(ladder->scene, &scene);
+    const vti_bodies exact = reference_of(&scene, ladder->t_end, &state);
+    assert_int_equal(vti_multistep_count(), METHODS);
+    for (int64_t i = 0; i < METHODS; ++i) {
+        const vti_stepper *method = &multistep_at(i)->stepper;
+        double h[RUNGS], attitude[RUNGS], velocity[RUNGS];
+        for (int k = 0; k < RUNGS; ++k) {
+            const int64_t steps = llrint((double)ladder->steps[i] * pow(2.0, 0.25 * k));
+            h[k] = ladder->t_end / (double)steps;
+            errors(&scene, method, h[k], steps, &exact, &attitude[k], &velocity[k]);
+        }
+        assert_order(ladder->scene, "attitude", method, h, attitude);
+        assert_order(ladder->scene, "velocity", method, h, velocity);
+    }
+    free(state);
+}
+
+TEST(pendulum)
+{
+    const struct ladder ladder = {"pendulum", 10.0, {320, 240, 160, 60}};
+    orders(&ladder);
+}
+
+TEST(chain)
+{
+    const struct ladder ladder = {"chain", 1.0, {300, 200, 150, 230}};
+    orders(&ladder);
+}
+
+/** What the energy has changed by after each of the parts of a run. */
+static void drift(const char *name, double h, int64_t steps, int parts, double *change)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene("pendulum", &scene);
+    begin(&j, &scene, method_of(name), h);
+    const double before = model_energy(&j.model, &j.model.bodies);
+    for (int k = 0; k < parts; ++k) {
+        go(&j, steps);
+        const vti_bodies b = travel_bodies(&j.travel);
+        change[k] = model_energy(&j.model, &b) - before;
+    }
+    end(&j);
+}
+
+/** Eight steps a unit of time, to t = 4000. */
+TEST(energy_drifts_evenly)
+{
+    enum { PARTS = 4 };
+    double of_an8[PARTS], of_srkn11[PARTS];
+    drift("an8", 0.125, 8000, PARTS, of_an8);
+    drift("srkn11", 0.125, 8000, PARTS, of_srkn11);
+    for (int k = 0; k < PARTS; ++k) {
+        print_message("t = %d: an8 %.3e, %.2e a unit of time; srkn11 %.2e\n", 1000 * (k + 1), of_an8[k],
+                      of_an8[k] / (1000.0 * (k + 1)), of_srkn11[k]);
+        assert_close(of_an8[k] / of_an8[0], k + 1, 0.2 * (k + 1));
+        assert_below(fabs(of_srkn11[k]), 1e-9);
+    }
+    assert_true(fabs(of_an8[0]) > 1e-6);
+}
+
+RUN_TESTS_OF_SCENES(cmocka_unit_test(pendulum), cmocka_unit_test(chain), cmocka_unit_test(energy_drifts_evenly))
