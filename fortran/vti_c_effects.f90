@@ -243,6 +243,13 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_contacts_stiffness(contacts, k) result(stiffness) bind(c, name='vti_contacts_stiffness')
+            import :: c_double, c_int64_t, vti_contacts
+            type(vti_contacts), intent(in) :: contacts
+            integer(c_int64_t), value :: k
+            real(c_double) :: stiffness
+        end function
+
         function c_pairs_of_slice(count, pair, base, first, bodies, which) result(n) bind(c, name='vti_pairs_of_slice')
             import :: c_int64_t
             integer(c_int64_t), value :: count, base, first, bodies

@@ -24,7 +24,8 @@ module vti_effects
         vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_bond_dashpots_effect
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
     public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
-    public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_walls_at, vti_walls_effect
+    public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
+    public :: vti_walls_at, vti_walls_effect
 
     abstract interface
         subroutine c_visit(context, spring) bind(c)
@@ -382,14 +383,19 @@ contains
 
     ! ---- contacts and walls ------------------------------------------------------------------------------------------
 
-    !> Contacts between the bodies pair(1,k) and pair(2,k), of which some may not touch.
-    function vti_contacts_between(pair, diameter, stiffness) result(contacts)
+    !> Contacts between the bodies pair(1,k) and pair(2,k), of which some may not touch: of one stiffness, an energy,
+    !> for all, or of the bodies' modulus E/(1 - nu^2). length is the distance at which each pair begins to touch,
+    !> (D_i + D_j)/2 where it is absent.
+    function vti_contacts_between(pair, diameter, stiffness, modulus, length) result(contacts)
         integer(c_int64_t), pointer, contiguous, intent(in) :: pair(:, :)
         type(vti_scalars), intent(in) :: diameter
-        real(c_double), intent(in) :: stiffness
+        real(c_double), intent(in), optional :: stiffness
+        type(vti_scalars), intent(in), optional :: modulus, length
         type(vti_contacts) :: contacts
         contacts%diameter = diameter
-        contacts%stiffness = stiffness
+        if (present(stiffness)) contacts%stiffness = stiffness
+        if (present(modulus)) contacts%modulus = modulus
+        if (present(length)) contacts%length = length
         contacts%count = -1
         if (.not. associated(pair)) return
         if (size(pair, 1) /= 2) return
@@ -397,9 +403,9 @@ contains
         if (contacts%count > 0) contacts%pair = c_loc(pair)
     end function
 
-    !> When the list has changed: every pair names two different bodies of the n that exist, of finite diameters > 0,
-    !> and the stiffness is finite and >= 0. VTI_E_CONTACT, with fault%body the number of the pair (from 1; 0 for the
-    !> stiffness).
+    !> When the list has changed: every pair names two different bodies of the n that exist, diameters, moduli and
+    !> lengths are finite and > 0 and as many as are needed, and the stiffness is finite and >= 0, or 0 with a modulus.
+    !> VTI_E_CONTACT, with fault%body the number of the pair (from 1; 0 for the stiffness).
     function vti_contacts_check(contacts, n, fault) result(status)
         type(vti_contacts), intent(in) :: contacts
         integer(c_int64_t), intent(in) :: n
@@ -408,6 +414,14 @@ contains
         type(vti_fault) :: found
         status = c_contacts_check(contacts, n, found)
         if (present(fault)) fault = from_one(found)
+    end function
+
+    !> K of pair k; NaN if there is none.
+    function vti_contacts_stiffness(contacts, k) result(stiffness)
+        type(vti_contacts), intent(in) :: contacts
+        integer(c_int64_t), intent(in) :: k
+        real(c_double) :: stiffness
+        stiffness = c_contacts_stiffness(contacts, k - 1)
     end function
 
     !> The effect; the list of contacts may change between steps.

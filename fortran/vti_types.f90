@@ -199,13 +199,16 @@ module vti_types
         type(c_ptr) :: lost = c_null_ptr
     end type
 
-    !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays.
+    !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs
+    !> share one stiffness, or it follows from the bodies' modulus E/(1 - nu^2); length is the distance at which each
+    !> pair begins to touch, where that is not the mean of the diameters.
     type, bind(c) :: vti_contacts
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: pair = c_null_ptr
         integer(c_int64_t) :: base = 1
         type(vti_scalars) :: diameter
         real(c_double) :: stiffness = 0
+        type(vti_scalars) :: modulus, length
     end type
 
     !> Rigid planes n.x = offset; vti_walls_at makes them from an array.

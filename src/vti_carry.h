@@ -86,20 +86,19 @@ static inline void vti_carry_motion(struct vti_carry *c, const vti_bodies *b, co
 }
 
 /** k_n = (3/2) K/length^{5/2} delta^{1/2} times mindlin, or the constant one, of sliding; 0 where nothing touches. */
-static inline double vti_carry_stiffness(const vti_friction *p, const struct vti_touch *at, double stiffness,
-                                         double delta)
+static inline double vti_carry_stiffness(const vti_friction *p, const struct vti_touch *at, double delta)
 {
     if (!(delta > 0.0 && p->sliding > 0.0))
         return 0.0;
-    return p->mindlin > 0.0 ? p->mindlin * 1.5 * stiffness / (at->length * at->length) * sqrt(delta / at->length)
+    return p->mindlin > 0.0 ? p->mindlin * 1.5 * at->stiffness / (at->length * at->length) * sqrt(delta / at->length)
                             : p->stiffness;
 }
 
 /** F_n */
-static inline double vti_carry_normal(const struct vti_touch *at, double stiffness, double delta)
+static inline double vti_carry_normal(const struct vti_touch *at, double delta)
 {
     const double o = delta / at->length;
-    return o > 0.0 ? stiffness / at->length * o * sqrt(o) : 0.0;
+    return o > 0.0 ? vti_hertz_force(at->stiffness, at->length, o) : 0.0;
 }
 
 /** f, across a, turned to be across b by the shortest turn. */
@@ -182,13 +181,12 @@ static inline double vti_carry_twist(double a1, double stiffness, double x, doub
 }
 
 /** All springs of a touch. */
-static inline void vti_carry_held(const vti_friction *p, const struct vti_carry *c, double stiffness, vti_held *held)
+static inline void vti_carry_held(const vti_friction *p, const struct vti_carry *c, vti_held *held)
 {
-    const double force0 = vti_carry_normal(&c->touch, stiffness, c->delta0),
-                 force1 = vti_carry_normal(&c->touch, stiffness, c->touch.delta);
+    const double force0 = vti_carry_normal(&c->touch, c->delta0), force1 = vti_carry_normal(&c->touch, c->touch.delta);
     if (p->sliding > 0.0) {
-        const double k0 = vti_carry_stiffness(p, &c->touch, stiffness, c->delta0),
-                     k1 = vti_carry_stiffness(p, &c->touch, stiffness, c->touch.delta);
+        const double k0 = vti_carry_stiffness(p, &c->touch, c->delta0),
+                     k1 = vti_carry_stiffness(p, &c->touch, c->touch.delta);
         const int closes = k1 >= k0;
         const struct vti_carry_law law = {p->sliding * force0,
                                           p->sliding * force1,

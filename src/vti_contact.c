@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Hertzian contact of spheres with each other (EQUATIONS 3, E4), with o = [1 - r/D]_+. */
-#include "vti_hertz.h"
+ * Hertzian contact of spheres with each other (EQUATIONS 3, E4), with o = [1 - r/L]_+. */
+#include "vti_cage.h"
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
-/** d = x_i - x_j and D of pair k; returns 1 if they touch, or if a number is NaN, so that it shows. */
+/** d = x_i - x_j and L of pair k; returns 1 if they touch, or if a number is NaN, so that it shows. */
 static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, double d[3], double *length, double *r2)
 {
     const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
@@ -14,7 +14,7 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
     vti_load(&b->x, j, xj);
     for (int c = 0; c < 3; ++c)
         d[c] -= xj[c];
-    *length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
+    *length = vti_contact_length(p, k, i, j);
     *r2 = vti_dot(d, d);
     return !(*r2 >= *length * *length);
 }
@@ -33,7 +33,7 @@ static int check(const void *self, const vti_bodies *b)
     return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : list_check(self);
 }
 
-/** F_i = (K/D) o^{3/2} n = -F_j */
+/** F_i = (K/L) o^{3/2} n = -F_j */
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_contacts *p = self;
@@ -42,9 +42,10 @@ static void apply(const void *self, const vti_bodies *b)
         if (!touch(p, b, k, d, &length, &r2))
             continue;
         const double r = sqrt(r2), inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
-        const double f = vti_hertz_force(p->stiffness, length, 1.0 - r / length) * inv_r;
-        const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
         const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+        const double stiffness = vti_contact_stiffness(p, i, j, length);
+        const double f = vti_hertz_force(stiffness, length, 1.0 - r / length) * inv_r;
+        const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
         if (vti_owns(b, i))
             vti_add(&b->force, i, force);
         if (vti_owns(b, j))
@@ -58,29 +59,28 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     vti_sum sum = {0.0, 0.0};
     for (int64_t k = 0; k < p->count; ++k) {
         double d[3], length, r2;
+        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
         if (touch(p, b, k, d, &length, &r2))
-            vti_sum_add(&sum, vti_hertz_energy(p->stiffness, 1.0 - sqrt(r2) / length));
+            vti_sum_add(&sum, vti_hertz_energy(vti_contact_stiffness(p, i, j, length), 1.0 - sqrt(r2) / length));
     }
     energies[0] = vti_sum_value(&sum);
 }
 
 /* ---- springs ----------------------------------------------------------------------------------------------- */
 
-/** What may come (EQUATIONS 6.10): each body i in a cage of as many neighbours as have room around it, or as there are
- *  bodies, none smaller than the smallest. As |u_i - u_j|^2 <= 2 |u_i|^2 + 2 |u_j|^2, contacts are no stiffer than one
- *  spring of 2 z_i k_i that holds every body to its place (vti_cage). */
-static void cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spring_visit *visit, void *context)
+/** What may come. */
+static int cages(const vti_contacts *p, const vti_bodies *b, double o, vti_spring_visit *visit, void *context)
 {
-    double least = INFINITY;
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        least = fmin(least, vti_scalar(&p->diameter, i));
-    for (int64_t i = b->first; b->count > 1 && i < b->first + b->count; ++i) {
-        const double length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * least;
-        const double z = vti_cage(b->count, length - 0.5 * least, 0.5 * least, o);
-        const double stiffness = 2.0 * z * vti_hertz_stiffness(p->stiffness, o);
-        const vti_spring s = {.element = i, .i = i, .j = -1, .length = length, .axial = stiffness, .across = stiffness};
+    struct vti_cages cages;
+    const int status = vti_cages_of(p, b, &cages);
+    for (int64_t i = b->first; status == VTI_OK && b->count > 1 && i < b->first + b->count; ++i) {
+        const struct vti_cage cage = vti_cage_at(&cages, i, o);
+        const double stiffness = 2.0 * cage.z * vti_hertz_stiffness(cage.stiffness, o);
+        const vti_spring s = {
+            .element = i, .i = i, .j = -1, .length = cage.length, .axial = stiffness, .across = stiffness};
         visit(context, &s);
     }
+    return status;
 }
 
 /** Pairs of the list, all of them at the overlap of *at, or those that touch as they do. What pushes takes off across.
@@ -93,14 +93,15 @@ static int in_list(const vti_contacts *p, const vti_bodies *b, const vti_deforma
         const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
         if (vti_pair_check(b, i, j) != VTI_OK)
             return VTI_E_BOND;
-        const int touches = at != NULL || touch(p, b, k, d, &length, &r2);
         if (at != NULL)
-            length = 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
-        const double o = at != NULL ? at->overlap : touches ? 1.0 - sqrt(r2) / length : 0.0;
+            length = vti_contact_length(p, k, i, j);
+        else if (!touch(p, b, k, d, &length, &r2))
+            continue;
+        const double o = at != NULL ? at->overlap : 1.0 - sqrt(r2) / length;
+        const double stiffness = vti_contact_stiffness(p, i, j, length);
         const vti_spring s = {
-            .element = k, .i = i, .j = j, .length = length, .axial = vti_hertz_stiffness(p->stiffness, o)};
-        if (touches)
-            visit(context, &s);
+            .element = k, .i = i, .j = j, .length = length, .axial = vti_hertz_stiffness(stiffness, o)};
+        visit(context, &s);
     }
     return VTI_OK;
 }
@@ -110,11 +111,35 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 {
     if (at == NULL || !at->meet)
         return in_list(self, b, at, visit, context);
-    cages(self, b, at->overlap, visit, context);
-    return VTI_OK;
+    return cages(self, b, at->overlap, visit, context);
 }
 
 /* ---- the effect -------------------------------------------------------------------------------------------- */
+
+/** Whether s has number k, finite and positive; else *value is what it has there, or none where it ends before. */
+static int has(const vti_scalars *s, int64_t k, double none, double *value)
+{
+    const int ends = s->count != 0 && k >= s->count;
+    *value = ends ? none : vti_scalar(s, k);
+    return !ends && isfinite(*value) && *value > 0.0;
+}
+
+/** Whether pair k is one of n bodies that have what they need; else *value is what is wrong. */
+static int pair_is_good(const vti_contacts *p, int64_t k, int64_t n, double *value)
+{
+    const int64_t *pair = p->pair + 2 * k;
+    for (int side = 0; side < 2; ++side) {
+        const int64_t i = pair[side] - p->base;
+        *value = (double)pair[side];
+        if (i < 0 || i >= n || pair[0] == pair[1])
+            return 0;
+        if (!has(&p->diameter, i, *value, value))
+            return 0;
+        if (p->modulus.p != NULL && !has(&p->modulus, i, (double)pair[side], value))
+            return 0;
+    }
+    return p->length.p == NULL || has(&p->length, k, (double)p->length.count, value);
+}
 
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
@@ -124,19 +149,23 @@ int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault
         return status;
     if (n < 0)
         return VTI_E_COUNT;
-    if (!(isfinite(contacts->stiffness) && contacts->stiffness >= 0.0))
-        return vti_refuse(VTI_E_CONTACT, -1, contacts->stiffness, VTI_QUANTITY_NONE, fault);
-    for (int64_t k = 0; k < contacts->count; ++k)
-        for (int side = 0; side < 2; ++side) {
-            const int64_t *pair = contacts->pair + 2 * k, i = pair[side] - contacts->base;
-            const int64_t sizes = contacts->diameter.count;
-            if (i < 0 || i >= n || pair[0] == pair[1] || (sizes != 0 && i >= sizes))
-                return vti_refuse(VTI_E_CONTACT, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
-            const double diameter = vti_scalar(&contacts->diameter, i);
-            if (!(isfinite(diameter) && diameter > 0.0))
-                return vti_refuse(VTI_E_CONTACT, k, diameter, VTI_QUANTITY_NONE, fault);
-        }
+    const double stiffness = contacts->stiffness;
+    if (!(isfinite(stiffness) && stiffness >= 0.0) || (stiffness > 0.0 && contacts->modulus.p != NULL))
+        return vti_refuse(VTI_E_CONTACT, -1, stiffness, VTI_QUANTITY_NONE, fault);
+    for (int64_t k = 0; k < contacts->count; ++k) {
+        double value;
+        if (!pair_is_good(contacts, k, n, &value))
+            return vti_refuse(VTI_E_CONTACT, k, value, VTI_QUANTITY_NONE, fault);
+    }
     return VTI_OK;
+}
+
+double vti_contacts_stiffness(const vti_contacts *contacts, int64_t k)
+{
+    if (contacts == NULL || list_check(contacts) != VTI_OK || k < 0 || k >= contacts->count)
+        return NAN;
+    const int64_t i = contacts->pair[2 * k] - contacts->base, j = contacts->pair[2 * k + 1] - contacts->base;
+    return vti_contact_stiffness(contacts, i, j, vti_contact_length(contacts, k, i, j));
 }
 
 vti_effect vti_contacts_effect(const vti_contacts *contacts)

@@ -189,7 +189,7 @@ struct sweep {
 
 /** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n, ahead
  *  of a drift that follows (drift > 0), behind one that has been. */
-static void visit(const struct sweep *s, struct place *at, double stiffness)
+static void visit(const struct sweep *s, struct place *at)
 {
     struct vti_touch *touch = &at->touch;
     double u[3], w[3];
@@ -198,7 +198,7 @@ static void visit(const struct sweep *s, struct place *at, double stiffness)
     if (touch->delta <= 0.0 && at->other <= 0.0)
         return;
     vti_touch_masses(touch, s->b);
-    at->k_h = stiffness / (touch->length * touch->length * sqrt(touch->length));
+    at->k_h = touch->stiffness / (touch->length * touch->length * sqrt(touch->length));
     at->touched = share(touch->delta, at->other);
     for (int k = 0; k < s->flows; ++k)
         s->flow[s->drift < 0.0 ? s->flows - 1 - k : k](s->p, at, s->b, s->t);
@@ -210,7 +210,7 @@ static void visit_pairs(const struct sweep *s)
     struct place at;
     for (int64_t k = 0; contacts != NULL && k < contacts->count; ++k)
         if (vti_touch_pair(&at.touch, contacts, s->b, s->drift < 0.0 ? contacts->count - 1 - k : k, s->p->reach))
-            visit(s, &at, contacts->stiffness);
+            visit(s, &at);
 }
 
 static void visit_planes(const struct sweep *s)
@@ -222,7 +222,7 @@ static void visit_planes(const struct sweep *s)
         const int64_t turn = s->drift < 0.0 ? all - 1 - k : k;
         at.plane = turn / n;
         if (vti_touch_plane(&at.touch, walls, s->b, at.plane, s->b->first + turn % n, s->p->reach))
-            visit(s, &at, walls->stiffness);
+            visit(s, &at);
     }
 }
 

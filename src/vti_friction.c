@@ -5,8 +5,8 @@
  *
  *     F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f       (sliding)
  *     T_i -= f, T_j += f                                           (rolling; twisting with f n)                      */
+#include "vti_cage.h"
 #include "vti_carry.h"
-#include "vti_hertz.h"
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
@@ -31,7 +31,7 @@ int vti_history_add(vti_history *history, const vti_held *held)
 
 /* ---- all touches, in the order of the lists ---------------------------------------------------------------------- */
 
-typedef void visitor(void *context, const struct vti_touch *touch, double stiffness, vti_held *held);
+typedef void visitor(void *context, const struct vti_touch *touch, vti_held *held);
 
 /** Calls visit for all touches that hold something. */
 static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
@@ -43,7 +43,7 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
             continue;
         held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
         if (held->i != 0)
-            visit(context, &touch, p->contacts->stiffness, held);
+            visit(context, &touch, held);
     }
     for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
@@ -51,7 +51,7 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
                 continue;
             held = vti_history_at(p->history, i + 1, -1 - w);
             if (held->i != 0)
-                visit(context, &touch, p->walls->stiffness, held);
+                visit(context, &touch, held);
         }
 }
 
@@ -64,11 +64,10 @@ static void add_load(const vti_bodies *b, const vti_view *view, int64_t i, doubl
         vti_touch_add(view, i, s, a);
 }
 
-static void push(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
+static void push(void *context, const struct vti_touch *touch, vti_held *held)
 {
     const vti_bodies *b = context;
     double arm[3], moment[3];
-    (void)stiffness;
     vti_cross(touch->n, held->sliding, arm);
     if (vti_has(&b->force)) {
         add_load(b, &b->force, touch->i, -1.0, held->sliding);
@@ -99,10 +98,10 @@ struct energies {
 };
 
 /** |f|^2/(2 k) */
-static void add_energy(void *context, const struct vti_touch *touch, double stiffness, vti_held *held)
+static void add_energy(void *context, const struct vti_touch *touch, vti_held *held)
 {
     struct energies *e = context;
-    const double k = vti_carry_stiffness(e->p, touch, stiffness, touch->delta);
+    const double k = vti_carry_stiffness(e->p, touch, touch->delta);
     if (k > 0.0)
         vti_sum_add(&e->sum[0], 0.5 * vti_dot(held->sliding, held->sliding) / k);
     if (e->p->rolling > 0.0)
@@ -127,7 +126,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 /* ---- history ----------------------------------------------------------------------------------------------------- */
 
 /** Carries the springs of a touch, which begin where it does and leave the table where it ends. */
-static void carry_touch(const vti_friction *p, struct vti_carry *c, double stiffness, int64_t i, int64_t j)
+static void carry_touch(const vti_friction *p, struct vti_carry *c, int64_t i, int64_t j)
 {
     if (!(c->delta0 >= -p->reach) && c->touch.j >= 0)
         return; /* lists need not have it */
@@ -141,7 +140,7 @@ static void carry_touch(const vti_friction *p, struct vti_carry *c, double stiff
         *held = none;
         ++p->history->used;
     }
-    vti_carry_held(p, c, stiffness, held);
+    vti_carry_held(p, c, held);
     if (c->touch.delta <= 0.0)
         vti_history_remove(p->history, held);
 }
@@ -155,7 +154,7 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
             if (c.touch.delta <= 0.0 && vti_history_find(p->history, c.touch.i + 1, c.touch.j + 1) == NULL)
                 continue;
             vti_carry_motion(&c, b, drifted);
-            carry_touch(p, &c, p->contacts->stiffness, c.touch.i + 1, c.touch.j + 1);
+            carry_touch(p, &c, c.touch.i + 1, c.touch.j + 1);
         }
     for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i)
@@ -163,15 +162,15 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
                 if (c.touch.delta <= 0.0 && vti_history_find(p->history, i + 1, -1 - w) == NULL)
                     continue;
                 vti_carry_motion(&c, b, drifted);
-                carry_touch(p, &c, p->walls->stiffness, i + 1, -1 - w);
+                carry_touch(p, &c, i + 1, -1 - w);
             }
 }
 
 /* ---- the stable step (EQUATIONS 6.10) ---------------------------------------------------------------------------- */
 
 /** The springs of a touch as it is (at NULL), or at the overlap of *at. */
-static void show(const vti_friction *p, struct vti_touch *touch, double stiffness, int64_t element,
-                 const vti_deformation *at, vti_spring_visit *visit, void *context)
+static void show(const vti_friction *p, struct vti_touch *touch, int64_t element, const vti_deformation *at,
+                 vti_spring_visit *visit, void *context)
 {
     if (at == NULL && touch->delta <= 0.0)
         return;
@@ -180,7 +179,7 @@ static void show(const vti_friction *p, struct vti_touch *touch, double stiffnes
                           .i = touch->i,
                           .j = touch->j,
                           .length = touch->length,
-                          .shear = vti_carry_stiffness(p, touch, stiffness, delta) * touch->length * touch->length,
+                          .shear = vti_carry_stiffness(p, touch, delta) * touch->length * touch->length,
                           .arm_i = touch->s_i,
                           .arm_j = touch->s_j,
                           .bend = p->rolling > 0.0 ? p->rolling_stiffness : 0.0,
@@ -189,17 +188,16 @@ static void show(const vti_friction *p, struct vti_touch *touch, double stiffnes
 }
 
 /** Any two may touch: each body is held by twice its neighbours' springs to its place, as in vti_contact.c. */
-static void cages(const vti_friction *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
-                  void *context)
+static int cages(const vti_friction *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                 void *context)
 {
-    double least = INFINITY;
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        least = fmin(least, vti_scalar(&p->contacts->diameter, i));
-    for (int64_t i = b->first; b->count > 1 && i < b->first + b->count; ++i) {
+    struct vti_cages cages;
+    const int status = vti_cages_of(p->contacts, b, &cages);
+    for (int64_t i = b->first; status == VTI_OK && b->count > 1 && i < b->first + b->count; ++i) {
         const double radius = 0.5 * vti_scalar(&p->contacts->diameter, i);
-        const double z = 2.0 * vti_cage(b->count, radius, 0.5 * least, at->overlap);
-        struct vti_touch touch = {.i = i, .j = -1, .length = radius + 0.5 * least};
-        const double k = vti_carry_stiffness(p, &touch, p->contacts->stiffness, at->overlap * touch.length);
+        const struct vti_cage cage = vti_cage_at(&cages, i, at->overlap);
+        const struct vti_touch touch = {.i = i, .j = -1, .length = cage.length, .stiffness = cage.stiffness};
+        const double z = 2.0 * cage.z, k = vti_carry_stiffness(p, &touch, at->overlap * touch.length);
         const vti_spring s = {.element = i,
                               .i = i,
                               .j = -1,
@@ -210,6 +208,7 @@ static void cages(const vti_friction *p, const vti_bodies *b, const vti_deformat
                               .twist = p->twisting > 0.0 ? z * p->twisting_stiffness : 0.0};
         visit(context, &s);
     }
+    return status;
 }
 
 static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
@@ -217,16 +216,16 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 {
     const vti_friction *p = self;
     struct vti_touch touch;
-    if (p->contacts != NULL && at != NULL && at->meet)
-        cages(p, b, at, visit, context);
-    for (int64_t k = 0; p->contacts != NULL && !(at != NULL && at->meet) && k < p->contacts->count; ++k)
+    const int meet = at != NULL && at->meet;
+    const int status = p->contacts != NULL && meet ? cages(p, b, at, visit, context) : VTI_OK;
+    for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k)
         if (vti_touch_pair(&touch, p->contacts, b, k, INFINITY))
-            show(p, &touch, p->contacts->stiffness, k, at, visit, context);
+            show(p, &touch, k, at, visit, context);
     for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i)
             if (vti_touch_plane(&touch, p->walls, b, w, i, INFINITY))
-                show(p, &touch, p->walls->stiffness, w, at, visit, context);
-    return VTI_OK;
+                show(p, &touch, w, at, visit, context);
+    return status;
 }
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */

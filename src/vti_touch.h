@@ -13,13 +13,14 @@
 #ifndef VTI_TOUCH_H
 #define VTI_TOUCH_H
 
-#include "vti_internal.h"
+#include "vti_hertz.h"
 
 struct vti_touch {
     int64_t i, j; /* j < 0: a plane */
     double n[3], r, s_i, s_j;
-    double delta;                              /* overlap as a length; negative is a gap */
-    double length;                             /* on which the overlap is a share: (D_i + D_j)/2, of a plane D_i/2 */
+    double delta;     /* overlap as a length; negative is a gap */
+    double length;    /* L, on which the overlap is a share: of a pair its own, of a plane D_i/2 */
+    double stiffness; /* K */
     double per_m_i, per_m_j, per_j_i, per_j_j; /* 1/m and 1/J; 0 for a plane, and 1/J where nothing turns */
 };
 
@@ -46,7 +47,7 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
     for (int c = 0; c < 3; ++c)
         d[c] -= xj[c];
     const double di = vti_scalar(&p->diameter, at->i), dj = vti_scalar(&p->diameter, at->j);
-    at->length = 0.5 * di + 0.5 * dj;
+    at->length = vti_contact_length(p, k, at->i, at->j);
     const double far = at->length + reach, r2 = vti_dot(d, d);
     if (!(r2 <= far * far))
         return 0;
@@ -56,6 +57,7 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
     for (int c = 0; c < 3; ++c)
         at->n[c] = d[c] / at->r;
     at->delta = at->length - at->r;
+    at->stiffness = vti_contact_stiffness(p, at->i, at->j, at->length);
     at->s_i = di / (di + dj);
     at->s_j = 1.0 - at->s_i;
     return 1;
@@ -77,6 +79,7 @@ static inline int vti_touch_plane(struct vti_touch *at, const vti_walls *p, cons
         return 0;
     for (int c = 0; c < 3; ++c)
         at->n[c] = plane[c];
+    at->stiffness = p->stiffness;
     at->s_i = 1.0;
     at->s_j = 0.0;
     return 1;

@@ -164,6 +164,8 @@ static const int64_t layout[] = {
     AT(vti_contacts, base),
     AT(vti_contacts, diameter),
     AT(vti_contacts, stiffness),
+    AT(vti_contacts, modulus),
+    AT(vti_contacts, length),
     SIZE(vti_walls),
     AT(vti_walls, count),
     AT(vti_walls, plane),

@@ -43,7 +43,8 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
                              vti_scalars_one(&bond_energy[1]),
                              vti_scalars_one(&bond_energy[2]),
                              VTI_SHEAR_OBJECTIVE};
-    const vti_contacts contacts = {count, pair, 1, vti_scalars_array(diameter), 80.0};
+    const vti_contacts contacts = {
+        .count = count, .pair = pair, .base = 1, .diameter = vti_scalars_array(diameter), .stiffness = 80.0};
     const vti_walls walls = {2, planes[0], vti_scalars_array(diameter), 90.0};
     const vti_effect all[EFFECTS] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                      vti_gravity_effect(&gravity), vti_pendulum_effect(&pendulum)};

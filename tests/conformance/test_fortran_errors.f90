@@ -259,6 +259,14 @@ contains
         pair(:, 2) = [2, 3]
         call element_is(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
         call element_is(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
+        contacts = vti_contacts_between(pair, vti_scalars_one(one), modulus=vti_scalars_one(one), &
+            length=vti_scalars_one(one))
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'contacts of a material')
+        call expect(abs(vti_contacts_stiffness(contacts, 2_c_int64_t) - 1 / 3.0_c_double) < 1e-15_c_double, &
+            'stiffness of a material')
+        call expect(ieee_is_nan(vti_contacts_stiffness(contacts, 3_c_int64_t)), 'stiffness of no pair')
+        contacts%stiffness = 1
+        call element_is(vti_contacts_check(contacts, n, fault), VTI_E_CONTACT, 0, 'a stiffness and a modulus')
         bonds = vti_bonds_between(wrong_pair, rest)
         call element_is(vti_bonds_check(bonds, n, fault), VTI_E_COUNT, 0, 'bonds of pairs of three')
         bonds = vti_bonds_between(pair, triples)

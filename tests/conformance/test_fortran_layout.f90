@@ -133,7 +133,8 @@ contains
             c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
             c_loc(bonds%shear_form)])
         call add(c_sizeof(contacts), c_loc(contacts), [c_loc(contacts%count), c_loc(contacts%pair), &
-            c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness)])
+            c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness), c_loc(contacts%modulus), &
+            c_loc(contacts%length)])
         call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &
             c_loc(walls%stiffness)])
         call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &

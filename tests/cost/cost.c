@@ -94,7 +94,7 @@ int main(int argc, char **argv)
                              strchr(config, 'a') != NULL ? k : none,
                              strchr(config, 's') != NULL ? k : none,
                              VTI_SHEAR_OBJECTIVE};
-    const vti_contacts contacts = {N - 1, pair[0], 0, d, stiffness};
+    const vti_contacts contacts = {.count = N - 1, .pair = pair[0], .diameter = d, .stiffness = stiffness};
     const vti_walls walls = {1, floor_plane[0], d, stiffness};
     if (terms) {
         const vti_view start = vti_view_packed(x[0]);

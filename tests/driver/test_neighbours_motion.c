@@ -15,7 +15,10 @@ static void move(packing *bodies, double h)
 /** Forces of the contacts of the list, for the bits. */
 static void contact_forces(packing *bodies, double force[][3])
 {
-    const vti_contacts contacts = {bodies->list.count, bodies->list.pair, 0, vti_scalars_array(bodies->diameter), 1.0};
+    const vti_contacts contacts = {.count = bodies->list.count,
+                                   .pair = bodies->list.pair,
+                                   .diameter = vti_scalars_array(bodies->diameter),
+                                   .stiffness = 1.0};
     const vti_effect effect = vti_contacts_effect(&contacts);
     vti_bodies view = vti_bodies_none(bodies->n);
     const double mass = 1.0;

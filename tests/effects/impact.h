@@ -33,7 +33,8 @@ static inline void impact_clear(impact *m, int n, int planes, double stiffness)
             m->pair[pairs][1] = j;
         }
     }
-    m->contacts = (vti_contacts){pairs, m->pair[0], 0, vti_scalars_array(m->diameter), stiffness};
+    m->contacts = (vti_contacts){
+        .count = pairs, .pair = m->pair[0], .diameter = vti_scalars_array(m->diameter), .stiffness = stiffness};
     m->walls = (vti_walls){planes, m->plane[0], vti_scalars_array(m->diameter), stiffness};
     m->b = crowd_bodies(&m->c);
 }

@@ -54,7 +54,7 @@ TEST(effects_need_what_they_read)
     const double diameter = 3, plane[4] = {0, 0.6, 0.8, 0};
     const vti_gravity gravity = {{1, -2, 3}};
     const vti_pendulum pendulum = {2, {0.5, 1, -1}};
-    const vti_contacts contacts = {2, pair, 0, vti_scalars_one(&diameter), 7};
+    const vti_contacts contacts = {.count = 2, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = 7};
     const vti_walls walls = {1, plane, vti_scalars_one(&diameter), 5};
     const struct {
         vti_effect effect;
@@ -170,7 +170,7 @@ TEST(contacts_are_looked_at_again)
 {
     const int64_t pair[2] = {0, 1};
     const double diameter = 3;
-    const vti_contacts right = {1, pair, 0, vti_scalars_one(&diameter), 7};
+    const vti_contacts right = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = 7};
     vti_contacts contacts = right;
     const vti_effect effect = vti_contacts_effect(&contacts);
     crowd_clear(&c, 2, CROWD_ALPHA);

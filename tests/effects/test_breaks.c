@@ -74,7 +74,8 @@ TEST(contacts)
                 pair[count][0] = i;
                 pair[count][1] = j;
             }
-        const vti_contacts list = {PAIRS, pair[0], 0, vti_scalars_one(&diameter), 20};
+        const vti_contacts list = {
+            .count = PAIRS, .pair = pair[0], .diameter = vti_scalars_one(&diameter), .stiffness = 20};
         const vti_effect effect = vti_contacts_effect(&list);
         const double v = c.v[0][0];
         assert_int_equal(effect.breaks, 0);

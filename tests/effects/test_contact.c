@@ -47,7 +47,11 @@ TEST(pairs_have_their_values)
             r += powl((long double)c.x[0][k] - c.x[1][k], 2);
         }
         r = sqrtl(r);
-        const vti_contacts contacts = {1, pair, base, vti_scalars_array(diameter), uniform(&g, 1, 3000)};
+        const vti_contacts contacts = {.count = 1,
+                                       .pair = pair,
+                                       .base = base,
+                                       .diameter = vti_scalars_array(diameter),
+                                       .stiffness = uniform(&g, 1, 3000)};
         const vti_effect effect = vti_contacts_effect(&contacts);
         const vti_bodies b = crowd_bodies(&c);
         vti_apply(&effect, 1, &b);
@@ -119,7 +123,7 @@ TEST(exact_values)
     double energy;
     crowd_clear(&c, 2, CROWD_ALPHA);
     const vti_bodies b = crowd_bodies(&c);
-    const vti_contacts contacts = {1, pair, 0, vti_scalars_array(diameter), 64};
+    const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_array(diameter), .stiffness = 64};
     const vti_effect contact = vti_contacts_effect(&contacts);
     c.x[0][1] = 1.5; /* of D = 2 */
     vti_apply(&contact, 1, &b);
@@ -159,7 +163,8 @@ TEST(touch_and_coincidence)
         crowd_clear(&c, 2, CROWD_ALPHA);
         c.x[0][1] = at[k] / 2;
         c.x[1][1] = -at[k] / 2;
-        const vti_contacts contacts = {1, pair, 0, vti_scalars_array(diameter), 10};
+        const vti_contacts contacts = {
+            .count = 1, .pair = pair, .diameter = vti_scalars_array(diameter), .stiffness = 10};
         const double radius_one = 1; /* diameter of a body that touches at y = 1/2 */
         const vti_walls walls = {1, plane, vti_scalars_one(&radius_one), 10};
         const vti_effect effects[2] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls)};
@@ -204,7 +209,11 @@ TEST(forces_are_minus_the_gradient)
         }
         vti_gravity gravity;
         random_vector(&g, 5, gravity.g);
-        const vti_contacts contacts = {PAIRS, pair[0], 1, vti_scalars_array(diameter), uniform(&g, 1, 20)};
+        const vti_contacts contacts = {.count = PAIRS,
+                                       .pair = pair[0],
+                                       .base = 1,
+                                       .diameter = vti_scalars_array(diameter),
+                                       .stiffness = uniform(&g, 1, 20)};
         const vti_walls walls = {3, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 20)};
         const vti_effect all[3] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_gravity_effect(&gravity)};

@@ -372,7 +372,8 @@ TEST(table)
             b.omega = vti_view_packed(omega[0]);
             b.alpha = vti_view_packed(m.c.alpha[0]);
             b.mass = b.inertia = vti_scalars_one(&one);
-            m.contacts = (vti_contacts){1, pair, 0, vti_scalars_one(&diameter), 1};
+            m.contacts =
+                (vti_contacts){.count = 1, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = 1};
             friction.contacts = &m.contacts;
             const vti_effect effect = vti_friction_effect(&friction);
             assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);

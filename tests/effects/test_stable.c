@@ -128,7 +128,11 @@ TEST(parallel_springs)
         double plane[3][4];
         crowd_clear(&c, 2, CROWD_ALPHA);
         weigh(&g);
-        const vti_contacts contacts = {n, pair[0], base, vti_scalars_array(diameter), uniform(&g, 1, 3000)};
+        const vti_contacts contacts = {.count = n,
+                                       .pair = pair[0],
+                                       .base = base,
+                                       .diameter = vti_scalars_array(diameter),
+                                       .stiffness = uniform(&g, 1, 3000)};
         vti_effect all[2] = {vti_contacts_effect(&contacts)};
         const double k = n * 1.5 * contacts.stiffness * sqrt(o);
         double omega2 = k * (1 / c.mass[0] + 1 / c.mass[1]) / (length * length);

@@ -94,7 +94,10 @@ TEST(packings_in_contact)
         }
         vti_pendulum pendulum = {uniform(&g, 0, 20), {0, 0, 0}};
         random_vector(&g, 1, pendulum.rho0);
-        const vti_contacts contacts = {touching, pair[0], 0, vti_scalars_array(diameter), uniform(&g, 1, 100)};
+        const vti_contacts contacts = {.count = touching,
+                                       .pair = pair[0],
+                                       .diameter = vti_scalars_array(diameter),
+                                       .stiffness = uniform(&g, 1, 100)};
         const vti_walls walls = {1 + trial % 2, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 100)};
         const vti_effect all[4] = {vti_bonds_effect(&w.bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_pendulum_effect(&pendulum)};

@@ -193,10 +193,19 @@ static void lattice(double o)
         diameter[i] = 1;
 }
 
-/** The bound knows of no pair, the limit of all that touch. */
-static double may_come(rng *g, double o)
+/** Where two spheres begin to touch: those that overlap by their diameters anywhere where they do so by up to o. */
+static double length_of(rng *g, int i, int j, double o)
+{
+    const double d[3] = {c.x[i][0] - c.x[j][0], c.x[i][1] - c.x[j][1], c.x[i][2] - c.x[j][2]};
+    const double mean = 0.5 * (diameter[i] + diameter[j]), r = vti_norm(d);
+    return r < mean ? r / (1 - uniform(g, 0.2, 1) * o) : mean;
+}
+
+/** The bound knows of no pair, unless pairs have lengths of their own, the limit of all that touch. */
+static double may_come(rng *g, double o, int material, int lengths)
 {
     static int64_t pair[CROWD_MAX * CROWD_MAX][2];
+    static double modulus[CROWD_MAX], length[CROWD_MAX * CROWD_MAX];
     vti_contacts contacts = {.diameter = vti_scalars_array(diameter), .stiffness = uniform(g, 1, 1000)};
     double plane[4];
     random_unit(g, 3, plane); /* a wall that body 0 overlaps by o, and others by less or not at all */
@@ -204,16 +213,27 @@ static double may_come(rng *g, double o)
     for (int i = 0; i < c.n; ++i)
         plane[3] = fmin(plane[3], vti_dot(plane, c.x[i]) - 0.5 * (1 - o) * diameter[i]);
     const vti_walls walls = {1, plane, vti_scalars_array(diameter), contacts.stiffness};
+    for (int i = 0; i < c.n; ++i)
+        modulus[i] = uniform(g, 1, 1000);
+    if (material) {
+        contacts.stiffness = 0;
+        contacts.modulus = vti_scalars_array(modulus);
+    }
     const vti_effect effects[2] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls)};
     const vti_deformation at = {o * (1 + 8 * EPS), 0, 1};
     const int walled = rng_below(g, 2);
-    const double h = bound(effects, 1 + walled, &at);
+    double h = bound(effects, 1 + walled, &at);
     contacts.pair = pair[0];
     for (int i = 0; i < c.n; ++i)
         for (int j = 0; j < i; ++j, ++contacts.count) {
             pair[contacts.count][0] = i;
             pair[contacts.count][1] = j;
+            length[contacts.count] = length_of(g, i, j, o);
         }
+    if (lengths) {
+        contacts.length = vti_scalars_array(length);
+        h = bound(effects, 1 + walled, &at);
+    }
     const double limit = crowd_limit(&c, effects, 1 + walled), now = bound(effects, 1 + walled, NULL);
     assert_below(now, limit * (1 + HESSIAN_ERROR));
     return h / limit;
@@ -229,7 +249,7 @@ TEST(contacts_that_may_come)
             lattice(o);
         else
             pack(&g, 2 + rng_below(&g, 18), o);
-        ratio[trial] = may_come(&g, o);
+        ratio[trial] = may_come(&g, o, trial % 2, trial / 2 % 2);
     }
     all_below("contacts that may come", ratio, 200);
 }

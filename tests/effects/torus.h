@@ -45,7 +45,8 @@ static inline void torus_start(torus *t, int form)
     const vti_view x = vti_view_packed(t->c.x[0]);
     assert_int_equal(vti_bonds_rest(RING, t->w.pair[0], 0, &x, t->w.rest[0], NULL), VTI_OK);
     web_terms(&t->w, RING, MOMENT | AXIAL | SHEAR, form);
-    const vti_contacts contacts = {RING_PAIRS, t->pair[0], 0, vti_scalars_one(&t->diameter), 2100};
+    const vti_contacts contacts = {
+        .count = RING_PAIRS, .pair = t->pair[0], .diameter = vti_scalars_one(&t->diameter), .stiffness = 2100};
     const vti_walls walls = {1, t->plane, vti_scalars_one(&t->diameter), 2100};
     t->plane[0] = 1;
     t->plane[1] = t->plane[2] = t->plane[3] = 0;

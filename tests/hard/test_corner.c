@@ -59,7 +59,7 @@ TEST(many_in_a_corner)
     const vti_scalars diameter = vti_scalars_one(&one);
     struct neighbours list;
     struct message message;
-    vti_contacts contacts = {0, NULL, 0, diameter, 1000};
+    vti_contacts contacts = {.count = 0, .pair = NULL, .diameter = diameter, .stiffness = 1000};
     const vti_walls walls = {3, planes[0], diameter, 1000};
     const vti_effect effects[2] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls)};
     if (neighbours_create(&list, MANY, &diameter, 0, 0, NULL, &message) != 0)
@@ -100,7 +100,7 @@ TEST(heap)
     const vti_scalars diameter = vti_scalars_one(&one);
     struct neighbours list;
     struct message message;
-    vti_contacts contacts = {0, NULL, 0, diameter, 1000};
+    vti_contacts contacts = {.count = 0, .pair = NULL, .diameter = diameter, .stiffness = 1000};
     const vti_effect effect = vti_contacts_effect(&contacts);
     memset(x, 0, sizeof x);
     memset(v, 0, sizeof v);

@@ -25,7 +25,7 @@ static int reached(int status)
     vti_effect effect;
     memset(&effect, 0, sizeof effect);
     const int64_t pair[2] = {0, 1};
-    const vti_contacts contacts = {1, pair, 0, vti_scalars_one(&c.mass[0]), 1};
+    const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&c.mass[0]), .stiffness = 1};
     double rest[4];
     vti_stable stable;
     switch (status) {

@@ -171,7 +171,7 @@ TEST(other_parameters)
     double diameter[2] = {1, 1}, plane[4] = {1, 0, 0, 0};
     vti_pendulum pendulum = {1, {1, 0, 0.5}};
     vti_gravity gravity = {{0, 0, -1}};
-    vti_contacts contacts = {1, pair, 0, vti_scalars_array(diameter), 10};
+    vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_array(diameter), .stiffness = 10};
     vti_walls walls = {1, plane, vti_scalars_array(diameter), 10};
     const vti_effect effects[] = {
         vti_contacts_effect(&contacts), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
@@ -200,7 +200,7 @@ TEST(stable_step)
     double diameter = 1, scratch[2];
     const vti_deformation at = {0.1, 0, 0};
     const double plane[4] = {1, 0, 0, 0};
-    vti_contacts contacts = {1, pair, 0, vti_scalars_one(&diameter), NAN};
+    vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = NAN};
     vti_walls walls = {1, plane, vti_scalars_one(&diameter), NAN};
     vti_pendulum pendulum = {NAN, {1, 0, 0}};
     memset(&w, 0, sizeof w);
@@ -229,7 +229,7 @@ TEST(positions)
 {
     const int64_t pair[2] = {0, 1};
     const double one = 1, plane[4] = {1, 0, 0, 0};
-    const vti_contacts contacts = {1, pair, 0, vti_scalars_one(&one), 10};
+    const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&one), .stiffness = 10};
     const vti_walls walls = {1, plane, vti_scalars_one(&one), 10};
     memset(&w, 0, sizeof w);
     w.pair[0][1] = 1;

@@ -35,7 +35,7 @@ static double apart(const vti_effect *effect, double d)
 /** o = 1 - r/D down to the least distance; no direction below 2^-500, where r^2 begins to vanish. */
 TEST(contact_at_all_distances)
 {
-    const vti_contacts contacts = {1, first_two, 0, vti_scalars_one(&unit), 10};
+    const vti_contacts contacts = {.count = 1, .pair = first_two, .diameter = vti_scalars_one(&unit), .stiffness = 10};
     const vti_effect effect = vti_contacts_effect(&contacts);
     for (int e = 0; e <= 1074; ++e)
         for (int side = -1; side <= 1; side += 2) {

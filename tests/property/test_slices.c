@@ -176,7 +176,8 @@ TEST(a_slice_needs_the_pairs_that_name_it)
                        .moment = vti_scalars_one(&stiffness),
                        .shear = vti_scalars_one(&stiffness),
                        .shear_form = VTI_SHEAR_OBJECTIVE};
-    vti_contacts contacts = {bonded, pair[0], 0, vti_scalars_one(&diameter), stiffness};
+    vti_contacts contacts = {
+        .count = bonded, .pair = pair[0], .diameter = vti_scalars_one(&diameter), .stiffness = stiffness};
     const vti_effect all[] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts)};
     assert_int_equal(vti_apply(all, 2, &b), VTI_OK);
     for (int64_t first = 0; first < N; first += 37) {

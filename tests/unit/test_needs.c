@@ -118,7 +118,7 @@ TEST(gives)
     const vti_bonds moments = {1, pair, 0, rest, k, none, none, VTI_SHEAR_OBJECTIVE},
                     axial = {1, pair, 0, rest, none, k, none, VTI_SHEAR_OBJECTIVE},
                     shear = {1, pair, 0, rest, none, none, k, VTI_SHEAR_OBJECTIVE};
-    const vti_contacts contacts = {1, pair, 0, d, 5};
+    const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = d, .stiffness = 5};
     const vti_walls walls = {1, plane, d, 5};
     const int F = 1 << VTI_QUANTITY_FORCE, M = 1 << VTI_QUANTITY_MOMENT;
     const struct {

@@ -117,11 +117,44 @@ TEST(bonds)
     assert_true(isinf(fault.value));
 }
 
+/** A modulus or a length that is none, or that ends before the list does; a stiffness beside a modulus. */
+static void law_of_a_pair(vti_contacts some, double none)
+{
+    const double few[2] = {3, none};
+    const int64_t twice[4] = {1, 2, 2, 1};
+    vti_fault fault = {7, 7, 7};
+    some.stiffness = 0;
+    some.modulus = vti_scalars_array(few);
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+    nothing_of_bodies(&fault, 0);
+    assert_same_bits(&fault.value, &none, 1);
+    some.modulus.count = 1; /* of bodies 1 and 2 */
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == 0 && fault.value == 2);
+    some.modulus = vti_scalars_one(few);
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_OK);
+    some.stiffness = 5;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1 && fault.value == 5);
+    some.modulus.p = NULL;
+    some.length = vti_scalars_array(few + 1);
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+    assert_int_equal(fault.body, 0);
+    assert_same_bits(&fault.value, &none, 1);
+    some.pair = twice;
+    some.count = 2;
+    some.length = vti_scalars_array(few);
+    some.length.count = 1;
+    assert_int_equal(vti_contacts_check(&some, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == 1 && fault.value == 1);
+}
+
 TEST(contacts)
 {
     const double diameter[2] = {1, 2};
     const int64_t good[2] = {1, 2}, wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
-    const vti_contacts right = {1, good, 1, vti_scalars_array(diameter), 5};
+    const vti_contacts right = {
+        .count = 1, .pair = good, .base = 1, .diameter = vti_scalars_array(diameter), .stiffness = 5};
     vti_contacts some = right;
     vti_fault fault = {7, 7, 7};
     assert_int_equal(vti_contacts_check(NULL, 2, &fault), VTI_E_NULL);
@@ -145,6 +178,11 @@ TEST(contacts)
         assert_true(fault.value == (double)wrong[k][2]);
         assert_int_equal(vti_contacts_check(&some, 2, NULL), VTI_E_CONTACT);
     }
+    assert_true(vti_contacts_stiffness(&right, 0) == 5 && isnan(vti_contacts_stiffness(NULL, 0)));
+    assert_true(isnan(vti_contacts_stiffness(&right, 1)) && isnan(vti_contacts_stiffness(&right, -1)));
+    some = right;
+    some.diameter.p = NULL;
+    assert_true(isnan(vti_contacts_stiffness(&some, 0)));
     const double none[] = {-1, NAN, INFINITY, 0};
     for (int k = 0; k < 4; ++k) {
         const double sizes[2] = {1, none[k]};
@@ -158,6 +196,7 @@ TEST(contacts)
         assert_int_equal(vti_contacts_check(&some, 2, &fault), none[k] == 0 ? VTI_OK : VTI_E_CONTACT);
         if (none[k] != 0)
             nothing_of_bodies(&fault, -1);
+        law_of_a_pair(right, none[k]);
     }
 }
 
@@ -229,7 +268,7 @@ TEST(stable)
     vti_contacts contacts = {.count = 1, .pair = far, .diameter = vti_scalars_one(&one), .stiffness = 1};
     const vti_effect binder = vti_bonds_effect(&bonds), contact = vti_contacts_effect(&contacts);
     const vti_effect gravity = {.name = "own", .apply = binder.apply};
-    const vti_deformation at = {0.1, 0.1, 0}, *const where[] = {NULL, &at};
+    const vti_deformation at = {0.1, 0.1, 0}, any = {0.1, 0.1, 1}, *const where[] = {NULL, &at};
     vti_bodies stale = b, all = b;
     double centre[6] = {0, 0, 0, 1, 0, 0};
     stale.abi = VTI_ABI + 1;
@@ -248,6 +287,9 @@ TEST(stable)
         bonds.pair = contacts.pair = below;
         assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_BOND);
         assert_int_equal(vti_stable_step(&contact, 1, &all, where[k], scratch, &found), VTI_E_BOND);
+        contacts.length = vti_scalars_one(&one);
+        assert_int_equal(vti_stable_step(&contact, 1, &all, &any, scratch, &found), VTI_E_BOND);
+        contacts.length.p = NULL;
         bonds.pair = contacts.pair = good;
         bonds.rest = NULL;
         assert_int_equal(vti_stable_step(&binder, 1, &all, where[k], scratch, &found), VTI_E_NULL);
@@ -276,7 +318,7 @@ TEST(nothing_oscillates)
     const double rest[4] = {1, 0, 0, 1}, zero = 0, one = 1, plane[4] = {0, 0, 1, 0};
     const vti_bonds no_bonds = {0}, slack = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&zero)};
     const vti_contacts no_contacts = {.diameter = vti_scalars_one(&one)},
-                       touching = {1, pair, 0, vti_scalars_one(&one), 3};
+                       touching = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&one), .stiffness = 3};
     const vti_walls no_walls = {0}, under = {1, plane, vti_scalars_one(&one), 3};
     const vti_gravity weight = {{0, 0, -1}};
     const vti_effect lists[] = {vti_bonds_effect(&no_bonds), vti_contacts_effect(&no_contacts),
