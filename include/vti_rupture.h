@@ -14,8 +14,8 @@ extern "C" {
 /** Entries of vti_rupture.lost. */
 enum { VTI_RUPTURE_BOOKS = 1 };
 
-/** What bonds bear (EQUATIONS 6.7). At the end of a step, with N, V, M_b, M_t, U and r/L0 - 1 of vti_bonds_measure where
- *  the bodies are, those break for which
+/** What bonds bear (EQUATIONS 6.7). At the end of a step, with N, V, M_b, M_t, U and r/L0 - 1 of vti_bonds_measure
+ *  where the bodies are, those break for which
  *
  *      N/normal + V/shear + M_b/bending + M_t/torsion >= 1,  or  r/L0 - 1 >= stretch,  or  U >= energy;
  *

@@ -15,6 +15,10 @@
 static const struct scene_word shear_forms[] = {
     {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
 
+#define LIMIT(KEY, NUMBER, ABOUT, SAYS)                                                                                \
+    {                                                                                                                  \
+        "binder.break." #KEY, SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(limit[NUMBER]), ABOUT, SAYS, NULL            \
+    }
 static const struct scene_field fields[] = {
     {"binder", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bonds",
      "Elastic bonds between neighbours, or between the bodies of a table; at least one of moment, axial and shear.",
@@ -35,7 +39,28 @@ static const struct scene_field fields[] = {
      "objective: unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in the "
      "paper, not objective.",
      shear_forms},
+    {"binder.break", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rupture of bonds",
+     "Bonds break at the end of a step where N/normal + V/shear + M_b/bending + M_t/torsion >= 1, or stretch or energy "
+     "is reached; steppers with negative coefficients are refused.",
+     NULL},
+    LIMIT(stretch, LIMIT_STRETCH, "limit of stretch", "Of r/L0 - 1."),
+    LIMIT(normal, LIMIT_NORMAL, "limit of normal force",
+          "Of N = K^a/L0 (r/L0 - 1), which is negative under pressure, and then delays rupture."),
+    LIMIT(shear, LIMIT_SHEAR, "limit of shear force", "Of V, the force across the bond."),
+    LIMIT(bending, LIMIT_BENDING, "limit of bending moment", "Of M_b = K^m theta across the bond."),
+    LIMIT(torsion, LIMIT_TORSION, "limit of torsion moment", "Of M_t = K^m theta about the bond."),
+    LIMIT(energy, LIMIT_ENERGY, "limit of energy", "Of what all terms of a bond hold."),
 };
+#undef LIMIT
+
+/** Limits of forces and moments, and the term that each of them is of. */
+static const struct {
+    const char *key, *stiffness;
+    int term;
+} limits[LIMITS] = {[LIMIT_NORMAL] = {"binder.break.normal", "binder.axial", BOND_AXIAL},
+                    [LIMIT_SHEAR] = {"binder.break.shear", "binder.shear", BOND_SHEAR},
+                    [LIMIT_BENDING] = {"binder.break.bending", "binder.moment", BOND_MOMENT},
+                    [LIMIT_TORSION] = {"binder.break.torsion", "binder.moment", BOND_MOMENT}};
 
 static void defaults(void *settings)
 {
@@ -53,6 +78,13 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
                                  "a single body has no bonds; give bodies.ring, chain, lattice or table");
     if (!has_table && binder->stiffness[0] == 0.0 && binder->stiffness[1] == 0.0 && binder->stiffness[2] == 0.0)
         return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");
+    if (scene_reader_has(reader, "binder.break") && !binder_may_break(binder, NULL))
+        return scene_reader_fail(reader, "binder.break",
+                                 "no limit; give stretch, normal, shear, bending, torsion or energy");
+    for (int k = LIMIT_NORMAL; k <= LIMIT_TORSION && !has_table; ++k)
+        if (binder->limit[k] != 0.0 && binder->stiffness[limits[k].term - BOND_MOMENT] == 0.0)
+            return scene_reader_fail(reader, limits[k].key, "bonds have no stiffness that could reach it; give %s",
+                                     limits[k].stiffness);
     return 0;
 }
 
@@ -62,7 +94,13 @@ static const struct table_column columns[] = {{"i", TABLE_INDEX},
                                               {"j", TABLE_INDEX},
                                               {"moment", TABLE_NOT_NEGATIVE},
                                               {"axial", TABLE_NOT_NEGATIVE},
-                                              {"shear", TABLE_NOT_NEGATIVE}};
+                                              {"shear", TABLE_NOT_NEGATIVE},
+                                              {"break_stretch", TABLE_POSITIVE},
+                                              {"break_normal", TABLE_POSITIVE},
+                                              {"break_shear", TABLE_POSITIVE},
+                                              {"break_bending", TABLE_POSITIVE},
+                                              {"break_torsion", TABLE_POSITIVE},
+                                              {"break_energy", TABLE_POSITIVE}};
 
 static int check_columns(const struct table *table, struct message *message)
 {
@@ -80,6 +118,25 @@ static int has_term(const struct binder_settings *binder, const struct table *ta
     return binder->stiffness[column - BOND_MOMENT] != 0.0 || (table != NULL && table_has(table, column));
 }
 
+/** No limit has two sources, or none that could reach it. */
+static int check_limits(const struct binder_settings *binder, const struct table *table, struct message *message)
+{
+    char text[160];
+    for (int k = 0; k < LIMITS; ++k) {
+        const char *name = table_column(&binder_table, BOND_LIMITS + k);
+        if (binder->limit[k] != 0.0 && table_has(table, BOND_LIMITS + k)) {
+            snprintf(text, sizeof text, "gives %s, which the scene gives in binder.break too; keep one of them", name);
+            return table_fail_whole(table, message, text);
+        }
+        if (limits[k].key != NULL && binder_has_limit(binder, table, k) && !has_term(binder, table, limits[k].term)) {
+            snprintf(text, sizeof text, "bonds have no stiffness that could reach %s; give %s", name,
+                     limits[k].stiffness);
+            return table_fail_whole(table, message, text);
+        }
+    }
+    return 0;
+}
+
 static int check_tables(const struct model *model, const void *settings, const struct tables *tables,
                         struct message *message)
 {
@@ -95,9 +152,10 @@ static int check_tables(const struct model *model, const void *settings, const s
             return table_fail_whole(table, message, both[k - BOND_MOMENT]);
         terms += has_term(binder, table, k);
     }
-    return terms > 0 ? 0
-                     : table_fail_whole(table, message,
-                                        "no column moment, axial or shear; bonds need one of them, or binder.moment");
+    if (terms == 0)
+        return table_fail_whole(table, message,
+                                "no column moment, axial or shear; bonds need one of them, or binder.moment");
+    return check_limits(binder, table, message);
 }
 
 static vti_effect draft(const void *settings, const struct table *table)
@@ -111,6 +169,8 @@ static vti_effect draft(const void *settings, const struct table *table)
             *terms[k - BOND_MOMENT] = vti_scalars_one(&any);
     vti_effect effect = vti_bonds_effect(&bonds);
     effect.self = NULL;
+    if (binder_may_break(binder, table))
+        binder_add_rupture(&effect, NULL);
     return effect;
 }
 
@@ -123,12 +183,15 @@ static int make(struct effect *e, const struct model *model, const struct table 
     if (self == NULL || binder_make_bonds(e, model, table, message) != 0)
         return -1;
     made->self = &self->bonds;
+    if (made->rupture != NULL)
+        made->booked = e->booked;
     return 0;
 }
 
 static void destroy(struct effect *e)
 {
     struct binder_self *self = e->self;
+    binder_free_breaking(&self->breaking);
     free(self->turns.pair);
     free(self->pair);
     free(self->memory);
@@ -138,7 +201,9 @@ static void destroy(struct effect *e)
 
 static void say(const struct effect *e, char *text, size_t size)
 {
-    snprintf(text, size, "%lld bonds", (long long)((const struct binder_self *)e->self)->bonds.count);
+    const struct binder_self *self = e->self;
+    snprintf(text, size, "%lld bonds%s", (long long)self->bonds.count,
+             self->breaking.id != NULL ? ", which may break" : "");
 }
 
 static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
@@ -173,7 +238,8 @@ static const vti_bonds *bonds(const struct effect *e)
 
 static const struct effect_term terms[] = {{"binder_moment", "$U^{\\mathrm{m}}$", "bending and torsion", "#E69F00"},
                                            {"binder_axial", "$U^{\\mathrm{a}}$", "axial", "#D55E00"},
-                                           {"binder_shear", "$U^{\\mathrm{s}}$", "shear", "#AA4499"}};
+                                           {"binder_shear", "$U^{\\mathrm{s}}$", "shear", "#AA4499"},
+                                           {"lost_rupture", "$Q^{\\mathrm{b}}$", "lost to rupture", "#882255"}};
 
 const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .key = "binder",
@@ -193,4 +259,6 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .deform = deform,
                                           .lines = &binder_lines,
                                           .bonds = bonds,
-                                          .watch = &binder_watch};
+                                          .watch = &binder_watch,
+                                          .breaks = &binder_breaks,
+                                          .memory = &binder_memory};

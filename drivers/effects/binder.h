@@ -7,30 +7,53 @@
 #include "model.h"
 #include "table.h"
 
-/** Columns of the table of bonds: i j (bodies, from 0), and moment axial shear (stiffnesses). */
-enum { BOND_I, BOND_J, BOND_MOMENT, BOND_AXIAL, BOND_SHEAR };
+/** What bonds bear, in the order of the columns and of the members of vti_rupture. */
+enum { LIMIT_STRETCH, LIMIT_NORMAL, LIMIT_SHEAR, LIMIT_BENDING, LIMIT_TORSION, LIMIT_ENERGY, LIMITS };
 
-/** Stiffnesses of all bonds, in the order of the columns; 0 is a term that the file does not name. */
+/** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), and limits. */
+enum { BOND_I, BOND_J, BOND_MOMENT, BOND_AXIAL, BOND_SHEAR, BOND_LIMITS, BOND_COLUMNS = BOND_LIMITS + LIMITS };
+
+/** Stiffnesses and limits of all bonds, in the order of the columns; 0 is a term, or a limit, that the file does not
+ *  name. */
 struct binder_settings {
     char table[SCENE_PATH_SIZE]; /* of the bonds, "" for the neighbours of the arrangement */
     double stiffness[3];
     int64_t shear_form; /* vti_shear */
+    double limit[LIMITS];
 };
 
 /** Which bonds have turned past half a turn (bond_turns.c). */
 struct bond_turns {
-    const vti_bonds *bonds;
+    const struct binder_self *binder;
     double least;    /* energy that takes the weakest bond to half a turn, K^m pi^2/2; infinite without such bonds */
     double watching; /* 1 while there is as much */
     double turned;   /* bonds that have */
-    double *pair;    /* [bonds][4]: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has turned */
+    double *pair;    /* [all][4], by number: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has
+                        turned */
+};
+
+/** Bonds that break (binder_break.c); all zeros where none can. Bonds have the numbers that they have in the scene, and
+ *  their arrays keep all of them: those that hold, in their order, and behind them those that have broken. */
+struct bond_break {
+    vti_rupture rupture;
+    double *memory; /* limits, and broke */
+    int64_t *id;    /* [all] number of the bond at each place of the list */
+    int64_t *ends;  /* [all][2] bodies of each bond, by number */
+    double *broke;  /* [all] the step at whose end it broke, by number; infinite while it holds */
+    int64_t *root;  /* [bodies] a body of the same fragment with no larger number, its own of the first one; -1 of a
+                        body that was never bonded */
+    int64_t bodies;
+    int64_t holding; /* as of the last time that somebody asked what has broken */
+    int64_t changes; /* how often the list has changed */
 };
 
 struct binder_self {
-    vti_bonds bonds;
+    vti_bonds bonds; /* those that hold; what the effect's self points to, so it stands first */
+    int64_t all;     /* how many there were at t = 0 */
     int64_t *pair;
     double *memory; /* rest vectors and stiffnesses */
     struct bond_turns turns;
+    struct bond_break breaking;
 };
 
 extern const struct table_kind binder_table;
@@ -44,7 +67,28 @@ int binder_take_part(const struct effect *e, const vti_bodies *slice, struct eff
 /** Follows bonds to half a turn. */
 extern const struct effect_watch binder_watch;
 
-/** Of each bond: its energy, the sum over its terms, and its stretch r/L0 - 1. */
+/** Of each bond: its energy, the sum over its terms, its stretch r/L0 - 1, and 1 while it holds, if bonds break. */
 extern const struct effect_lines binder_lines;
+
+/* ---- rupture (binder_break.c) ------------------------------------------------------------------------------------ */
+
+/** Whether a limit is in the scene or in the table, which may be NULL. */
+int binder_has_limit(const struct binder_settings *binder, const struct table *table, int limit);
+int binder_may_break(const struct binder_settings *binder, const struct table *table);
+/** What *effect of bonds needs, gives and books besides, if they break. */
+void binder_add_rupture(vti_effect *effect, const vti_sum *booked);
+/** Makes e->self->breaking of the bonds, if they break. Returns 0, or -1 with one line in *message. */
+int binder_make_breaking(struct effect *e, const struct model *model, const struct table *table,
+                         struct message *message);
+void binder_free_breaking(struct bond_break *breaking);
+
+/** The number of the bond at place k of the list. */
+static inline int64_t binder_number(const struct binder_self *self, int64_t k)
+{
+    return self->breaking.id != NULL ? self->breaking.id[k] : k;
+}
+
+extern const struct effect_breaks binder_breaks;
+extern const struct effect_memory_of binder_memory;
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Bonds from a table, or between the neighbours of an arrangement; and what each of them tells in files. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -118,7 +117,7 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
         return fail_rest(model, t, self->pair, fault.body, message);
     double *next = self->memory + REST * count;
     vti_bonds *bonds = &self->bonds;
-    bonds->count = count;
+    bonds->count = self->all = count;
     bonds->pair = self->pair;
     bonds->rest = self->memory;
     bonds->moment = stiffness(&binder->stiffness[0], t, BOND_MOMENT, &next);
@@ -129,66 +128,52 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
     if (status != VTI_OK)
         return message_set(message, "%s: bond %lld: %s", model->scene->name, (long long)fault.body,
                            vti_status_text(status));
-    return 0;
+    return binder_make_breaking(e, model, t, message);
 }
 
 /* ---- what a bond tells ------------------------------------------------------------------------------------------- */
 
-static const vti_bonds *bonds_of(const struct effect *e)
-{
-    return &((const struct binder_self *)e->self)->bonds;
-}
-
 static int64_t count(const struct effect *e)
 {
-    return bonds_of(e)->count;
+    return ((const struct binder_self *)e->self)->all;
 }
 
 static void ends(const struct effect *e, int64_t k, int64_t pair[2])
 {
-    pair[0] = bonds_of(e)->pair[2 * k];
-    pair[1] = bonds_of(e)->pair[2 * k + 1];
+    const struct binder_self *self = e->self;
+    const int64_t *bodies = self->breaking.ends != NULL ? self->breaking.ends : self->pair;
+    pair[0] = bodies[2 * k];
+    pair[1] = bodies[2 * k + 1];
 }
 
-/** The list of bond k alone. */
-static vti_bonds one_bond(const vti_bonds *bonds, int64_t k)
+/** Of all bonds of the scene, whether they hold or not: their arrays have all. */
+static int values(const struct effect *e, const vti_bodies *bodies, int64_t step, double *const *value)
 {
-    vti_bonds one = *bonds;
-    one.count = 1;
-    one.pair += 2 * k;
-    one.rest += 4 * k;
-    one.moment.p += one.moment.p != NULL ? k * one.moment.stride : 0;
-    one.axial.p += one.axial.p != NULL ? k * one.axial.stride : 0;
-    one.shear.p += one.shear.p != NULL ? k * one.shear.stride : 0;
-    return one;
-}
-
-static double stretch_of(const vti_bonds *one, const vti_view *x)
-{
-    double d[3];
-    for (int c = 0; c < 3; ++c)
-        d[c] = x->c[c][(one->pair[0] - one->base) * x->stride] - x->c[c][(one->pair[1] - one->base) * x->stride];
-    return sqrt(vti_dot(d, d)) / one->rest[3] - 1.0;
-}
-
-static int values(const struct effect *e, const vti_bodies *bodies, double *const *value)
-{
-    for (int64_t k = 0; k < count(e); ++k) {
-        const vti_bonds one = one_bond(bonds_of(e), k);
-        const vti_effect effect = vti_bonds_effect(&one);
-        const int status = effect.check(effect.self, bodies);
-        double energies[VTI_TERMS];
+    enum { TILE = 64 };
+    const struct binder_self *self = e->self;
+    const double *broke = self->breaking.broke;
+    double measures[TILE][VTI_BOND_MEASURES];
+    vti_bonds every = self->bonds;
+    every.count = self->all;
+    for (int64_t k = 0; k < self->all; ++k) {
+        const int64_t last = k + TILE < self->all ? k + TILE : self->all, m = binder_number(self, k);
+        const int status = k % TILE == 0 ? vti_bonds_measure(&every, bodies, k, last, measures[0]) : VTI_OK;
+        const int holds = broke == NULL || broke[m] > (double)step;
         if (status != VTI_OK)
             return status;
-        effect.energy(effect.self, bodies, energies);
-        value[0][k] = 0.0;
-        for (int64_t term = 0; term < effect.terms; ++term)
-            value[0][k] += energies[term];
-        value[1][k] = stretch_of(&one, &bodies->x);
+        value[0][m] = holds ? measures[k % TILE][VTI_BOND_ENERGY] : 0.0;
+        value[1][m] = holds ? measures[k % TILE][VTI_BOND_STRETCH] : 0.0;
+        if (broke != NULL)
+            value[2][m] = holds;
     }
     return VTI_OK;
 }
 
-static const char *const quantity[] = {"bond_energy", "bond_stretch"};
+static const char *const quantity[] = {"bond_energy", "bond_stretch", "bond_holds"};
 
-const struct effect_lines binder_lines = {"bond", quantity, 2, count, ends, values};
+static int told(const struct effect *e)
+{
+    return ((const struct binder_self *)e->self)->breaking.id != NULL ? 3 : 2;
+}
+
+const struct effect_lines binder_lines = {"bond", quantity, 3, told, count, ends, values};

@@ -30,8 +30,10 @@ static void copy_bonds(const vti_bonds *all, const int64_t *which, vti_bonds *pa
 
 int binder_take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part)
 {
-    const vti_bonds *all = &((const struct binder_self *)e->self)->bonds;
-    if (part->age > 0)
+    const struct binder_self *self = e->self;
+    const vti_bonds *all = &self->bonds;
+    const int64_t age = 1 + self->breaking.changes;
+    if (part->age == age)
         return 0;
     const int64_t n = vti_pairs_of_slice(all->count, all->pair, all->base, slice->first, slice->count, NULL);
     int64_t *which = calloc(n > 0 ? (size_t)n : 1, sizeof *which);
@@ -42,8 +44,8 @@ int binder_take_part(const struct effect *e, const vti_bodies *slice, struct eff
         part->bonds.count = n;
         copy_bonds(all, which, &part->bonds, (int64_t *)(void *)(memory + (REST + STIFFNESSES) * n), memory);
         part->made = vti_bonds_effect(&part->bonds);
-        part->age = 1;
+        part->age = age;
     }
     free(which);
-    return part->age > 0 ? 0 : -1;
+    return part->age == age ? 0 : -1;
 }

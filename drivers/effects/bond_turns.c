@@ -20,12 +20,24 @@ static struct bond_turns *turns_of(const struct effect *e)
     return &((struct binder_self *)e->self)->turns;
 }
 
+/** Those that hold: one that has broken has no moment. */
+static const vti_bonds *bonds_of(const struct bond_turns *b)
+{
+    return &b->binder->bonds;
+}
+
+/** What is known of the bond at place k of the list. */
+static double *pair_of(const struct bond_turns *b, int64_t k)
+{
+    return b->pair + 4 * binder_number(b->binder, k);
+}
+
 static int start(struct effect *e)
 {
     const double half_pi_squared = 4.9348022005446793;
     const vti_bonds *bonds = &((struct binder_self *)e->self)->bonds;
     struct bond_turns *b = turns_of(e);
-    const struct bond_turns made = {bonds, INFINITY, 0.0, 0.0, NULL};
+    const struct bond_turns made = {e->self, INFINITY, 0.0, 0.0, NULL};
     free(b->pair);
     *b = made;
     for (int64_t k = 0; k < bonds->count; ++k)
@@ -33,7 +45,7 @@ static int start(struct effect *e)
             b->least = fmin(b->least, half_pi_squared * stiffness(bonds, k));
     if (!isfinite(b->least))
         return 0;
-    b->pair = calloc((size_t)(4 * bonds->count), sizeof *b->pair);
+    b->pair = calloc((size_t)(4 * b->binder->all), sizeof *b->pair);
     return b->pair != NULL ? 0 : -1;
 }
 
@@ -43,7 +55,7 @@ static void relative(const struct bond_turns *b, const vti_bodies *bodies, int64
     double q[2][4], cross[3];
     for (int c = 0; c < 2; ++c) {
         const vti_view *a = &bodies->alpha;
-        const int64_t at = (b->bonds->pair[2 * k + c] - b->bonds->base) * a->stride;
+        const int64_t at = (bonds_of(b)->pair[2 * k + c] - bonds_of(b)->base) * a->stride;
         const double alpha[3] = {a->c[0][at], a->c[1][at], a->c[2][at]};
         vti_rrv_to_pair(alpha, q[c]);
     }
@@ -67,9 +79,9 @@ static void row(struct effect *e, const vti_bodies *bodies, double energy)
     if (b->pair == NULL)
         return;
     b->watching = !(2.0 * energy < b->least);
-    for (int64_t k = 0; b->watching != 0.0 && !was && k < b->bonds->count; ++k) {
-        double *pair = b->pair + 4 * k;
-        if (stiffness(b->bonds, k) == 0.0 || (!fresh && is_marked(pair)))
+    for (int64_t k = 0; b->watching != 0.0 && !was && k < bonds_of(b)->count; ++k) {
+        double *pair = pair_of(b, k);
+        if (stiffness(bonds_of(b), k) == 0.0 || (!fresh && is_marked(pair)))
             continue;
         relative(b, bodies, k, pair);
         for (int c = 0; c < 4 && pair[3] < 0.0; ++c)
@@ -81,7 +93,7 @@ static void row(struct effect *e, const vti_bodies *bodies, double energy)
 /** Follows bond k; returns 1 if it has turned past half a turn just now. */
 static int follow(const struct bond_turns *b, const vti_bodies *bodies, int64_t k)
 {
-    double now[4], *pair = b->pair + 4 * k;
+    double now[4], *pair = pair_of(b, k);
     if (is_marked(pair))
         return 0;
     relative(b, bodies, k, now);
@@ -103,7 +115,7 @@ struct following {
 static int64_t follow_part(void *self, int64_t part)
 {
     const struct following *f = self;
-    const int64_t all = f->turns->bonds->count, end = threads_begin(all, part + 1, f->parts);
+    const int64_t all = bonds_of(f->turns)->count, end = threads_begin(all, part + 1, f->parts);
     int64_t turned = 0;
     for (int64_t k = threads_begin(all, part, f->parts); k < end; ++k)
         turned += follow(f->turns, f->bodies, k);
@@ -126,7 +138,7 @@ static int64_t turned(const struct effect *e)
 static int64_t size(const struct effect *e)
 {
     const struct bond_turns *b = turns_of(e);
-    return b->pair != NULL ? 2 + 4 * b->bonds->count : 0;
+    return b->pair != NULL ? 2 + 4 * b->binder->all : 0;
 }
 
 static void get(const struct effect *e, double *state)
@@ -136,7 +148,7 @@ static void get(const struct effect *e, double *state)
         return;
     state[0] = b->watching;
     state[1] = b->turned;
-    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->bonds->count));
+    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->binder->all));
 }
 
 static void put(struct effect *e, const double *state)
@@ -146,7 +158,7 @@ static void put(struct effect *e, const double *state)
         return;
     b->watching = state[0];
     b->turned = state[1];
-    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->bonds->count));
+    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->binder->all));
 }
 
 const struct effect_watch binder_watch = {start, row, step, turned, size, get, put};

@@ -7,6 +7,7 @@
 #include "kind.h"
 #include "model.h"
 #include "neighbours.h"
+#include "partings.h"
 #include "shape.h"
 
 struct contact_settings {
@@ -17,6 +18,11 @@ struct contact_settings {
 struct contact_self {
     vti_contacts contacts; /* its list is that of neighbours, as of the last find_pairs */
     struct neighbours neighbours;
+    int parts;                /* 1 if bonds, whose bodies do not touch, may break */
+    struct partings partings; /* of those that have */
+    double *length;           /* of the list, of room for so many; while some pair has one of its own */
+    int64_t room;
+    int64_t age; /* how often pairs or lengths have changed */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -56,6 +62,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
         shape_line(model, k, pair + 2 * k);
     self->contacts.diameter = model->diameter;
     self->contacts.stiffness = contact->stiffness;
+    self->parts = !contact->bonded && shape_breaking(model) != NULL;
     made->self = &self->contacts;
     const int result =
         neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
@@ -67,7 +74,33 @@ static int make(struct effect *e, const struct model *model, const struct table 
 
 static void destroy(struct effect *e)
 {
-    neighbours_destroy(&((struct contact_self *)e->self)->neighbours);
+    struct contact_self *self = e->self;
+    neighbours_destroy(&self->neighbours);
+    partings_destroy(&self->partings);
+    free(self->length);
+}
+
+/** Distances at which the pairs of the list begin to touch, where some of them have one of their own. Returns 0, or -1
+ *  with one line in *message. */
+static int find_lengths(struct contact_self *self, struct message *message)
+{
+    const vti_scalars none = {NULL, 0, 0};
+    const int64_t count = self->contacts.count;
+    self->contacts.length = none;
+    ++self->age;
+    if (self->partings.own == 0)
+        return 0;
+    if (count > self->room) {
+        free(self->length);
+        self->length = malloc((size_t)count * sizeof *self->length);
+        self->room = self->length != NULL ? count : 0;
+    }
+    if (count > self->room)
+        return message_set(message, "contacts: out of memory for %lld pairs; use fewer bodies", (long long)count);
+    partings_lengths(&self->partings, &self->contacts.diameter, count, self->contacts.pair, self->length);
+    if (count > 0)
+        self->contacts.length = vti_scalars_array(self->length);
+    return 0;
 }
 
 static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
@@ -76,29 +109,74 @@ static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message
     const int result = neighbours_update(&self->neighbours, &bodies->x, message);
     self->contacts.count = self->neighbours.count;
     self->contacts.pair = self->neighbours.pair;
-    return result < 0 ? -1 : 0;
+    return result == 1 ? find_lengths(self, message) : result;
 }
+
+static int release(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
+                   struct message *message)
+{
+    struct contact_self *self = e->self;
+    const vti_scalars *diameter = &self->contacts.diameter;
+    if (!self->parts)
+        return 0;
+    const int64_t ended = partings_end(&self->partings, &bodies->x, diameter);
+    for (int64_t k = 0; k < count; ++k) {
+        const int64_t i = pair[2 * k], j = pair[2 * k + 1];
+        if (partings_add(&self->partings, i, j, partings_distance(&bodies->x, i, j), diameter) != 0)
+            return message_set(message, "contacts: out of memory for bonds that have broken; use fewer bodies");
+        neighbours_release(&self->neighbours, i, j);
+    }
+    return ended > 0 ? find_lengths(self, message) : 0;
+}
+
+static int64_t size(const struct effect *e)
+{
+    const struct contact_self *self = e->self;
+    return self->parts ? partings_size(&self->partings) : 0;
+}
+
+static void get(const struct effect *e, double *memory)
+{
+    const struct contact_self *self = e->self;
+    if (self->parts)
+        partings_get(&self->partings, memory);
+}
+
+static int64_t put(struct effect *e, const double *memory, int64_t left)
+{
+    struct contact_self *self = e->self;
+    const int64_t taken = self->parts ? partings_put(&self->partings, memory, left) : 0;
+    for (int64_t k = 0; taken > 0 && k < self->partings.count; ++k)
+        neighbours_release(&self->neighbours, self->partings.list[k].i, self->partings.list[k].j);
+    return taken;
+}
+
+static const struct effect_memory_of remembered = {size, get, put};
 
 static int take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part)
 {
     const struct contact_self *self = e->self;
     const vti_contacts *all = &self->contacts;
-    if (part->age == self->neighbours.builds)
+    if (part->age == self->age)
         return 0;
     const int64_t n = vti_pairs_of_slice(all->count, all->pair, all->base, slice->first, slice->count, NULL);
-    int64_t *pair = effect_part_room(part, 2 * n);
+    int64_t *pair = effect_part_room(part, 3 * n);
+    double *length = (double *)(void *)(pair + 2 * n);
     if (pair == NULL)
         return -1;
-    part->age = self->neighbours.builds;
+    part->age = self->age;
     part->contacts = *all;
     part->contacts.count = 0;
     part->contacts.pair = pair;
     for (int64_t k = 0; k < all->count; ++k)
         if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) > 0) {
-            int64_t *to = pair + 2 * part->contacts.count++;
+            int64_t *to = pair + 2 * part->contacts.count;
             to[0] = all->pair[2 * k];
             to[1] = all->pair[2 * k + 1];
+            length[part->contacts.count++] = all->length.p != NULL ? all->length.p[k] : 0.0;
         }
+    if (all->length.p != NULL)
+        part->contacts.length = vti_scalars_array(length);
     part->made = vti_contacts_effect(&part->contacts);
     return 0;
 }
@@ -143,9 +221,11 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .make = make,
                                            .destroy = destroy,
                                            .find_pairs = find_pairs,
+                                           .release = release,
                                            .take_part = take_part,
                                            EFFECT_TERMS(terms),
                                            .limit = limit,
                                            .deform = deform,
                                            .surfaces = surfaces,
-                                           .touching = touching};
+                                           .touching = touching,
+                                           .memory = &remembered};

@@ -126,9 +126,18 @@ static int64_t size(const struct effect *e)
     return 1 + HELD * ((const struct friction_self *)e->self)->history.used;
 }
 
+static int compare(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/** By bodies: where touches stand in the table depends on the order in which they came, which is another one for a run
+ *  that goes on. */
 static void get(const struct effect *e, double *memory)
 {
     const vti_history *history = &((const struct friction_self *)e->self)->history;
+    double *const first = memory + 1;
     *memory++ = (double)history->used;
     for (int64_t k = 0; k < history->slots; ++k) {
         const vti_held *held = &history->slot[k];
@@ -142,6 +151,7 @@ static void get(const struct effect *e, double *memory)
             *memory++ = held->rolling[c];
         *memory++ = held->twisting;
     }
+    qsort(first, (size_t)history->used, HELD * sizeof *first, compare);
 }
 
 static int64_t put(struct effect *e, const double *memory, int64_t left)

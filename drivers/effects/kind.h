@@ -56,14 +56,27 @@ enum { EFFECT_QUANTITIES = 8 };
 /** Pairs of bodies that it holds: lines in pictures, cells of trajectories, and nothing that pairs in contact are
  *  searched in. */
 struct effect_lines {
-    const char *name;            /* of one; with an s, of all */
-    const char *const *quantity; /* names of the numbers of each line in files */
-    int quantities;              /* at most EFFECT_QUANTITIES */
+    const char *name;                    /* of one; with an s, of all */
+    const char *const *quantity;         /* names of the numbers of each line in files */
+    int quantities;                      /* at most EFFECT_QUANTITIES */
+    int (*told)(const struct effect *e); /* how many of them, from the first on, this scene has; NULL: all */
     int64_t (*count)(const struct effect *e);
     /** The bodies, from 0, of line k. */
     void (*ends)(const struct effect *e, int64_t k, int64_t pair[2]);
-    /** value[q][k] for quantity q of line k, with the bodies where they are. Returns VTI_OK or a status. */
-    int (*values)(const struct effect *e, const vti_bodies *bodies, double *const *value);
+    /** value[q][k] for quantity q of line k, with the bodies where they are at the end of the step. Returns VTI_OK or a
+     *  status. */
+    int (*values)(const struct effect *e, const vti_bodies *bodies, int64_t step, double *const *value);
+};
+
+/** Lines that break as a run goes on (EQUATIONS 6.7); how many there are does not change by it. */
+struct effect_breaks {
+    int (*may)(const struct effect *e); /* whether they can in this scene; where they cannot, nobody asks for more */
+    /** Those that have broken at the end of the step: how many, and in *pair [][2] their bodies. Asked once a step. */
+    int64_t (*broken)(struct effect *e, int64_t step, const int64_t **pair);
+    const char *name[2]; /* columns of a run: lines that hold, and fragments that they hold together, */
+    void (*count)(const struct effect *e, double value[2]); /* and their values now */
+    /** The first body of the fragment that each body is in at the end of the step; -1 of a body that had no line. */
+    void (*fragments)(const struct effect *e, int64_t step, double *fragment);
 };
 
 /** Planes n.x = d that bodies do not pass. */
@@ -147,6 +160,10 @@ struct effect_kind {
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
     /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
+    /** At the end of every step of a model whose lines break: those of these count pairs of bodies have just broken.
+     *  Returns as find_pairs. */
+    int (*release)(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
+                   struct message *message);
     /** Makes *part act with the pairs alone that name a body of the slice, if the effect's have changed since it did
      *  last. Threads call it at once, each with a part of its own. Returns 0, or -1 if there is no memory. NULL: a
      *  slice looks at all pairs, or there are none. */
@@ -176,6 +193,7 @@ struct effect_kind {
     const vti_bonds *(*bonds)(const struct effect *e);
     /** The friction where they touch. */
     const vti_friction *(*friction)(const struct effect *e);
+    const struct effect_breaks *breaks;
     const struct effect_watch *watch;
     const struct effect_memory_of *memory; /* beside booked energies */
 };

@@ -71,6 +71,17 @@ void frame_directors(const struct frame_layout *layout, const double *frame, dou
         vti_rrv_rotate(frame + layout->alpha + 3 * i, x_axis, directors + 3 * i);
 }
 
+int frame_has_fragments(const struct frame_layout *layout)
+{
+    return shape_breaking(layout->model) != NULL;
+}
+
+void frame_fragments(const struct frame_layout *layout, const double *frame, double *fragment)
+{
+    const struct effect *breaking = shape_breaking(layout->model);
+    breaking->kind->breaks->fragments(breaking, (int64_t)frame[0], fragment);
+}
+
 /* ---- what effects say of a frame --------------------------------------------------------------------------------- */
 
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)

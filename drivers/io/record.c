@@ -97,7 +97,7 @@ int fields_read(const char *text, int *fields, struct message *message)
 int fields_check(int fields, const struct model *model, struct message *message)
 {
     for (int64_t e = 0; e < model->effects_count && fields != 0; ++e)
-        if (model->effects[e].carry != NULL)
+        if (model->effects[e].carry != NULL || model->effects[e].rupture != NULL)
             return message_set(
                 message,
                 "--fields: the forces of %s depend on what was before, which frames do not hold; leave it "

@@ -30,6 +30,10 @@ void frame_attitudes_w_first(const struct frame_layout *layout, const double *fr
 /** The bodies' own x axes R e_x [n][3], along which arrows of ParaView and VTK point unturned. */
 void frame_directors(const struct frame_layout *layout, const double *frame, double *directors);
 
+/** Whether bodies have fragments (struct effect_breaks), and which each of them is in [n]. */
+int frame_has_fragments(const struct frame_layout *layout);
+void frame_fragments(const struct frame_layout *layout, const double *frame, double *fragment);
+
 /** The model's bodies, with the state of the frame, which is only read. */
 vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame);
 /** Forces and moments [n][3] of all effects, as the model gives them; of what it gives none, nothing is written.

@@ -54,17 +54,23 @@ static void slab(const struct writer *w, const char *path, int64_t k, int64_t co
     fputs("</DataItem>\n", w->file);
 }
 
-/** The lines of frame k in a dataset of numbers of all cells: bodies before lines, frame after frame. */
-static void slab_of_lines(const struct writer *w, const char *path, int64_t k)
+/** Of a dataset with so many numbers a frame, count from the first on in frame k. */
+static void slab_of_numbers(const struct writer *w, const char *path, int64_t k, int64_t all, int64_t first,
+                            int64_t count)
 {
-    const long long n = (long long)w->record->frames.n, all = n + (long long)shape_lines(w->record->model);
     fprintf(w->file,
             "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld\">\n"
             "<DataItem Dimensions=\"3 1\" NumberType=\"Int\" Format=\"XML\">%lld 1 %lld</DataItem>\n",
-            (long long)w->group->count, all * (long long)k + n + (long long)w->group->first,
-            (long long)w->group->count);
-    whole(w, path, all * (long long)w->record->journal->frames.mark.count, 1, "Float");
+            (long long)count, (long long)all * (long long)k + (long long)first, (long long)count);
+    whole(w, path, all * w->record->journal->frames.mark.count, 1, "Float");
     fputs("</DataItem>\n", w->file);
+}
+
+/** The lines of frame k in a dataset of numbers of all cells: bodies before lines, frame after frame. */
+static void slab_of_lines(const struct writer *w, const char *path, int64_t k)
+{
+    const int64_t n = w->record->frames.n;
+    slab_of_numbers(w, path, k, n + shape_lines(w->record->model), n + w->group->first, w->group->count);
 }
 
 static void line_attribute(const struct writer *w, const char *name, int64_t k)
@@ -83,6 +89,14 @@ static void attribute(const struct writer *w, const char *name, int64_t k, int64
     fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n", name,
             columns == 3 ? "Vector" : "Matrix");
     slab(w, path, k, columns);
+    fputs("</Attribute>\n", w->file);
+}
+
+static void fragments(const struct writer *w, int64_t k)
+{
+    const int64_t n = w->record->frames.n;
+    fputs("<Attribute Name=\"fragment\" AttributeType=\"Scalar\" Center=\"Node\">\n", w->file);
+    slab_of_numbers(w, "PointData/fragment", k, n, 0, n);
     fputs("</Attribute>\n", w->file);
 }
 
@@ -148,10 +162,12 @@ static int take_frame(void *self, int64_t k, const double *frame)
         attribute(w, "force", k, 3);
     if ((w->record->fields & FIELD_MOMENT) != 0)
         attribute(w, "moment", k, 3);
+    if (frame_has_fragments(layout))
+        fragments(w, k);
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");
-    for (int q = 0; w->group != NULL && q < w->group->effect->kind->lines->quantities; ++q)
+    for (int q = 0; w->group != NULL && q < shape_quantities(w->group->effect); ++q)
         line_attribute(w, w->group->effect->kind->lines->quantity[q], k);
     fputs("</Grid>\n", w->file);
     return ferror(w->file) ? -1 : 0;

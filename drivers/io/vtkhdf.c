@@ -70,7 +70,7 @@ struct quantity {
     int field; /* 0; or the field, which is made for all bodies at once */
 };
 
-enum { QUANTITIES = 8 };
+enum { QUANTITIES = 9 };
 
 static void quantities_of(const struct record *record, struct quantity list[QUANTITIES])
 {
@@ -82,7 +82,8 @@ static void quantities_of(const struct record *record, struct quantity list[QUAN
                                              {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
                                              {"director", layout->alpha, 3, frame_directors, 0},
                                              {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
-                                             {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT}};
+                                             {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
+                                             {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0}};
     for (int q = 0; q < QUANTITIES; ++q)
         list[q] = all[q];
 }
@@ -109,7 +110,7 @@ static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const str
     hdf5_dataset(root, "Points", H5T_NATIVE_DOUBLE, 2, (const hsize_t[]){points, 3}, NULL);
     for (int q = 0; q < QUANTITIES; ++q)
         if (list[q].place != 0)
-            hdf5_dataset(data, list[q].name, H5T_NATIVE_DOUBLE, 2,
+            hdf5_dataset(data, list[q].name, H5T_NATIVE_DOUBLE, list[q].components > 1 ? 2 : 1,
                          (const hsize_t[]){points, (hsize_t)list[q].components}, NULL);
 }
 
@@ -140,7 +141,7 @@ static void empty_cell_data(struct hdf5_sink *data, const struct record *record)
     const int groups = shape_groups(record->model, list);
     for (int g = 0; g < groups; ++g) {
         const struct effect_lines *lines = list[g].effect->kind->lines;
-        for (int q = 0; q < lines->quantities; ++q)
+        for (int q = 0; q < shape_quantities(list[g].effect); ++q)
             hdf5_dataset(data, lines->quantity[q], H5T_NATIVE_DOUBLE, 1, &values, NULL);
         line_indices(data, record, &list[g]);
     }
@@ -157,27 +158,28 @@ struct writer {
     double *lines; /* the quantities of one group for all cells, zeros but for its lines; NULL without lines */
 };
 
-static void take_group(struct writer *w, const struct shape_group *group, int64_t k, const vti_bodies *bodies)
+static void take_group(struct writer *w, const struct shape_group *group, int64_t k, const double *frame)
 {
     const struct effect_lines *lines = group->effect->kind->lines;
+    const vti_bodies bodies = frame_bodies(&w->record->frames, frame);
     const int64_t count = cells_of(w->record);
+    const int quantities = shape_quantities(group->effect);
     double *value[EFFECT_QUANTITIES];
-    memset(w->lines, 0, sizeof *w->lines * (size_t)(lines->quantities * count));
-    for (int q = 0; q < lines->quantities; ++q)
+    memset(w->lines, 0, sizeof *w->lines * (size_t)(quantities * count));
+    for (int q = 0; q < quantities; ++q)
         value[q] = w->lines + q * count + w->record->frames.n + group->first;
-    w->cells->failed |= lines->values(group->effect, bodies, value) != VTI_OK;
-    for (int q = 0; q < lines->quantities; ++q)
+    w->cells->failed |= lines->values(group->effect, &bodies, (int64_t)frame[0], value) != VTI_OK;
+    for (int q = 0; q < quantities; ++q)
         hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
                   w->lines + q * count);
 }
 
 static void take_lines(struct writer *w, int64_t k, const double *frame)
 {
-    const vti_bodies bodies = frame_bodies(&w->record->frames, frame);
     struct shape_group list[MODEL_EFFECTS];
     const int groups = shape_groups(w->record->model, list);
     for (int g = 0; g < groups; ++g)
-        take_group(w, &list[g], k, &bodies);
+        take_group(w, &list[g], k, frame);
 }
 
 static const double *values_of(struct writer *w, const struct quantity *q, const double *frame)
@@ -248,7 +250,7 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
         offsets = hdf5_group(&s, "CellDataOffsets");
         for (int g = 0; g < count_of_groups; ++g) {
             const struct effect_lines *lines = groups[g].effect->kind->lines;
-            for (int q = 0; q < lines->quantities; ++q)
+            for (int q = 0; q < shape_quantities(groups[g].effect); ++q)
                 sequence(&offsets, lines->quantity[q], frames, 1, 0, cells_of(record));
             sequence(&offsets, lines->name, frames, 1, 0, 0);
         }

@@ -26,7 +26,8 @@ struct run {
     int64_t last; /* step */
     const struct observer *observers;
     int observers_count;
-    int64_t effects; /* how many there are, if some of them flow or carry, else 0 */
+    int64_t effects; /* how many there are, if some of them flow, carry or break, else 0 */
+    int breaks;      /* 1 if some of them break */
     /* on whose v and omega a lagging method is brought to the time of the positions, so that looking at a run does not
      * change its bits */
     struct fork reader;
@@ -83,8 +84,8 @@ static int finish(struct run *run)
     return vti_step_finish(run->stepper, run->h, &model->bodies);
 }
 
-/** One step of any method: stages of kick, drift and forces, and what is left after the last. */
-static int one_step(struct run *run, vti_fault *fault)
+/** One step of any method: stages of kick, drift and forces, what is left after the last, and what breaks then. */
+static int one_step(struct run *run, int64_t step, vti_fault *fault)
 {
     for (int64_t k = 0; k < run->stepper->stages; ++k) {
         int status = probe_forces(run, k);
@@ -95,8 +96,10 @@ static int one_step(struct run *run, vti_fault *fault)
         if (status != VTI_OK)
             return status;
     }
-    const int status = probe_forces(run, run->stepper->stages);
-    return status == VTI_OK ? finish(run) : status;
+    int status = probe_forces(run, run->stepper->stages);
+    if (status == VTI_OK)
+        status = finish(run);
+    return status == VTI_OK && run->breaks ? model_rupture(run->model, step) : status;
 }
 
 static int show(struct run *run, int64_t step)
@@ -137,6 +140,14 @@ static int begin(const struct run *run, int64_t from)
     return status != VTI_OK || from > 0 ? status : vti_step_start(run->stepper, run->h, &run->model->bodies);
 }
 
+static int any_breaks(const struct model *model)
+{
+    int any = 0;
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        any |= model->effects[k].rupture != NULL;
+    return any;
+}
+
 int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
              const struct observer *observers, int observers_count, struct message *message)
 {
@@ -146,7 +157,8 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
                       .last = steps,
                       .observers = observers,
                       .observers_count = observers_count,
-                      .effects = model_dissipates(model) != NULL ? model->effects_count : 0};
+                      .effects = model_dissipates(model) != NULL ? model->effects_count : 0,
+                      .breaks = any_breaks(model)};
     if (create_forks(&run) != 0) {
         free(run.reader.memory);
         free(run.probe.memory);
@@ -157,8 +169,7 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
     int status = begin(&run, from);
     int stopped = status == VTI_OK && show(&run, step);
     while (status == VTI_OK && !stopped && step < steps) {
-        status = one_step(&run, &fault);
-        ++step;
+        status = one_step(&run, ++step, &fault);
         if (status == VTI_OK)
             stopped = show(&run, step);
     }

@@ -111,6 +111,26 @@ const vti_effect *model_dissipates(const struct model *model)
     return NULL;
 }
 
+int model_rupture(struct model *model, int64_t step)
+{
+    const int64_t *pair = NULL;
+    int64_t broken, count = 0;
+    const int status = vti_effects_rupture(model->effects, model->effects_count, &model->bodies, &broken);
+    if (status != VTI_OK)
+        return status;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        if (e->kind->breaks != NULL && e->kind->breaks->may(e))
+            count = e->kind->breaks->broken(e, step, &pair);
+    }
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        if (e->kind->release != NULL && e->kind->release(e, &model->bodies, count, pair, &model->trouble) != 0)
+            return MODEL_E_PAIRS;
+    }
+    return broken > 0 ? model_forces(model, &model->bodies) : VTI_OK;
+}
+
 enum { BOOKS = 2 * VTI_TERMS }; /* doubles */
 
 int64_t model_memory_size(const struct model *model)

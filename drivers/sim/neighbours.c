@@ -158,6 +158,22 @@ int neighbours_update(struct neighbours *list, const vti_view *x, struct message
     return 1;
 }
 
+void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
+{
+    struct neighbours_search *const s = list->search;
+    const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
+    int64_t kept = 0;
+    for (int64_t e = 0; e < s->excluded_count; ++e) {
+        const int64_t *const at = s->excluded + 2 * e;
+        if (at[0] == pair[0] && at[1] == pair[1])
+            continue;
+        s->excluded[2 * kept] = at[0];
+        s->excluded[2 * kept++ + 1] = at[1];
+    }
+    s->is_built &= kept == s->excluded_count;
+    s->excluded_count = kept;
+}
+
 /* ---- create and destroy ------------------------------------------------------------------------------------------ */
 
 static int store_diameters(struct neighbours *list, const vti_scalars *diameter, double skin, struct message *message)

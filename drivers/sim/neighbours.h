@@ -45,6 +45,10 @@ int neighbours_create(struct neighbours *list, int64_t n, const vti_scalars *dia
  *  (the line names the body) or memory is out. The list is empty then, and the next update builds it. */
 int neighbours_update(struct neighbours *list, const vti_view *x, struct message *message);
 
+/** From the next update on the pair of bodies, either way round, is in the list where it is near, though it was
+ *  excluded. Harmless for one that was not. */
+void neighbours_release(struct neighbours *list, int64_t i, int64_t j);
+
 /** Frees the list's memory; harmless for one that is destroyed already or all zeros. */
 void neighbours_destroy(struct neighbours *list);
 

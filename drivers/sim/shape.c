@@ -40,6 +40,22 @@ int64_t shape_lines(const struct model *model)
     return count;
 }
 
+int shape_quantities(const struct effect *effect)
+{
+    const struct effect_lines *lines = effect->kind->lines;
+    return lines->told != NULL ? lines->told(effect) : lines->quantities;
+}
+
+const struct effect *shape_breaking(const struct model *model)
+{
+    for (int64_t r = 0; r < model->rooms_count; ++r) {
+        const struct effect *e = &model->rooms[r];
+        if (e->kind->breaks != NULL && e->kind->breaks->may(e))
+            return e;
+    }
+    return NULL;
+}
+
 void shape_line(const struct model *model, int64_t k, int64_t pair[2])
 {
     const struct effect *e = model->rooms;

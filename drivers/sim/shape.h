@@ -21,7 +21,12 @@ struct shape_group {
 int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECTS]);
 /** Lines of all effects; while a model is being made, of those before. */
 int64_t shape_lines(const struct model *model);
+/** Numbers of each line of the effect in files, of those that it may have. */
+int shape_quantities(const struct effect *effect);
 /** The bodies, from 0, of line k of all. */
 void shape_line(const struct model *model, int64_t k, int64_t pair[2]);
+
+/** The effect whose lines may break in this scene; NULL if there is none. */
+const struct effect *shape_breaking(const struct model *model);
 
 #endif

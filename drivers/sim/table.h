@@ -41,9 +41,11 @@ enum {
     BODY_VECTORS = 12, /* columns that belong together by threes end here */
     BODY_MASS = 12,
     BODY_INERTIA,
-    BODY_DIAMETER,
-    TABLE_COLUMNS
+    BODY_DIAMETER
 };
+
+/** No table has more columns. */
+enum { TABLE_COLUMNS = 24 };
 
 struct table {
     const struct table_kind *kind;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "modified.h"
+#include "shape.h"
 
 /* ---- quantities of the bodies, behind the energies -------------------------------------------------------------- */
 
@@ -37,7 +38,7 @@ static int has(const vti_bodies *bodies, const struct quantity *quantity)
 /* ---- all columns ------------------------------------------------------------------------------------------------ */
 
 /* Everything there is to record, in one array: these, three of each quantity, then the terms of all effects in the
- * model's order, then what all of them have booked. */
+ * model's order, then what all of them have booked, then what of their lines holds. */
 enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
 enum { SOURCES = TERMS + COLUMNS };
 
@@ -93,6 +94,9 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
         for (int k = 0; has(&model->bodies, &quantities[q]) && k < 3 && quantities[q].name[k] != NULL; ++k)
             add(c, quantities[q].name[k], QUANTITY + 3 * q + k, -1);
     }
+    const struct effect *breaking = shape_breaking(model);
+    for (int k = 0; breaking != NULL && k < 2; ++k)
+        add(c, breaking->kind->breaks->name[k], source + k, -1);
 }
 
 void columns_values(const struct columns *c, double t, const vti_bodies *b, double row[COLUMNS])
@@ -123,6 +127,9 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
     for (int q = 0; q < QUANTITIES; ++q)
         if (has(b, &quantities[q]))
             quantities[q].take(b, value + QUANTITY + 3 * q);
+    const struct effect *breaking = shape_breaking(c->model);
+    if (breaking != NULL && source + 2 <= SOURCES)
+        breaking->kind->breaks->count(breaking, value + source);
     for (int k = 0; k < c->count; ++k)
         row[k] = value[c->source[k]];
 }

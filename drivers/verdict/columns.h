@@ -21,8 +21,8 @@ struct columns {
 };
 
 /** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, one per
- *  entry that they book, total, energy_modified if the stepper has one (modified.h), and momentum_, spin_ and angular_
- *  x, y, z. Without translation there is no kinetic_translation and no momentum, without rotation no kinetic_rotation
+ *  entry that they book, total, energy_modified if the stepper has one (modified.h), momentum_, spin_ and angular_ x,
+ *  y, z, and of lines that may break how many hold, and fragments. Without translation there is no kinetic_translation and no momentum, without rotation no kinetic_rotation
  *  and no spin. */
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *columns);
 

@@ -6,6 +6,9 @@ import os
 import sys
 import tempfile
 
+import h5py
+import numpy
+
 from programs import run
 from run_support import contents, read_csv
 from tally import check, conclude
@@ -27,6 +30,20 @@ bond_dashpot: {zeta: 0.125}
 h: 1/256
 t_end: 4
 """,
+    # pulled apart, it breaks; what is left meets again
+    "snap": """name: snap
+bodies: {chain: {count: 8, spacing: 0.98}, mass: 1, inertia: 0.1, diameter: 1, random: {seed: 5, v: 1.5, omega: 1}}
+binder:
+  moment: 5
+  axial: 100
+  shear: {stiffness: 50}
+  break: {stretch: 0.12, normal: 25, shear: 12, bending: 8, torsion: 8, energy: 4}
+bond_dashpot: {zeta: 0.02}
+contact: {stiffness: 500}
+wall: {stiffness: 500, planes: [[1, 0, 0, -0.6], [-1, 0, 0, -7.6]]}
+h: 1/512
+t_end: 4
+""",
     "heap": """name: heap
 bodies:
   lattice: {counts: [2, 2, 4], spacing: 1.1, corner: [0.6, 0.6, 0.6]}
@@ -43,7 +60,7 @@ t_end: 4
 """,
 }
 BAND = {"fall": 1e-13,  # of the largest energy: Verlet is exact in a uniform field
-        "swing": 1e-3, "heap": 3e-3}   # of order h^2
+        "swing": 1e-3, "snap": 1e-3, "heap": 3e-3}   # of order h^2
 
 
 def ledger(base, name):
@@ -71,7 +88,28 @@ def ledger(base, name):
     check(contents(f"{base}/{name}-half/out") == contents(f"{base}/{name}/out"), "... to the same bytes")
 
 
+def pieces(base):
+    """Bonds break for good, and a chain that has lost k of them is k + 1 pieces; files say of each time which they are."""
+    with h5py.File(f"{base}/snap/out.h5") as file:
+        holds = file["VTKHDF/CellData/bond_holds"][...].reshape(-1, 15)[:, 8:]
+        energy = file["VTKHDF/CellData/bond_energy"][...].reshape(-1, 15)[:, 8:]
+        fragment = file["VTKHDF/PointData/fragment"][...].reshape(-1, 8)
+        frames, rows = file["VTKHDF/Steps/Values"][...], file["energies/t"][...]
+        bonds, fragments = file["energies/bonds"][...], file["energies/fragments"][...]
+    check(2 <= 7 - bonds[-1] <= 6 and numpy.all(numpy.diff(bonds) <= 0), f"bonds break and do not heal: {bonds[-1]:g} of 7 are left")
+    check(numpy.all(bonds + fragments == 8), "... each makes a piece more")
+    check(numpy.all(numpy.diff(holds, axis=0) <= 0) and numpy.all((energy > 0) <= (holds == 1)), "... frames say which, with no energy left")
+    check(numpy.array_equal(numpy.sum(holds, axis=1), bonds[numpy.isin(rows, frames)]), "... as many as the rows say")
+    first = numpy.zeros_like(fragment)
+    for body in range(1, 8):
+        first[:, body] = numpy.where(holds[:, body - 1] == 1, first[:, body - 1], body)
+    check(numpy.array_equal(fragment, first), "... and pieces are named after their first bodies")
+
+
 def refusals(base):
+    breaks = run(RUN, f"{base}/snap.yaml", "--set", "bond_dashpot.zeta=0.02", "--fields", "force", "-o", f"{base}/none.h5")
+    check(breaks.returncode == 1 and "--fields: the forces of binder depend on what was before" in breaks.stderr,
+          f"--fields: {breaks.stderr.strip()}")
     remembers = run(RUN, f"{base}/heap.yaml", "--fields", "force", "-o", f"{base}/none.h5")
     check(remembers.returncode == 1 and "--fields: the forces of friction depend on what was before" in remembers.stderr,
           f"--fields: {remembers.stderr.strip()}")
@@ -94,5 +132,6 @@ def refusals(base):
 with tempfile.TemporaryDirectory() as base:
     for name in SCENES:
         ledger(base, name)
+    pieces(base)
     refusals(base)
 conclude()

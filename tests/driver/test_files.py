@@ -76,7 +76,9 @@ def scene(base, u):
                "alpha_z": [0.5, 0, 0, 0], "omega_x": [0, 1, 0, 0], "omega_y": [0.5, 0, 0, 0.25], "omega_z": [0, 0, -1, 0],
                "mass": [1, 2, 1.5, 1], "inertia": [0.125, 0.25, 0.1875, 0.125], "diameter": [1, 1.25, 1, 1]}
     bonds = {"i": [0, 1, 2], "j": [1, 2, 3], "moment": [8, 4, 2], "axial": [64, 32, 48], "shear": [16, 32, 24]}
-    for name, table in (("bodies", columns), ("bonds", bonds)):
+    breaking = {**bonds, "break_stretch": [1, 0.0625, 0.5], "break_normal": [1024] * 3, "break_shear": [512] * 3,
+                "break_bending": [256] * 3, "break_torsion": [256] * 3, "break_energy": [128] * 3}
+    for name, table in (("bodies", columns), ("bonds", bonds), ("breaking", breaking)):
         scaled = {}
         for column, values in table.items():
             times = factor(PAGE[INPUTS]["column"][column][1], u)
@@ -117,7 +119,7 @@ def dissipating(base, u):
 bodies: {{table: bodies.csv}}
 drag: {{linear: {u['kg'] / u['s'] / 2!r}, quadratic: {u['kg'] / u['m'] / 4!r}, angular: {u['J'] * u['s'] / 8!r},
   medium: [{u['m'] / u['s'] / 2!r}, 0, 0]}}
-binder: {{table: bonds.csv}}
+binder: {{table: breaking.csv}}
 bond_dashpot: {{zeta: 0.125, axial: {u['kg'] / u['s']!r}, shear: {u['kg'] / u['s']!r}, bending: {u['J'] * u['s'] / 32!r},
   twisting: {u['J'] * u['s'] / 16!r}}}
 contact: {{stiffness: {128 * u['J']!r}, bonded: yes}}

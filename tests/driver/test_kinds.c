@@ -32,8 +32,8 @@ static void refused(const char *line)
 static void parts(void **state)
 {
     struct message message;
-    static const struct effect_lines lines = {"line", NULL, EFFECT_QUANTITIES + 1, NULL, NULL, NULL};
-    static const struct effect_lines one = {"line", NULL, 1, NULL, NULL, NULL};
+    static const struct effect_lines lines = {"line", NULL, EFFECT_QUANTITIES + 1, NULL, NULL, NULL, NULL};
+    static const struct effect_lines one = {"line", NULL, 1, NULL, NULL, NULL, NULL};
     (void)state;
     copy();
     assert_int_equal(kinds_check_kind(EFFECT_wall, &kind, &message), 0);

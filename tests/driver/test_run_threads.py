@@ -21,6 +21,18 @@ h: 2^-8
 t_end: 1
 """
 
+# A block of bonded spheres breaks on a wall: lists change, and what has broken comes into contact.
+BREAKING = """name: breaking
+bodies: {lattice: {counts: [4, 4, 6], spacing: 0.99, corner: [1, 0, 0]}, mass: 1, diameter: 1, v: [-4, 0, 0],
+         random: {seed: 3, v: 0.5, omega: 1.5}}
+binder: {moment: 2, axial: 200, shear: {stiffness: 100}, break: {stretch: 0.1, normal: 40, shear: 30, bending: 4}}
+contact: {stiffness: 2000}
+wall: {stiffness: 2000, planes: [[1, 0.2, 0, 0.2]]}
+friction: {sliding: 0.3, poisson: 0.3}
+h: 2^-8
+t_end: 1
+"""
+
 
 def files(scene, folder, threads, *options):
     """What a run leaves, or what it says."""
@@ -53,6 +65,10 @@ with tempfile.TemporaryDirectory() as root:
     if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
         sys.exit(77)
     same_bytes(together, root)
+    breaking = os.path.join(root, "breaking.yaml")
+    with open(breaking, "w", encoding="ascii") as file:
+        file.write(BREAKING)
+    same_bytes(breaking, root)
     same_bytes(os.path.join(SCENES, "pile.yaml"), root, "--h", "2^-8")
     same_bytes(os.path.join(SCENES, "torus.yaml"), root, "--stepper", "vti1", "--h", "1/256")
     refusals(together)

@@ -72,7 +72,7 @@ static const struct refusal refused[] = {
     {CHAIN "binder: {axial: 0}\n" TIME, "2:17: binder.axial: '0' is not positive; the stiffness K^a must be > 0"},
     {CHAIN "binder: {moment: -1}\n" TIME, "2:18: binder.moment: '-1' is not positive; the stiffness K^m must be > 0"},
     {CHAIN "binder: {axial: 1, bending: 3}\n" TIME,
-     "2:20: binder.bending: unknown key 'bending'; known in binder: table, moment, axial, shear"},
+     "2:20: binder.bending: unknown key 'bending'; known in binder: table, moment, axial, shear, break"},
     {CHAIN "binder: {shear: 200}\n" TIME, "2:17: binder.shear: '200' is not a section; write its keys, each on a "
                                           "line of its own: stiffness, form"},
     {CHAIN "binder: {shear: {form: objective}}\n" TIME,
@@ -83,6 +83,18 @@ static const struct refusal refused[] = {
      "2:1: binder: a single body has no bonds; give bodies.ring, chain, lattice or table"},
     {"bodies: {table: a.csv}\nbinder: {axial: 1}\n" TIME,
      "2:1: binder: bodies of a table have no neighbours; give table, a file of bonds"},
+
+    /* binder.break */
+    {CHAIN "binder: {axial: 1, break: {}}\n" TIME,
+     "2:20: binder.break: no limit; give stretch, normal, shear, bending, torsion or energy"},
+    {CHAIN "binder: {axial: 1, break: {stretch: 0}}\n" TIME,
+     "2:37: binder.break.stretch: '0' is not positive; the limit of stretch must be > 0"},
+    {CHAIN "binder: {axial: 1, break: {stretch: 1, torsion: 2}}\n" TIME,
+     "2:49: binder.break.torsion: bonds have no stiffness that could reach it; give binder.moment"},
+    {CHAIN "binder: {axial: 1, break: {shear: 2}}\n" TIME,
+     "2:35: binder.break.shear: bonds have no stiffness that could reach it; give binder.shear"},
+    {CHAIN "binder: {moment: 1, break: {normal: 2}}\n" TIME,
+     "2:37: binder.break.normal: bonds have no stiffness that could reach it; give binder.axial"},
 
     /* drag */
     {CHAIN "drag: {}\n" TIME, "2:1: drag: no coefficient; give linear, quadratic or angular"},

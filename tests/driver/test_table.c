@@ -9,7 +9,8 @@
 
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
-#define BOND_NAMES "i, j, moment, axial, shear"
+#define BOND_NAMES                                                                                                     \
+    "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, break_energy"
 
 TEST(reads)
 {
@@ -129,6 +130,11 @@ static const struct {
     {BODIES "binder: {table: c.csv}\n", THREE, "i,j\n0,1\n",
      "c.csv: no column moment, axial or shear; bonds need one of them, or binder.moment"},
     {BONDED, THREE, "i,j,axial\n0,1,1\n", "c.csv: gives what the scene gives as binder.axial too; keep one of them"},
+    {BODIES "binder: {table: c.csv, axial: 1, break: {stretch: 1}}\n", THREE, "i,j,break_stretch\n0,1,1\n",
+     "c.csv: gives break_stretch, which the scene gives in binder.break too; keep one of them"},
+    {BONDED, THREE, "i,j,break_bending\n0,1,1\n",
+     "c.csv: bonds have no stiffness that could reach break_bending; give binder.moment"},
+    {BONDED, THREE, "i,j,break_energy\n0,1,0\n", "c.csv:2:5: break_energy: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,moment\n0,1,1\n", "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
     {BODIES, "x,y,z,mass\n0,0,0,1\n", "", "b.csv: gives what the scene gives as bodies.mass too; keep one of them"},
     {"bodies: {table: b.csv, inertia: 1, v: [0, 0, 1]}\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
