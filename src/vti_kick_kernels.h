@@ -14,19 +14,18 @@
  *  MIXED: of components that lie side by side at any stride, and of separate ones. */
 enum order { PACKED, SEPARATE, MIXED };
 
-/** A view, in variables of its own: what nobody else can change stays in registers. */
+/** A view, in variables of its own: what nobody else can change stays in registers, but for arrays that are indexed or
+ *  passed on, of which there are none here. */
 struct stream {
     double *c[3];
-    int64_t stride, at[WIDTH];
+    int64_t stride;
     int adjacent; /* its components lie side by side */
 };
 
 VTI_INLINE struct stream stream_of(const vti_view *v)
 {
     const int adjacent = vti_has(v) && v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
-    struct stream s = {{v->c[0], v->c[1], v->c[2]}, v->stride, {0}, adjacent};
-    lanes_strided(v->stride, s.at);
-    return s;
+    return (struct stream){{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
 }
 
 /** The order in which lanes are filled from it alone; -1 if they cannot be. */
@@ -44,18 +43,22 @@ VTI_INLINE int order_with(int order, struct stream s)
 
 VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
 {
-    if (order == MIXED && s.adjacent)
-        lanes_triples(s.c[0] + i * s.stride, s.at, r);
-    else
+    if (order == MIXED && s.adjacent) {
+        int64_t at[WIDTH];
+        lanes_strided(s.stride, at);
+        lanes_triples(s.c[0] + i * s.stride, at, r);
+    } else
         for (int k = 0; k < 3; ++k)
             r[k] = lanes_load(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i);
 }
 
 VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes r[3])
 {
-    if (order == MIXED && s.adjacent)
-        lanes_untriple(s.c[0] + i * s.stride, s.at, r);
-    else
+    if (order == MIXED && s.adjacent) {
+        int64_t at[WIDTH];
+        lanes_strided(s.stride, at);
+        lanes_untriple(s.c[0] + i * s.stride, at, r);
+    } else
         for (int k = 0; k < 3; ++k)
             lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
 }
@@ -65,25 +68,26 @@ VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes 
 /** The kicks of a move of one quantity: a += t/m by, once or twice. */
 struct kicks {
     int count;
-    double t[2];
+    double first, second; /* their times */
     struct stream by;
     const double *m;
     int64_t stride;
-    lanes quotient[2]; /* where one m serves all */
+    lanes by_first, by_second; /* times over m, where one m serves all */
 };
 
 VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by, const vti_scalars *over)
 {
-    struct kicks k = {0, {0.0, 0.0}, stream_of(by), over->p, over->stride, {lanes_of(0.0), lanes_of(0.0)}};
-    if (!vti_has(by))
-        return k;
-    if (move->before != 0.0)
-        k.t[k.count++] = move->before;
-    if (move->kick != 0.0)
-        k.t[k.count++] = move->kick;
-    for (int n = 0; n < k.count && k.stride == 0; ++n)
-        k.quotient[n] = lanes_of(k.t[n] / *k.m);
-    return k;
+    const int before = vti_has(by) && move->before != 0.0, now = vti_has(by) && move->kick != 0.0;
+    const double first = before ? move->before : move->kick, second = move->kick;
+    const int one = before + now > 0 && over->stride == 0;
+    return (struct kicks){before + now,
+                          first,
+                          second,
+                          stream_of(by),
+                          over->p,
+                          over->stride,
+                          lanes_of(one ? first / *over->p : 0.0),
+                          lanes_of(one ? second / *over->p : 0.0)};
 }
 
 VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lanes a[3])
@@ -97,12 +101,12 @@ VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lane
 
 VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
 {
-    lanes by[3], first = k.quotient[0], second = k.quotient[1];
+    lanes by[3], first = k.by_first, second = k.by_second;
     load(order, k.by, i, by);
     if (k.stride != 0) {
         const lanes m = lanes_of_scalars(k.m + i * k.stride, k.stride);
-        first = k.t[0] / m;
-        second = k.count > 1 && k.t[1] != k.t[0] ? k.t[1] / m : first;
+        first = k.first / m;
+        second = k.count > 1 && k.second != k.first ? k.second / m : first;
     }
     add_by(order, first, by, a);
     if (k.count > 1)
@@ -133,17 +137,20 @@ VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct
 VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, int moves, struct stream x, int64_t begin,
                                    int64_t end)
 {
-    double q[2] = {k.quotient[0][0], k.quotient[1][0]};
+    double first = lanes_get(k.by_first, 0), second = lanes_get(k.by_second, 0);
     for (int64_t i = begin; i < end; ++i) {
         double *const v = a.c[0] + i * a.stride, *const place = x.c[0] + i * x.stride;
         pair xy = pair_load(v);
         double z = v[2];
+        if (k.stride != 0 && k.count > 0) {
+            const double m = k.m[i * k.stride];
+            first = k.first / m;
+            second = k.second == k.first ? first : k.second / m;
+        }
         for (int n = 0; n < k.count; ++n) {
-            const double *const by = k.by.c[0] + i * k.by.stride;
-            if (k.stride != 0)
-                q[n] = k.t[n] / k.m[i * k.stride];
-            xy += q[n] * pair_load(by);
-            z += q[n] * by[2];
+            const double *const by = k.by.c[0] + i * k.by.stride, q = n == 0 ? first : second;
+            xy += q * pair_load(by);
+            z += q * by[2];
         }
         if (k.count > 0) {
             pair_store(v, xy);
