@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Contact: Hertzian, between spheres that overlap (EQUATIONS 3). */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -8,11 +9,13 @@
 #include "model.h"
 #include "neighbours.h"
 #include "partings.h"
+#include "scene_reader.h"
 #include "shape.h"
 
 struct contact_settings {
-    double stiffness;
-    int64_t bonded; /* 1: also between bodies that are held together */
+    double stiffness;      /* 0: that of a material */
+    double young, poisson; /* of the material, if there is one */
+    int64_t bonded;        /* 1: also between bodies that are held together */
 };
 
 struct contact_self {
@@ -22,7 +25,9 @@ struct contact_self {
     struct partings partings; /* of those that have */
     double *length;           /* of the list, of room for so many; while some pair has one of its own */
     int64_t room;
-    int64_t age; /* how often pairs or lengths have changed */
+    int64_t age;      /* how often pairs or lengths have changed */
+    double modulus;   /* of the material */
+    double stiffness; /* K of the softest pair that there may be */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -30,11 +35,38 @@ struct contact_self {
 static const struct scene_field fields[] = {
     {"contact", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "contact of the spheres",
      "Hertzian contact between spheres that overlap; pairs are searched for.", NULL},
-    {"contact.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, offsetof(struct contact_settings, stiffness),
-     "stiffness K^pp", "Energy: an overlap costs 2/5 K^pp (1 - r/D)^(5/2), D being the mean diameter.", NULL},
+    {"contact.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct contact_settings, stiffness),
+     "stiffness K^pp",
+     "Energy, the same for all pairs: an overlap costs 2/5 K^pp (1 - r/D)^(5/2), D being the mean diameter.", NULL},
+    {"contact.young", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct contact_settings, young),
+     "Young's modulus E",
+     "Force per area, 70e9 of glass in SI units; with contact.poisson in place of contact.stiffness: K^pp of a pair "
+     "follows from its radii, 2/3 E/(1 - nu^2) sqrt(R) D^(5/2), 1/R = 1/R_i + 1/R_j.",
+     NULL},
+    {"contact.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct contact_settings, poisson),
+     "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
     {"contact.bonded", SCENE_YES_NO, SCENE_MAY, SCENE_ANY, offsetof(struct contact_settings, bonded),
      "contact inside bonds", "yes: bodies of a common bond touch too; no (default): they do not.", NULL},
 };
+
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+{
+    const int young = scene_reader_has(reader, "contact.young"), poisson = scene_reader_has(reader, "contact.poisson");
+    (void)scene;
+    if (scene_reader_has(reader, "contact.stiffness")) {
+        if (young || poisson)
+            return scene_reader_fail(reader, young ? "contact.young" : "contact.poisson",
+                                     "given with contact.stiffness; keep one of them");
+        return 0;
+    }
+    if (!young || !poisson)
+        return scene_reader_fail(reader, "contact",
+                                 "no stiffness; give contact.stiffness, or contact.young and contact.poisson");
+    if (((const struct contact_settings *)settings)->poisson > 0.5)
+        return scene_reader_fail(reader, "contact.poisson", "'%s' is above 0.5; no material has that",
+                                 scene_reader_value(reader, "contact.poisson"));
+    return 0;
+}
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
@@ -44,6 +76,20 @@ static vti_effect draft(const void *settings, const struct table *table)
     static const vti_contacts none = {.diameter = {&any, 0, 0}};
     (void)settings, (void)table;
     return vti_contacts_effect(&none);
+}
+
+/** K of two bodies of the smallest size. */
+static double least_stiffness(const struct contact_self *self, int64_t bodies)
+{
+    static const int64_t pair[2] = {0, 1};
+    double least = INFINITY;
+    for (int64_t i = 0; i < bodies; ++i)
+        least = fmin(least, self->contacts.diameter.p[i * self->contacts.diameter.stride]);
+    vti_contacts two = self->contacts;
+    two.count = 1;
+    two.pair = pair;
+    two.diameter = vti_scalars_one(&least);
+    return vti_contacts_stiffness(&two, 0);
 }
 
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
@@ -63,6 +109,10 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->contacts.diameter = model->diameter;
     self->contacts.stiffness = contact->stiffness;
     self->parts = !contact->bonded && shape_breaking(model) != NULL;
+    self->modulus = contact->young / (1.0 - contact->poisson * contact->poisson);
+    if (contact->young > 0.0)
+        self->contacts.modulus = vti_scalars_one(&self->modulus);
+    self->stiffness = least_stiffness(self, model->bodies.count);
     made->self = &self->contacts;
     const int result =
         neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
@@ -201,7 +251,7 @@ static void limit(const vti_deformation *at, const vti_stable *stable, char *tex
 static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
 {
     (void)bodies;
-    hertz_deform(((const struct contact_settings *)e->settings)->stiffness, energy, at);
+    hertz_deform(((const struct contact_self *)e->self)->stiffness, energy, at);
     at->meet = 1;
 }
 
@@ -216,6 +266,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .key = "contact",
                                            EFFECT_FIELDS(fields),
                                            .settings = sizeof(struct contact_settings),
+                                           .check = check,
                                            .draft = draft,
                                            .spheres = 1,
                                            .make = make,

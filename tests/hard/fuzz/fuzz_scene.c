@@ -31,7 +31,9 @@ static void check_effects(const struct scene *s)
                   "a binder has a stiffness");
     fuzz_must(!known || s->translates || scene_first_with(s, EFFECT_TRANSLATING) == NULL,
               "what acts on positions has some");
-    fuzz_must(!calls_for(s, "contact") || positive(*number_setting(s, "contact.stiffness")), "contact is stiff");
+    fuzz_must(!calls_for(s, "contact") || positive(*number_setting(s, "contact.stiffness")) ||
+                  positive(*number_setting(s, "contact.young")),
+              "contact is stiff");
     for (int64_t k = 0; calls_for(s, "wall") && k < planes->count; ++k)
         fuzz_must(fabs(vti_norm(planes->plane[k]) - 1.0) < 1e-15 && isfinite(planes->plane[k][3]), "planes are unit");
     fuzz_must(!calls_for(s, "pendulum") || (s->turns && !s->translates), "a pendulum turns");
