@@ -184,6 +184,15 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
+        function c_walls_gap(walls, w, x, n) result(gap) bind(c, name='vti_walls_gap')
+            import :: c_double, c_int64_t, c_ptr
+            type(c_ptr), value :: walls
+            integer(c_int64_t), value :: w
+            real(c_double), intent(in) :: x(3)
+            real(c_double), intent(inout) :: n(3)
+            real(c_double) :: gap
+        end function
+
         function c_walls_effect(walls) result(effect) bind(c, name='vti_walls_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: walls

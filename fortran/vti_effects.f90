@@ -25,7 +25,7 @@ module vti_effects
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
     public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
-    public :: vti_walls_at, vti_walls_effect
+    public :: vti_walls_at, vti_walls_effect, vti_walls_gap
 
     abstract interface
         subroutine c_visit(context, spring) bind(c)
@@ -452,5 +452,20 @@ contains
         type(vti_effect) :: effect
         if (.not. associated(walls)) return
         if (walls%count >= 0 .and. c_associated(walls%diameter%p)) effect = c_walls_effect(c_loc(walls))
+    end function
+
+    !> The distance of the place x from wall w, from 1, where it is now, and in n the unit normal there; NaN, and n = 0,
+    !> if there is no such wall.
+    function vti_walls_gap(walls, w, x, n) result(gap)
+        type(vti_walls), pointer, intent(in) :: walls
+        integer(c_int64_t), intent(in) :: w
+        real(c_double), intent(in) :: x(3)
+        real(c_double), intent(out) :: n(3)
+        real(c_double) :: gap
+        type(c_ptr) :: p
+        n = 0
+        p = c_null_ptr
+        if (associated(walls)) p = c_loc(walls)
+        gap = c_walls_gap(p, w - 1_c_int64_t, x, n)
     end function
 end module

@@ -185,7 +185,7 @@ module vti_types
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr
         real(c_double) :: sliding = 0, rolling = 0, twisting = 0, stiffness = 0, mindlin = 0, rolling_stiffness = 0, &
             twisting_stiffness = 0, reach = 0
-        type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr
+        type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr, wall_sliding = c_null_ptr
     end type
 
     !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
@@ -196,7 +196,7 @@ module vti_types
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
         integer(c_int64_t) :: pull = 0
         real(c_double) :: reach = 0
-        type(c_ptr) :: lost = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr
     end type
 
     !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs
@@ -211,12 +211,22 @@ module vti_types
         type(vti_scalars) :: modulus, length
     end type
 
-    !> Rigid planes n.x = offset; vti_walls_at makes them from an array.
+    !> How a wall moves; moved is how far it has come, zeros at the start.
+    type, bind(c) :: vti_wall_motion
+        real(c_double) :: velocity(3) = 0, spin = 0, centre(3) = 0, moved(3) = 0
+    end type
+
+    !> Rigid walls: planes n.x = offset, which vti_walls_at makes from an array, and cylinders from inside. each,
+    !> cylinder and motion are the addresses of arrays, (walls), (7,cylinders) and type(vti_wall_motion) (walls), or
+    !> null; work that of a type(vti_sum), zeros at the start.
     type, bind(c) :: vti_walls
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: plane = c_null_ptr
         type(vti_scalars) :: diameter
         real(c_double) :: stiffness = 0
+        type(c_ptr) :: each = c_null_ptr
+        integer(c_int64_t) :: cylinders = 0
+        type(c_ptr) :: cylinder = c_null_ptr, motion = c_null_ptr, work = c_null_ptr
     end type
 
     !> A spring for vti_show_spring, between the bodies i and j or, for j = 0, between i and what does not move; element

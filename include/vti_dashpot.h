@@ -42,6 +42,7 @@ typedef struct vti_dashpots {
                                        narrower one, results do not depend on what else they hold. INFINITY: all */
     vti_sum *lost;                /**< [VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        the motions have lost so far, normal, tangential, rolling, twisting */
+    const double *wall_zeta;      /**< [planes], zeta of each plane in place of zeta; NULL: of all the same */
 } vti_dashpots;
 
 /** The zeta by which two bodies part with the share e of the velocity with which they meet, 0 < e <= 1, in a Hertzian

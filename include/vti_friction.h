@@ -56,14 +56,16 @@ typedef struct vti_friction {
     double rolling;               /**< length: mu_r, about mu times the radius or less */
     double twisting;              /**< length */
     double stiffness;             /**< of sliding, force/length */
-    double mindlin;            /**< in place of it: the ratio of the tangential to the normal stiffness, for bodies of
+    double mindlin;             /**< in place of it: the ratio of the tangential to the normal stiffness, for bodies of
                                        one material of Poisson's ratio nu 2 (1 - nu)/(2 - nu) */
-    double rolling_stiffness;  /**< moment */
-    double twisting_stiffness; /**< moment */
-    double reach;              /**< as in vti_dashpots */
-    vti_history *history;      /**< what the springs hold */
-    vti_sum *lost;             /**< [VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: the energy that
+    double rolling_stiffness;   /**< moment */
+    double twisting_stiffness;  /**< moment */
+    double reach;               /**< as in vti_dashpots */
+    vti_history *history;       /**< what the springs hold */
+    vti_sum *lost;              /**< [VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        sliding, rolling and twisting have taken so far */
+    const double *wall_sliding; /**< [planes], mu of each plane in place of sliding, which is to be above 0 still; NULL:
+                                     of all the same */
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs

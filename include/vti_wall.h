@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * The effect of rigid planes. */
+ * The effect of rigid walls: planes, and cylinders from inside, which may move. */
 #ifndef VTI_WALL_H
 #define VTI_WALL_H
 
@@ -10,16 +10,40 @@
 extern "C" {
 #endif
 
-/** Rigid planes n.x = offset that keep bodies on the side to which n points: a particle of radius zero at the foot
- *  point, U = 2/5 K [1 - g/(D/2)]_+^{5/2} with g = n.x - offset. */
+/** How a wall moves: at a velocity and, without changing its place, about its axis, as a piston, a shear box or a drum
+ *  does. The host may change velocity and spin between steps. */
+typedef struct vti_wall_motion {
+    double velocity[3]; /**< of the wall as a whole */
+    double spin;        /**< angular velocity about the axis, of a plane its normal through centre */
+    double centre[3];   /**< of a plane: a point of that axis where the plane was at first */
+    double moved[3];    /**< how far the wall has come from its first place: zeros at the start, moved along with each
+                             drift by its own time (vti_effects_carry), part of a restart */
+} vti_wall_motion;
+
+/** Rigid walls that keep bodies on one side of planes n.x = offset, that to which n points, and inside of cylinders: a
+ *  particle of radius zero at the foot point, U = 2/5 K [1 - g/(D/2)]_+^{5/2}, g being how far the centre is from the
+ *  wall. They are counted from 0, planes first. */
 typedef struct vti_walls {
     int64_t count;        /**< planes */
-    const double *plane;  /**< [count][4]: n (unit), offset */
+    const double *plane;  /**< [count][4]: n (unit), offset; where it was at first, if it moves */
     vti_scalars diameter; /**< D of the bodies */
-    double stiffness;     /**< K^pw, energy */
+    double stiffness;     /**< K^pw, energy, of all walls */
+    const double *each;   /**< [count + cylinders], K^pw of each wall in place of it; NULL: of all the same */
+    int64_t cylinders;
+    const double *cylinder;  /**< [cylinders][7]: axis (unit), a point on it, radius; the point at first */
+    vti_wall_motion *motion; /**< [count + cylinders]: memory of the caller's; NULL: none moves */
+    vti_sum *work;           /**< one, memory of the caller's, {0, 0} at the start, needed where there is motion: the
+                                  energy that the moving walls have taken, negative what they have put in, by their
+                                  normal forces and by the friction and dashpots on them (EQUATIONS 6.1) */
 } vti_walls;
 
-/** The effect of *walls, which must outlive it. Energy term: "wall". */
+/** The distance of the place x from wall w where it is now, and in n the unit normal there, from the wall to x; on a
+ *  cylinder's axis n = 0. NaN, and n as it was, if there is no such wall. */
+VTI_API double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3]);
+
+/** The effect of *walls, which must outlive it. Energy term: "wall". Where walls move it needs v, carries them along
+ *  with each drift, so that its steps are those of vti_effects_begin, and books their work: "work_wall". It stands
+ *  before the friction of its walls. */
 VTI_API vti_effect vti_walls_effect(const vti_walls *walls);
 
 #ifdef __cplusplus

@@ -15,6 +15,7 @@ enum { AXIAL, SHEAR, BENDING, TWISTING, MOTIONS };
 static int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies *b, int64_t k)
 {
     double d[3], xj[3];
+    at->moves = 0;
     at->i = p->pair[2 * k] - p->base;
     at->j = p->pair[2 * k + 1] - p->base;
     vti_load(&b->x, at->i, d);

@@ -19,6 +19,8 @@ struct vti_carry {
     double slid[3];       /* X of sliding, across n_m */
     double rolled[3];     /* X of rolling, across n_m */
     double twisted;       /* x of twisting */
+    double dragged[3];    /* where walls move: by how much the wall's surface has, */
+    double turned[3];     /* and turned */
 };
 
 static inline void vti_carry_across(double a[3], const double n[3])
@@ -28,35 +30,100 @@ static inline void vti_carry_across(double a[3], const double n[3])
         a[k] -= along * n[k];
 }
 
-/** n0, n_m, delta0 and the motion X over the drift, with its own increments of attitude (a plane: h Omega). */
-static inline void vti_carry_motion(struct vti_carry *c, const vti_bodies *b, const vti_drifted *drifted)
+/** Increments of attitude over the drift: the law's own; at a plane h Omega, so that rolling on it is exact. */
+static inline void vti_carry_turns(const struct vti_touch *at, const vti_walls *walls, const vti_bodies *b,
+                                   const vti_drifted *drifted, double ai[3], double aj[3])
+{
+    const double still[3] = {0.0, 0.0, 0.0};
+    const int at_plane = at->j < 0 && at->wall < walls->count;
+    double wi[3], wj[3];
+    vti_load(&b->omega, at->i, wi);
+    if (at->j >= 0)
+        vti_load(&b->omega, at->j, wj);
+    for (int k = 0; k < 3; ++k) {
+        if (at->j < 0)
+            wj[k] = at->moves ? at->w_j[k] : still[k];
+        ai[k] = drifted->t * wi[k];
+        aj[k] = drifted->t * wj[k];
+    }
+    if (at_plane)
+        return;
+    vti_drift_increment((int)drifted->law, drifted->t, wi, ai);
+    vti_drift_increment((int)drifted->law, drifted->t, wj, aj);
+}
+
+/** The place that body i had before the drift, from a point of the axis of the wall there, and its place now. */
+static inline void vti_carry_from_axis(const struct vti_carry *c, const vti_walls *walls, const vti_bodies *b,
+                                       double before[3], double now[3])
+{
+    double x[3];
+    vti_load(&b->x, c->touch.i, x);
+    vti_face_from_axis(walls, c->touch.wall, x, now);
+    for (int k = 0; k < 3; ++k)
+        before[k] = now[k] - c->slid[k];
+}
+
+/** Takes the way of a turning wall's surface off the motion: A x (foot0 + foot1)/2, A the wall's increment. */
+static inline void vti_carry_drag(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b, double h,
+                                  const double aj[3], const double d0[3])
 {
     const struct vti_touch *const at = &c->touch;
-    const double h = drifted->t;
-    double vi[3], vj[3] = {0.0, 0.0, 0.0}, wi[3], ai[3], aj[3] = {0.0, 0.0, 0.0}, d0[3], turn[3], sum[3], middle[3],
-                  s[3];
-    vti_load(&b->v, at->i, vi);
-    vti_load(&b->omega, at->i, wi);
+    double before[3], now[3], foot[3], way[3];
+    vti_carry_from_axis(c, walls, b, before, now);
     for (int k = 0; k < 3; ++k)
-        ai[k] = h * wi[k];
-    if (at->j >= 0) {
-        double wj[3];
-        vti_load(&b->v, at->j, vj);
-        vti_load(&b->omega, at->j, wj);
-        vti_drift_increment((int)drifted->law, h, wi, ai);
-        vti_drift_increment((int)drifted->law, h, wj, aj);
+        foot[k] = 0.5 * (before[k] - d0[k] + now[k] - at->r * at->n[k]);
+    vti_cross(aj, foot, way);
+    for (int k = 0; k < 3; ++k) {
+        c->slid[k] -= way[k];
+        c->dragged[k] = h * walls->motion[at->wall].velocity[k] + way[k];
+        c->turned[k] = aj[k];
+    }
+}
+
+/** d at the start of the drift, and with it n0 and delta0. */
+static inline void vti_carry_start(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b, double d0[3])
+{
+    const struct vti_touch *const at = &c->touch;
+    if (at->j < 0 && at->wall >= walls->count) {
+        double before[3], now[3];
+        vti_carry_from_axis(c, walls, b, before, now);
+        const double gap = vti_face_inside(vti_face_axis(walls, at->wall), before, c->n0);
+        for (int k = 0; k < 3; ++k)
+            d0[k] = gap * c->n0[k];
+        c->delta0 = at->length - gap;
+        return;
     }
     double along = 0.0; /* of the way, normal to a plane */
-    for (int k = 0; k < 3; ++k) {
-        c->slid[k] = h * (vi[k] - vj[k]);
+    for (int k = 0; k < 3; ++k)
         along += c->slid[k] * at->n[k];
-    }
     for (int k = 0; k < 3; ++k)
         d0[k] = at->j >= 0 ? at->r * at->n[k] - c->slid[k] : (at->r - along) * at->n[k];
     const double r0 = vti_norm(d0);
     c->delta0 = at->length - (at->j >= 0 ? r0 : at->r - along);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         c->n0[k] = at->j >= 0 && r0 > VTI_COINCIDENT ? d0[k] / r0 : at->n[k];
+}
+
+/** n0, n_m, delta0 and the motion X over the drift. */
+static inline void vti_carry_motion(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b,
+                                    const vti_drifted *drifted)
+{
+    const struct vti_touch *const at = &c->touch;
+    const double h = drifted->t;
+    double vi[3], vj[3] = {0.0, 0.0, 0.0}, ai[3], aj[3], d0[3], turn[3], sum[3], middle[3], s[3];
+    vti_load(&b->v, at->i, vi);
+    if (at->j >= 0)
+        vti_load(&b->v, at->j, vj);
+    for (int k = 0; k < 3; ++k) {
+        if (at->moves)
+            vj[k] = walls->motion[at->wall].velocity[k];
+        c->slid[k] = h * (vi[k] - vj[k]);
+    }
+    vti_carry_turns(at, walls, b, drifted, ai, aj);
+    vti_carry_start(c, walls, b, d0);
+    if (at->moves)
+        vti_carry_drag(c, walls, b, h, aj, d0);
+    for (int k = 0; k < 3; ++k) {
         s[k] = c->n0[k] + at->n[k];
         turn[k] = at->s_i * ai[k] + at->s_j * aj[k];
         sum[k] = 0.5 * (d0[k] + at->r * at->n[k]);
@@ -145,10 +212,10 @@ struct vti_carry_law {
     double a0, a1, k0, k1, k_m, kept;
 };
 
-/** The load f of one spring, which X has stretched. Returns what is lost by it: (y + y1).X/2 - |y1|^2/(2 k1) +
- *  |y|^2/(2 k0). */
+/** The load f of one spring, which X has stretched; its mean over the drift in *mean. Returns what is lost by it: (y +
+ *  y1).X/2 - |y1|^2/(2 k1) + |y|^2/(2 k0). */
 static inline double vti_carry_spring(const struct vti_carry *c, const struct vti_carry_law *law, const double x[3],
-                                      double f[3])
+                                      double f[3], double mean[3])
 {
     double y[3] = {f[0], f[1], f[2]}, stretched[3], z[3], turned[3], y1[3] = {0.0, 0.0, 0.0};
     if (!c->turns_over) {
@@ -163,7 +230,8 @@ static inline double vti_carry_spring(const struct vti_carry *c, const struct vt
     }
     double lost = 0.0;
     for (int k = 0; k < 3; ++k) {
-        lost += 0.5 * (y[k] + y1[k]) * x[k];
+        mean[k] = 0.5 * (y[k] + y1[k]);
+        lost += mean[k] * x[k];
         f[k] = y1[k];
     }
     lost -= law->k1 > 0.0 ? 0.5 * vti_dot(y1, y1) / law->k1 : 0.0;
@@ -173,39 +241,57 @@ static inline double vti_carry_spring(const struct vti_carry *c, const struct vt
 }
 
 /** The same of twisting, a scalar. */
-static inline double vti_carry_twist(double a1, double stiffness, double x, double *f)
+static inline double vti_carry_twist(double a1, double stiffness, double x, double *f, double *mean)
 {
     const double y = *f, z = y + stiffness * x, y1 = z > a1 ? a1 : z < -a1 ? -a1 : z;
     *f = y1;
-    return 0.5 * (y + y1) * x - 0.5 * (y1 * y1 - y * y) / stiffness;
+    *mean = 0.5 * (y + y1);
+    return *mean * x - 0.5 * (y1 * y1 - y * y) / stiffness;
+}
+
+/** A wall that moves by so much takes what the load on the body holds back with. */
+static inline void vti_carry_work(const vti_friction *p, const struct vti_carry *c, const double load[3],
+                                  const double way[3])
+{
+    if (c->touch.moves)
+        vti_sum_add(p->walls->work, vti_dot(load, way));
 }
 
 /** All springs of a touch. */
 static inline void vti_carry_held(const vti_friction *p, const struct vti_carry *c, vti_held *held)
 {
     const double force0 = vti_carry_normal(&c->touch, c->delta0), force1 = vti_carry_normal(&c->touch, c->touch.delta);
+    double mean[3];
     if (p->sliding > 0.0) {
         const double k0 = vti_carry_stiffness(p, &c->touch, c->delta0),
                      k1 = vti_carry_stiffness(p, &c->touch, c->touch.delta);
         const int closes = k1 >= k0;
-        const struct vti_carry_law law = {p->sliding * force0,
-                                          p->sliding * force1,
+        const double mu = c->touch.j < 0 ? vti_friction_of_wall(p, c->touch.wall) : p->sliding;
+        const struct vti_carry_law law = {mu * force0,
+                                          mu * force1,
                                           k0,
                                           k1,
                                           !(p->mindlin > 0.0) ? p->stiffness
                                           : closes            ? 0.5 * (k0 + k1)
                                                               : k1,
                                           !(p->mindlin > 0.0) || closes ? 1.0 : k1 / k0};
-        vti_sum_add(&p->lost[0], vti_carry_spring(c, &law, c->slid, held->sliding));
+        vti_sum_add(&p->lost[0], vti_carry_spring(c, &law, c->slid, held->sliding, mean));
+        vti_carry_work(p, c, mean, c->dragged);
     }
     if (p->rolling > 0.0) {
         const double k = p->rolling_stiffness;
         const struct vti_carry_law law = {p->rolling * force0, p->rolling * force1, k, k, k, 1.0};
-        vti_sum_add(&p->lost[1], vti_carry_spring(c, &law, c->rolled, held->rolling));
+        vti_sum_add(&p->lost[1], vti_carry_spring(c, &law, c->rolled, held->rolling, mean));
+        vti_carry_work(p, c, mean, c->turned);
     }
-    if (p->twisting > 0.0)
+    if (p->twisting > 0.0) {
+        double load;
         vti_sum_add(&p->lost[2],
-                    vti_carry_twist(p->twisting * force1, p->twisting_stiffness, c->twisted, &held->twisting));
+                    vti_carry_twist(p->twisting * force1, p->twisting_stiffness, c->twisted, &held->twisting, &load));
+        for (int k = 0; k < 3; ++k)
+            mean[k] = load * c->n_m[k];
+        vti_carry_work(p, c, mean, c->turned);
+    }
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Dashpots of contacts and planes as flows of the time t (EQUATIONS 6.3), with u and w of the touch:
+ * Dashpots of contacts and walls as flows of the time t (EQUATIONS 6.3), with u and w of the touch:
  *
  *     normal p = m_n expm1(-c_n t/m_n) (u.n) n            tangential p = m_t expm1(-c_t t/m_t) P u
  *     rolling l = J_r expm1(-c_r t/J_r) P w               twisting l = J_r expm1(-c_w t/J_r) (w.n) n
@@ -45,7 +45,7 @@ struct place {
     double k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
     double other;   /* overlap at the other end */
     double touched; /* share of the drift */
-    int64_t plane;  /* where it is one */
+    double zeta;
 };
 
 /** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4} */
@@ -53,9 +53,27 @@ static double normal_coefficient(const vti_dashpots *p, const struct place *at)
 {
     const double m = vti_touch_normal_mass(&at->touch);
     double c = p->normal * at->touched;
-    if (p->zeta > 0.0)
-        c += sqrt(5.0) * p->zeta * sqrt(m * at->k_h) * mean_power(at->touch.delta, at->other);
+    if (at->zeta > 0.0)
+        c += sqrt(5.0) * at->zeta * sqrt(m * at->k_h) * mean_power(at->touch.delta, at->other);
     return c;
+}
+
+/* ---- impulses ---------------------------------------------------------------------------------------------------- */
+
+/** The impulse p at the touch; a wall that moves puts p.V in. */
+static void push(const vti_dashpots *dashpots, const struct place *at, const vti_bodies *b, const double p[3])
+{
+    vti_touch_push(&at->touch, b, p);
+    if (at->touch.moves)
+        vti_sum_add(dashpots->walls->work, -vti_dot(p, at->touch.v_j));
+}
+
+/** The moment impulse l; a wall that turns puts l.W in. */
+static void turn(const vti_dashpots *dashpots, const struct place *at, const vti_bodies *b, const double l[3])
+{
+    vti_touch_turn(&at->touch, b, l);
+    if (at->touch.moves)
+        vti_sum_add(dashpots->walls->work, -vti_dot(l, at->touch.w_j));
 }
 
 /* ---- the four flows ---------------------------------------------------------------------------------------------- */
@@ -74,7 +92,7 @@ static void flow_normal(const vti_dashpots *p, const struct place *at, const vti
         size = least;
     for (int k = 0; k < 3; ++k)
         impulse[k] = size * touch->n[k];
-    vti_touch_push(touch, b, impulse);
+    push(p, at, b, impulse);
     vti_sum_add(&p->lost[NORMAL], -size * (un + 0.5 * size / m));
 }
 
@@ -92,8 +110,8 @@ static const vti_held *held_at(const vti_dashpots *p, const struct place *at)
     static const vti_held none;
     if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
         return &none;
-    const vti_held *held =
-        vti_history_find(p->friction->history, at->touch.i + 1, at->touch.j >= 0 ? at->touch.j + 1 : -1 - at->plane);
+    const vti_held *held = vti_history_find(p->friction->history, at->touch.i + 1,
+                                            at->touch.j >= 0 ? at->touch.j + 1 : -1 - at->touch.wall);
     return held != NULL ? held : &none;
 }
 
@@ -122,6 +140,15 @@ static double decay(const struct place *at, double mass, double c, double t, dou
     return vti_touch_decay(mass, gone * limited(whole, f, t, limit), a);
 }
 
+/** mu there, 0 where there is no friction. */
+static double sliding_at(const vti_dashpots *p, const struct place *at)
+{
+    const vti_friction *friction = p->friction;
+    if (friction == NULL)
+        return 0.0;
+    return at->touch.j < 0 ? vti_friction_of_wall(friction, at->touch.wall) : friction->sliding;
+}
+
 static void flow_tangential(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
 {
     double c = p->tangential * at->touched, u[3], w[3];
@@ -130,9 +157,8 @@ static void flow_tangential(const vti_dashpots *p, const struct place *at, const
     vti_touch_velocities(&at->touch, b, u, w);
     across(u, at->touch.n);
     vti_sum_add(&p->lost[TANGENTIAL],
-                decay(at, vti_touch_tangential_mass(&at->touch), c, t, p->friction != NULL ? p->friction->sliding : 0.0,
-                      held_at(p, at)->sliding, u));
-    vti_touch_push(&at->touch, b, u);
+                decay(at, vti_touch_tangential_mass(&at->touch), c, t, sliding_at(p, at), held_at(p, at)->sliding, u));
+    push(p, at, b, u);
 }
 
 static void flow_rolling(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
@@ -142,7 +168,7 @@ static void flow_rolling(const vti_dashpots *p, const struct place *at, const vt
     across(w, at->touch.n);
     vti_sum_add(&p->lost[ROLLING], decay(at, vti_touch_rolling_inertia(&at->touch), p->rolling * at->touched, t,
                                          p->friction != NULL ? p->friction->rolling : 0.0, held_at(p, at)->rolling, w));
-    vti_touch_turn(&at->touch, b, w);
+    turn(p, at, b, w);
 }
 
 static void flow_twisting(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
@@ -156,7 +182,7 @@ static void flow_twisting(const vti_dashpots *p, const struct place *at, const v
     }
     vti_sum_add(&p->lost[TWISTING], decay(at, vti_touch_rolling_inertia(&at->touch), p->twisting * at->touched, t,
                                           p->friction != NULL ? p->friction->twisting : 0.0, load, w));
-    vti_touch_turn(&at->touch, b, w);
+    turn(p, at, b, w);
 }
 
 typedef void one_flow(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t);
@@ -207,23 +233,26 @@ static void visit(const struct sweep *s, struct place *at)
 static void visit_pairs(const struct sweep *s)
 {
     const vti_contacts *contacts = s->p->contacts;
-    struct place at;
+    struct place at = {.zeta = s->p->zeta};
     for (int64_t k = 0; contacts != NULL && k < contacts->count; ++k)
         if (vti_touch_pair(&at.touch, contacts, s->b, s->drift < 0.0 ? contacts->count - 1 - k : k, s->p->reach))
             visit(s, &at);
 }
 
-static void visit_planes(const struct sweep *s)
+/** Bodies one after the other, each with the walls in their order: flows of different bodies at walls do not meet. */
+static void visit_walls(const struct sweep *s)
 {
     const vti_walls *walls = s->p->walls;
-    const int64_t n = s->b->count, all = walls != NULL ? walls->count * n : 0;
+    const int64_t first = s->b->first, n = s->b->count, count = vti_faces(walls);
     struct place at;
-    for (int64_t k = 0; k < all; ++k) {
-        const int64_t turn = s->drift < 0.0 ? all - 1 - k : k;
-        at.plane = turn / n;
-        if (vti_touch_plane(&at.touch, walls, s->b, at.plane, s->b->first + turn % n, s->p->reach))
+    for (int64_t i = first; count > 0 && i < first + n; ++i)
+        for (int64_t k = 0; k < count; ++k) {
+            at.touch.wall = s->drift < 0.0 ? count - 1 - k : k;
+            if (!vti_touch_wall(&at.touch, walls, s->b, at.touch.wall, i, s->p->reach))
+                continue;
+            at.zeta = s->p->wall_zeta != NULL ? s->p->wall_zeta[at.touch.wall] : s->p->zeta;
             visit(s, &at);
-    }
+        }
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
@@ -231,10 +260,10 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     struct sweep s = {.p = self, .b = b, .t = t, .drift = drift};
     s.flows = flows_of(self, s.flow);
     if (drift < 0.0)
-        visit_planes(&s);
+        visit_walls(&s);
     visit_pairs(&s);
     if (!(drift < 0.0))
-        visit_planes(&s);
+        visit_walls(&s);
 }
 
 /* ---- restitution ------------------------------------------------------------------------------------------------- */
@@ -289,6 +318,8 @@ static int check(const void *self, const vti_bodies *b)
     int good = p->reach >= 0.0;
     for (int k = 0; k < 6; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
+    for (int64_t w = 0; p->wall_zeta != NULL && w < vti_faces(p->walls); ++w)
+        good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
     if (p->contacts != NULL &&

@@ -36,6 +36,7 @@ typedef void visitor(void *context, const struct vti_touch *touch, vti_held *hel
 /** Calls visit for all touches that hold something. */
 static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
 {
+    const int64_t walls = vti_faces(p->walls);
     struct vti_touch touch;
     vti_held *held;
     for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
@@ -45,9 +46,9 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
         if (held->i != 0)
             visit(context, &touch, held);
     }
-    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
-        for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            if (!vti_touch_plane(&touch, p->walls, b, w, i, 0.0))
+    for (int64_t i = b->first; walls > 0 && i < b->first + b->count; ++i)
+        for (int64_t w = 0; w < walls; ++w) {
+            if (!vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
                 continue;
             held = vti_history_at(p->history, i + 1, -1 - w);
             if (held->i != 0)
@@ -153,15 +154,16 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
         if (vti_touch_pair(&c.touch, p->contacts, b, k, INFINITY)) {
             if (c.touch.delta <= 0.0 && vti_history_find(p->history, c.touch.i + 1, c.touch.j + 1) == NULL)
                 continue;
-            vti_carry_motion(&c, b, drifted);
+            vti_carry_motion(&c, p->walls, b, drifted);
             carry_touch(p, &c, c.touch.i + 1, c.touch.j + 1);
         }
-    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
-        for (int64_t i = b->first; i < b->first + b->count; ++i)
-            if (vti_touch_plane(&c.touch, p->walls, b, w, i, INFINITY)) {
+    const int64_t walls = vti_faces(p->walls);
+    for (int64_t i = b->first; walls > 0 && i < b->first + b->count; ++i)
+        for (int64_t w = 0; w < walls; ++w)
+            if (vti_touch_wall(&c.touch, p->walls, b, w, i, INFINITY)) {
                 if (c.touch.delta <= 0.0 && vti_history_find(p->history, i + 1, -1 - w) == NULL)
                     continue;
-                vti_carry_motion(&c, b, drifted);
+                vti_carry_motion(&c, p->walls, b, drifted);
                 carry_touch(p, &c, i + 1, -1 - w);
             }
 }
@@ -221,9 +223,9 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
     for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k)
         if (vti_touch_pair(&touch, p->contacts, b, k, INFINITY))
             show(p, &touch, k, at, visit, context);
-    for (int64_t w = 0; p->walls != NULL && w < p->walls->count; ++w)
+    for (int64_t w = 0; w < vti_faces(p->walls); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i)
-            if (vti_touch_plane(&touch, p->walls, b, w, i, INFINITY))
+            if (vti_touch_wall(&touch, p->walls, b, w, i, INFINITY))
                 show(p, &touch, w, at, visit, context);
     return status;
 }
@@ -238,6 +240,8 @@ static int check(const void *self, const vti_bodies *b)
     int good = p->reach >= 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
     for (int k = 0; k < 7; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
+    for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(p->walls); ++w)
+        good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
     good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
     (void)b;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Two bodies, or a body and a plane, where they touch: the kinematics that dashpots and friction share (EQUATIONS 6.2).
- * With d = x_i - x_j (of a plane the foot point to the centre), r = |d|, n = d/r and shares s_i + s_j = 1,
+ * Two bodies, or a body and a wall, where they touch: the kinematics that dashpots and friction share (EQUATIONS 6.2).
+ * With d = x_i - x_j (of a wall the foot point to the centre), r = |d|, n = d/r and shares s_i + s_j = 1,
  *
  *     u = v_i - v_j - (s_i Omega_i + s_j Omega_j) x d,      w = Omega_i - Omega_j,
  *     1/m_n = 1/m_i + 1/m_j,     1/m_t = 1/m_n + r^2 (s_i^2/J_i + s_j^2/J_j),     1/J_r = 1/J_i + 1/J_j,
@@ -13,15 +13,19 @@
 #ifndef VTI_TOUCH_H
 #define VTI_TOUCH_H
 
+#include "vti_face.h"
 #include "vti_hertz.h"
 
 struct vti_touch {
-    int64_t i, j; /* j < 0: a plane */
+    int64_t i, j; /* j < 0: a wall */
+    int64_t wall; /* which of them */
+    int moves;    /* 1: the wall does, at the foot point with v_j and w_j */
+    double v_j[3], w_j[3];
     double n[3], r, s_i, s_j;
     double delta;     /* overlap as a length; negative is a gap */
-    double length;    /* L, on which the overlap is a share: of a pair its own, of a plane D_i/2 */
+    double length;    /* L, on which the overlap is a share: of a pair its own, of a wall D_i/2 */
     double stiffness; /* K */
-    double per_m_i, per_m_j, per_j_i, per_j_j; /* 1/m and 1/J; 0 for a plane, and 1/J where nothing turns */
+    double per_m_i, per_m_j, per_j_i, per_j_j; /* 1/m and 1/J; 0 for a wall, and 1/J where nothing turns */
 };
 
 /** What bodies of a touch have: 1/m and, where bodies turn, 1/J. */
@@ -40,6 +44,7 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
                                  double reach)
 {
     double d[3], xj[3];
+    at->moves = 0;
     at->i = p->pair[2 * k] - p->base;
     at->j = p->pair[2 * k + 1] - p->base;
     vti_load(&b->x, at->i, d);
@@ -63,25 +68,34 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
     return 1;
 }
 
-/** Of body i and plane w. */
-static inline int vti_touch_plane(struct vti_touch *at, const vti_walls *p, const vti_bodies *b, int64_t w, int64_t i,
-                                  double reach)
+/** mu of wall w. */
+static inline double vti_friction_of_wall(const vti_friction *p, int64_t w)
 {
-    const double *plane = p->plane + 4 * w;
+    return p->wall_sliding != NULL ? p->wall_sliding[w] : p->sliding;
+}
+
+/** Of body i and wall w, where they are now. Returns 1, or 0 where the gap is above reach, or there is no direction. */
+static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const vti_bodies *b, int64_t w, int64_t i,
+                                 double reach)
+{
     double x[3];
     vti_load(&b->x, i, x);
     at->i = i;
     at->j = -1;
+    at->wall = w;
     at->length = 0.5 * vti_scalar(&p->diameter, i);
-    at->r = vti_dot(plane, x) - plane[3];
+    at->r = vti_face_gap(p, w, x, at->n);
     at->delta = at->length - at->r;
-    if (!(at->delta >= -reach))
+    if (!(at->delta >= -reach) || (w >= p->count && !(vti_dot(at->n, at->n) > 0.0)))
         return 0;
-    for (int c = 0; c < 3; ++c)
-        at->n[c] = plane[c];
-    at->stiffness = p->stiffness;
+    at->stiffness = vti_face_stiffness(p, w);
     at->s_i = 1.0;
     at->s_j = 0.0;
+    at->moves = p->motion != NULL;
+    for (int c = 0; c < 3 && at->moves; ++c)
+        x[c] -= at->r * at->n[c];
+    if (at->moves)
+        vti_face_velocity(p, w, x, at->v_j, at->w_j);
     return 1;
 }
 
@@ -92,6 +106,10 @@ static inline void vti_touch_velocities(const struct vti_touch *at, const vti_bo
     vti_load(&b->v, at->i, u);
     if (at->j >= 0)
         vti_load(&b->v, at->j, vj);
+    for (int c = 0; c < 3 && at->moves; ++c) {
+        vj[c] = at->v_j[c];
+        wj[c] = at->w_j[c];
+    }
     if (vti_has(&b->omega))
         vti_load(&b->omega, at->i, wi);
     if (vti_has(&b->omega) && at->j >= 0)

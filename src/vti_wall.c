@@ -1,45 +1,86 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Rigid planes (EQUATIONS 3, E4): Hertzian contact with a particle of radius zero at the foot point, o = [1 -
- * g/(D/2)]_+. */
+ * Rigid walls (EQUATIONS 3, E4): Hertzian contact with a particle of radius zero at the foot point, o = [1 -
+ * g/(D/2)]_+. Bodies are gone through once, and each meets the walls in their order.
+ *
+ * A wall that moves at V puts in the work F.V t: at the ends of a drift half of it each, which is what the kicks there
+ * give (EQUATIONS 6.1), so that the ledger is as good as that of a wall at rest. */
+#include "vti_face.h"
 #include "vti_hertz.h"
 
-/** Overlap with a plane of a body of radius D/2: positive if they touch; NaN if a number is, which must show. */
-static inline double overlap(const vti_walls *p, const vti_bodies *b, const double *plane, int64_t i, double *radius)
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
+
+static int is_unit(const double n[3])
 {
-    double x[3];
-    vti_load(&b->x, i, x);
-    *radius = 0.5 * vti_scalar(&p->diameter, i);
-    return 1.0 - (vti_dot(plane, x) - plane[3]) / *radius;
+    return fabs(vti_dot(n, n) - 1.0) < 1e-12;
 }
 
-/** VTI_E_CONTACT unless normals are of length 1, offsets and stiffness finite, and diameters positive. */
+static int are_finite(const double *numbers, int count)
+{
+    int good = 1;
+    for (int k = 0; k < count; ++k)
+        good &= isfinite(numbers[k]) != 0;
+    return good;
+}
+
+static int is_list(const vti_walls *p)
+{
+    return (p->count <= 0 || p->plane != NULL) && (p->cylinders <= 0 || p->cylinder != NULL) &&
+           (vti_faces(p) <= 0 || p->diameter.p != NULL) && (p->motion == NULL || p->work != NULL);
+}
+
+/** Axes are of length 1, radii positive, and all else finite. */
+static int are_good(const vti_walls *p)
+{
+    int good = 1;
+    for (int64_t w = 0; w < vti_faces(p); ++w) {
+        const double stiffness = vti_face_stiffness(p, w);
+        const vti_wall_motion *const m = vti_face_motion(p, w);
+        const int is_plane = w < p->count;
+        good &= isfinite(stiffness) && stiffness >= 0.0;
+        good &= is_unit(vti_face_axis(p, w)) && are_finite(vti_face_axis(p, w), is_plane ? 4 : 7);
+        good &= is_plane || vti_face_axis(p, w)[6] > 0.0;
+        good &= m == NULL || (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) &&
+                              isfinite(m->spin));
+    }
+    return good;
+}
+
+/** VTI_E_CONTACT unless walls are good, and diameters positive. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
-    if (p->count > 0 && (p->plane == NULL || p->diameter.p == NULL))
+    if (!is_list(p))
         return VTI_E_NULL;
-    int good = p->count <= 0 || (isfinite(p->stiffness) && p->stiffness >= 0.0);
-    for (int64_t w = 0; w < p->count; ++w)
-        good &= fabs(vti_dot(p->plane + 4 * w, p->plane + 4 * w) - 1.0) < 1e-12 && isfinite(p->plane[4 * w + 3]);
-    for (int64_t i = b->first; p->count > 0 && i < b->first + b->count; ++i)
+    int good = are_good(p);
+    for (int64_t i = b->first; vti_faces(p) > 0 && i < b->first + b->count; ++i)
         good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0;
     return good ? VTI_OK : VTI_E_CONTACT;
+}
+
+/* ---- forces ------------------------------------------------------------------------------------------------------ */
+
+/** 1 - g/(D/2) of a body of that radius: positive if they touch; NaN if a number is, which must show. */
+static inline double overlap(const vti_walls *p, int64_t w, const double x[3], double radius, double n[3])
+{
+    return 1.0 - vti_face_gap(p, w, x, n) / radius;
 }
 
 /** F = (K/(D/2)) o^{3/2} along the normal */
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
-    for (int64_t w = 0; vti_has(&b->force) && w < p->count; ++w) {
-        const double *plane = p->plane + 4 * w;
-        for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius;
-            const double o = overlap(p, b, plane, i, &radius);
+    const int64_t walls = vti_has(&b->force) ? vti_faces(p) : 0;
+    for (int64_t i = b->first; walls > 0 && i < b->first + b->count; ++i) {
+        const double radius = 0.5 * vti_scalar(&p->diameter, i);
+        double x[3], n[3];
+        vti_load(&b->x, i, x);
+        for (int64_t w = 0; w < walls; ++w) {
+            const double o = overlap(p, w, x, radius, n);
             if (o <= 0.0)
                 continue;
-            const double f = vti_hertz_force(p->stiffness, radius, o),
-                         force[3] = {f * plane[0], f * plane[1], f * plane[2]};
+            const double f = vti_hertz_force(vti_face_stiffness(p, w), radius, o),
+                         force[3] = {f * n[0], f * n[1], f * n[2]};
             vti_add(&b->force, i, force);
         }
     }
@@ -49,53 +90,142 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     const vti_walls *p = self;
     vti_sum sum = {0.0, 0.0};
-    for (int64_t w = 0; w < p->count; ++w)
+    for (int64_t w = 0; w < vti_faces(p); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius;
-            const double o = overlap(p, b, p->plane + 4 * w, i, &radius);
+            double x[3], n[3];
+            vti_load(&b->x, i, x);
+            const double o = overlap(p, w, x, 0.5 * vti_scalar(&p->diameter, i), n);
             if (!(o <= 0.0))
-                vti_sum_add(&sum, vti_hertz_energy(p->stiffness, o));
+                vti_sum_add(&sum, vti_hertz_energy(vti_face_stiffness(p, w), o));
         }
     energies[0] = vti_sum_value(&sum);
 }
 
-/** Every body at every plane, or those that touch one, as they do. */
+/** Every body at every wall, or those that touch one, as they do. */
 static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
                    void *context)
 {
     const vti_walls *p = self;
-    for (int64_t w = 0; w < p->count; ++w)
+    for (int64_t w = 0; w < vti_faces(p); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
-            double radius = 0.5 * vti_scalar(&p->diameter, i);
-            const double o = at != NULL ? at->overlap : overlap(p, b, p->plane + 4 * w, i, &radius);
-            const vti_spring s = {
-                .element = w, .i = i, .j = -1, .length = radius, .axial = vti_hertz_stiffness(p->stiffness, o)};
+            const double radius = 0.5 * vti_scalar(&p->diameter, i);
+            double x[3], n[3];
+            vti_load(&b->x, i, x);
+            const double o = at != NULL ? at->overlap : overlap(p, w, x, radius, n);
+            const vti_spring s = {.element = w,
+                                  .i = i,
+                                  .j = -1,
+                                  .length = radius,
+                                  .axial = vti_hertz_stiffness(vti_face_stiffness(p, w), o)};
             if (at != NULL || !(o <= 0.0))
                 visit(context, &s);
         }
-    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
+    return p->count < 0 || p->cylinders < 0 ? VTI_E_COUNT : VTI_OK;
+}
+
+/* ---- walls that move --------------------------------------------------------------------------------------------- */
+
+/** F.V of wall w on a body at x. */
+static double power(const vti_walls *p, int64_t w, const double x[3], double radius)
+{
+    double n[3];
+    const double o = overlap(p, w, x, radius, n);
+    return o > 0.0 ? vti_hertz_force(vti_face_stiffness(p, w), radius, o) * vti_dot(n, p->motion[w].velocity) : 0.0;
+}
+
+/** What wall w puts into all bodies over a drift of time t, by whose beginning (at = 0) or end (1) the bodies and the
+ *  wall are: each of the two is half of it. */
+static void book(const vti_walls *p, int64_t w, const vti_bodies *b, double t, int at_end)
+{
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double x[3], v[3];
+        vti_load(&b->x, i, x);
+        vti_load(&b->v, i, v);
+        for (int k = 0; k < 3 && !at_end; ++k)
+            x[k] -= t * v[k];
+        const double put_in = power(p, w, x, 0.5 * vti_scalar(&p->diameter, i));
+        if (put_in != 0.0)
+            vti_sum_add(p->work, -0.5 * t * put_in);
+    }
+}
+
+static void carry(const void *self, const vti_bodies *b, const vti_drifted *drifted)
+{
+    const vti_walls *p = self;
+    for (int64_t w = 0; w < vti_faces(p); ++w) {
+        vti_wall_motion *const m = &p->motion[w];
+        if (vti_dot(m->velocity, m->velocity) == 0.0)
+            continue;
+        book(p, w, b, drifted->t, 0);
+        for (int k = 0; k < 3; ++k)
+            m->moved[k] += drifted->t * m->velocity[k];
+        book(p, w, b, drifted->t, 1);
+    }
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+/** A force along n breaks momentum along it, and angular momentum across it. */
+static int64_t broken_by_plane(const double n[3])
+{
+    int64_t breaks = 0;
+    for (int k = 0; k < 3; ++k)
+        if (n[k] != 0.0)
+            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    return breaks;
+}
+
+/** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z. */
+static int64_t broken_by_cylinder(const double cylinder[7], const double velocity[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        const int other = (k + 1) % 3, last = (k + 2) % 3, is_axis = cylinder[other] == 0.0 && cylinder[last] == 0.0;
+        const int stays =
+            cylinder[3 + other] == 0.0 && cylinder[3 + last] == 0.0 && velocity[other] == 0.0 && velocity[last] == 0.0;
+        if (is_axis)
+            return (077 & ~(1 << k)) & ~(stays ? 8 << k : 0);
+    }
+    return 077;
+}
+
+static int64_t broken_by(const vti_walls *p)
+{
+    static const double still[3] = {0.0, 0.0, 0.0};
+    int64_t breaks = 0;
+    for (int64_t w = 0; w < vti_faces(p); ++w)
+        breaks |= w < p->count
+                      ? broken_by_plane(vti_face_axis(p, w))
+                      : broken_by_cylinder(vti_face_axis(p, w), p->motion != NULL ? p->motion[w].velocity : still);
+    return breaks;
 }
 
 vti_effect vti_walls_effect(const vti_walls *walls)
 {
-    static const char *const term[] = {"wall"};
-    if (walls == NULL || (walls->count > 0 && (walls->diameter.p == NULL || walls->plane == NULL)))
+    static const char *const term[] = {"wall"}, *const entry[] = {"work_wall"};
+    if (walls == NULL || !is_list(walls))
         return vti_effect_none();
-    int64_t breaks = 0;
-    for (int64_t w = 0; w < walls->count; ++w)
-        for (int k = 0; k < 3; ++k)
-            if (walls->plane[4 * w + k] != 0.0) /* momentum along the normal, and angular momentum across it */
-                breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    const int moves = walls->motion != NULL;
     const vti_effect effect = {.name = "wall",
                                .apply = apply,
                                .energy = energy,
                                .check = VTI_LOOKS ? check : NULL,
                                .springs = springs,
+                               .carry = moves ? carry : NULL,
                                .self = walls,
-                               .needs = 1 << VTI_QUANTITY_X,
+                               .needs = 1 << VTI_QUANTITY_X | (moves ? 1 << VTI_QUANTITY_V : 0),
                                .gives = 1 << VTI_QUANTITY_FORCE,
                                .terms = 1,
                                .term = term,
-                               .breaks = breaks};
+                               .breaks = broken_by(walls),
+                               .books = moves,
+                               .book = entry,
+                               .booked = walls->work};
     return effect;
+}
+
+double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3])
+{
+    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls))
+        return NAN;
+    return vti_face_gap(walls, w, x, n);
 }

@@ -2,11 +2,18 @@
  * Dashpots where spheres touch each other and walls (EQUATIONS 6.3). */
 #include "kind.h"
 #include "model.h"
+#include "number.h"
 #include "scene_reader.h"
 
 struct dashpot_settings {
     double restitution, zeta, normal, tangential, ratio, rolling, twisting;
     int64_t pull;
+    struct scene_numbers walls;
+};
+
+struct dashpot_self {
+    vti_dashpots dashpots;
+    double wall_zeta[SCENE_WALLS_MAX];
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -36,6 +43,9 @@ static const struct scene_field fields[] = {
      "no (default): normal dashpots pull no harder than the contact pushes, so that what parts is not held; yes: they "
      "do.",
      NULL},
+    {"dashpot.wall_restitution", SCENE_NUMBERS, SCENE_MAY, SCENE_POSITIVE, offsetof(struct dashpot_settings, walls),
+     "restitution e of each wall",
+     "In place of restitution or zeta: a number for each plane, then for each cylinder, from 1e-6 to 1.", NULL},
 };
 #undef NUMBER_AT
 
@@ -52,6 +62,11 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     if (d->restitution > 0.0 && d->restitution < 1e-6)
         return scene_reader_fail(reader, "dashpot.restitution", "'%s' is below 1e-6; give zeta, 1 or more",
                                  scene_reader_value(reader, "dashpot.restitution"));
+    for (int64_t w = 0; w < d->walls.count; ++w)
+        if (d->walls.number[w] > 1.0 || d->walls.number[w] < 1e-6)
+            return scene_reader_fail(reader, "dashpot.wall_restitution",
+                                     "%s is not from 1e-6 to 1; give shares of the velocity",
+                                     NUMBER(d->walls.number[w]));
     return 0;
 }
 
@@ -87,11 +102,12 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     const struct dashpot_settings *d = e->settings;
-    vti_dashpots *dashpots = effect_memory(e, sizeof *dashpots, message);
+    struct dashpot_self *self = effect_memory(e, sizeof *self, message);
     struct effect_surfaces surfaces = {NULL, NULL, INFINITY};
     (void)table;
-    if (dashpots == NULL)
+    if (self == NULL)
         return -1;
+    vti_dashpots *dashpots = &self->dashpots;
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *other = &model->rooms[k];
         if (other->kind->surfaces != NULL)
@@ -104,6 +120,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
     dashpots->reach = surfaces.reach;
     dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
     fill(dashpots, d, e->booked);
+    if (effect_walls_match(model, "dashpot.wall_restitution", &d->walls, surfaces.walls, message) != 0)
+        return -1;
+    for (int64_t w = 0; w < d->walls.count; ++w)
+        self->wall_zeta[w] = vti_dashpots_zeta(d->walls.number[w], d->pull);
+    dashpots->wall_zeta = d->walls.count > 0 ? self->wall_zeta : NULL;
     *made = vti_dashpots_effect(dashpots);
     return 0;
 }

@@ -10,6 +10,7 @@
 
 struct friction_settings {
     double sliding, stiffness, poisson, rolling, rolling_stiffness, twisting, twisting_stiffness;
+    struct scene_numbers walls;
 };
 
 struct friction_self {
@@ -41,6 +42,8 @@ static const struct scene_field fields[] = {
     NUMBER_AT(twisting, SCENE_NOT_NEGATIVE, "length mu_w",
               "The moment against turning about the normal is at most mu_w times the force."),
     NUMBER_AT(twisting_stiffness, SCENE_POSITIVE, "twisting stiffness", "Moment per angle."),
+    {"friction.wall_sliding", SCENE_NUMBERS, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct friction_settings, walls),
+     "coefficient mu of each wall", "In place of sliding: a number for each plane, then for each cylinder.", NULL},
 };
 #undef NUMBER_AT
 
@@ -63,6 +66,8 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
         return scene_reader_fail(reader, "friction", "no coefficient above 0; give sliding, rolling or twisting");
     if (linear && mindlin)
         return scene_reader_fail(reader, "friction.poisson", "given with friction.stiffness; keep one of them");
+    if (scene_reader_has(reader, "friction.wall_sliding") && !(f->sliding > 0.0))
+        return scene_reader_fail(reader, "friction.wall_sliding", "needs friction.sliding; give one above 0");
     if (f->sliding > 0.0 && !linear && !mindlin)
         return scene_reader_fail(reader, "friction.sliding",
                                  "has no stiffness; give friction.stiffness or friction.poisson");
@@ -95,17 +100,17 @@ static int make_room(struct friction_self *self, int64_t touches)
     return 0;
 }
 
-/** Bodies that may touch planes after the next drift, once for each: nearer than their diameter. */
-static int64_t near_planes(const struct friction_self *self, const vti_bodies *b)
+/** Bodies that may touch walls after the next drift, once for each: nearer than their diameter. */
+static int64_t near_walls(const struct friction_self *self, const vti_bodies *b)
 {
     const vti_walls *walls = self->friction.walls;
     int64_t count = 0;
-    for (int64_t w = 0; walls != NULL && w < walls->count; ++w)
+    for (int64_t w = 0; walls != NULL && w < walls->count + walls->cylinders; ++w)
         for (int64_t i = 0; i < b->count; ++i) {
-            const double *n = walls->plane + 4 * w;
             const int64_t at = i * b->x.stride;
             const double x[3] = {b->x.c[0][at], b->x.c[1][at], b->x.c[2][at]};
-            count += vti_dot(n, x) - n[3] < 1.5 * self->diameter.p[i * self->diameter.stride];
+            double n[3];
+            count += vti_walls_gap(walls, w, x, n) < 1.5 * self->diameter.p[i * self->diameter.stride];
         }
     return count;
 }
@@ -114,7 +119,7 @@ static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message
 {
     struct friction_self *self = e->self;
     const int64_t pairs = self->friction.contacts != NULL ? self->friction.contacts->count : 0;
-    if (make_room(self, self->history.used + pairs + near_planes(self, bodies)) == 0)
+    if (make_room(self, self->history.used + pairs + near_walls(self, bodies)) == 0)
         return 0;
     return message_set(message, "friction: out of memory for %lld touches; use fewer bodies", (long long)pairs);
 }
@@ -219,6 +224,10 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->friction.contacts = surfaces.contacts;
     self->friction.walls = surfaces.walls;
     self->friction.reach = surfaces.reach;
+    const struct friction_settings *f = e->settings;
+    if (effect_walls_match(model, "friction.wall_sliding", &f->walls, surfaces.walls, message) != 0)
+        return -1;
+    self->friction.wall_sliding = f->walls.count > 0 ? f->walls.number : NULL;
     fill(&self->friction, e->settings, &self->history, e->booked);
     *made = vti_friction_effect(&self->friction);
     return make_room(self, 0) == 0 ? 0

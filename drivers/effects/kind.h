@@ -79,11 +79,13 @@ struct effect_breaks {
     void (*fragments)(const struct effect *e, int64_t step, double *fragment);
 };
 
-/** Planes n.x = d that bodies do not pass. */
+/** Planes n.x = d that bodies do not pass, and cylinders that they stay in, as they are at t = 0. */
 struct effect_planes {
     const char *name; /* of one; with an s, of all */
     /** How many; in *plane [count][4]: n, d. */
     int64_t (*get)(const struct effect *e, const double **plane);
+    /** How many cylinders; in *cylinder [count][7]: axis, a point on it, radius. NULL: none. */
+    int64_t (*cylinders)(const struct effect *e, const double **cylinder);
 };
 
 /** What touches, for effects that act where surfaces meet. */
@@ -200,6 +202,13 @@ struct effect_kind {
 
 /** Makes self, of so many bytes and zeros. Returns it, or NULL with one line in *message. */
 void *effect_memory(struct effect *e, size_t bytes, struct message *message);
+
+struct scene_numbers;
+
+/** Whether a list at a path of the scene has a number for each of the walls, or none. Returns 0, or -1 with one line in
+ *  *message. */
+int effect_walls_match(const struct model *model, const char *path, const struct scene_numbers *numbers,
+                       const vti_walls *walls, struct message *message);
 
 /** Room for n int64 or double, which may move: the part's memory, or NULL. */
 void *effect_part_room(struct effect_part *part, int64_t n);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "kind.h"
+#include "model.h"
 #include "table.h"
 
 #define POINTER(NAME) &effect_##NAME,
@@ -80,6 +81,16 @@ void *effect_memory(struct effect *e, size_t bytes, struct message *message)
     if (e->self == NULL)
         message_set(message, "%s: out of memory", e->kind->key);
     return e->self;
+}
+
+int effect_walls_match(const struct model *model, const char *path, const struct scene_numbers *numbers,
+                       const vti_walls *walls, struct message *message)
+{
+    const int64_t count = walls != NULL ? walls->count + walls->cylinders : 0;
+    if (numbers->count == 0 || numbers->count == count)
+        return 0;
+    return message_set(message, "%s: %s: %lld numbers for %lld walls; give one for each plane, then for each cylinder",
+                       model->scene->name, path, (long long)numbers->count, (long long)count);
 }
 
 void *effect_part_room(struct effect_part *part, int64_t n)

@@ -27,7 +27,7 @@ EFFECT_KINDS(EFFECT_DECLARE)
 
 /** What a scene says of all effects: structs of the effects' own, one behind the other. */
 union effect_settings {
-    unsigned char bytes[12288];
+    unsigned char bytes[40960];
     double number;
     int64_t count;
     void *place;

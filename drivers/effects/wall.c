@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Walls: rigid planes that spheres touch (EQUATIONS 3). */
+ * Walls: rigid planes and cylinders that spheres touch, and that may move (EQUATIONS 3). */
 #include <stdio.h>
+#include <string.h>
 
 #include "hertz.h"
 #include "kind.h"
@@ -10,84 +11,225 @@
 struct wall_settings {
     double stiffness;
     struct scene_planes planes;
+    struct scene_cylinders cylinders;
+    struct scene_numbers each, spins;
+    struct scene_vectors velocities;
+};
+
+struct wall_self {
+    vti_walls walls;
+    vti_wall_motion motion[SCENE_WALLS_MAX];
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
 
 static const struct scene_field fields[] = {
-    {"wall", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rigid planes",
-     "Rigid planes that keep bodies on one side.", NULL},
-    {"wall.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, offsetof(struct wall_settings, stiffness),
+    {"wall", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rigid walls",
+     "Rigid planes that keep bodies on one side, and cylinders that keep them inside; at least one of them.", NULL},
+    {"wall.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, stiffness),
      "stiffness K^pw", "Energy: an overlap costs 2/5 K^pw (1 - g/(D/2))^(5/2), g being the distance of the centre.",
      NULL},
     {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, planes),
      "planes nx x + ny y + nz z = d", "Rows nx, ny, nz, d; bodies stay where n.x > d; n need not be of unit length.",
      NULL},
+    {"wall.stiffnesses", SCENE_NUMBERS, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, each),
+     "stiffness K^pw of each wall", "In place of stiffness: a number for each plane, then for each cylinder.", NULL},
+    {"wall.cylinders", SCENE_CYLINDERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, cylinders),
+     "cylinders about an axis",
+     "Rows ax, ay, az, x, y, z, R: the axis, a point on it and the radius; bodies stay inside; a need not be of unit "
+     "length.",
+     NULL},
+    {"wall.velocities", SCENE_VECTORS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, velocities),
+     "velocity of each wall",
+     "A row for each plane, then for each cylinder; what they put in is the column work_wall, negative.", NULL},
+    {"wall.spins", SCENE_NUMBERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, spins), "spin of each wall",
+     "A number for each plane, then for each cylinder, radians per unit of time: cylinders turn about their axes, "
+     "planes "
+     "about their normals through the origin; friction and dashpots feel it.",
+     NULL},
 };
+
+static int64_t count_of(const struct wall_settings *wall)
+{
+    return wall->planes.count + wall->cylinders.count;
+}
+
+/** A list of walls has a row for each, or is left out. */
+static int check_list(const struct scene_reader *reader, const char *path, int64_t rows, int64_t walls)
+{
+    if (!scene_reader_has(reader, path) || rows == walls)
+        return 0;
+    return scene_reader_fail(reader, path, "%lld rows for %lld walls; give one for each plane, then for each cylinder",
+                             (long long)rows, (long long)walls);
+}
 
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct wall_settings *wall = settings;
+    const int64_t walls = count_of(wall);
+    const int one = scene_reader_has(reader, "wall.stiffness"), each = scene_reader_has(reader, "wall.stiffnesses");
     (void)scene;
-    if (wall->planes.count > 0)
-        return 0;
-    return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
+    if (!one && !each)
+        return scene_reader_fail(reader, "wall.stiffness", "missing; add 'stiffness:', the stiffness K^pw");
+    if (one && each)
+        return scene_reader_fail(reader, "wall.stiffnesses", "given with wall.stiffness; keep one of them");
+    if (walls == 0)
+        return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
+    return check_list(reader, "wall.stiffnesses", wall->each.count, walls) != 0 ||
+                   check_list(reader, "wall.velocities", wall->velocities.count, walls) != 0 ||
+                   check_list(reader, "wall.spins", wall->spins.count, walls) != 0
+               ? -1
+               : 0;
 }
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
+static int moves(const struct wall_settings *wall)
+{
+    int any = 0;
+    for (int64_t w = 0; w < wall->spins.count; ++w)
+        any |= wall->spins.number[w] != 0.0;
+    for (int64_t w = 0; w < wall->velocities.count; ++w)
+        any |= vti_norm(wall->velocities.vector[w]) > 0.0;
+    return any;
+}
+
+/** All but bodies and motion. */
+static void fill(vti_walls *walls, const struct wall_settings *wall)
+{
+    walls->count = wall->planes.count;
+    walls->plane = wall->planes.plane[0];
+    walls->cylinders = wall->cylinders.count;
+    walls->cylinder = wall->cylinders.cylinder[0];
+    walls->stiffness = wall->stiffness;
+    walls->each = wall->each.count > 0 ? wall->each.number : NULL;
+}
+
 static vti_effect draft(const void *settings, const struct table *table)
 {
-    static const vti_walls none;
-    (void)settings, (void)table;
-    return vti_walls_effect(&none);
+    static vti_wall_motion motion;
+    static vti_sum nothing;
+    const vti_walls none = {.motion = moves(settings) ? &motion : NULL, .work = &nothing};
+    (void)table;
+    vti_effect effect = vti_walls_effect(&none);
+    effect.self = effect.booked = NULL;
+    return effect;
 }
 
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
     const struct wall_settings *wall = e->settings;
-    vti_walls *walls = effect_memory(e, sizeof *walls, message);
+    struct wall_self *self = effect_memory(e, sizeof *self, message);
     (void)table;
-    if (walls == NULL)
+    if (self == NULL)
         return -1;
-    walls->count = wall->planes.count;
-    walls->plane = wall->planes.plane[0];
-    walls->diameter = model->diameter;
-    walls->stiffness = wall->stiffness;
-    *made = vti_walls_effect(walls);
+    fill(&self->walls, wall);
+    self->walls.diameter = model->diameter;
+    self->walls.work = e->booked;
+    for (int64_t w = 0; w < wall->spins.count; ++w)
+        self->motion[w].spin = wall->spins.number[w];
+    for (int64_t w = 0; w < wall->velocities.count; ++w)
+        memcpy(self->motion[w].velocity, wall->velocities.vector[w], sizeof self->motion[w].velocity);
+    if (moves(wall))
+        self->walls.motion = self->motion;
+    *made = vti_walls_effect(&self->walls);
     return 0;
+}
+
+static const vti_walls *walls_of(const struct effect *e)
+{
+    return &((const struct wall_self *)e->self)->walls;
 }
 
 static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 {
-    surfaces->walls = e->self;
+    surfaces->walls = walls_of(e);
 }
+
+/* ---- what it remembers: how far walls have come ------------------------------------------------------------------ */
+
+static int64_t size(const struct effect *e)
+{
+    return walls_of(e)->motion != NULL ? 3 * count_of(e->settings) : 0;
+}
+
+static void get(const struct effect *e, double *memory)
+{
+    const struct wall_self *self = e->self;
+    for (int64_t k = 0; k < size(e); ++k)
+        memory[k] = self->motion[k / 3].moved[k % 3];
+}
+
+static int64_t put(struct effect *e, const double *memory, int64_t left)
+{
+    struct wall_self *self = e->self;
+    if (left < size(e))
+        return -1;
+    for (int64_t k = 0; k < size(e); ++k)
+        self->motion[k / 3].moved[k % 3] = memory[k];
+    return size(e);
+}
+
+static const struct effect_memory_of remembered = {size, get, put};
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */
 
 static int64_t planes(const struct effect *e, const double **plane)
 {
-    const vti_walls *walls = e->self;
-    *plane = walls->plane;
-    return walls->count;
+    *plane = walls_of(e)->plane;
+    return walls_of(e)->count;
 }
 
-static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
+static int64_t cylinders(const struct effect *e, const double **cylinder)
+{
+    *cylinder = walls_of(e)->cylinder;
+    return walls_of(e)->cylinders;
+}
+
+static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
 {
     (void)at;
-    snprintf(text, size, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
+    snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 
+/** The fastest that a point of a surface at a body goes, squared. */
+static double fastest(const vti_walls *walls, const vti_bodies *b)
+{
+    double most = 0.0;
+    for (int64_t w = 0; walls->motion != NULL && w < walls->count + walls->cylinders; ++w) {
+        const vti_wall_motion *m = &walls->motion[w];
+        const double *axis = w < walls->count ? walls->plane + 4 * w : walls->cylinder + 7 * (w - walls->count);
+        for (int64_t i = 0; i < b->count; ++i) {
+            double d[3], way[3], n[3], x[3];
+            for (int k = 0; k < 3; ++k)
+                x[k] = b->x.c[k][i * b->x.stride];
+            const double gap = vti_walls_gap(walls, w, x, n);
+            for (int k = 0; k < 3; ++k)
+                d[k] = x[k] - gap * n[k] - (w < walls->count ? m->centre[k] : axis[3 + k]) - m->moved[k];
+            vti_cross(axis, d, way);
+            most = fmax(most, vti_norm(m->velocity) + fabs(m->spin) * vti_norm(way));
+        }
+    }
+    return most * most;
+}
+
+/** A wall that moves brings m V^2 on top. */
 static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
 {
-    (void)bodies;
-    hertz_deform(((const struct wall_settings *)e->settings)->stiffness, energy, at);
+    const struct wall_settings *wall = e->settings;
+    double least = wall->each.count > 0 ? wall->each.number[0] : wall->stiffness, heaviest = 0.0;
+    for (int64_t w = 0; w < wall->each.count; ++w)
+        least = fmin(least, wall->each.number[w]);
+    for (int64_t i = 0; i < bodies->count && walls_of(e)->motion != NULL; ++i)
+        heaviest = fmax(heaviest, bodies->mass.p[i * bodies->mass.stride]);
+    hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
 }
 
-static const struct effect_planes drawn = {"wall", planes};
+static const struct effect_planes drawn = {"wall", planes, cylinders};
 
-static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"}};
+static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
+                                           {"work_wall", "$-W^{\\mathrm{pw}}$", "taken by moving walls", "#56B4E9"}};
 
 const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .key = "wall",
@@ -101,4 +243,5 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .limit = limit,
                                         .deform = deform,
                                         .planes = &drawn,
-                                        .surfaces = surfaces};
+                                        .surfaces = surfaces,
+                                        .memory = &remembered};

@@ -25,7 +25,6 @@ static void write_numbers(FILE *text, const double *number, int count)
 
 static void write_value(FILE *text, const struct scene_field *field, const void *value)
 {
-    const struct scene_planes *planes = value;
     const int64_t *count = value;
     switch (field->kind) {
     case SCENE_SECTION:
@@ -47,8 +46,10 @@ static void write_value(FILE *text, const struct scene_field *field, const void 
         fprintf(text, " %lld", (long long)*count);
         break;
     case SCENE_PLANES:
-        for (int64_t k = 0; k < planes->count; ++k)
-            write_numbers(text, planes->plane[k], 4);
+    case SCENE_CYLINDERS:
+    case SCENE_VECTORS:
+    case SCENE_NUMBERS:
+        write_numbers(text, (const double *)(count + 1), (int)(*count * scene_rows_of(field->kind)->width));
         break;
     case SCENE_PATH: /* what it holds counts, not where it lies */
         fputs(*(const char *)value != '\0' ? " given" : " none", text);

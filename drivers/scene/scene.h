@@ -12,7 +12,8 @@
 #include "message.h"
 #include "vti.h"
 
-enum { SCENE_PATH_SIZE = 512, SCENE_PLANES_MAX = 256 };
+enum { SCENE_PATH_SIZE = 512, SCENE_PLANES_MAX = 256, SCENE_CYLINDERS_MAX = 16 };
+enum { SCENE_WALLS_MAX = SCENE_PLANES_MAX + SCENE_CYLINDERS_MAX };
 
 /** The most bodies of a scene: beyond, memory ends anyway, and products of counts stay far from their ends. */
 enum { SCENE_BODIES_MAX = 100000000 };
@@ -48,6 +49,21 @@ struct scene_random {
 struct scene_planes {
     int64_t count;
     double plane[SCENE_PLANES_MAX][4]; /* n (made unit), d: the plane n.x = d */
+};
+
+struct scene_cylinders {
+    int64_t count;
+    double cylinder[SCENE_CYLINDERS_MAX][7]; /* axis (made unit), a point on it, radius */
+};
+
+struct scene_vectors {
+    int64_t count;
+    double vector[SCENE_WALLS_MAX][3];
+};
+
+struct scene_numbers {
+    int64_t count;
+    double number[SCENE_WALLS_MAX];
 };
 
 struct tables; /* sim/table.h */

@@ -81,6 +81,26 @@ static const struct scene_field tail[] = {
 
 enum { HEAD = sizeof head / sizeof head[0], TAIL = sizeof tail / sizeof tail[0] };
 
+const struct scene_rows *scene_rows_of(enum scene_kind kind)
+{
+    static const struct scene_rows planes = {
+        4, SCENE_PLANES_MAX, "planes", "four numbers nx, ny, nz, d", "[1, 0, 0, 0]", "[[1, 0, 0, 0], [0, 1, 0, 0]]"};
+    static const struct scene_rows cylinders = {7,
+                                                SCENE_CYLINDERS_MAX,
+                                                "cylinders",
+                                                "seven numbers ax, ay, az, x, y, z, R",
+                                                "[0, 1, 0, 0, 0, 0, 5]",
+                                                "[[0, 1, 0, 0, 0, 0, 5]]"};
+    static const struct scene_rows vectors = {3,           SCENE_WALLS_MAX,         "vectors", "three numbers",
+                                              "[0, 0, 1]", "[[0, 0, 1], [0, 0, 0]]"};
+    static const struct scene_rows numbers = {1, SCENE_WALLS_MAX, "numbers", NULL, NULL, "[1, 2]"};
+    return kind == SCENE_PLANES      ? &planes
+           : kind == SCENE_CYLINDERS ? &cylinders
+           : kind == SCENE_VECTORS   ? &vectors
+           : kind == SCENE_NUMBERS   ? &numbers
+                                     : NULL;
+}
+
 const struct scene_field *scene_field_at(int k)
 {
     if (k >= 0 && k < HEAD)

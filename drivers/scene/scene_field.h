@@ -11,17 +11,20 @@
 #include <stdint.h>
 
 enum scene_kind {
-    SCENE_SECTION, /* holds keys; goes nowhere */
-    SCENE_NUMBER,  /* goes to a double */
-    SCENE_VECTOR,  /* three numbers; goes to a double[3] */
-    SCENE_COUNT,   /* whole number; goes to an int64_t */
-    SCENE_COUNTS,  /* three whole numbers; goes to an int64_t[3] */
-    SCENE_PLANES,  /* list of rows nx, ny, nz, d; goes to a struct scene_planes */
-    SCENE_YES_NO,  /* yes or no; goes to an int64_t, 1 or 0 */
-    SCENE_WORD,    /* one of the row's words; goes to an int64_t */
-    SCENE_PATH,    /* of a file, relative to the scene's; goes to a char[SCENE_PATH_SIZE] */
-    SCENE_NAME,    /* letters, digits, _ and -; goes to a char[64] */
-    SCENE_STEPPER  /* name of a stepper; goes to a const vti_stepper * */
+    SCENE_SECTION,   /* holds keys; goes nowhere */
+    SCENE_NUMBER,    /* goes to a double */
+    SCENE_VECTOR,    /* three numbers; goes to a double[3] */
+    SCENE_COUNT,     /* whole number; goes to an int64_t */
+    SCENE_COUNTS,    /* three whole numbers; goes to an int64_t[3] */
+    SCENE_PLANES,    /* list of rows nx, ny, nz, d; goes to a struct scene_planes */
+    SCENE_CYLINDERS, /* list of rows ax, ay, az, x, y, z, R; goes to a struct scene_cylinders */
+    SCENE_VECTORS,   /* list of rows of three numbers; goes to a struct scene_vectors */
+    SCENE_NUMBERS,   /* list of numbers; goes to a struct scene_numbers */
+    SCENE_YES_NO,    /* yes or no; goes to an int64_t, 1 or 0 */
+    SCENE_WORD,      /* one of the row's words; goes to an int64_t */
+    SCENE_PATH,      /* of a file, relative to the scene's; goes to a char[SCENE_PATH_SIZE] */
+    SCENE_NAME,      /* letters, digits, _ and -; goes to a char[64] */
+    SCENE_STEPPER    /* name of a stepper; goes to a const vti_stepper * */
 };
 
 enum scene_need {
@@ -49,6 +52,17 @@ struct scene_field {
     const char *says;               /* one sentence about it, for lists and docs/scenes.md */
     const struct scene_word *words; /* of SCENE_WORD */
 };
+
+/** A kind of lists of any length, which go to a struct of their count, an int64_t, and their numbers. */
+struct scene_rows {
+    int64_t width, most;           /* numbers of a row, and the most rows */
+    const char *name;              /* "planes" */
+    const char *row, *row_example; /* "four numbers nx, ny, nz, d" and one of them; NULL: rows are numbers */
+    const char *example;           /* of the list */
+};
+
+/** NULL for kinds that are no such lists. */
+const struct scene_rows *scene_rows_of(enum scene_kind kind);
 
 struct scene;
 

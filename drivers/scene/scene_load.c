@@ -43,7 +43,10 @@ static int step(struct load *load)
 /** How deep the lists are that a value is written in. */
 static int dimension_of(const struct scene_field *field)
 {
-    return field->kind == SCENE_PLANES ? 2 : field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS ? 1 : 0;
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    if (rows != NULL)
+        return rows->row != NULL ? 2 : 1;
+    return field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS;
 }
 
 /** What stands there, as one can say it. Goes on to the end of it; returns -1 if it cannot be read so far. */
@@ -69,25 +72,33 @@ static int describe(struct load *load, char found[2 * QUOTE_SIZE])
 }
 
 /** A list of numbers, as one can say it, and an example. */
-static const char *list_words(const struct scene_field *field)
+static const char *list_words(const struct scene_field *field, char words[SCENE_TEXT_SIZE])
 {
-    return field->kind == SCENE_PLANES   ? "four numbers nx, ny, nz, d; write them as in [1, 0, 0, 0]"
-           : field->kind == SCENE_COUNTS ? "three whole numbers; write them as in [4, 4, 4]"
-                                         : "three numbers; write them as in [0, 0, 1]";
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    const int counts = field->kind == SCENE_COUNTS;
+    const char *what = rows == NULL ? (counts ? "three whole numbers" : "three numbers") : rows->row,
+               *example = rows == NULL ? (counts ? "[4, 4, 4]" : "[0, 0, 1]") : rows->row_example;
+    if (what == NULL) {
+        what = rows->name;
+        example = rows->example;
+    }
+    snprintf(words, SCENE_TEXT_SIZE, "%s; write them as in %s", what, example);
+    return words;
 }
 
 /** Something else stands where a value, or a list of that dimension in it, belongs. */
 static int fail_shape(struct load *load, const struct scene_field *field, int dimension, const char *path)
 {
     const struct place place = load->yaml.place;
-    char found[2 * QUOTE_SIZE];
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    char found[2 * QUOTE_SIZE], words[SCENE_TEXT_SIZE];
     if (describe(load, found) != 0)
         return -1;
     if (dimension == 2)
-        return fail(load, &place, path, "%s is not a list of planes; write them as in [[1, 0, 0, 0], [0, 1, 0, 0]]",
-                    found);
+        return fail(load, &place, path, "%s is not a list of %s; write them as in %s", found, rows->name,
+                    rows->example);
     if (dimension == 1)
-        return fail(load, &place, path, "%s is not a list of %s", found, list_words(field));
+        return fail(load, &place, path, "%s is not a list of %s", found, list_words(field, words));
     if (field->kind == SCENE_COUNT || field->kind == SCENE_COUNTS)
         return fail(load, &place, path, "%s is not a whole number; " NUMBER_WRITE_COUNT, found);
     if (field->kind == SCENE_NUMBER || dimension_of(field) > 0)
@@ -119,19 +130,21 @@ static int load_items(struct load *load, const struct scene_field *field, struct
                       const char *path)
 {
     const struct place place = load->yaml.place;
-    const unsigned long width = field->kind == SCENE_PLANES ? 4 : 3;
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    const unsigned long width = rows != NULL ? (unsigned long)rows->width : 3;
+    const int any_length = rows != NULL && dimension == dimension_of(field);
     if (load->yaml.part != (dimension == 0 ? YAML_WORD : YAML_LIST))
         return fail_shape(load, field, dimension, path);
     if (dimension == 0)
         return add_item(load, value);
     for (unsigned long n = 0;; ++n) {
-        char item[24], item_path[SCENE_KEYS_SIZE] = "";
+        char item[24], item_path[SCENE_KEYS_SIZE] = "", words[SCENE_TEXT_SIZE];
         if (step(load) != 0)
             return -1;
         if (load->yaml.part == YAML_CLOSE)
-            return dimension == 2 || n == width
+            return any_length || n == width
                        ? 0
-                       : fail(load, &place, path, "%lu values in a list of %s", n, list_words(field));
+                       : fail(load, &place, path, "%lu values in a list of %s", n, list_words(field, words));
         snprintf(item, sizeof item, "[%lu]", n);
         append(append(item_path, sizeof item_path, path), sizeof item_path, item);
         if (load_items(load, field, value, dimension - 1, item_path) != 0)

@@ -85,12 +85,13 @@ static int read_stepper(const struct scene_reader *reader, const struct scene_fi
 
 /* ---- numbers ----------------------------------------------------------------------------------------------------- */
 
-/** What the path of an item has behind the field's: "" of a single number, "[1]" of a vector, "[0][3]" of planes. */
+/** What the path of an item has behind the field's: "" of a single number, "[1]" of a vector, "[0][3]" of rows. */
 static const char *part_of(const struct scene_field *field, int64_t item, char part[48])
 {
-    if (field->kind == SCENE_PLANES)
-        snprintf(part, 48, "[%lld][%lld]", (long long)(item / 4), (long long)(item % 4));
-    else if (field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS)
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    if (rows != NULL && rows->row != NULL)
+        snprintf(part, 48, "[%lld][%lld]", (long long)(item / rows->width), (long long)(item % rows->width));
+    else if (rows != NULL || field->kind == SCENE_VECTOR || field->kind == SCENE_COUNTS)
         snprintf(part, 48, "[%lld]", (long long)item);
     else
         part[0] = '\0';
@@ -168,46 +169,64 @@ static int read_counts(const struct scene_reader *reader, const struct scene_fie
     return 0;
 }
 
-/* ---- planes ------------------------------------------------------------------------------------------------------ */
+/* ---- lists of rows ----------------------------------------------------------------------------------------------- */
 
-/** Divides a plane by the length of its normal. Returns -1 if that is not possible. */
-static int make_unit(double plane[4])
+/** Divides a vector and what follows it, count numbers in all, by the length of the vector. Returns -1 if that is not
+ *  possible. */
+static int make_unit(double *row, int count)
 {
-    const double length = vti_norm(plane);
-    if (!(length > 0.0) || !isfinite(length))
-        return -1;
-    for (int k = 0; k < 4; ++k)
-        plane[k] /= length;
-    return isfinite(plane[3]) ? 0 : -1;
+    const double length = vti_norm(row);
+    int good = length > 0.0 && isfinite(length);
+    for (int k = 0; k < count && good; ++k) {
+        row[k] /= length;
+        good &= isfinite(row[k]);
+    }
+    return good ? 0 : -1;
 }
 
-static int read_plane(const struct scene_reader *reader, const struct scene_field *field,
-                      const struct scene_value *value, int64_t row, double plane[4])
+/** What a row must be besides numbers. */
+static int finish_row(const struct scene_reader *reader, const struct scene_field *field,
+                      const struct scene_value *value, int64_t row, double *numbers)
 {
-    const struct scene_item *items = &value->items[4 * row];
+    const int64_t width = scene_rows_of(field->kind)->width;
+    const struct scene_item *items = &value->items[width * row];
     char part[48];
-    for (int k = 0; k < 4; ++k)
-        if (read_number(reader, field, value, 4 * row + k, &plane[k]) != 0)
-            return -1;
-    if (make_unit(plane) == 0)
-        return 0;
     snprintf(part, sizeof part, "[%lld]", (long long)row);
-    return scene_reader_fail_item(
-        reader, field, 4 * row, part,
-        "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero or too large",
-        items[0].text, items[1].text, items[2].text, items[3].text);
+    if (field->kind == SCENE_PLANES && make_unit(numbers, 4) != 0)
+        return scene_reader_fail_item(
+            reader, field, width * row, part,
+            "'[%.20s, %.20s, %.20s, %.20s]' has no unit normal; its first three numbers are zero or too large",
+            items[0].text, items[1].text, items[2].text, items[3].text);
+    if (field->kind == SCENE_CYLINDERS && make_unit(numbers, 3) != 0)
+        return scene_reader_fail_item(reader, field, width * row, part,
+                                      "'[%.20s, %.20s, %.20s, ...]' has no axis; its first three numbers are zero or "
+                                      "too large",
+                                      items[0].text, items[1].text, items[2].text);
+    if (field->kind == SCENE_CYLINDERS && !(numbers[6] > 0.0))
+        return scene_reader_fail_item(reader, field, width * row + 6, part,
+                                      "the radius '%.20s' is not positive; the seventh number must be > 0",
+                                      items[6].text);
+    return 0;
 }
 
-static int read_planes(const struct scene_reader *reader, const struct scene_field *field,
-                       const struct scene_value *value, struct scene_planes *planes)
+/** A list of rows into its count and its numbers. */
+static int read_rows(const struct scene_reader *reader, const struct scene_field *field,
+                     const struct scene_value *value, int64_t *count)
 {
-    planes->count = value->count / 4;
-    if (planes->count > SCENE_PLANES_MAX)
-        return scene_reader_fail(reader, field->path, "%lld planes; give at most %d", (long long)planes->count,
-                                 SCENE_PLANES_MAX);
-    for (int64_t row = 0; row < planes->count; ++row)
-        if (read_plane(reader, field, value, row, planes->plane[row]) != 0)
+    const struct scene_rows *rows = scene_rows_of(field->kind);
+    double *numbers = (double *)(count + 1);
+    *count = value->count / rows->width;
+    if (*count > rows->most)
+        return scene_reader_fail(reader, field->path, "%lld %s; give at most %lld", (long long)*count, rows->name,
+                                 (long long)rows->most);
+    for (int64_t row = 0; row < *count; ++row, numbers += rows->width) {
+        for (int64_t k = 0; k < rows->width; ++k)
+            if (read_number(reader, field, value, rows->width * row + k, &numbers[k]) != 0 ||
+                check_range(reader, field, value, rows->width * row + k, numbers[k]) != 0)
+                return -1;
+        if (finish_row(reader, field, value, row, numbers) != 0)
             return -1;
+    }
     return 0;
 }
 
@@ -231,7 +250,10 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
     case SCENE_COUNTS:
         return read_counts(reader, field, value, target);
     case SCENE_PLANES:
-        return read_planes(reader, field, value, target);
+    case SCENE_CYLINDERS:
+    case SCENE_VECTORS:
+    case SCENE_NUMBERS:
+        return read_rows(reader, field, value, target);
     case SCENE_YES_NO:
         return read_word(reader, field, value->items[0].text, yes_no, target);
     case SCENE_WORD:

@@ -45,7 +45,8 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
                              VTI_SHEAR_OBJECTIVE};
     const vti_contacts contacts = {
         .count = count, .pair = pair, .base = 1, .diameter = vti_scalars_array(diameter), .stiffness = 80.0};
-    const vti_walls walls = {2, planes[0], vti_scalars_array(diameter), 90.0};
+    const vti_walls walls = {
+        .count = 2, .plane = planes[0], .diameter = vti_scalars_array(diameter), .stiffness = 90.0};
     const vti_effect all[EFFECTS] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                      vti_gravity_effect(&gravity), vti_pendulum_effect(&pendulum)};
     const vti_deformation at = {0.25, 0.125, 1};

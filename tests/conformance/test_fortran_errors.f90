@@ -293,6 +293,10 @@ contains
         type(vti_bonds), target :: other_bonds
         type(vti_contacts), target :: other_contacts
         type(vti_walls), target :: other_walls
+        type(vti_walls), pointer :: gap_of
+        real(c_double) :: normal(3), place(3)
+        place = [1.0_c_double, 2.0_c_double, 3.0_c_double]
+        gap_of => walls
         nullify (no_bonds, no_contacts, no_walls, no_gravity, no_drag, no_dashpots, no_friction, no_bond_dashpots, &
             no_rupture, no_pendulum)
         call no_effect(vti_bonds_effect(no_bonds), 'no bonds')
@@ -312,6 +316,10 @@ contains
         call no_effect(vti_contacts_effect(other_contacts), 'contacts of the wrong shape')
         other_walls = vti_walls_at(triples, vti_scalars_one(one), 1.0_c_double)
         call no_effect(vti_walls_effect(other_walls), 'planes of the wrong shape')
+        call expect(ieee_is_nan(vti_walls_gap(no_walls, 1_c_int64_t, place, normal)), 'no walls, no gap')
+        call expect(abs(vti_walls_gap(gap_of, 1_c_int64_t, place, normal) - 3) < tiny(one), 'gap of a wall')
+        call expect(norm2(normal - [0, 0, 1]) < tiny(one), 'normal of a wall')
+        call expect(ieee_is_nan(vti_walls_gap(gap_of, 2_c_int64_t, place, normal)), 'gap of a wall that there is not')
         b = good
         b%alpha = vti_view()
         call expect_status(vti_apply(effects(:1), b), VTI_E_NEEDS, 'bonds without attitudes')

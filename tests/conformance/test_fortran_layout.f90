@@ -4,8 +4,8 @@ program test_fortran_layout
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_intptr_t, c_loc, c_ptr, c_size_t, c_sizeof
     use common
     implicit none
-    integer(c_int64_t) :: theirs(200), count
-    integer(c_int64_t) :: ours(200) = 0
+    integer(c_int64_t) :: theirs(256), count
+    integer(c_int64_t) :: ours(256) = 0
     integer :: entries = 0
     integer(c_int64_t), parameter :: quantity(13) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
         VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_MASS, &
@@ -15,7 +15,7 @@ program test_fortran_layout
     integer :: k
 
     call members()
-    count = shim_layout(200_c_int64_t, theirs)
+    count = shim_layout(256_c_int64_t, theirs)
     call compare('size or offset')
 
     call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
@@ -76,6 +76,7 @@ contains
         type(vti_past), target :: past
         type(vti_bonds), target :: bonds
         type(vti_contacts), target :: contacts
+        type(vti_wall_motion), target :: motion
         type(vti_walls), target :: walls
         type(vti_spring), target :: spring
         type(vti_deformation), target :: deformation
@@ -115,7 +116,7 @@ contains
         call add(c_sizeof(friction), c_loc(friction), [c_loc(friction%contacts), c_loc(friction%walls), &
             c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
-            c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost)])
+            c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost), c_loc(friction%wall_sliding)])
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
             c_loc(multistep%c), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
@@ -128,15 +129,18 @@ contains
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &
-            c_loc(dashpots%reach), c_loc(dashpots%lost)])
+            c_loc(dashpots%reach), c_loc(dashpots%lost), c_loc(dashpots%wall_zeta)])
         call add(c_sizeof(bonds), c_loc(bonds), [c_loc(bonds%count), c_loc(bonds%pair), c_loc(bonds%base), &
             c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
             c_loc(bonds%shear_form)])
         call add(c_sizeof(contacts), c_loc(contacts), [c_loc(contacts%count), c_loc(contacts%pair), &
             c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness), c_loc(contacts%modulus), &
             c_loc(contacts%length)])
+        call add(c_sizeof(motion), c_loc(motion), [c_loc(motion%velocity), c_loc(motion%spin), c_loc(motion%centre), &
+            c_loc(motion%moved)])
         call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &
-            c_loc(walls%stiffness)])
+            c_loc(walls%stiffness), c_loc(walls%each), c_loc(walls%cylinders), c_loc(walls%cylinder), &
+            c_loc(walls%motion), c_loc(walls%work)])
         call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &
             c_loc(spring%length), c_loc(spring%axial), c_loc(spring%across), c_loc(spring%shear), &
             c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist)])

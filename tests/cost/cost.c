@@ -95,7 +95,7 @@ int main(int argc, char **argv)
                              strchr(config, 's') != NULL ? k : none,
                              VTI_SHEAR_OBJECTIVE};
     const vti_contacts contacts = {.count = N - 1, .pair = pair[0], .diameter = d, .stiffness = stiffness};
-    const vti_walls walls = {1, floor_plane[0], d, stiffness};
+    const vti_walls walls = {.count = 1, .plane = floor_plane[0], .diameter = d, .stiffness = stiffness};
     if (terms) {
         const vti_view start = vti_view_packed(x[0]);
         vti_bonds_rest(N - 1, pair[0], 0, &start, rest[0], NULL);

@@ -7,15 +7,15 @@
 #include "message.h"
 
 static struct effect_kind kind;
-static struct scene_field fields[8];
-static struct effect_term terms[1];
+static struct scene_field fields[16];
+static struct effect_term terms[2];
 
 /** A copy of the wall's, with rows of its own. */
 static void copy(void)
 {
     kind = effect_wall;
     memcpy(fields, effect_wall.fields, sizeof *fields * (size_t)effect_wall.fields_count);
-    terms[0] = effect_wall.terms[0];
+    memcpy(terms, effect_wall.terms, sizeof terms);
     kind.fields = fields;
     kind.terms = terms;
 }

@@ -35,7 +35,8 @@ static inline void impact_clear(impact *m, int n, int planes, double stiffness)
     }
     m->contacts = (vti_contacts){
         .count = pairs, .pair = m->pair[0], .diameter = vti_scalars_array(m->diameter), .stiffness = stiffness};
-    m->walls = (vti_walls){planes, m->plane[0], vti_scalars_array(m->diameter), stiffness};
+    m->walls = (vti_walls){
+        .count = planes, .plane = m->plane[0], .diameter = vti_scalars_array(m->diameter), .stiffness = stiffness};
     m->b = crowd_bodies(&m->c);
 }
 

@@ -55,7 +55,7 @@ TEST(effects_need_what_they_read)
     const vti_gravity gravity = {{1, -2, 3}};
     const vti_pendulum pendulum = {2, {0.5, 1, -1}};
     const vti_contacts contacts = {.count = 2, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = 7};
-    const vti_walls walls = {1, plane, vti_scalars_one(&diameter), 5};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&diameter), .stiffness = 5};
     const struct {
         vti_effect effect;
         int needs, refusal, for_energy;
@@ -90,7 +90,8 @@ TEST(effects_need_what_they_read)
 TEST(no_walls)
 {
     const double diameter = 3;
-    const vti_walls none = {0, NULL, {NULL, 0, 0}, 5}, nowhere = {1, NULL, vti_scalars_one(&diameter), 5};
+    const vti_walls none = {.count = 0, .plane = NULL, .diameter = {NULL, 0, 0}, .stiffness = 5},
+                    nowhere = {.count = 1, .plane = NULL, .diameter = vti_scalars_one(&diameter), .stiffness = 5};
     const vti_effect effect = vti_walls_effect(&none);
     crowd_clear(&c, 3, CROWD_ALPHA);
     assert_true(act(&effect, 0, VTI_OK) == 0 && c.force[0][0] == 0);

@@ -119,12 +119,13 @@ TEST(walls)
             plane[k][3] = vti_dot(plane[k], c.x[k]) - 0.2; /* body k touches it */
             expected |= bits_of(plane[k]);
         }
-        const vti_walls list = {planes, plane[0], vti_scalars_one(&diameter), 5};
+        const vti_walls list = {
+            .count = planes, .plane = plane[0], .diameter = vti_scalars_one(&diameter), .stiffness = 5};
         const vti_effect effect = vti_walls_effect(&list);
         assert_int_equal(effect.breaks, expected);
         run(&effect);
     }
-    const vti_walls none = {0, NULL, {NULL, 0, 0}, 1};
+    const vti_walls none = {.count = 0, .plane = NULL, .diameter = {NULL, 0, 0}, .stiffness = 1};
     assert_int_equal(vti_walls_effect(&none).breaks, 0);
 }
 

@@ -78,7 +78,10 @@ TEST(walls_have_their_values)
         double plane[7][4], diameter[6], energy, slack = 0;
         long double total = 0, sums[6][3] = {{0}}, slacks[6] = {0};
         crowd_clear(&c, 6, CROWD_ALPHA);
-        vti_walls walls = {trial % 8, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 3000)};
+        vti_walls walls = {.count = trial % 8,
+                           .plane = plane[0],
+                           .diameter = vti_scalars_array(diameter),
+                           .stiffness = uniform(&g, 1, 3000)};
         for (int64_t k = 0; k < walls.count; ++k) {
             random_unit(&g, 3, plane[k]);
             plane[k][3] = uniform(&g, -0.5, 0.5);
@@ -131,7 +134,7 @@ TEST(exact_values)
     assert_close(energy, 0.8, EPS);
     assert_true(c.force[0][1] == 4 && c.force[1][1] == -4 && c.force[0][0] == 0 && c.force[0][2] == 0);
 
-    const vti_walls walls = {1, plane, vti_scalars_array(diameter + 1), 64};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_array(diameter + 1), .stiffness = 64};
     const vti_effect wall = vti_walls_effect(&walls);
     const vti_bodies second = vti_bodies_slice(b, 0, 1);
     c.x[0][2] = -1 + 0.375; /* of D/2 = 1/2 */
@@ -166,7 +169,7 @@ TEST(touch_and_coincidence)
         const vti_contacts contacts = {
             .count = 1, .pair = pair, .diameter = vti_scalars_array(diameter), .stiffness = 10};
         const double radius_one = 1; /* diameter of a body that touches at y = 1/2 */
-        const vti_walls walls = {1, plane, vti_scalars_one(&radius_one), 10};
+        const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&radius_one), .stiffness = 10};
         const vti_effect effects[2] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls)};
         const vti_bodies b = crowd_bodies(&c), upper = vti_bodies_slice(b, 0, 1);
         vti_apply(effects, 1, &b);
@@ -214,7 +217,8 @@ TEST(forces_are_minus_the_gradient)
                                        .base = 1,
                                        .diameter = vti_scalars_array(diameter),
                                        .stiffness = uniform(&g, 1, 20)};
-        const vti_walls walls = {3, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 20)};
+        const vti_walls walls = {
+            .count = 3, .plane = plane[0], .diameter = vti_scalars_array(diameter), .stiffness = uniform(&g, 1, 20)};
         const vti_effect all[3] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_gravity_effect(&gravity)};
         const vti_bodies b = crowd_bodies(&c);

@@ -159,7 +159,16 @@ TEST(adding_to_a_table)
 
 static vti_dashpots all_dashpots(void)
 {
-    return (vti_dashpots){&m.contacts, &m.walls, NULL, 0.1, 1, 1, 1, 1, 1, 0, 1, m.lost};
+    return (vti_dashpots){.contacts = &m.contacts,
+                          .walls = &m.walls,
+                          .zeta = 0.1,
+                          .normal = 1,
+                          .tangential = 1,
+                          .ratio = 1,
+                          .rolling = 1,
+                          .twisting = 1,
+                          .reach = 1,
+                          .lost = m.lost};
 }
 
 TEST(coefficients_of_dashpots)

@@ -360,7 +360,14 @@ static void crowd_flow(int halves, double v[40][3])
         random_vector(&g, 1, m.c.v[i]);
         random_vector(&g, 1, m.c.omega[i]);
     }
-    const vti_dashpots dashpots = {&m.contacts, &m.walls, NULL, 0, 1, 0.5, 0, 0.05, 0.02, 1, 0, m.lost};
+    const vti_dashpots dashpots = {.contacts = &m.contacts,
+                                   .walls = &m.walls,
+                                   .normal = 1,
+                                   .tangential = 0.5,
+                                   .rolling = 0.05,
+                                   .twisting = 0.02,
+                                   .pull = 1,
+                                   .lost = m.lost};
     impact_add(&m, vti_dashpots_effect(&dashpots));
     vti_momentum(&m.b, p);
     vti_angular_momentum(&m.b, origin, l);

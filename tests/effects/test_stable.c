@@ -142,7 +142,8 @@ TEST(parallel_springs)
         c.n = 1;
         for (int p = 0; p < n; ++p)
             random_unit(&g, 3, plane[p]);
-        const vti_walls walls = {n, plane[0], vti_scalars_array(diameter), contacts.stiffness};
+        const vti_walls walls = {
+            .count = n, .plane = plane[0], .diameter = vti_scalars_array(diameter), .stiffness = contacts.stiffness};
         all[0] = vti_walls_effect(&walls);
         omega2 = k / (c.mass[0] * radius * radius);
         assert_close(crowd_stable(&c, all, 1, o), 2 / sqrt(omega2), 8 * EPS * 2 / sqrt(omega2));
@@ -171,7 +172,7 @@ TEST(slice)
         web_terms(&w, web_grow(&w, &g, &c, 3, 0.1, 100), MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
         vti_pendulum pendulum = {uniform(&g, 0, 20), {0, 0, 1}};
         const double diameter = 0.5, plane[4] = {0, 0, 1, 0};
-        const vti_walls walls = {1, plane, vti_scalars_one(&diameter), 10};
+        const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&diameter), .stiffness = 10};
         const vti_effect all[3] = {vti_bonds_effect(&w.bonds), vti_walls_effect(&walls),
                                    vti_pendulum_effect(&pendulum)};
         const double expected = crowd_stable(&c, all, 3, 0.1);

@@ -98,7 +98,10 @@ TEST(packings_in_contact)
                                        .pair = pair[0],
                                        .diameter = vti_scalars_array(diameter),
                                        .stiffness = uniform(&g, 1, 100)};
-        const vti_walls walls = {1 + trial % 2, plane[0], vti_scalars_array(diameter), uniform(&g, 1, 100)};
+        const vti_walls walls = {.count = 1 + trial % 2,
+                                 .plane = plane[0],
+                                 .diameter = vti_scalars_array(diameter),
+                                 .stiffness = uniform(&g, 1, 100)};
         const vti_effect all[4] = {vti_bonds_effect(&w.bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
                                    vti_pendulum_effect(&pendulum)};
         const double ratio = crowd_stable(&c, all, 4, overlap) / crowd_limit(&c, all, 4);

@@ -212,7 +212,8 @@ static double may_come(rng *g, double o, int material, int lengths)
     plane[3] = INFINITY;
     for (int i = 0; i < c.n; ++i)
         plane[3] = fmin(plane[3], vti_dot(plane, c.x[i]) - 0.5 * (1 - o) * diameter[i]);
-    const vti_walls walls = {1, plane, vti_scalars_array(diameter), contacts.stiffness};
+    const vti_walls walls = {
+        .count = 1, .plane = plane, .diameter = vti_scalars_array(diameter), .stiffness = contacts.stiffness};
     for (int i = 0; i < c.n; ++i)
         modulus[i] = uniform(g, 1, 1000);
     if (material) {

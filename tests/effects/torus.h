@@ -47,7 +47,8 @@ static inline void torus_start(torus *t, int form)
     web_terms(&t->w, RING, MOMENT | AXIAL | SHEAR, form);
     const vti_contacts contacts = {
         .count = RING_PAIRS, .pair = t->pair[0], .diameter = vti_scalars_one(&t->diameter), .stiffness = 2100};
-    const vti_walls walls = {1, t->plane, vti_scalars_one(&t->diameter), 2100};
+    const vti_walls walls = {
+        .count = 1, .plane = t->plane, .diameter = vti_scalars_one(&t->diameter), .stiffness = 2100};
     t->plane[0] = 1;
     t->plane[1] = t->plane[2] = t->plane[3] = 0;
     t->contacts = contacts;

@@ -136,7 +136,8 @@ static inline void scene_effects(scene *s, vti_effect *effects)
                              VTI_SHEAR_OBJECTIVE};
     const vti_contacts contacts = {
         .count = PAIRS, .pair = s->pair[0], .diameter = vti_scalars_array(s->diameter), .stiffness = 20.0};
-    const vti_walls walls = {2, s->plane[0], vti_scalars_array(s->diameter), 10.0};
+    const vti_walls walls = {
+        .count = 2, .plane = s->plane[0], .diameter = vti_scalars_array(s->diameter), .stiffness = 10.0};
     const vti_gravity gravity = {{0.02, -0.1, -0.2}};
     const vti_pendulum pendulum = {0.3, {0.1, 0.2, 0.7}};
     memcpy(s->stiffness, stiffness, sizeof stiffness);

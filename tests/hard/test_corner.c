@@ -60,7 +60,7 @@ TEST(many_in_a_corner)
     struct neighbours list;
     struct message message;
     vti_contacts contacts = {.count = 0, .pair = NULL, .diameter = diameter, .stiffness = 1000};
-    const vti_walls walls = {3, planes[0], diameter, 1000};
+    const vti_walls walls = {.count = 3, .plane = planes[0], .diameter = diameter, .stiffness = 1000};
     const vti_effect effects[2] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls)};
     if (neighbours_create(&list, MANY, &diameter, 0, 0, NULL, &message) != 0)
         fail_msg("%s", message.text);

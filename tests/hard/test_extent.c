@@ -106,7 +106,7 @@ TEST(effects)
                                      VTI_SHEAR_OBJECTIVE};
             const vti_contacts contacts = {
                 .count = 1, .pair = pair, .base = base, .diameter = vti_scalars_one(&one), .stiffness = 10};
-            const vti_walls walls = {1, plane, vti_scalars_one(&one), 10};
+            const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 10};
             const vti_effect all[] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts),
                                       vti_walls_effect(&walls), vti_gravity_effect(&gravity),
                                       vti_pendulum_effect(&pendulum)};

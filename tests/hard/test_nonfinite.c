@@ -172,7 +172,7 @@ TEST(other_parameters)
     vti_pendulum pendulum = {1, {1, 0, 0.5}};
     vti_gravity gravity = {{0, 0, -1}};
     vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_array(diameter), .stiffness = 10};
-    vti_walls walls = {1, plane, vti_scalars_array(diameter), 10};
+    vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_array(diameter), .stiffness = 10};
     const vti_effect effects[] = {
         vti_contacts_effect(&contacts), vti_contacts_effect(&contacts), vti_walls_effect(&walls),
         vti_walls_effect(&walls),       vti_walls_effect(&walls),       vti_walls_effect(&walls),
@@ -201,7 +201,7 @@ TEST(stable_step)
     const vti_deformation at = {0.1, 0, 0};
     const double plane[4] = {1, 0, 0, 0};
     vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = NAN};
-    vti_walls walls = {1, plane, vti_scalars_one(&diameter), NAN};
+    vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&diameter), .stiffness = NAN};
     vti_pendulum pendulum = {NAN, {1, 0, 0}};
     memset(&w, 0, sizeof w);
     w.pair[0][1] = 1;
@@ -230,7 +230,7 @@ TEST(positions)
     const int64_t pair[2] = {0, 1};
     const double one = 1, plane[4] = {1, 0, 0, 0};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&one), .stiffness = 10};
-    const vti_walls walls = {1, plane, vti_scalars_one(&one), 10};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 10};
     memset(&w, 0, sizeof w);
     w.pair[0][1] = 1;
     w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;

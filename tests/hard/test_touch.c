@@ -150,7 +150,7 @@ TEST(unequal)
 static double wall(double x, double stiffness)
 {
     const double plane[4] = {1, 0, 0, 0};
-    const vti_walls walls = {1, plane, vti_scalars_one(&unit), stiffness};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&unit), .stiffness = stiffness};
     const vti_effect effect = vti_walls_effect(&walls);
     crowd_clear(&c, 1, CROWD_ALPHA);
     c.x[0][0] = x;
@@ -177,7 +177,7 @@ TEST(wall_at_all_distances)
 TEST(thrown_at_a_wall)
 {
     const double plane[4] = {1, 0, 0, 0};
-    const vti_walls walls = {1, plane, vti_scalars_one(&unit), 10};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&unit), .stiffness = 10};
     const vti_effect effect = vti_walls_effect(&walls);
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         static troupe t;

@@ -34,7 +34,7 @@ static int sound(void **state)
     const vti_scalars k = vti_scalars_one(&one);
     bonds = (vti_bonds){1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE};
     contacts = (vti_contacts){.count = 1, .pair = pair, .diameter = k, .stiffness = 5};
-    walls = (vti_walls){1, plane, k, 5};
+    walls = (vti_walls){.count = 1, .plane = plane, .diameter = k, .stiffness = 5};
     assert_int_equal(vti_bodies_seal(&b), VTI_OK);
     return 0;
 }

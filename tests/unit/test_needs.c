@@ -119,7 +119,7 @@ TEST(gives)
                     axial = {1, pair, 0, rest, none, k, none, VTI_SHEAR_OBJECTIVE},
                     shear = {1, pair, 0, rest, none, none, k, VTI_SHEAR_OBJECTIVE};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = d, .stiffness = 5};
-    const vti_walls walls = {1, plane, d, 5};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = d, .stiffness = 5};
     const int F = 1 << VTI_QUANTITY_FORCE, M = 1 << VTI_QUANTITY_MOMENT;
     const struct {
         vti_effect effect;

@@ -319,7 +319,8 @@ TEST(nothing_oscillates)
     const vti_bonds no_bonds = {0}, slack = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&zero)};
     const vti_contacts no_contacts = {.diameter = vti_scalars_one(&one)},
                        touching = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&one), .stiffness = 3};
-    const vti_walls no_walls = {0}, under = {1, plane, vti_scalars_one(&one), 3};
+    const vti_walls no_walls = {0},
+                    under = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 3};
     const vti_gravity weight = {{0, 0, -1}};
     const vti_effect lists[] = {vti_bonds_effect(&no_bonds), vti_contacts_effect(&no_contacts),
                                 vti_walls_effect(&no_walls), vti_gravity_effect(&weight)};
