@@ -14,7 +14,7 @@ import numpy as np
 
 from .hdf5_file import RUN, Reader, opened, text
 
-NOT_ENERGIES = ("t", "total", "energy_modified")
+NOT_ENERGIES = ("t", "total", "energy_modified", "bonds", "fragments")
 VECTORS = ("momentum", "spin", "angular")
 BLOWN = 10      # times all energies at t = 0: an error of this size is no error any more
 
@@ -25,6 +25,8 @@ class Frame:
     t: float
     x: np.ndarray           # n, 3
     attitude: np.ndarray    # n, 4: unit quaternions x, y, z, w
+    lines: np.ndarray       # k, 2: pairs of bodies that something holds at that time
+    fragment: np.ndarray = None     # n: the first body of the fragment, where lines may break
 
 
 @dataclass
@@ -45,6 +47,7 @@ class Run:
     plane_names: list       # "wall"
     touching: int           # pairs that overlap are in contact: 0 none, 1 those without a line, 2 all
     looks: dict             # name of an energy -> symbol, meaning, colour
+    breaks: bool = False    # lines may break
     lost: float = None      # when the run blew up; what follows is left out of all but total_to_the_end
     total_to_the_end: tuple = None  # t, total
 
@@ -69,7 +72,12 @@ class Run:
             reader = Reader(self.path, file, RUN)
             x = reader.numbers("/VTKHDF/Points", 2, rows)
             attitude = reader.numbers("/VTKHDF/PointData/attitude_xyzw", 2, rows) if self.turns else None
-        return Frame(float(self.times[k]), x, attitude)
+            if not self.breaks:
+                return Frame(float(self.times[k]), x, attitude, self.lines)
+            cells = self.bodies + len(self.lines)
+            holds = reader.numbers("/VTKHDF/CellData/bond_holds", 1, slice(k * cells + self.bodies, (k + 1) * cells))
+            fragment = reader.numbers("/VTKHDF/PointData/fragment", 1, rows)
+        return Frame(float(self.times[k]), x, attitude, self.lines[holds == 1], fragment)
 
 
 def read_run(path):
@@ -99,7 +107,7 @@ def read_run(path):
         run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
                   "attitude_xyzw" in data, diameter, lines.reshape(-1, 2), _planes(reader, plane_names), plane_names,
-                  int(reader.number("touching")) if "touching" in file.attrs else 0, looks)
+                  int(reader.number("touching")) if "touching" in file.attrs else 0, looks, "fragment" in data)
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
             raise reader.trouble("holds no number that is finite")

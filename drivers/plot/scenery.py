@@ -11,10 +11,12 @@ MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contac
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
 BODY, RIM, MARK, CONTACT, PLANE = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
 BEHIND_PLANE = "#DDDDDD"
+# Fragments that are left when bonds break, by their first body; those of one body are pale.
+FRAGMENTS, SINGLE = (BODY, "#F4D9A8", "#CDE8C4", "#F2C6CB", "#DCCDEB", "#D8D2A0"), "#F2F2F2"
 # Of which a picture is made, and between which its edges are smoothed.
-COLOURS = ("#FFFFFF", BODY, RIM, MARK, CONTACT, PLANE, BEHIND_PLANE)
+COLOURS = ("#FFFFFF", RIM, MARK, CONTACT, PLANE, BEHIND_PLANE, SINGLE, *FRAGMENTS)
 EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (PLANE, "#FFFFFF"),
-         (MARK, RIM))
+         (MARK, RIM), *((colour, RIM) for colour in (SINGLE, *FRAGMENTS[1:])))
 
 
 class Scenery:
@@ -49,8 +51,10 @@ class Scenery:
 
     def meaning(self):
         """What marks and colours stand for, of those that can appear: a line or none."""
-        said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed else []
-        if self.run.diameter is not None and self.detailed and (len(self.run.planes) or self.run.touching):
+        said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed and not self.run.breaks else []
+        if self.run.breaks:
+            said.append("colours: fragments, single bodies pale")
+        elif self.run.diameter is not None and self.detailed and (len(self.run.planes) or self.run.touching):
             said.append("orange: in contact")
         return ["; ".join(said)] if said else []
 
@@ -58,15 +62,15 @@ class Scenery:
         """Returns whether any body is in contact."""
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
         behind_first = np.argsort(frame.x[:, 3 - sum(self.plane)], kind="stable")
-        touching = self._touching(frame)
+        touching = np.zeros(len(xy), bool) if run.breaks else self._touching(frame)
         for plane in run.planes:
             self._draw_plane(axes, plane, window)
         axes.add_collection(_circles(axes, xy[behind_first], self.radius[behind_first],
-                                     np.where(touching[behind_first], CONTACT, BODY)))
+                                     np.where(touching, CONTACT, _fills(frame))[behind_first]))
         if self.detailed:
-            if len(run.lines):
-                axes.add_collection(LineCollection(xy[run.lines], colors=RIM, linewidths=0.7))
-            if run.turns:
+            if len(frame.lines):
+                axes.add_collection(LineCollection(xy[frame.lines], colors=RIM, linewidths=0.7))
+            if run.turns and not run.breaks:    # marks would hide the fragments
                 tips = xy + 2 * self.radius[:, None] * _turned(frame.attitude, self.outward)[:, self.plane]
                 axes.add_collection(LineCollection(np.stack([xy, tips], axis=1), colors=MARK, linewidths=0.6))
         (left, bottom), (right, top) = window
@@ -138,6 +142,15 @@ def _turned(attitude, vectors):
     axis, w = attitude[:, :3], attitude[:, 3:]
     twice = 2 * np.cross(axis, vectors)
     return vectors + w * twice + np.cross(axis, twice)
+
+
+def _fills(frame):
+    """Colours of the bodies: one for all, or those of the fragments that they are in."""
+    if frame.fragment is None:
+        return np.full(len(frame.x), BODY)
+    first = np.maximum(frame.fragment.astype(int), 0)
+    alone = np.bincount(first, minlength=len(frame.x))[first] == 1
+    return np.where(alone, SINGLE, np.array(FRAGMENTS)[first % len(FRAGMENTS)])
 
 
 def _circles(axes, centres, radius, colours):

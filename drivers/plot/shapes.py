@@ -49,8 +49,10 @@ def _grid(count, width, height):
 
 def _facts(run, scene, touched):
     parts = []
-    if scene.detailed and run.turns:
+    if scene.detailed and run.turns and not run.breaks:
         parts.append("Black marks are fixed to the bodies and point outwards at $t$ = 0.")
+    if run.breaks:
+        parts.append("Colours: fragments, single bodies pale.")
     if touched:
         other = "another body" if run.touching == 2 or not len(run.lines) else "a body of no common bond"
         parts.append("Orange: in contact with " + " or with ".join([f"a {name}" for name in run.plane_names] +

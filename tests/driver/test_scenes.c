@@ -22,6 +22,8 @@ static const struct {
 } scenes[] = {
     {"torus", "binder contact wall", 80, 80, 40.0, 0.0, 100, 1e-3},
     {"torus-printed", "binder contact wall", 80, 80, 40.0, 0.0, 100, 1e-3},
+    {"agglomerate", "binder bond_dashpot contact wall friction dashpot", 216, 540, 0.5 * 216 * 1.414e-6 * 16, 1e-17,
+     600, 1e-3},
     {"block", "binder wall", 96, 5 * 16 + 2 * 6 * 12, 48.0, 0.0, 100, 4e-4},
     {"chain", "binder", 10, 9, 0.15513524476909824, 1e-16, 100, 1e-3},
     {"heap", "contact wall friction dashpot gravity", 200, 0, 8104.50916902587, 2e-11, 800, 4e-5},
