@@ -49,7 +49,7 @@ figures() {
 
 # cost FOLDER [INTO]: what accuracy costs, on scenes that are smooth, on some with contacts, and of five million steps of spin.
 cost() {
-    mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 scenes/chain.yaml@10 \
+    mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 scenes/chain.yaml@10 scenes/pair.yaml@100 \
         scenes/torus.yaml@2,5 scenes/block.yaml@4 scenes/pile.yaml@1/2
     python3 tests/cost/instructions.py build/tests/cost/steps "$1/instructions.csv" scenes/pendulum.yaml=0.015625 \
         scenes/chain.yaml=0.001953125 || true

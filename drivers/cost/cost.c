@@ -48,8 +48,12 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
             reference_create(model, it->t_end, interval, w->plan->memory, comm, w->watch, &w->references[c], message);
         if (failed != 0)
             return failed;
-        w->cost->facts[c].turns = model->turns;
-        w->cost->facts[c].uncertainty = w->references[c].uncertainty;
+        struct cost_facts *facts = &w->cost->facts[c];
+        facts->main = model->turns ? COST_ATTITUDE : COST_VELOCITY;
+        facts->has[COST_ATTITUDE] = model->turns;
+        facts->has[COST_POSITION] = model->bodies.x.c[0] != NULL;
+        facts->has[COST_VELOCITY] = facts->has[COST_ENERGY] = 1;
+        facts->uncertainty = w->references[c].uncertainty;
     }
     return 0;
 }
@@ -176,9 +180,9 @@ static int time_all(struct work *w, MPI_Comm comm, int rank, struct message *mes
 static void find_prices(struct cost *cost)
 {
     for (int64_t k = 0; k < ladders_of(cost->plan); ++k)
-        for (int e = 0; e < COST_TARGETS; ++e)
-            cost->prices[k][e] =
-                cost_price_of(&cost->ladders[k], cost->facts[k / cost->plan->methods_count].turns, cost_targets[e]);
+        for (int measure = 0; measure < COST_MEASURES; ++measure)
+            for (int e = 0; e < COST_TARGETS; ++e)
+                cost->prices[k][measure][e] = cost_price_of(&cost->ladders[k], measure, cost_targets[e]);
 }
 
 static int allocate(struct work *w, int rank)

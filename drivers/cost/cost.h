@@ -35,7 +35,7 @@ struct cost_price {
     double force_evals, seconds;
 };
 
-struct cost_price cost_price_of(const struct cost_ladder *ladder, int turns, double error);
+struct cost_price cost_price_of(const struct cost_ladder *ladder, int measure, double error);
 
 /** By how much each grows when the error is to be ten times smaller: a straight line through the logarithms of the
  *  prices of all targets. NaN with fewer than three prices. */
@@ -45,7 +45,8 @@ struct cost_price cost_price_factor(const struct cost_price prices[COST_TARGETS]
 
 /** What is known about a case besides its runs. */
 struct cost_facts {
-    int turns;          /* 0: priced by the error of velocities */
+    int has[COST_MEASURES]; /* 0: its scene has nothing of that */
+    int main;               /* the measure that its ladders go down by */
     double uncertainty; /* of the reference by its own estimate, relative (reference.h), without long ways' rounding */
 };
 
@@ -54,9 +55,9 @@ struct cost_facts {
 struct cost {
     const struct cost_plan *plan;
     struct cost_facts facts[COST_CASES];
-    struct cost_ladder *ladders;               /* [cases_count * methods_count] */
-    struct cost_price (*prices)[COST_TARGETS]; /* the same */
-    int64_t runs;                              /* that went well */
+    struct cost_ladder *ladders;                              /* [cases_count * methods_count] */
+    struct cost_price (*prices)[COST_MEASURES][COST_TARGETS]; /* the same */
+    int64_t runs;                                             /* that went well */
     int ranks;
     double seconds; /* for everything */
 };

@@ -6,13 +6,16 @@
 
 #include "plain.h"
 
-double cost_error(const struct race_result *run, int turns)
+const char *const cost_measures[COST_MEASURES] = {"attitude", "position", "velocity", "energy"};
+
+double cost_error(const struct race_result *run, int measure)
 {
-    return turns ? run->attitude_error : run->velocity_error;
+    const double of[COST_MEASURES] = {run->attitude_error, run->position_error, run->velocity_error, run->energy_error};
+    return of[measure];
 }
 
 /** One run. It is kept, or counted as failed, or it is a first one without meaning. Returns its force evaluations. */
-static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, double h, double worst, int turns,
+static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, double h, double worst, int measure,
                         struct reference *reference, struct cost_ladder *ladder)
 {
     struct race_result *run = &ladder->runs[ladder->count];
@@ -21,7 +24,7 @@ static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, do
     if (run->failed) {
         ++ladder->failures;
         ladder->failure = run->message;
-    } else if (ladder->count > 0 || cost_error(run, turns) <= worst) {
+    } else if (ladder->count > 0 || cost_error(run, measure) <= worst) {
         ladder->h[ladder->count++] = h;
         return evals;
     }
@@ -29,30 +32,30 @@ static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, do
     return evals;
 }
 
-static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method, int turns,
+static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method, int measure,
                         struct reference *reference, struct cost_ladder *ladder)
 {
     for (int64_t k = 0; k < plan->h_count; ++k)
-        one_rung(c, method, plan->h[k], INFINITY, turns, reference, ladder);
+        one_rung(c, method, plan->h[k], INFINITY, measure, reference, ladder);
 }
 
 /** 1 if run k is no better than half of what run k - 4 was, which took a quarter of its steps. */
-static int stands_still(const struct cost_ladder *ladder, int64_t k, int turns)
+static int stands_still(const struct cost_ladder *ladder, int64_t k, int measure)
 {
     enum { BACK = 4 };
     const struct race_result *run = ladder->runs + k;
-    return k >= BACK && cost_error(run, turns) > 0.5 * cost_error(run - BACK, turns);
+    return k >= BACK && cost_error(run, measure) > 0.5 * cost_error(run - BACK, measure);
 }
 
-static int is_finished(const struct cost_ladder *ladder, int turns)
+static int is_finished(const struct cost_ladder *ladder, int measure)
 {
     static const double good_enough = 3e-11, perhaps_rounding = 1e-6;
     const int64_t last = ladder->count - 1;
     if (last < 0)
         return 0;
-    const double error = cost_error(&ladder->runs[last], turns);
+    const double error = cost_error(&ladder->runs[last], measure);
     return error < good_enough ||
-           (error < perhaps_rounding && stands_still(ladder, last, turns) && stands_still(ladder, last - 1, turns));
+           (error < perhaps_rounding && stands_still(ladder, last, measure) && stands_still(ladder, last - 1, measure));
 }
 
 /** Steps of the first run. */
@@ -73,19 +76,21 @@ void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, co
                      const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
                      void *poll_self, struct cost_ladder *ladder)
 {
-    const int turns = model->turns;
-    const int64_t most = plan->most_evals > 0 ? plan->most_evals : COST_WORK / model->bodies.count;
+    const int measure = model->turns ? COST_ATTITUDE : COST_VELOCITY;
+    const int64_t affordable =
+        COST_WORK / model->bodies.count < COST_EVALS ? COST_WORK / model->bodies.count : COST_EVALS;
+    const int64_t most = plan->most_evals > 0 ? plan->most_evals : affordable;
     memset(ladder, 0, sizeof *ladder);
     if (plan->h_count > 0) {
-        given_steps(plan, c, method, turns, reference, ladder);
+        given_steps(plan, c, method, measure, reference, ladder);
         return;
     }
     const double first = first_steps(c, model);
     double evals_per_step = 1.0;
-    for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, turns); ++k) {
+    for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, measure); ++k) {
         const double steps = rint(first * plain_exp2(0.5 * k));
         if (steps * fmax(evals_per_step, 1.0) > (double)most || (poll != NULL && poll(poll_self, k) != 0))
             break;
-        evals_per_step = (double)one_rung(c, method, c->t_end / steps, 1.0, turns, reference, ladder) / steps;
+        evals_per_step = (double)one_rung(c, method, c->t_end / steps, 1.0, measure, reference, ladder) / steps;
     }
 }

@@ -17,6 +17,7 @@ struct race_result {
     int64_t failed; /* 0, or 1 and the reason in message */
     int64_t steps, force_evals;
     double attitude_error; /* largest |log(R_h R^T)| over the bodies at t_end, radians; 0 if nothing turns */
+    double position_error; /* largest |x_h - x| over the bodies at t_end, lengths; 0 if nothing translates */
     /** At t_end, of v and Omega together as far as the scene has them: the square root of
      *  sum |v_h - v|^2 + |Omega_h - Omega|^2 over sum |v|^2 + |Omega|^2. */
     double velocity_error;
@@ -48,7 +49,7 @@ void race_settle(double *samples, int n, struct race_result *result);
 
 /* ---- the runs of one method -------------------------------------------------------------------------------------- */
 
-enum { COST_RUNGS = 64, COST_WORK = 1 << 22 };
+enum { COST_RUNGS = 64, COST_WORK = 1 << 22, COST_EVALS = 1 << 18 };
 
 /** The runs that went well, in the order of falling h, and what became of the others. Flat: it travels as bytes. */
 struct cost_ladder {
@@ -59,8 +60,14 @@ struct cost_ladder {
     double h[COST_RUNGS];
 };
 
-/** The error that a run is priced by: of the attitudes, or of the velocities where nothing turns. */
-double cost_error(const struct race_result *run, int turns);
+/** What an error can be of. A ladder goes down by the first that its scene has of attitude and velocity. */
+enum { COST_ATTITUDE, COST_POSITION, COST_VELOCITY, COST_ENERGY, COST_MEASURES };
+
+/** "attitude", "position", "velocity", "energy". */
+extern const char *const cost_measures[COST_MEASURES];
+
+/** The error of a run by that measure. */
+double cost_error(const struct race_result *run, int measure);
 
 /** Goes down the plan's steps. Without any: the first step is four times the stable step (half of t_end at most), each
  *  next one has sqrt(2) times as many. It ends when - the error is below 3e-11, - the next run would take more force

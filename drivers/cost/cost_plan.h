@@ -22,7 +22,7 @@ struct cost_plan {
     int64_t methods_count;
     double h[LADDER_MOST]; /* h_count = 0: every method finds its own ladder (cost_ladder.h) */
     int64_t h_count;
-    int64_t most_evals; /* of one run; 0: COST_WORK over the number of bodies */
+    int64_t most_evals; /* of one run; 0: COST_WORK over the number of bodies, COST_EVALS at most */
     int repeats;        /* of the timing */
     double memory;      /* bytes that the reference of a case may take on every rank (reference.h) */
 };

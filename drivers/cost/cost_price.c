@@ -9,11 +9,11 @@
 const double cost_targets[COST_TARGETS] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 
 /** Rule 1. */
-static int reaches(const struct cost_ladder *ladder, int turns, int64_t k, double error)
+static int reaches(const struct cost_ladder *ladder, int measure, int64_t k, double error)
 {
     enum { RUNS = 3 };
     for (int64_t r = k; r < k + RUNS && r < ladder->count; ++r)
-        if (!(cost_error(&ladder->runs[r], turns) <= error))
+        if (!(cost_error(&ladder->runs[r], measure) <= error))
             return 0;
     return 1;
 }
@@ -24,18 +24,18 @@ static double between(double a, double b, double share)
     return a * plain_power(b / a, share);
 }
 
-struct cost_price cost_price_of(const struct cost_ladder *ladder, int turns, double error)
+struct cost_price cost_price_of(const struct cost_ladder *ladder, int measure, double error)
 {
     struct cost_price price = {NAN, NAN};
     int64_t best = -1;
     for (int64_t k = 0; k < ladder->count; ++k)
-        if (reaches(ladder, turns, k, error) &&
+        if (reaches(ladder, measure, k, error) &&
             (best < 0 || ladder->runs[k].force_evals < ladder->runs[best].force_evals))
             best = k;
     if (best < 0)
         return price;
     const struct race_result *run = &ladder->runs[best], *before = run - (best > 0);
-    const double fine = cost_error(run, turns), coarse = cost_error(before, turns);
+    const double fine = cost_error(run, measure), coarse = cost_error(before, measure);
     double share = 1.0;
     if (coarse > error && fine > 0.0)
         share = plain_log2(coarse / error) / plain_log2(coarse / fine);

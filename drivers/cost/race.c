@@ -70,6 +70,21 @@ static double velocity_error(const vti_bodies *b, const vti_bodies *exact)
     return sqrt(vti_sum_value(&distance) / (n > 0.0 ? n : 1.0));
 }
 
+/** The largest |x - exact|; 0 if nothing translates. */
+static double position_error(const vti_bodies *b, const vti_bodies *exact)
+{
+    double most = 0.0;
+    for (int64_t i = 0; b->x.c[0] != NULL && i < b->count; ++i) {
+        double square = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double off = b->x.c[k][i * b->x.stride] - exact->x.c[k][i * exact->x.stride];
+            square += off * off;
+        }
+        most = square > most || isnan(square) ? square : most;
+    }
+    return sqrt(most);
+}
+
 static int not_finite(const struct trial_run *run, struct message *message)
 {
     const struct trial *trial = run->trial;
@@ -101,9 +116,10 @@ static int at_the_end(struct trial_run *run, struct reference *reference, double
         return -1;
     const vti_bodies bodies = travel_bodies(&run->travel), exact = reference_at(reference, t_end);
     r->attitude_error = vti_attitude_distance(&bodies, &exact);
+    r->position_error = position_error(&bodies, &exact);
     r->velocity_error = velocity_error(&bodies, &exact);
     r->force_evals = travel_force_evals(&run->travel);
-    return isfinite(r->attitude_error) && isfinite(r->velocity_error) ? 0 : not_finite(run, &r->message);
+    return isfinite(r->attitude_error + r->position_error + r->velocity_error) ? 0 : not_finite(run, &r->message);
 }
 
 /** A fresh run, with looks on the way, and the errors at its end. */

@@ -48,7 +48,8 @@ static void write_runs(const struct cost *cost, int with_times, FILE *file)
 {
     const struct cost_plan *plan = cost->plan;
     fprintf(file,
-            "scene,stepper,kind,h,steps,force_evals,%sattitude_error,velocity_error,energy_error,momentum_error\n",
+            "scene,stepper,kind,h,steps,force_evals,%sattitude_error,position_error,velocity_error,energy_error,"
+            "momentum_error\n",
             with_times ? "seconds,seconds_spread," : "");
     for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k) {
         const struct cost_ladder *ladder = &cost->ladders[k];
@@ -59,8 +60,8 @@ static void write_runs(const struct cost *cost, int with_times, FILE *file)
                     method_kind(method), NUMBER(ladder->h[r]), (long long)run->steps, (long long)run->force_evals);
             if (with_times)
                 fprintf(file, "%s,%s,", NUMBER(run->seconds), NUMBER(run->seconds_spread));
-            fprintf(file, "%s,%s,%s,%s\n", NUMBER(run->attitude_error), NUMBER(run->velocity_error),
-                    NUMBER(run->energy_error), NUMBER(run->momentum_error));
+            fprintf(file, "%s,%s,%s,%s,%s\n", NUMBER(run->attitude_error), NUMBER(run->position_error),
+                    NUMBER(run->velocity_error), NUMBER(run->energy_error), NUMBER(run->momentum_error));
         }
     }
 }
@@ -77,22 +78,29 @@ static void errors_csv_write(const struct cost *cost, FILE *file)
     write_runs(cost, 0, file);
 }
 
-/** What each error costs with each method; empty where it is not reached. */
+/** What each error by one measure costs with method m on case c; empty where it is not reached. */
+static void write_prices(const struct cost *cost, int64_t c, int64_t m, int measure, FILE *file)
+{
+    const struct cost_case *it = &cost->plan->cases[c];
+    const vti_stepper *method = cost->plan->methods[m];
+    for (int e = 0; e < COST_TARGETS; ++e) {
+        const struct cost_price *price = &cost->prices[c * cost->plan->methods_count + m][measure][e];
+        fprintf(file, "%s,%s,%s,%s,%s,%s,%.0e,", it->name, NUMBER(it->t_end), NUMBER(it->scene->t_end), method->name,
+                method_kind(method), cost_measures[measure], cost_targets[e]);
+        if (isnan(price->force_evals))
+            fputs(",\n", file);
+        else
+            fprintf(file, "%s,%s\n", NUMBER(price->force_evals), NUMBER(price->seconds));
+    }
+}
+
 static void prices_csv_write(const struct cost *cost, FILE *file)
 {
-    const struct cost_plan *plan = cost->plan;
-    fputs("scene,stepper,kind,error,force_evals,seconds\n", file);
-    for (int64_t k = 0; k < plan->cases_count * plan->methods_count; ++k)
-        for (int e = 0; e < COST_TARGETS; ++e) {
-            const vti_stepper *method = plan->methods[k % plan->methods_count];
-            const struct cost_price *price = &cost->prices[k][e];
-            fprintf(file, "%s,%s,%s,%.0e,", plan->cases[k / plan->methods_count].name, method->name,
-                    method_kind(method), cost_targets[e]);
-            if (isnan(price->force_evals))
-                fputs(",\n", file);
-            else
-                fprintf(file, "%s,%s\n", NUMBER(price->force_evals), NUMBER(price->seconds));
-        }
+    fputs("scene,t_end,scene_t_end,stepper,kind,measure,error,force_evals,seconds\n", file);
+    for (int64_t c = 0; c < cost->plan->cases_count; ++c)
+        for (int measure = 0; measure < COST_MEASURES; ++measure)
+            for (int64_t m = 0; m < cost->plan->methods_count && cost->facts[c].has[measure]; ++m)
+                write_prices(cost, c, m, measure, file);
 }
 
 static void write_machine(const struct cost *cost, FILE *file)
@@ -120,7 +128,7 @@ static const char *const names[COST_FILES] = {"cost.csv", "errors.csv", "prices.
 const struct output cost_outputs[COST_FILES] = {
     {"cost.csv", {"scene,stepper,kind,h,steps,force_evals,seconds", NULL, NULL}},
     {"errors.csv", {"scene,stepper,kind,h,steps,force_evals,", NULL, NULL}},
-    {"prices.csv", {"scene,stepper,kind,error,force_evals,", NULL, NULL}},
+    {"prices.csv", {"scene,t_end,scene_t_end,stepper,kind,measure,", NULL, NULL}},
     {"machine.txt", {"cpu: ", "\nranks: ", NULL}}};
 
 int cost_files_write(const struct cost *cost, const char *folder, struct message *message)

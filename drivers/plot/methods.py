@@ -22,8 +22,8 @@ NAMES = {
 # Verlet's scheme with a quaternion, each as its users have it
 QUATERNION_VERLET = ("lammps-richardson", "mercury", "yade-exp-verlet", "yade-leapfrog", "omelyan", "spiral")
 
-# GSL's, taken from its library as the distribution compiled it; all the others are compiled here, with one set of flags
-PREBUILT = ("rk8pd", "rk8pd-adaptive")
+# Of order 2, one evaluation a step: their prices lie so close that they are drawn as one band
+SECOND_ORDER = ("vti1", "vti2", "vti3-leapfrog", "exact", "lgvi", *QUATERNION_VERLET)
 
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "p", "h", "*")
 COLOURS = {

@@ -80,7 +80,7 @@ enum { NAME = 18, CELL = 9, SORTED_BY = 4 /* 1e-6 */ };
 
 static const struct cost_price *prices_of(const struct cost *cost, int64_t c, int64_t m)
 {
-    return cost->prices[c * cost->plan->methods_count + m];
+    return cost->prices[c * cost->plan->methods_count + m][cost->facts[c].main];
 }
 
 /** 1 if method a comes before b: by its time to 1e-6; among those that do not get there by the time to 1e-5, and so
@@ -182,7 +182,7 @@ static double nearest(const struct cost *cost, int64_t c)
     for (int64_t m = 0; m < cost->plan->methods_count; ++m) {
         const struct cost_ladder *ladder = &cost->ladders[c * cost->plan->methods_count + m];
         for (int64_t r = 0; r < ladder->count; ++r)
-            least = fmin(least, cost_error(&ladder->runs[r], cost->facts[c].turns));
+            least = fmin(least, cost_error(&ladder->runs[r], cost->facts[c].main));
     }
     return least;
 }
@@ -194,7 +194,8 @@ void cost_table_write(const struct cost *cost, FILE *file)
         const struct cost_facts *facts = &cost->facts[c];
         sort(cost, c, order);
         fprintf(file, "== %s: what an error of %s at t = %.10g costs\n", cost->plan->cases[c].name,
-                facts->turns ? "the attitudes, radians," : "the velocities, relative,", cost->plan->cases[c].t_end);
+                facts->main == COST_ATTITUDE ? "the attitudes, radians," : "the velocities, relative,",
+                cost->plan->cases[c].t_end);
         fprintf(file,
                 "reference: rk8pd, by its own estimate good to %.0e; the nearest run of any method is %.0e off\n\n",
                 facts->uncertainty, nearest(cost, c));

@@ -62,7 +62,7 @@ static const struct option_row rows[] = {
         "errors.csv, prices.csv and machine.txt.\n"),
     {"--cost", NULL, OPTION_ON, &cost, OPTION_ANY, "measure this instead"},
     {"--evals", "MOST", OPTION_WHOLE, &most_evals, 1, 1e15, "50 or 1e3",
-     "most force evaluations of a run (default 2^22 over the number of bodies)"},
+     "most force evaluations of a run (default 2^22 over the number of bodies, at most 2^18)"},
     {"--repeats", "N", OPTION_WHOLE, &repeats, 1, COST_REPEATS, "5", "how often each run is timed (default 5)"},
     OPTION_PARAGRAPH(
         "Every run is kept in the folder half a second after it is done. After any end before the last file is\n"

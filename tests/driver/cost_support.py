@@ -5,9 +5,10 @@ import os
 
 import numpy as np
 
-COST = ("scene,stepper,kind,h,steps,force_evals,seconds,seconds_spread,attitude_error,velocity_error,energy_error,"
+COST = ("scene,stepper,kind,h,steps,force_evals,seconds,seconds_spread,attitude_error,position_error,velocity_error,energy_error,"
         "momentum_error")
-PRICES = "scene,stepper,kind,error,force_evals,seconds"
+PRICES = "scene,t_end,scene_t_end,stepper,kind,measure,error,force_evals,seconds"
+MEASURES = {"attitude": 1, "position": 3, "velocity": 2, "energy": 1 / 9}     # errors over that of attitudes
 TARGETS = 10.0 ** -np.arange(2.0, 11.0)
 FLOOR = 3e-12       # rounding
 
@@ -17,6 +18,7 @@ METHODS = {
     "vti3-leapfrog": ("paper", 2, 0.2, 1, 30), "exact": ("ours", 2, 0.1, 1, 31), "suzuki4": ("ours", 4, 0.2, 5, 29),
     "kl6": ("ours", 6, 0.05, 9, 29), "kl8": ("ours", 8, 0.02, 17, 29), "srkn6": ("ours", 4, 0.02, 6, 29),
     "srkn11": ("ours", 6, 0.01, 11, 29), "srkn14": ("ours", 6, 0.006, 14, 29), "chin4": ("ours", 4, 0.01, 3, 33),
+    "an4": ("ours", 5, 0.5, 1, 80), "an6": ("ours", 7, 2.0, 1, 90), "an8": ("ours", 9, 8.0, 1, 100), "an9": ("ours", 10, 20.0, 1, 105),
     "lammps-richardson": ("rival", 2, 0.16, 1, 60), "mercury": ("rival", 2, 0.2, 1, 40),
     "yade-exp-verlet": ("rival", 2, 0.1001, 1, 70), "yade-leapfrog": ("rival", 2, 0.11, 1, 70),
     "omelyan": ("rival", 2, 0.25, 1, 55), "campello": ("rival", 1, 0.3, 4, 35), "lgvi": ("rival", 2, 0.4, 1, 150),
@@ -64,14 +66,16 @@ def write_cost(folder, scenes=SCENES, methods=METHODS):
                 error = error_of(h)
                 if FLOOR < error < 1:
                     runs.append(f"{scene},{method},{kind},{h:.17g},{round(evals / h)},{round(evals / h)},{seconds / h:.17g},"
-                                f"0.02,{error if turns else 0:.17g},{2 * error:.17g},{error / 9:.17g},1e-15")
-            for target in TARGETS:
-                cost = price(scene, values, target)
-                reached = cost[0] < 2.0**20
-                prices.append(f"{scene},{method},{kind},{target:.0e},"
-                              + (f"{cost[0]:.17g},{cost[1]:.17g}" if reached else ","))
-                if reached:
-                    told[scene, method, f"{target:.0e}"] = cost
+                                f"0.02,{error if turns else 0:.17g},{3 * error:.17g},{2 * error:.17g},{error / 9:.17g},1e-15")
+            first = "attitude" if turns else "velocity"
+            for measure in MEASURES if turns else list(MEASURES)[1:]:
+                for target in TARGETS:
+                    cost = price(scene, values, target * MEASURES[first] / MEASURES[measure])
+                    reached = cost[0] < 2.0**20
+                    prices.append(f"{scene},{SCENES[scene][0]},20,{method},{kind},{measure},{target:.0e},"
+                                  + (f"{cost[0]:.17g},{cost[1]:.17g}" if reached else ","))
+                    if reached and measure == first:
+                        told[scene, method, f"{target:.0e}"] = cost
     for name, lines in (("cost.csv", runs), ("prices.csv", prices)):
         write(folder, name, "\n".join(lines) + "\n")
     write(folder, "machine.txt", MACHINE)

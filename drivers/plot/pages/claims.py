@@ -10,13 +10,14 @@ from .price_list import three
 # scene, error, most that the best of ours may take of the time of the best rival, and how that is written
 TARGETS = (("chain", 1e-4, 0.5, "0.5"), ("chain", 1e-6, 0.7, "0.7"),
            ("pendulum-1000", 1e-4, 1 / 3, "a third"), ("pendulum-1000", 1e-6, 1 / 3, "a third"))
-# scene, error -> time of the best of ours over that of a DOP853 on the same forces that has the project's flags. Measured
-# once, on commit d13fefc and not by ./dev cost: it stands here until such a rival is among those of vti-study.
-DOP853 = {("chain", 1e-4): 0.64, ("chain", 1e-6): 0.79}
+# What the project has set itself, in evaluations of the best of ours over those of the best rival of any kind.
+GOAL_ERRORS = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
+GOALS = {"chain": (0.75, 0.50, 0.50, 0.50, 0.45), "pair": (0.50, 0.50, 0.45, 0.40, 0.42),
+         "pendulum-1000": (0.40, 0.50, 0.55, 0.45, 0.40), "block": (0.60, 0.50, 0.65, 0.95),
+         "torus-2": (0.65, 0.55, 0.85, 0.75), "pile": (0.55, 0.52)}
 # of the rival, in rad: above, the pendulum is lost; below, rounding is compared
 COMPARED = (1e-9, 1e-1)
 MET = {True: "met", False: "**not met**", None: "not measured",
-       "binary": "met against GSL's binary; not measured against one with the project's flags",
        "mean": "met on average, not by every run"}
 HEAD = ["claim", "measured", "verdict"]
 
@@ -35,13 +36,22 @@ def _against_best(cost, scene, error, most, written):
     evaluations = price_list.ratio(cost, scene, error, "force_evals")[2]
     measured = (f"**{found:.3f}** ({methods.name(mine)} against {methods.name(other)}); {three(evaluations)} of the "
                 "evaluations")
-    if other not in methods.PREBUILT:
-        return [claim, measured, MET[found <= most]]
-    apart = DOP853.get((scene, error))
-    if apart:
-        measured += f"; **{apart}** against a DOP853 with the project's flags (measured apart, on commit d13fefc)"
-    met = max(found, apart or 0) <= most
-    return [claim, measured, MET["binary" if met and not apart else met]]
+    return [claim, measured, MET[found <= most]]
+
+
+def goals(cost):
+    """head and rows for page.Page.table: what was wanted, what was found, by how much it was missed."""
+    rows = [[scene, *(_goal(cost, scene, error, wanted) for error, wanted in zip(GOAL_ERRORS, GOALS[scene])),
+             *["-"] * (len(GOAL_ERRORS) - len(GOALS[scene]))] for scene in GOALS if scene in cost.prices]
+    return ["evaluations to", *map(price_list.power, GOAL_ERRORS)], rows
+
+
+def _goal(cost, scene, error, wanted):
+    mine, other, found = price_list.ratio(cost, scene, error, "force_evals")
+    if not np.isfinite(found):
+        return f"at most {wanted:.2f}: not reached by " + ("either" if not (mine or other) else "ours" if not mine else "a rival")
+    verdict = "met" if found <= wanted else f"**missed** by {100 * (found / wanted - 1):.0f} %"
+    return f"{found:.2f} ({methods.name(mine)}, {methods.name(other)}), at most {wanted:.2f}: {verdict}"
 
 
 def _at_equal_time(cost):

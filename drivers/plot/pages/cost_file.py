@@ -2,7 +2,8 @@
 """Reading what `vti-study --cost` leaves in a folder, and refusing it in one sentence where it is not that.
 
     cost.csv            one row per run: scene, stepper, kind, h, steps, force_evals, seconds, errors
-    prices.csv          what an error costs: scene, stepper, kind, error, force_evals, seconds; empty where not reached
+    prices.csv          what an error costs: scene, t_end, scene_t_end, stepper, kind, measure, error, force_evals, seconds; empty
+                        where not reached
     machine.txt         on what it was timed, `key: value` lines
     instructions.csv    scene, stepper, instructions_per_step; not always there
 """
@@ -17,9 +18,10 @@ from .. import methods
 from ..trouble import Trouble
 
 TEXTS = ("scene", "stepper", "kind")
-COST = ("h", "steps", "force_evals", "seconds", "seconds_spread", "attitude_error", "velocity_error", "energy_error",
-        "momentum_error")
-PRICES = ("error", "force_evals", "seconds")
+COST = ("h", "steps", "force_evals", "seconds", "seconds_spread", "attitude_error", "position_error", "velocity_error",
+        "energy_error", "momentum_error")
+PRICES = ("error", "force_evals", "seconds", "t_end", "scene_t_end")
+MEASURES = ("attitude", "position", "velocity", "energy")
 INSTRUCTIONS = ("instructions_per_step",)
 AGAIN = "write it anew with vti-study --cost"
 
@@ -37,12 +39,22 @@ class Ladder:
 @dataclass
 class Cost:
     runs: dict              # scene -> method -> Ladder, in the order of the file
-    prices: dict            # the same
+    by_measure: dict        # scene -> measure -> method -> Ladder of prices
     machine: str            # one line, or empty
     instructions: dict      # (scene, method) -> instructions per step
 
     def scenes(self):
         return list(self.runs)
+
+    @property
+    def prices(self):
+        """scene -> method -> Ladder, by the measure that the scene is priced by first."""
+        return {scene: found[self.measure(scene).removesuffix("_error")] for scene, found in self.by_measure.items()}
+
+    def ends(self, scene):
+        """Where the runs end, and where the scene does."""
+        ladder = next(iter(next(iter(self.by_measure[scene].values())).values()))
+        return float(ladder["t_end"][0]), float(ladder["scene_t_end"][0])
 
     def kinds(self):
         return {method: ladder.kind for found in self.runs.values() for method, ladder in found.items()}
@@ -59,25 +71,38 @@ def read_cost(folder):
     path = os.path.join(folder, "cost.csv")
     runs = _ladders(path, COST, "force_evals")
     prices_path = os.path.join(folder, "prices.csv")
-    prices = _ladders(prices_path, PRICES, "error")
+    prices = _prices(prices_path)
     if list(prices) != list(runs):
         raise Trouble(prices_path, f"has the scenes {', '.join(prices)}, but cost.csv has {', '.join(runs)}", AGAIN)
-    for found in prices.values():
-        for ladder in found.values():
-            ladder.columns = {column: values[::-1] for column, values in ladder.columns.items()}
     return Cost(runs, prices, _machine(os.path.join(folder, "machine.txt")),
                 _instructions(os.path.join(folder, "instructions.csv")))
 
 
-def _ladders(path, columns, order):
+def _ladders(path, columns, order, measure=None):
+    """measure: rows of that one alone, in a file that has several."""
     found = {}
-    for line, row in _rows(path, TEXTS + columns):
+    for line, row in _rows(path, TEXTS + columns + (("measure",) if measure else ())):
         if row["kind"] not in methods.FAMILIES:
             raise Trouble(f"{path}:{line}", f"kind is '{row['kind']}'", f"it must be {', '.join(methods.FAMILIES)}")
+        if measure and row["measure"] not in MEASURES:
+            raise Trouble(f"{path}:{line}", f"measure is '{row['measure']}'", f"it must be {', '.join(MEASURES)}")
         values = [_number(path, line, column, row[column]) for column in columns]
-        found.setdefault(row["scene"], {}).setdefault(row["stepper"], (row["kind"], []))[1].append(values)
+        if not measure or row["measure"] == measure:
+            found.setdefault(row["scene"], {}).setdefault(row["stepper"], (row["kind"], []))[1].append(values)
     return {scene: {stepper: _ladder(kind, rows, columns, order) for stepper, (kind, rows) in steppers.items()}
             for scene, steppers in found.items()}
+
+
+def _prices(path):
+    """scene -> measure -> method -> Ladder, by falling error."""
+    found = {}
+    for measure in MEASURES:
+        for scene, ladders in _ladders(path, PRICES, "error", measure).items():
+            found.setdefault(scene, {})[measure] = ladders
+            for ladder in ladders.values():
+                ladder.columns = {column: values[::-1] for column, values in ladder.columns.items()}
+    order = [row["scene"] for _, row in _rows(path, TEXTS)]
+    return {scene: found[scene] for scene in dict.fromkeys(order)}
 
 
 def _ladder(kind, rows, columns, order):

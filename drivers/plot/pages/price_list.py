@@ -6,6 +6,7 @@ from .. import methods
 
 REACHED_BY_MOST = 0.5       # of the methods
 SORTED_BY = 1e-6            # unless so few reach it
+TIE = 1.05              # prices nearer to each other than this are a tie: times are not known better
 NEIGHBOURS = 1.2            # factors nearer to each other than this are named together
 
 
@@ -21,9 +22,11 @@ def price(ladder, error, column="seconds"):
     return float(found[0]) if len(found) else np.nan
 
 
-def cheapest(cost, scene, error, kinds=tuple(methods.FAMILIES), column="seconds"):
-    """The method of these kinds that reaches it for the least, and that price; None, NaN if none does."""
-    found = {method: price(ladder, error, column) for method, ladder in cost.prices[scene].items() if ladder.kind in kinds}
+def cheapest(cost, scene, error, kinds=tuple(methods.FAMILIES), column="seconds", measure=None):
+    """The method of these kinds that reaches it for the least, and that price; None, NaN if none does. measure: as in
+    prices.csv; None: the scene's first."""
+    ladders = cost.by_measure[scene][measure] if measure else cost.prices[scene]
+    found = {method: price(ladder, error, column) for method, ladder in ladders.items() if ladder.kind in kinds}
     found = {method: value for method, value in found.items() if np.isfinite(value)}
     method = min(found, key=found.get, default=None)
     return method, found.get(method, np.nan)
@@ -36,10 +39,10 @@ def best(cost, scene, kind):
     return max(winners, key=lambda method: (winners.count(method), winners[::-1].index(method) * -1), default=None)
 
 
-def ratio(cost, scene, error, column="seconds"):
+def ratio(cost, scene, error, column="seconds", measure=None):
     """Best of ours over best rival: the two methods and the ratio of their prices."""
-    mine, own = cheapest(cost, scene, error, ("ours",), column)
-    other, theirs = cheapest(cost, scene, error, ("rival",), column)
+    mine, own = cheapest(cost, scene, error, ("ours",), column, measure)
+    other, theirs = cheapest(cost, scene, error, ("rival",), column, measure)
     return mine, other, own / theirs
 
 
@@ -82,12 +85,12 @@ def ordered(cost, scene):
 def table(cost, scene):
     """head and rows for page.Page.table."""
     columns = errors(cost, scene)
-    least = {(error, what): cheapest(cost, scene, error, column=what)[0] for error in columns
+    least = {(error, what): TIE * cheapest(cost, scene, error, column=what)[1] for error in columns
              for what in ("seconds", "force_evals")}
     rows = []
     for method in ordered(cost, scene)[0]:
         ladder = cost.prices[scene][method]
-        cells = [_cell(ladder, error, *(least[error, what] == method for what in ("seconds", "force_evals")))
+        cells = [_cell(ladder, error, *(price(ladder, error, what) <= least[error, what] for what in ("seconds", "force_evals")))
                  for error in columns]
         rows.append([methods.typed(method), ladder.kind, *cells, times(factor(ladder))])
     return ["method", "kind", *map(power, columns), "a factor of ten costs, in time"], rows

@@ -1,137 +1,147 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Work-precision pictures of a cost study: error against force evaluations and against time, all methods of a scene; and
-the energy error against time. The best of ours and the best rival stand out, the rest is there to be compared with."""
-from dataclasses import dataclass, replace
+"""Price lists drawn: what an error costs, in force evaluations and in time, over the error. The methods of order 2 are one band;
+those that are the cheapest of their family somewhere have a name at the end of their line, the others are thin and grey."""
+from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.lines import Line2D
 
 from .. import methods, style, words
 from . import price_list
 
 HEIGHT = 5.6
-MARKS = 7               # of a curve; a ladder by sqrt(2) has up to 64 runs
-LARGEST = 1.0           # an error above it says no more than that the run is lost
-SMALLEST = {"attitude_error": 1e-12, "velocity_error": 1e-12, "energy_error": 1e-16}
-LABELS = {"attitude_error": "attitude error at the end (rad)", "velocity_error": "relative velocity error at the end",
-          "energy_error": r"largest energy error, $|E_h-E_0|\,/\,|E_0|$"}
-THICK = ("Thick: of ours and of the rivals the one that is the cheapest, in time, at most of the errors of the price list. "
-         "Thin bars: from the least to the median time.")
-STANDS_OUT = {"ours": "#0050B0", "rival": "#000000"}
+NAMED = 1               # of a family, at any error
+APART = 0.042           # of names from each other, as a share of the height
+AXES = {"attitude": "attitude error at the end (rad)", "position": "position error at the end",
+        "velocity": "relative velocity error at the end", "energy": r"largest energy error, $|E_h-E_0|\,/\,|E_0|$"}
+COLOURS = {"ours": ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F"), "paper": ("#D55E00", "#E69F00"),
+           "rival": ("#000000", "#882255", "#777777", "#AA4499", "#7B5EA7", "#9C5A3C")}
 COSTS = {"force_evals": "force evaluations", "seconds": "time (s)"}
+CAPTION = ("Blue to green: ours; orange: the paper's; black to purple: rivals; colours that are needed twice are dashed. Thick: of ours "
+           "and of the rivals\nthe one that is the cheapest, in time, at most errors. Grey: methods that are nowhere the cheapest of "
+           "their family.")
 
 
 @dataclass
-class Curves:
-    """What every panel of a scene shares."""
-    ladders: dict       # method -> Ladder, those drawn last on top
-    looks: dict
-    best: dict          # method -> what its label says
+class Line:
+    """A method's prices: errors, by fall, and what they cost."""
+    errors: np.ndarray
+    costs: np.ndarray
 
 
 def precision(cost, scene):
-    measure = cost.measure(scene)
+    measure = cost.measure(scene).removesuffix("_error")
     return _draw(cost, scene, measure, ("force_evals", "seconds"), "what accuracy costs")
 
 
 def energy(cost, scene):
-    return _draw(cost, scene, "energy_error", ("seconds",), "what a small energy error costs")
+    return _draw(cost, scene, "energy", ("force_evals", "seconds"), "what a small energy error costs")
 
 
-def _draw(cost, scene, measure, costs, what):
-    curves = _curves(cost, scene)
+def _draw(cost, scene, measure, columns, what):
+    ladders = cost.by_measure[scene][measure]
+    named = _named(ladders, columns)
+    looks = _looks(ladders, named)
+    best = {_best(ladders, kind) for kind in ("ours", "rival")} - {None}
     figure = style.new_figure(HEIGHT)
-    figure.suptitle(f"{words.plain(scene)}: {what}")
-    grid = figure.add_gridspec(1, len(costs) + 1, width_ratios=[1.0] * len(costs) + [0.34 * len(costs)])
-    first = None
-    for column, against in enumerate(costs):
-        axes = figure.add_subplot(grid[0, column], sharey=first)
-        first = first or axes
-        axes.set_xlabel(COSTS[against])
-        if axes is first:
-            axes.set_ylabel(LABELS[measure])
-        else:
-            axes.tick_params(labelleft=False)
-        _panel(axes, curves, against, measure)
-    _limits(figure.axes, curves, costs, measure)
-    _legend(style.bare(figure.add_subplot(grid[0, -1])), curves)
-    figure.supxlabel(THICK, fontsize=8.5, color=style.GREY)
+    figure.suptitle(f"{words.plain(scene)}: {what} (to t = {cost.ends(scene)[0]:g})")
+    for place, column in enumerate(columns):
+        axes = figure.add_subplot(1, len(columns), place + 1)
+        _panel(axes, {method: _line(ladder, column) for method, ladder in ladders.items()}, looks, best)
+        axes.set_xlabel(AXES[measure])
+        axes.set_ylabel(COSTS[column])
+    figure.supxlabel(CAPTION, fontsize=8.5, color=style.GREY)
     return figure
 
 
-def _curves(cost, scene):
-    best = {price_list.best(cost, scene, kind): text
-            for kind, text in (("ours", "best of ours"), ("rival", "best rival"))}
-    best.pop(None, None)
-    ladders = cost.runs[scene]
-    depth = {"rival": 0, "paper": 1, "ours": 2}
-    order = sorted(ladders, key=lambda method: (method in best, depth[ladders[method].kind]))
-    looks = methods.looks(cost.kinds())
-    looks.update({method: replace(looks[method], colour=STANDS_OUT[ladders[method].kind]) for method in best})
-    return Curves({method: ladders[method] for method in order}, looks, best)
+def _line(ladder, column):
+    good = np.isfinite(ladder[column]) & (ladder[column] > 0)
+    return Line(ladder["error"][good], ladder[column][good])
 
 
-def _points(ladder, against, measure):
-    """What logarithmic axes can show."""
-    x, y = ladder[against], ladder[measure]
-    good = np.isfinite(x) & np.isfinite(y) & (x > 0) & (y > 0)
-    return x[good], y[good]
+def _named(ladders, columns):
+    """Methods that are the cheapest of their family at some error, but those of the band."""
+    chosen = set()
+    for column in columns:
+        for error in {float(error) for ladder in ladders.values() for error in ladder["error"]}:
+            for kind in methods.FAMILIES:
+                found = {method: price_list.price(ladder, error, column) for method, ladder in ladders.items()
+                         if ladder.kind == kind and method not in methods.SECOND_ORDER}
+                found = {method: value for method, value in found.items() if np.isfinite(value)}
+                chosen.update(sorted(found, key=found.get)[:NAMED])
+    return chosen
 
 
-def _panel(axes, curves, against, measure):
-    for turn, (method, ladder) in enumerate(curves.ladders.items()):
-        x, y = _points(ladder, against, measure)
-        look, stands_out = curves.looks[method], method in curves.best
-        every = max(1, -(-len(x) // MARKS))
-        if against == "seconds":
-            _spread(axes, ladder, measure, look.colour)
-        # each begins its marks at another point, or those of equal curves would hide each other
-        axes.plot(x, y, color=look.colour, marker=look.marker, markevery=(turn % every, every),
-                  linewidth=2.4 if stands_out else 0.9, markersize=6.5 if stands_out else 4.2,
-                  markeredgewidth=1.4 if stands_out else 0.9, markerfacecolor=look.colour if stands_out else "white",
-                  alpha=1.0 if stands_out else 0.85, zorder=3 + turn / 100)
+def _best(ladders, kind):
+    """The method of the kind that is the cheapest in time at most errors."""
+    wins = {}
+    for error in {float(error) for ladder in ladders.values() for error in ladder["error"]}:
+        found = {method: price_list.price(ladder, error) for method, ladder in ladders.items() if ladder.kind == kind}
+        found = {method: value for method, value in found.items() if np.isfinite(value)}
+        if found:
+            winner = min(found, key=found.get)
+            wins[winner] = wins.get(winner, 0) + 1
+    return max(sorted(wins), key=wins.get, default=None)
 
 
-def _spread(axes, ladder, measure, colour):
-    """From the least time that was measured to the median."""
-    low, high = ladder["seconds"], ladder["seconds"] * (1 + ladder["seconds_spread"])
-    good = np.isfinite(high) & (low > 0) & (ladder[measure] > 0)
-    axes.hlines(ladder[measure][good], low[good], high[good], colors=colour, linewidth=0.5, alpha=0.5, zorder=2)
+def _looks(ladders, named):
+    """method -> colour and dashes, of those that are named."""
+    looks, taken = {}, {}
+    for method in sorted(named):
+        kind = ladders[method].kind
+        turn = taken[kind] = taken.get(kind, -1) + 1
+        looks[method] = COLOURS[kind][turn % len(COLOURS[kind])], "-" if turn < len(COLOURS[kind]) else "--"
+    return looks
 
 
-def _limits(panels, curves, costs, measure):
-    """The errors from rounding to what is still an error, and the costs at which any curve is between."""
-    every = np.concatenate([_points(ladder, costs[0], measure)[1] for ladder in curves.ladders.values()])
-    seen = every[(every >= SMALLEST[measure]) & (every <= LARGEST)]
-    if not len(seen):
-        seen = np.array([SMALLEST[measure], LARGEST])
-    low, high = np.min(seen) / 2, min(np.max(seen) * 2, 1.3 * LARGEST)
-    for axes, against in zip(panels, costs):
-        points = [_points(ladder, against, measure) for ladder in curves.ladders.values()]
-        x = np.concatenate([x[(y >= low) & (y <= high)] for x, y in points])
-        x = x if len(x) else np.array([1.0, 10.0])
-        style.log_axis(axes.xaxis, np.min(x) / 1.3, np.max(x) * 1.3)
-    style.log_axis(panels[0].yaxis, low, high)
+def _panel(axes, lines, looks, best):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    band = [line for method, line in lines.items() if method in methods.SECOND_ORDER and len(line.errors)]
+    ends = _band(axes, band) if band else []
+    for method, line in sorted(lines.items(), key=lambda item: (item[0] in best, item[0] in looks)):
+        if method in methods.SECOND_ORDER or not len(line.errors):
+            continue
+        colour, dashes = looks.get(method, ("#c4c4c4", "-"))
+        width = 2.6 if method in best else 1.2 if method in looks else 0.7
+        axes.plot(line.errors, line.costs, dashes, color=colour, linewidth=width, marker="o" if method in looks else None,
+                  markersize=3.5, zorder=3 if method in looks else 2)
+        if method in looks:
+            ends.append((line.errors[-1], line.costs[-1], methods.name(method), colour, method in best))
+    shown = [line for line in lines.values() if len(line.errors)]
+    errors = np.concatenate([line.errors for line in shown]) if shown else np.array([1e-2, 1e-10])
+    costs = np.concatenate([line.costs for line in shown]) if shown else np.array([1.0, 10.0])
+    style.log_axis(axes.yaxis, np.min(costs) / 1.3, np.max(costs) * 1.3)
+    span = max(np.log10(np.max(errors) / np.min(errors)), 1)
+    style.log_axis(axes.xaxis, np.min(errors) / 10 ** (0.5 * span), np.max(errors) * 1.5)
+    axes.invert_xaxis()
+    _names(axes, ends)
 
 
-def _legend(axes, curves):
-    """One column, a heading per family, in the order of the names."""
-    handles = []
-    for kind, family in methods.FAMILIES.items():
-        members = sorted((m for m in curves.ladders if curves.ladders[m].kind == kind), key=lambda m: methods.name(m).lower())
-        if members:
-            handles.append(Line2D([], [], linestyle="none", label=family))
-        for method in members:
-            look, stands_out = curves.looks[method], method in curves.best
-            handles.append(Line2D([], [], color=look.colour, marker=look.marker, linewidth=2.4 if stands_out else 0.9,
-                                  markersize=6.5 if stands_out else 4.5, label=_label(curves, method),
-                                  markerfacecolor=look.colour if stands_out else "white"))
-    legend = axes.legend(handles=handles, loc="center left", bbox_to_anchor=(-0.1, 0.5), borderaxespad=0,
-                         handlelength=2.2, labelspacing=0.32, fontsize=8.5)
-    for text in legend.get_texts():
-        if text.get_text() in (*methods.FAMILIES.values(), *(_label(curves, method) for method in curves.best)):
-            text.set_fontweight("bold")
+def _band(axes, lines):
+    """All methods of order 2: from the cheapest to the dearest at each error that most of them reach."""
+    errors = sorted({float(error) for line in lines for error in line.errors}, reverse=True)
+    costs = [[float(line.costs[np.isclose(line.errors, error)][0]) for line in lines if np.any(np.isclose(line.errors, error))]
+             for error in errors]
+    axes.fill_between(errors, [min(each) for each in costs], [max(each) for each in costs], color="#F2C48D", linewidth=1.5,
+                      edgecolor="#D99A4E", zorder=1)
+    return [(errors[-1], float(np.sqrt(min(costs[-1]) * max(costs[-1]))), "all of order 2", "#A8641A", False)]
 
 
-def _label(curves, method):
-    return f"{methods.name(method)}: {curves.best[method]}" if method in curves.best else methods.name(method)
+def _names(axes, ends):
+    """At the ends of the lines. Those that would cover each other are moved apart, up from the lowest and back from the top."""
+    low, high = axes.get_ylim()
+    columns = {}
+    for end in sorted(ends, key=lambda end: end[1]):
+        columns.setdefault(round(np.log10(end[0])), []).append(end)
+    for column in columns.values():
+        heights = [np.log(end[1] / low) / np.log(high / low) for end in column]
+        for k in range(1, len(heights)):
+            heights[k] = max(heights[k], heights[k - 1] + APART)
+        ceiling = 1.0
+        for k in reversed(range(len(heights))):
+            heights[k] = min(heights[k], ceiling)
+            ceiling = heights[k] - APART
+        for (error, value, name, colour, is_best), height in zip(column, heights):
+            axes.annotate(name, (error, value), (error / 1.8, low * (high / low) ** height), color=colour, fontsize=8.5, va="center",
+                          fontweight="bold" if is_best else "normal", annotation_clip=False,
+                          arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0})
