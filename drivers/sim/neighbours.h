@@ -2,7 +2,7 @@
  *
  * Neighbours: the pairs of spheres that touch or may soon, for vti_contacts. A Verlet list: it holds the pairs whose
  * gap was below the skin when it was built, and is built anew, from a list of cells, once a body has moved by more than
- * half the skin, so that no pair ever touches without being in it.
+ * half the skin against what all have moved together, so that no pair ever touches without being in it.
  *
  * The domain has no bounds; only cells with bodies in them exist, so that bodies that fly away cost nothing. Time and
  * memory are O(n + pairs) for spheres of similar size. Cells are as wide as the largest sphere and the skin, and so
@@ -19,7 +19,7 @@
 struct neighbours {
     int64_t count;
     int64_t *pair;  /* [count][2]: i < j from 0, ascending by i, then by j; moves when the list is built anew */
-    double skin;    /* length */
+    double skin;    /* length, of the last build */
     double reach;   /* length below the skin, 0 when it is made: it also holds all pairs with a gap below that */
     int64_t builds; /* how often it has been built */
     struct neighbours_search *search;
@@ -28,7 +28,8 @@ struct neighbours {
 /** Makes an empty list of n >= 0 spheres; the first update fills it.
  *
  *  diameter [n]   > 0 and finite; copied
- *  skin           a length > 0, or 0 for the default, 0.2 of the mean diameter
+ *  skin           a length > 0, or 0: it begins at 0.2 of the mean diameter and grows up to all of it while builds
+ *                 cost more than the pairs that a wider one adds
  *  excluded       [excluded_count][2] bodies from 0, in any order and either way round: pairs that are never in the
  *                 list, such as those that bonds hold; copied. NULL if there are none
  *

@@ -122,16 +122,17 @@ TEST(grows_and_shrinks_with_the_pairs)
 TEST(is_built_anew_after_half_the_skin)
 {
     rng g = rng_seed(5);
-    packing_scatter(&b, &g, 50, 3.0, 1.0);
+    const double alone = 30.0 / 29.0; /* of one in 30 that moves a thirtieth of its way is shared */
+    packing_scatter(&b, &g, 30, 2.5, 1.0);
     packing_create(&b, 0.5);
     assert_int_equal(packing_update(&b), 1);
     assert_int_equal(packing_update(&b), 0);
     for (int i = 0; i < b.n; ++i)
         for (int c = 0; c < 3; ++c) {
             const double x = b.x[i][c];
-            b.x[i][c] = x + 0.2499;
+            b.x[i][c] = x + 0.2499 * alone;
             assert_int_equal(packing_update(&b), 0);
-            b.x[i][c] = x - 0.2501;
+            b.x[i][c] = x - 0.2501 * alone;
             assert_int_equal(packing_update(&b), 1);
             assert_complete(&b, 0.5);
             b.x[i][c] = x;
@@ -145,6 +146,65 @@ TEST(is_built_anew_after_half_the_skin)
     neighbours_destroy(&b.list);
 }
 
+/** What all bodies move by calls for no new list, however far; the list forgets none of it. */
+TEST(what_moves_as_one_keeps_its_list)
+{
+    static double force[PACKING_MAX][3], expected[PACKING_MAX][3];
+    rng g = rng_seed(17);
+    packing_scatter(&b, &g, PACKING_MAX, 4.0, 1.5);
+    for (int i = 0; i < b.n; ++i) {
+        random_vector(&g, 0.001, b.v[i]);
+        b.v[i][1] += 1.0;
+    }
+    packing_create(&b, 0.0);
+    for (int step = 0; step < 50; ++step) {
+        packing_update(&b);
+        assert_true(assert_complete(&b, 0.0) > 0);
+        move(&b, 1.0);
+    }
+    assert_int_equal(b.list.builds, 1);
+    other = b;
+    packing_create(&other, 0.05);
+    packing_update(&b);
+    packing_update(&other);
+    contact_forces(&b, force);
+    contact_forces(&other, expected);
+    assert_same_bits(force, expected, 3 * b.n);
+    neighbours_destroy(&other.list);
+    for (int i = 0; i < b.n; ++i)
+        b.x[i][0] += 1e16; /* where no digit is left of the skin */
+    assert_int_equal(packing_update(&b), 1);
+    neighbours_destroy(&b.list);
+}
+
+/** Few pairs that fly fast are looked at less often with a wide skin, many that hardly move are fewer with a narrow one;
+ *  none that touches is missed on the way. */
+TEST(the_skin_follows_the_cost)
+{
+    rng g = rng_seed(19);
+    packing_scatter(&b, &g, 200, 6.0, 1.0);
+    for (int i = 0; i < b.n; ++i)
+        random_vector(&g, 0.02, b.v[i]);
+    packing_create(&b, 0.0);
+    for (int step = 0; step < 400; ++step) {
+        packing_update(&b);
+        assert_complete(&b, 0.0);
+        move(&b, 1.0);
+    }
+    assert_true(b.list.skin > 0.99 && b.list.skin < 1.01);
+    for (int i = 0; i < b.n; ++i)
+        random_vector(&g, 2.0, b.x[i]);
+    for (int step = 0; step < 2000; ++step) {
+        packing_update(&b);
+        if (step % 50 == 0)
+            assert_complete(&b, 0.0);
+        move(&b, 0.05);
+    }
+    assert_true(b.list.skin >= 0.2 && b.list.skin < 0.5);
+    neighbours_destroy(&b.list);
+}
+
 RUN_TESTS(cmocka_unit_test(no_touch_is_missed_in_motion), cmocka_unit_test(a_head_on_pair_is_listed_in_time),
           cmocka_unit_test(rounding_hides_no_touch), cmocka_unit_test(grows_and_shrinks_with_the_pairs),
-          cmocka_unit_test(is_built_anew_after_half_the_skin))
+          cmocka_unit_test(is_built_anew_after_half_the_skin), cmocka_unit_test(what_moves_as_one_keeps_its_list),
+          cmocka_unit_test(the_skin_follows_the_cost))
