@@ -10,7 +10,7 @@ module vti_multisteps
     implicit none
     private
     public :: vti_multistep_find, vti_multistep_at, vti_multistep_count, vti_multistep_record, vti_multistep_predict, &
-        vti_multistep_correct
+        vti_multistep_correct, vti_multistep_error
 
     interface
         !> Number of methods that vti_multistep_at knows.
@@ -35,6 +35,17 @@ module vti_multisteps
             real(c_double), value :: h
             type(vti_past), intent(inout) :: past
             type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        !> Between the forces and vti_multistep_correct: by how much v and Omega are about to be corrected, at most.
+        function vti_multistep_error(method, h, past, bodies, velocity, spin) result(status) bind(c)
+            import :: c_double, c_int, vti_bodies, vti_multistep, vti_past
+            type(vti_multistep), intent(in) :: method
+            real(c_double), value :: h
+            type(vti_past), intent(in) :: past
+            type(vti_bodies), intent(in) :: bodies
+            real(c_double), intent(out) :: velocity, spin
             integer(c_int) :: status
         end function
 

@@ -9,8 +9,32 @@ module vti_steps
     private
     public :: vti_bodies_check_values, vti_drift, vti_stepper_find, vti_stepper_at
     public :: vti_step_begin, vti_step_stage, vti_step_finish, vti_step_next, vti_step_probe, vti_step_start, &
-        vti_step_sync
+        vti_step_sync, vti_step_watch, vti_step_error
     public :: from_one, handle ! for the other modules here
+
+    interface
+        !> Adds the forces and moments of kick k, 0 <= k <= stages, to the sums of a step; k = 0 begins anew. To be called
+        !> before vti_step_begin (k = 0), before vti_step_stage(k), and before vti_step_finish (k = stages).
+        function vti_step_watch(method, k, h, bodies, errors) result(status) bind(c)
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_errors, vti_stepper
+            type(vti_stepper), intent(in) :: method
+            integer(c_int64_t), value :: k
+            real(c_double), value :: h
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_errors), intent(in) :: errors
+            integer(c_int) :: status
+        end function
+
+        !> After that: the largest estimate of a body, of its velocity and of its spin.
+        function vti_step_error(method, bodies, errors, velocity, spin) result(status) bind(c)
+            import :: c_double, c_int, vti_bodies, vti_errors, vti_stepper
+            type(vti_stepper), intent(in) :: method
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_errors), intent(in) :: errors
+            real(c_double), intent(out) :: velocity, spin
+            integer(c_int) :: status
+        end function
+    end interface
 
 contains
 

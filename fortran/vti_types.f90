@@ -69,12 +69,20 @@ module vti_types
     end type
 
     !> A stepper as data. vti_text reads name and about; c_f_pointer gives kick, drift and, unless it is null, probe, of
-    !> stages + 1 numbers each.
+    !> stages + 1 numbers each, and estimate, unless it is null, of the shape [stages + 1, estimates].
     type, bind(c) :: vti_stepper
         type(c_ptr) :: name = c_null_ptr
         integer(c_int64_t) :: law = 0, frame = 0, order = 0, reversible = 0, symplectic = 0, stages = 0, evals = 0
         real(c_double) :: lag = 0, reach = 0
         type(c_ptr) :: kick = c_null_ptr, drift = c_null_ptr, probe = c_null_ptr, about = c_null_ptr
+        integer(c_int64_t) :: estimate_order = 0, estimates = 0
+        type(c_ptr) :: estimate = c_null_ptr
+    end type
+
+    !> Sums of a step for vti_step_error: memory is the address of an array (6, rows, bodies) of the caller's.
+    type, bind(c) :: vti_errors
+        type(c_ptr) :: memory = c_null_ptr
+        integer(c_int64_t) :: rows = 0
     end type
 
     !> AN(K, c), a multistep method as data; vti_text reads name and about.

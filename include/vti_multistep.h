@@ -56,6 +56,12 @@ VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
  *  less than K, or where there is no memory. Views of rounding errors (x_low ...) are refused with VTI_E_VIEW. */
 VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                   vti_fault *fault);
+/** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g_K D| of a body of the
+ *  slice, by which v (*velocity) and Omega (*spin) are about to be corrected; 0 where there are none, NaN if one is not a
+ *  number. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
+ *  a touch or a jump. Changes nothing. */
+VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
+                                double *velocity, double *spin);
 /** Corrects by the difference D of the new accelerations from those that were foreseen, and records them. */
 VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *bodies);
 

@@ -45,8 +45,8 @@ extern "C" {
         "a body turns too far for the closed form: h|Omega| < 1 is needed; reduce h, or use vti2, which has no limit") \
     ROW(VTI_E_STAGE, -11, "the stepper has no such stage; use 0 <= k < stages")                                        \
     ROW(VTI_E_STEPPER, -12,                                                                                            \
-        "there is no such stepper or drift law, or it has more stages than the packed calls can play; known "          \
-        "steppers are " VTI_STEPPER_NAMES "as vti_stepper_at lists them")                                              \
+        "there is no such stepper or drift law, or it has more stages than the packed calls can play, or no "          \
+        "estimates of its error; known steppers are " VTI_STEPPER_NAMES "as vti_stepper_at lists them")                \
     ROW(VTI_E_FRAME, -13, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY")                             \
     ROW(VTI_E_BOND, -14,                                                                                               \
         "a bond is not between two different bodies that exist at different places, or a stiffness of it is "          \

@@ -42,20 +42,23 @@ VTI_API int vti_drift(int law, int frame, double t, const vti_bodies *bodies, vt
 /** One step: for k = 0 ... stages-1: kick(kick[k] h), drift(drift[k] h), forces; then kick(kick[stages] h) and
  *  drift(drift[stages] h). With a probe, the forces of kick k are those at the displaced bodies of vti_step_probe. */
 typedef struct vti_stepper {
-    const char *name;    /**< what vti_stepper_find knows it by */
-    int64_t law;         /**< vti_law */
-    int64_t frame;       /**< vti_frame */
-    int64_t order;       /**< of energy and trajectory */
-    int64_t reversible;  /**< 1 if time-reversible */
-    int64_t symplectic;  /**< 1 if exactly so */
-    int64_t stages;      /**< drifts that forces follow */
-    int64_t evals;       /**< force evaluations of one step: stages and probes */
-    double lag;          /**< velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
-    double reach;        /**< oscillations of frequency f are stable while h f < reach; 2 for the paper's maps */
-    const double *kick;  /**< [stages + 1] */
-    const double *drift; /**< [stages + 1]; the last is 0 but where a step begins with a drift */
-    const double *probe; /**< [stages + 1], in units of h^2, or NULL */
-    const char *about;   /**< what it is, in a line */
+    const char *name;       /**< what vti_stepper_find knows it by */
+    int64_t law;            /**< vti_law */
+    int64_t frame;          /**< vti_frame */
+    int64_t order;          /**< of energy and trajectory */
+    int64_t reversible;     /**< 1 if time-reversible */
+    int64_t symplectic;     /**< 1 if exactly so */
+    int64_t stages;         /**< drifts that forces follow */
+    int64_t evals;          /**< force evaluations of one step: stages and probes */
+    double lag;             /**< velocities live at t - lag h between steps (start/sync); 0 for all but the leapfrog */
+    double reach;           /**< oscillations of frequency f are stable while h f < reach; 2 for the paper's maps */
+    const double *kick;     /**< [stages + 1] */
+    const double *drift;    /**< [stages + 1]; the last is 0 but where a step begins with a drift */
+    const double *probe;    /**< [stages + 1], in units of h^2, or NULL */
+    const char *about;      /**< what it is, in a line */
+    int64_t estimate_order; /**< what vti_step_watch sums is of order h^(estimate_order + 1) */
+    int64_t estimates;      /**< how many sums it makes of a body; 0 where there is nothing to watch */
+    const double *estimate; /**< [estimates][stages + 1], weights of the forces of the kicks, or NULL */
 } vti_stepper;
 
 /** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body"
@@ -107,6 +110,36 @@ VTI_API int vti_step_start(const vti_stepper *method, double h, const vti_bodies
 /** Moves velocities back to t: kick(lag h). To read without disturbing the run, call it on bodies whose v and omega are
  *  copies. */
 VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies *bodies);
+
+/* ---- how far off a step is (EQUATIONS 8.2) ---------------------------------------------------------------------- */
+
+/* "srkn6", "srkn11" and "srkn14" come with weights w_k on the forces F_j of their kicks that give 0 up to the order q =
+ * estimate_order of smooth forces, and nothing more is evaluated:
+ *
+ *     e_k = h sum_j w_kj F_j/m,  h sum_j w_kj RM_j/J,  k = 0 ... estimates - 1,  which is O(h^(q+1))
+ *
+ * A host that wants to know calls vti_step_watch once before each kick, when its forces are there: with k = 0 before
+ * vti_step_begin, with k before vti_step_stage, with k = stages before vti_step_finish, and vti_step_error after that.
+ * Nothing of a step changes by it, and without these calls it costs nothing.
+ *
+ * What comes out is the difference of two formulas, of which the step is the better one: it tells steps that are too
+ * long from steps that are not, and falls by 2^(q+1) when h is halved. It is of one step: how the errors of a run add up
+ * depends on the motion. */
+
+/** Sums of a step, in memory of the caller's that need not be set before. Slices that are stepped apart may share it. */
+typedef struct vti_errors {
+    double *memory; /**< [count of bodies][rows][6], from body 0 of the views, not of the slice */
+    int64_t rows;   /**< at least the estimates of the method */
+} vti_errors;
+
+/** Adds the forces and moments of kick k, 0 <= k <= stages, to the sums; k = 0 begins anew. VTI_E_STEPPER for one
+ *  without estimates, VTI_E_COUNT where there are too few rows. */
+VTI_API int vti_step_watch(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,
+                           const vti_errors *errors);
+/** The largest (sum_k |e_k|^2)^(1/2) of a body of the slice: that of v, in *velocity, and of Omega, in *spin; 0 where
+ *  nothing pushes or turns them. NaN if one is not a number. */
+VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, const vti_errors *errors,
+                           double *velocity, double *spin);
 
 /* ---- packed arrays ------------------------------------------------------------------------------------------- */
 

@@ -139,6 +139,40 @@ static const double srkn14_drift[] = {A1, A2, A3, A4, A5, A6, A7, A8, A7, A6, A5
 #undef B6
 #undef B7
 
+/* ---- estimates of a step's error (EQUATIONS 8.2) ------------------------------------------------------------------ */
+
+/* Weights on the forces of the kicks, of which first halves are written: ODD ones are mirrored with the other sign, EVEN
+ * ones with the same. They vanish on every tree of order up to 3 for srkn6 and up to 5 for the others; all that do are
+ * here, for one alone is blind to some touches. */
+#define ODD3(A, B, C) A, B, C, 0.0, -(C), -(B), -(A)
+#define EVEN4(A, B, C, D) A, B, C, D, C, B, A
+#define ODD6(A, B, C, D, E, F) A, B, C, D, E, F, -(F), -(E), -(D), -(C), -(B), -(A)
+#define ODD7(A, B, C, D, E, F, G) A, B, C, D, E, F, G, -(G), -(F), -(E), -(D), -(C), -(B), -(A)
+
+static const double srkn6_estimate[] = {
+    EVEN4(-0.0062450155665471664, 0.3195361420103231, -0.15631925741693706, -0.31394373805367781),
+    ODD3(-0.21121506023791234, 0.36010187038698366, -0.03966400274429905),
+    ODD3(0.17536939207213612, 0.14180364515147031, 0.35354730148484215)};
+static const double srkn11_estimate[] = {ODD6(0.056991348499688746, -0.1053976613936041, 0.097141815447791185,
+                                              -0.040075609046524206, -0.013869709957446999, 0.17346708246242382),
+                                         ODD6(0.0058627357464052839, 0.087975924481833098, 0.17182064186367049,
+                                              -0.10493506532466985, -0.04586439647425463, -0.072602247929220071)};
+/* no kick before the first drift */
+static const double srkn14_estimate[] = {
+    0.0,
+    ODD7(-0.031826516906632886, 0.021228293341404664, 0.053330687417524045, -0.0056478493083841124,
+         -0.12054012928977742, 0.19661838732137277, -0.071998857010386899),
+    0.0,
+    ODD7(0.0063713008897319408, 0.0055271469886345277, -0.0011102611273473564, -0.0073910979171176745,
+         -0.12965257863318644, -0.00061644491040879399, 0.21395093237486393),
+    0.0,
+    ODD7(-0.095980375200073034, 0.16870291222789907, 0.043212368649355321, 0.0043452737870544288, -0.083752478504982367,
+         -0.11581209258529232, -0.052212668775723413)};
+#undef ODD3
+#undef EVEN4
+#undef ODD6
+#undef ODD7
+
 /* ---- force gradient, S. A. Chin, Phys. Lett. A 226 (1997) 344 ---------------------------------------------------- */
 
 /* Algorithm A: kick(h/6) drift(h/2), kick(2h/3) by F + h^2/48 grad |F|^2/m, drift(h/2) kick(h/6). F at x + c h^2 F/m is

@@ -80,6 +80,30 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** F/m and RM/J of body i, 0 where there is no load. */
+static inline void vti_accelerations(const vti_bodies *b, int64_t i, double f[6])
+{
+    double load[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < 6; ++k)
+        f[k] = 0.0;
+    if (vti_has(&b->force)) {
+        vti_load(&b->force, i, load);
+        for (int k = 0; k < 3; ++k)
+            f[k] = load[k] / vti_scalar(&b->mass, i);
+    }
+    if (vti_has(&b->moment)) {
+        vti_load(&b->moment, i, load);
+        for (int k = 0; k < 3; ++k)
+            f[3 + k] = load[k] / vti_scalar(&b->inertia, i);
+    }
+}
+
+/** The larger one; NaN if either is. */
+static inline double vti_larger(double most, double x)
+{
+    return isnan(most) || x <= most ? most : x;
+}
+
 /** Whether the slice has body i: loads are added to its own bodies only, so that slices may be done at once. */
 static inline int vti_owns(const vti_bodies *b, int64_t i)
 {

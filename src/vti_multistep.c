@@ -49,24 +49,6 @@ static inline double *differences(const vti_past *past, int64_t i)
     return past->memory + 6 * past->depth * i;
 }
 
-/** F/m and RM/J, 0 where there is no load. */
-static void accelerations(const vti_bodies *b, int64_t i, double f[6])
-{
-    double load[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < 6; ++k)
-        f[k] = 0.0;
-    if (vti_has(&b->force)) {
-        vti_load(&b->force, i, load);
-        for (int k = 0; k < 3; ++k)
-            f[k] = load[k] / vti_scalar(&b->mass, i);
-    }
-    if (vti_has(&b->moment)) {
-        vti_load(&b->moment, i, load);
-        for (int k = 0; k < 3; ++k)
-            f[3 + k] = load[k] / vti_scalar(&b->inertia, i);
-    }
-}
-
 /** The first known differences of f_n become the first known + 1 of f, as far as there is room. */
 static void push(double *n, int64_t depth, int64_t known, const double f[6])
 {
@@ -103,7 +85,7 @@ int vti_multistep_record(vti_past *past, const vti_bodies *b)
         return status;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double f[6];
-        accelerations(b, i, f);
+        vti_accelerations(b, i, f);
         push(differences(past, i), past->depth, past->known, f);
     }
     past->known += past->known < past->depth;
@@ -204,17 +186,23 @@ static void add(const vti_view *view, int64_t i, double t, const double d[3])
     vti_store(view, i, a);
 }
 
-static void correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t i)
+/** Accelerations f of now, and D: how far off those are that were foreseen. */
+static void foreseen(int64_t depth, const vti_past *past, const vti_bodies *b, int64_t i, double f[6], double off[6])
 {
     static const double ones[ADAMS_MOST] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-    const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
-    double *const n = differences(past, i);
-    double f[6], off[6], turn[3];
-    accelerations(b, i, f);
-    sum_of(m->depth, ones, n, off);
-    sum_of(m->depth, ones, n + 3, off + 3);
+    const double *const n = differences(past, i);
+    vti_accelerations(b, i, f);
+    sum_of(depth, ones, n, off);
+    sum_of(depth, ones, n + 3, off + 3);
     for (int k = 0; k < 6; ++k)
         off[k] = f[k] - off[k];
+}
+
+static void correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t i)
+{
+    const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
+    double f[6], off[6], turn[3];
+    foreseen(m->depth, past, b, i, f, off);
     add(&b->v, i, g, off);
     if (vti_has(&b->v))
         add(&b->x, i, d, off);
@@ -223,7 +211,7 @@ static void correct(const vti_multistep *m, double h, const vti_past *past, cons
         turn[k] = d * off[3 + k];
     if (vti_has(&b->omega) && vti_has_attitude(b))
         turn_by(b, i, turn);
-    push(n, past->depth, past->known, f);
+    push(differences(past, i), past->depth, past->known, f);
 }
 
 /* ---- all of them --------------------------------------------------------------------------------------------------- */
@@ -266,5 +254,23 @@ int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past,
     for (int64_t i = b->first; i < b->first + b->count; ++i)
         correct(method, h, past, b, i);
     past->known += past->known < past->depth;
+    return VTI_OK;
+}
+
+int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b,
+                        double *velocity, double *spin)
+{
+    const int status = check(method, h, past, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    if (velocity == NULL || spin == NULL)
+        return VTI_E_NULL;
+    *velocity = *spin = 0.0;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double f[6], off[6];
+        foreseen(method->depth, past, b, i, f, off);
+        *velocity = vti_larger(*velocity, h * adams_g[method->depth] * vti_norm(off));
+        *spin = vti_larger(*spin, h * adams_g[method->depth] * vti_norm(off + 3));
+    }
     return VTI_OK;
 }

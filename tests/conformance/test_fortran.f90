@@ -2,7 +2,7 @@
 !> Fortran arrays of any layout, and packed arrays, move as C moves them: the same bits after 1000 steps, for every
 !> stepper of the library, and nothing else in the caller's arrays is touched.
 program test_fortran
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr
     use common
     implicit none
 
@@ -31,6 +31,8 @@ program test_fortran
         call slices()
         call packed(k)
     end do
+    call watched()
+    call multistep()
     call finish()
 
 contains
@@ -117,6 +119,92 @@ contains
         s = initial()
         call run([on_columns(s, force, moment)], 'columns')
         call compare(s%x, s%v, s%alpha, s%omega, 'columns')
+    end subroutine
+
+    !> A step of srkn11 whose error is estimated: by its weights, as read in Fortran.
+    subroutine watched()
+        type(state), target :: s
+        real(c_double), target :: force(3, n), moment(3, n), sums(6, 2, n)
+        real(c_double) :: expected(3, 2, n), velocity, spin
+        real(c_double), pointer :: weight(:, :)
+        type(vti_bodies) :: b
+        type(vti_errors) :: errors
+        integer(c_int64_t) :: j
+        real(c_double), parameter :: long_step = 0.25_c_double ! whose error stands clear of rounding
+        integer :: row
+        s = initial()
+        b = on_columns(s, force, moment)
+        errors%memory = c_loc(sums)
+        errors%rows = 2
+        method = vti_stepper_find('srkn11')
+        call c_f_pointer(method%estimate, weight, [method%stages + 1, method%estimates])
+        expected = 0
+        call shim_forces(b)
+        do j = 0, method%stages
+            call expect_status(vti_step_watch(method, j, long_step, b, errors), VTI_OK, 'watch')
+            do row = 1, 2
+                expected(:, row, :) = expected(:, row, :) &
+                    + long_step*weight(j + 1, row)*force/spread(s%mass, 1, 3)
+            end do
+            if (j == method%stages) exit
+            call expect_status(vti_step_stage(method, j, long_step, b), VTI_OK, 'stage')
+            call shim_forces(b)
+        end do
+        call expect_status(vti_step_finish(method, long_step, b), VTI_OK, 'finish')
+        call expect_status(vti_step_error(method, b, errors, velocity, spin), VTI_OK, 'error')
+        call expect(abs(velocity - sqrt(maxval(sum(sum(expected**2, 1), 1)))) <= 1e-14_c_double + 1e-6_c_double*velocity, &
+            'the estimate is that of the weights')
+        call expect(velocity > 0 .and. spin > 0, 'both are estimated')
+        call expect_status(vti_step_watch(vti_stepper_find('vti2'), 0_c_int64_t, h, b, errors), VTI_E_STEPPER, &
+            'vti2 has no estimates')
+    end subroutine
+
+    !> an4 from a start by srkn11: it tells by how much it corrects the velocity, and follows srkn11.
+    subroutine multistep()
+        type(state), target :: s, other
+        real(c_double), target :: force(3, n), moment(3, n), memory(6, 4, n), force2(3, n), moment2(3, n)
+        real(c_double) :: before(3, n), velocity, spin
+        type(vti_bodies) :: b, c
+        type(vti_past) :: past
+        type(vti_multistep) :: an4
+        integer :: i
+        s = initial()
+        other = s
+        b = on_columns(s, force, moment)
+        c = on_columns(other, force2, moment2)
+        call shim_forces(b)
+        call shim_forces(c)
+        an4 = vti_multistep_find('an4')
+        past%memory = c_loc(memory)
+        past%depth = an4%depth
+        method = vti_stepper_find('srkn11')
+        do i = 1, 12
+            call play(c)
+            if (past%known < an4%depth) call expect_status(vti_multistep_record(past, b), VTI_OK, 'record')
+            if (past%known < an4%depth) then
+                call play(b)
+                cycle
+            end if
+            call expect_status(vti_multistep_predict(an4, h, past, b), VTI_OK, 'predict')
+            call shim_forces(b)
+            before = s%v
+            call expect_status(vti_multistep_error(an4, h, past, b, velocity, spin), VTI_OK, 'multistep error')
+            call expect_status(vti_multistep_correct(an4, h, past, b), VTI_OK, 'correct')
+            call expect(abs(velocity - sqrt(maxval(sum((s%v - before)**2, 1)))) < 1e-14_c_double .and. spin >= 0, &
+                'the error is the correction')
+        end do
+        call expect(maxval(abs(s%v - other%v)) < 1e-6_c_double, 'an4 follows srkn11')
+    end subroutine
+
+    !> One step of method.
+    subroutine play(b)
+        type(vti_bodies), intent(in) :: b
+        integer(c_int64_t) :: j
+        do j = 0, method%stages - 1
+            call expect_status(vti_step_stage(method, j, h, b), VTI_OK, 'stage')
+            call shim_forces(b)
+        end do
+        call expect_status(vti_step_finish(method, h, b), VTI_OK, 'finish')
     end subroutine
 
     subroutine slices()

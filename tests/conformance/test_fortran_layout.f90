@@ -4,8 +4,8 @@ program test_fortran_layout
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_intptr_t, c_loc, c_ptr, c_size_t, c_sizeof
     use common
     implicit none
-    integer(c_int64_t) :: theirs(256), count
-    integer(c_int64_t) :: ours(256) = 0
+    integer(c_int64_t) :: theirs(300), count
+    integer(c_int64_t) :: ours(300) = 0
     integer :: entries = 0
     integer(c_int64_t), parameter :: quantity(13) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
         VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_MASS, &
@@ -15,7 +15,7 @@ program test_fortran_layout
     integer :: k
 
     call members()
-    count = shim_layout(256_c_int64_t, theirs)
+    count = shim_layout(300_c_int64_t, theirs)
     call compare('size or offset')
 
     call expect(index(vti_version(), '.') > 1, 'version '//vti_version())
@@ -61,6 +61,7 @@ contains
         type(vti_scalars), target :: scalars
         type(vti_bodies), target :: bodies
         type(vti_stepper), target :: stepper
+        type(vti_errors), target :: errors
         type(vti_effect), target :: effect
         type(vti_drifted), target :: drifted
         type(vti_pendulum), target :: pendulum
@@ -97,7 +98,9 @@ contains
         call add(c_sizeof(stepper), c_loc(stepper), [c_loc(stepper%name), c_loc(stepper%law), &
             c_loc(stepper%frame), c_loc(stepper%order), c_loc(stepper%reversible), c_loc(stepper%symplectic), &
             c_loc(stepper%stages), c_loc(stepper%evals), c_loc(stepper%lag), c_loc(stepper%reach), &
-            c_loc(stepper%kick), c_loc(stepper%drift), c_loc(stepper%probe), c_loc(stepper%about)])
+            c_loc(stepper%kick), c_loc(stepper%drift), c_loc(stepper%probe), c_loc(stepper%about), &
+            c_loc(stepper%estimate_order), c_loc(stepper%estimates), c_loc(stepper%estimate)])
+        call add(c_sizeof(errors), c_loc(errors), [c_loc(errors%memory), c_loc(errors%rows)])
         call add(c_sizeof(effect), c_loc(effect), [c_loc(effect%name), c_loc(effect%apply), &
             c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
             c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &

@@ -230,6 +230,56 @@ static void parts(void **state)
     }
 }
 
+/** A step; the larger of what is told of it and *told. */
+static void corrected(flight *f, const vti_multistep *m, double h, double told[2])
+{
+    double most[2] = {0.0, 0.0}, now[2];
+    const vti_bodies b = chain_bodies(&f->c);
+    assert_int_equal(vti_multistep_predict(m, h, &f->past, &b, NULL), VTI_OK);
+    chain_load(&f->c, &b);
+    const chain before = f->c;
+    assert_int_equal(vti_multistep_error(m, h, &f->past, &b, &now[0], &now[1]), VTI_OK);
+    assert_memory_equal(&f->c, &before, sizeof before);
+    assert_int_equal(vti_multistep_correct(m, h, &f->past, &b), VTI_OK);
+    for (int i = 0; i < BODIES; ++i) {
+        double off[2] = {0.0, 0.0};
+        for (int c = 0; c < 3; ++c) {
+            off[0] = hypot(off[0], f->c.v[i][c] - before.v[i][c]);
+            off[1] = hypot(off[1], f->c.omega[i][c] - before.omega[i][c]);
+        }
+        most[0] = fmax(most[0], off[0]);
+        most[1] = fmax(most[1], off[1]);
+    }
+    for (int part = 0; part < 2; ++part) { /* differences of numbers of order 1 */
+        assert_true(fabs(now[part] - most[part]) < 4.0 * EPS);
+        told[part] = fmax(told[part], now[part]);
+    }
+}
+
+/** What is told before the correction is by how much v and Omega are corrected, at most; it falls as h^(K+1). */
+static void estimates(void **state)
+{
+    (void)state;
+    for (int64_t k = 0; k < vti_multistep_count(); ++k) {
+        const vti_multistep *m = vti_multistep_at(k);
+        double told[2][2];
+        for (int level = 0; level < 2; ++level) {
+            flight f;
+            const double h = (m->depth < 8 ? 0.08 : 0.05) / (level + 1);
+            flight_make(&f, CHAIN_QUAT, m->depth);
+            start(&f, m, h);
+            told[level][0] = told[level][1] = 0.0;
+            for (int step = (int)m->depth - 1; step < (int)lround(2.0 / h); ++step)
+                corrected(&f, m, h, told[level]);
+        }
+        for (int part = 0; part < 2; ++part) {
+            const double order = log2(told[0][part] / told[1][part]);
+            print_message("%s: %.2e, %.2e, order %.2f\n", m->name, told[0][part], told[1][part], order);
+            assert_true(fabs(order - (double)m->depth - 1.0) < 1.0);
+        }
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -255,7 +305,12 @@ static void refusals(void **state)
     assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_PAST);
     assert_true(fault.value == 0.0);
     f.past.known = 8;
+    double told = 7.0;
     assert_int_equal(vti_multistep_correct(m, -0.1, &f.past, &b), VTI_E_TIME);
+    assert_int_equal(vti_multistep_error(m, -0.1, &f.past, &b, &told, &told), VTI_E_TIME);
+    assert_int_equal(vti_multistep_error(m, 0.1, &f.past, &b, NULL, &told), VTI_E_NULL);
+    assert_int_equal(vti_multistep_error(m, 0.1, &f.past, &b, &told, NULL), VTI_E_NULL);
+    assert_true(told == 7.0);
     assert_int_equal(vti_multistep_predict(m, NAN, &f.past, &b, &fault), VTI_E_TIME);
     b.x_low = vti_view_packed(f.memory[0][0]);
     assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
@@ -274,7 +329,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orders),      cmocka_unit_test(reaches),           cmocka_unit_test(linear_momentum),
         cmocka_unit_test(steady_spin), cmocka_unit_test(slices_and_copies), cmocka_unit_test(parts),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(estimates),   cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
