@@ -286,6 +286,23 @@ TEST(any_may_touch)
     }
 }
 
-RUN_TESTS(cmocka_unit_test(rolling_or_twisting_alone), cmocka_unit_test(sliding_alone), cmocka_unit_test(reach),
-          cmocka_unit_test(touches_without_a_spring), cmocka_unit_test(no_direction), cmocka_unit_test(turned_over),
-          cmocka_unit_test(part_of_the_loads), cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))
+/** Pairs that have lengths of their own are looked at where any two may meet; one of a body that is none is refused. */
+TEST(a_length_of_no_pair)
+{
+    const int64_t far[2] = {0, 2};
+    const double length = 0.95;
+    const vti_deformation any = {0.1, 0, 1};
+    double scratch[2];
+    vti_stable found;
+    touch(0, 0.5, 0, 0);
+    m.contacts.length = vti_scalars_one(&length);
+    assert_int_equal(vti_stable_step(&effect, 1, &m.b, &any, scratch, &found), VTI_OK);
+    assert_true(found.h > 0 && isfinite(found.h));
+    m.contacts.pair = far;
+    assert_int_equal(vti_stable_step(&effect, 1, &m.b, &any, scratch, &found), VTI_E_BOND);
+}
+
+RUN_TESTS(cmocka_unit_test(a_length_of_no_pair), cmocka_unit_test(rolling_or_twisting_alone),
+          cmocka_unit_test(sliding_alone), cmocka_unit_test(reach), cmocka_unit_test(touches_without_a_spring),
+          cmocka_unit_test(no_direction), cmocka_unit_test(turned_over), cmocka_unit_test(part_of_the_loads),
+          cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))
