@@ -101,6 +101,12 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 best->h, stable_least(&a->limits, best->stepper));
     if (best->h * a->max_omega > 1.0)
         fprintf(file, "warning: bodies turn by up to %.2g radians per step\n", best->h * a->max_omega);
+    if (vti_multistep_find(best->stepper->name) != NULL)
+        fprintf(file,
+                "note: %s is a multistep method and not symplectic: its energy drifts in proportion to time; for times "
+                "much "
+                "longer than t = %g name the others by --steppers\n",
+                best->stepper->name, a->t_end);
     if (best->error < 0.33 * a->target)
         fprintf(file, "note: stability, not the error, sets the step: the error is %.1e\n", best->error);
 }

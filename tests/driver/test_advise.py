@@ -87,6 +87,9 @@ def words():
     done = run(advise, "--error", "1e-3", scene("chain"))
     check(done.returncode == 0 and "warning: the forces" not in done.stdout, "chain: not warned of kinks")
     check(" at rest: " in done.stdout and "set by bond 1 of bodies 1 and 2" in done.stdout, "chain: the stable step is told")
+    for stepper in ("an6", "exact"):
+        done = run(advise, "--error", "1e-3", "--steppers", stepper, "--t-end", "1", scene("chain"))
+        check(done.returncode == 0 and ("energy drifts" in done.stdout) == (stepper == "an6"), f"{stepper}: what it does not keep")
     done = run(advise, "--error", "1e-3", "--steppers", "vti2,exact", scene("spin"))
     check("nothing oscillates" in done.stdout and "srkn11" not in done.stdout.split("stepper")[1], "spin: only these steppers")
 
