@@ -65,6 +65,33 @@ memory() {
         --wrapper "sh $PWD/tests/hard/memcheck.sh"
 }
 
+# test_names FOLDER [meson test options]: names among them that are no test's, which meson passes over without a word.
+test_names() {
+    names=$(meson test -C "$1" --list 2>/dev/null | sed -n 's|^.* / ||p')
+    shift
+    value=no
+    for name; do
+        case $value$name in
+        no--suite | no--no-suite | no-j | no--num-processes | no-t | no--timeout-multiplier | no--maxfail | no--repeat | no--wrap* | \
+            no--setup | no--test-args | no--logbase | no--gdb-path) value=yes ;;
+        yes* | no-* | no*:*) value=no ;;
+        *)
+            echo "$names" | (
+                while read -r known; do
+                    # shellcheck disable=SC2254 # names may be patterns
+                    case $known in $name) exit 0 ;; esac
+                done
+                exit 1
+            ) || {
+                near=$(echo "$names" | grep -F -- "$name" | head -n 3 | sed "s/.*/'&'/" | paste -sd ,)
+                echo "dev: '$name' is not a test; meson test -C build --list has them all${near:+, among them $near}" >&2
+                return 1
+            }
+            ;;
+        esac
+    done
+}
+
 # run_tests FOLDER [meson test options]: the runner's own lines, then its counts in one.
 run_tests() {
     folder=$1

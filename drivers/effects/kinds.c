@@ -180,9 +180,15 @@ int kinds_check_kind(int k, const struct effect_kind *kind, struct message *mess
 
 int kinds_check(struct message *message)
 {
-    for (int k = 0; k < EFFECT_COUNT; ++k)
+    int terms = 0;
+    for (int k = 0; k < EFFECT_COUNT; ++k) {
         if (kinds_check_kind(k, kinds[k], message) != 0)
             return -1;
+        terms += kinds[k]->terms_count;
+    }
+    if (terms > EFFECT_TERMS_OF_ALL)
+        return fail(EFFECT_COUNT - 1, "terms",
+                    "more of all effects than there are columns for; enlarge EFFECT_TERMS_OF_ALL in kinds.h", message);
     if (settings_before(EFFECT_COUNT) > sizeof(union effect_settings))
         return fail(EFFECT_COUNT - 1, "settings", "more than there is room for; enlarge effect_settings in kinds.h",
                     message);

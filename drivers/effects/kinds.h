@@ -18,6 +18,9 @@
 enum effect_number { EFFECT_KINDS(EFFECT_NUMBER) EFFECT_COUNT };
 #undef EFFECT_NUMBER
 
+/** Rows of terms, of all effects together: there are columns for so many (columns.h). */
+enum { EFFECT_TERMS_OF_ALL = 32 };
+
 struct effect_kind; /* kind.h */
 struct table;
 

@@ -10,7 +10,7 @@
 #include "kind.h"
 #include "scene.h"
 
-enum { MODEL_EFFECTS = 8, MODEL_INVARIANTS = 8 };
+enum { MODEL_EFFECTS = EFFECT_COUNT, MODEL_INVARIANTS = 8 };
 
 /** Among the statuses of the core: the pairs of an effect could not be found; model->trouble says why. */
 enum { MODEL_E_PAIRS = -1000 };

@@ -40,7 +40,10 @@ static int has(const vti_bodies *bodies, const struct quantity *quantity)
 /* Everything there is to record, in one array: these, three of each quantity, then the terms of all effects in the
  * model's order, then what all of them have booked, then what of their lines holds. */
 enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
-enum { SOURCES = TERMS + COLUMNS };
+enum { BREAKS = 2, SOURCES = TERMS + EFFECT_TERMS_OF_ALL + BREAKS };
+
+/* if this is negative, enlarge COLUMNS (columns.h) */
+typedef char columns_have_room[(int)COLUMNS >= (int)SOURCES ? 1 : -1];
 
 static const struct effect_term kinetic[] = {{"kinetic_translation", "$m‖v‖^2\\!/2$", "translation", "#0072B2"},
                                              {"kinetic_rotation", "$J‖\\Omega‖^2\\!/2$", "rotation", "#56B4E9"}};
@@ -57,6 +60,7 @@ static const struct effect_term *term_of(const struct model *model, const char *
     return NULL;
 }
 
+/** Leaves out what there is no room for, of effects that are not a scene's: others kinds_check has counted. */
 static void add(struct columns *c, const char *name, int source, int effect)
 {
     if (c->count == COLUMNS || source >= SOURCES)
@@ -95,7 +99,7 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
             add(c, quantities[q].name[k], QUANTITY + 3 * q + k, -1);
     }
     const struct effect *breaking = shape_breaking(model);
-    for (int k = 0; breaking != NULL && k < 2; ++k)
+    for (int k = 0; breaking != NULL && k < BREAKS; ++k)
         add(c, breaking->kind->breaks->name[k], source + k, -1);
 }
 
@@ -128,7 +132,7 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
         if (has(b, &quantities[q]))
             quantities[q].take(b, value + QUANTITY + 3 * q);
     const struct effect *breaking = shape_breaking(c->model);
-    if (breaking != NULL && source + 2 <= SOURCES)
+    if (breaking != NULL && source + BREAKS <= SOURCES)
         breaking->kind->breaks->count(breaking, value + source);
     for (int k = 0; k < c->count; ++k)
         row[k] = value[c->source[k]];

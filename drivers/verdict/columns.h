@@ -5,7 +5,7 @@
 
 #include "model.h"
 
-enum { COLUMNS = 48 };
+enum { COLUMNS = 64 };
 
 struct columns {
     const struct model *model; /* must outlive the columns */

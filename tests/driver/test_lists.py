@@ -35,7 +35,14 @@ def listed(what):
     return [row[0] for row in rows]
 
 
-check({"vti1", "vti2", "vti3", "exact", "srkn11"} <= set(listed("steppers")), "the steppers of the README are there")
+with open(os.path.join(root, "src", "vti_steppers.h"), encoding="utf-8") as file:
+    steppers = re.findall(r'ROW\("([^"]+)"', file.read())
+check({"vti1", "exact"} <= set(steppers) and set(steppers) - {"vti1-body"} <= set(listed("steppers")), "the library's steppers are there")
+for page_of_all, quotes in ((os.path.join("include", "vti_step.h"), '""'), ("README.md", "``")):
+    with open(os.path.join(root, page_of_all), encoding="utf-8") as file:
+        text = file.read()
+    unnamed = [name for name in steppers if quotes[0] + name + quotes[1] not in text]
+    check(not unnamed, f"{page_of_all} names them all {unnamed}")
 check(listed("effects") == ["drag", "binder", "bond_dashpot", "contact", "wall", "friction", "dashpot", "gravity", "pendulum"], "effects")
 keys = listed("keys")
 with open(os.path.join(root, "docs", "scenes.md"), encoding="utf-8") as file:

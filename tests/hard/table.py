@@ -5,7 +5,8 @@
     table.py --write PAGE SCENES PROGRAM...
     table.py --check PAGE [SCENES PROGRAM]
 
-Runs each program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --check compares
+Runs each program, takes its lines "robust | case | who | outcome" and puts together those who behave alike. --write puts them
+into the sections of these programs, and leaves the others as they are. --check compares
 what a program prints with its section of the page, or, without one, the rest of the page, and shows the difference."""
 import difflib
 import os
@@ -174,20 +175,21 @@ def differs(kept, made):
 
 def main():
     mode, path, *rest = sys.argv[1:]
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
     if mode == "--write":
         scenes, *programs = rest
         made = {topic(program): section(program, scenes) for program in programs}
         with open(path, "w", encoding="utf-8") as file:
-            file.write(HEAD + "".join(made[name] for name in SECTIONS) + TAIL)
+            file.write(HEAD + "".join(made.get(name) or kept_section(page, title) for name, title in SECTIONS.items()) + TAIL)
         return 0
-    with open(path, encoding="utf-8") as file:
-        page = file.read()
     if rest:
         bad = differs(kept_section(page, SECTIONS[topic(rest[1])]), section(rest[1], rest[0]))
     else:
         bad = differs(page, HEAD + "".join(kept_section(page, title) for title in SECTIONS.values()) + TAIL)
     if bad:
-        print("\nmake it anew: tests/hard/table.py --write docs/robustness.md scenes PROGRAM...")
+        root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+        print("\nmake it anew: tests/hard/table.py --write docs/robustness.md scenes", os.path.relpath(rest[1], root) if rest else "")
     return 1 if bad else 0
 
 
