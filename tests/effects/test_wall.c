@@ -411,6 +411,63 @@ TEST(goes_with_the_wall)
     }
 }
 
+/** Dashpots of a wall see nothing in a body that goes with its surface, at any spin, and push one that does not. */
+TEST(dashpots_of_moving_walls)
+{
+    rng g = rng_seed(1424);
+    for (int trial = 0; trial < 200; ++trial) {
+        const int round = trial % 2, slips = trial / 2 % 2;
+        double d[3], along[3], before[3];
+        begin(1, 1 - round, 1e4);
+        m.plane[0][2] = 1;
+        inside(0, 0, 0, 1, 2);
+        m.walls.cylinders = round;
+        motion[0].spin = uniform(&g, -3, 3);
+        random_vector(&g, 1, motion[0].velocity);
+        random_vector(&g, 1, motion[0].centre);
+        move();
+        const double *centre = round ? cylinder[0] + 3 : motion[0].centre;
+        const double axis[3] = {0, 0, motion[0].spin}, out[3] = {round ? 2 - 0.48 : 0.7, 0, round ? 0.3 : 0.48};
+        for (int k = 0; k < 3; ++k) {
+            m.c.x[0][k] = out[k] + (round || k < 2 ? centre[k] : 0);
+            d[k] = m.c.x[0][k] - centre[k];
+        }
+        vti_cross(axis, d, along);
+        for (int k = 0; k < 3; ++k) {
+            m.c.v[0][k] = before[k] = along[k] + motion[0].velocity[k] + (slips && k == 1);
+            m.c.omega[0][k] = axis[k];
+        }
+        rub();
+        dashpots.friction = NULL;
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        assert_int_equal(vti_effects_flow(&effect, 1, 0.1, 0.1, &m.b), VTI_OK);
+        assert_true((fabs(m.c.v[0][1] - before[1]) > 1e-3) == slips);
+        assert_true(slips || fabs(vti_sum_value(&work)) < 1e-12);
+    }
+}
+
+/** Backward a body meets its walls in the reverse order: that of the reversed list forward. */
+TEST(backward_is_reversed)
+{
+    double v[3][3];
+    for (int which = 0; which < 3; ++which) { /* forward; backward with the list reversed; forward with it */
+        begin(1, 2, 1e4);
+        m.plane[which > 0][2] = 1;
+        m.plane[which == 0][0] = 0.6;
+        m.plane[which == 0][2] = 0.8;
+        m.c.x[0][2] = 0.45;
+        m.c.v[0][0] = 1;
+        m.c.v[0][2] = -0.5;
+        rub();
+        dashpots = (vti_dashpots){.walls = &m.walls, .normal = 20, .pull = 1, .reach = INFINITY, .lost = m.lost};
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        assert_int_equal(vti_effects_flow(&effect, 1, 0.1, which == 1 ? -1e-6 : 1e-6, &m.b), VTI_OK);
+        memcpy(v[which], m.c.v[0], sizeof v[which]);
+    }
+    assert_same_bits(v[0], v[1], 3);
+    assert_true(fabs(v[0][0] - v[2][0]) > 1e-3);
+}
+
 /** A piston that compresses a column of spheres slowly does the work that they take up. */
 TEST(piston)
 {
@@ -502,5 +559,6 @@ TEST(what_cylinders_break)
 
 RUN_TESTS(cmocka_unit_test(each_its_own), cmocka_unit_test(friction_and_restitution_of_each),
           cmocka_unit_test(cylinders), cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(ledger_of_moving_walls),
-          cmocka_unit_test(moving_along), cmocka_unit_test(goes_with_the_wall), cmocka_unit_test(piston),
+          cmocka_unit_test(moving_along), cmocka_unit_test(goes_with_the_wall),
+          cmocka_unit_test(dashpots_of_moving_walls), cmocka_unit_test(backward_is_reversed), cmocka_unit_test(piston),
           cmocka_unit_test(refused), cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))
