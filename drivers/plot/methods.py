@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The methods of a cost study: what a reader calls them and how they look. The family shows in the colour (ours blue to
-green, the paper's orange, rivals grey to purple), the method in the marker."""
-from dataclasses import dataclass
-
+"""The methods of a cost study: what a reader calls them, and which belong together."""
 from . import words
 
 FAMILIES = {"ours": "ours", "paper": "the paper's", "rival": "rivals"}
@@ -25,20 +22,6 @@ QUATERNION_VERLET = ("lammps-richardson", "mercury", "yade-exp-verlet", "yade-le
 # Of order 2, one evaluation a step: their prices lie so close that they are drawn as one band
 SECOND_ORDER = ("vti1", "vti2", "vti3-leapfrog", "exact", "lgvi", *QUATERNION_VERLET)
 
-MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "p", "h", "*")
-COLOURS = {
-    "ours": ("#0B4F8A", "#0072B2", "#2E9BD6", "#00838F", "#00A087", "#006D4E", "#4C9A2A", "#1F2F86"),
-    "paper": ("#D55E00", "#E69F00", "#A83E00", "#C98A3C"),
-    "rival": ("#444444", "#888888", "#AA4499", "#6F6F6F", "#7B5EA7", "#9C7A97", "#555577", "#A0A0A0", "#882255",
-              "#5B4A8A", "#B07AA1", "#777766"),
-}
-
-
-@dataclass(frozen=True)
-class Look:
-    colour: str
-    marker: str
-
 
 def name(key):
     return NAMES.get(key) or words.stepper_name(key)
@@ -47,14 +30,3 @@ def name(key):
 def typed(key):
     """With what one types to get it, where that is another word."""
     return name(key) if name(key) == key else f"{name(key)} (`{key}`)"
-
-
-def looks(kinds):
-    """method -> Look. kinds: method -> kind, of the whole study, so that a method looks the same in all its pictures."""
-    taken, chosen = {}, {}
-    for key in sorted(kinds):
-        turn = taken.setdefault(kinds[key], 0)
-        colours = COLOURS[kinds[key]]
-        chosen[key] = Look(colours[turn % len(colours)], MARKERS[(turn + 5 * (turn // len(colours))) % len(MARKERS)])
-        taken[kinds[key]] += 1
-    return chosen

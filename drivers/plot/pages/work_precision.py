@@ -144,4 +144,5 @@ def _names(axes, ends):
         for (error, value, name, colour, is_best), height in zip(column, heights):
             axes.annotate(name, (error, value), (error / 1.8, low * (high / low) ** height), color=colour, fontsize=8.5, va="center",
                           fontweight="bold" if is_best else "normal", annotation_clip=False,
+                          bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 0.3},
                           arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0})
