@@ -24,8 +24,9 @@ static const struct scene_field fields[] = {
      "Elastic bonds between neighbours, or between the bodies of a table; at least one of moment, axial and shear.",
      NULL},
     {"binder.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(table), "file of bonds",
-     "CSV or HDF5, relative to the scene's folder: a row for each bond, bodies i and j from 0, and moment, axial and "
-     "shear as far as they differ.",
+     "CSV or HDF5, relative to the scene's folder: a row for each bond, bodies i and j from 0, moment, axial, shear "
+     "and limits (break_stretch ...) as far as they differ, and length and nx, ny, nz where bonds are not at rest at "
+     "t = 0.",
      NULL},
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
      "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
@@ -100,13 +101,21 @@ static const struct table_column columns[] = {{"i", TABLE_INDEX},
                                               {"break_shear", TABLE_POSITIVE},
                                               {"break_bending", TABLE_POSITIVE},
                                               {"break_torsion", TABLE_POSITIVE},
-                                              {"break_energy", TABLE_POSITIVE}};
+                                              {"break_energy", TABLE_POSITIVE},
+                                              {"length", TABLE_POSITIVE},
+                                              {"nx", TABLE_ANY},
+                                              {"ny", TABLE_ANY},
+                                              {"nz", TABLE_ANY}};
 
 static int check_columns(const struct table *table, struct message *message)
 {
     if (!table_has(table, BOND_I))
         return table_fail_columns(table, message, "no column i; bonds need i and j");
-    return table_has(table, BOND_J) ? 0 : table_fail_columns(table, message, "no column j; bonds need i and j");
+    if (!table_has(table, BOND_J))
+        return table_fail_columns(table, message, "no column j; bonds need i and j");
+    const int components =
+        table_has(table, BOND_NORMAL) + table_has(table, BOND_NORMAL + 1) + table_has(table, BOND_NORMAL + 2);
+    return components % 3 == 0 ? 0 : table_fail_columns(table, message, "nx, ny and nz come together; give all three");
 }
 
 const struct table_kind binder_table = {"bonds", "the scene's table of bonds", columns,

@@ -10,8 +10,18 @@
 /** What bonds bear, in the order of the columns and of the members of vti_rupture. */
 enum { LIMIT_STRETCH, LIMIT_NORMAL, LIMIT_SHEAR, LIMIT_BENDING, LIMIT_TORSION, LIMIT_ENERGY, LIMITS };
 
-/** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), and limits. */
-enum { BOND_I, BOND_J, BOND_MOMENT, BOND_AXIAL, BOND_SHEAR, BOND_LIMITS, BOND_COLUMNS = BOND_LIMITS + LIMITS };
+/** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), limits, and at rest the length
+ *  and the direction nx ny nz. */
+enum {
+    BOND_I,
+    BOND_J,
+    BOND_MOMENT,
+    BOND_AXIAL,
+    BOND_SHEAR,
+    BOND_LIMITS,
+    BOND_LENGTH = BOND_LIMITS + LIMITS,
+    BOND_NORMAL
+};
 
 /** Stiffnesses and limits of all bonds, in the order of the columns; 0 is a term, or a limit, that the file does not
  *  name. */

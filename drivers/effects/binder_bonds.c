@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Bonds from a table, or between the neighbours of an arrangement; and what each of them tells in files. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -98,6 +99,22 @@ static int fail_rest(const struct model *model, const struct table *t, const int
     return message_set(message, "%s: %s", model->scene->name, text);
 }
 
+/** Lengths and directions at rest of the table, in place of those at t = 0: bonds that are under stress then. */
+static int take_rest(const struct table *t, double *rest, struct message *message)
+{
+    for (int64_t k = 0; table_has(t, BOND_LENGTH) && k < t->rows; ++k)
+        rest[4 * k + 3] = t->column[BOND_LENGTH][k];
+    for (int64_t k = 0; table_has(t, BOND_NORMAL) && k < t->rows; ++k) {
+        const double n[3] = {t->column[BOND_NORMAL][k], t->column[BOND_NORMAL + 1][k], t->column[BOND_NORMAL + 2][k]};
+        const double length = vti_norm(n);
+        if (!(length > 0.0 && isfinite(length)))
+            return table_fail(t, k, message, "nx, ny and nz give no direction; one of them must not be 0");
+        for (int c = 0; c < 3; ++c)
+            rest[4 * k + c] = n[c] / length;
+    }
+    return 0;
+}
+
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *t, struct message *message)
 {
     enum { REST = 4, STIFFNESSES = 3 };
@@ -115,6 +132,8 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
         return -1;
     if (vti_bonds_rest(count, self->pair, 0, &model->bodies.x, self->memory, &fault) != VTI_OK)
         return fail_rest(model, t, self->pair, fault.body, message);
+    if (take_rest(t, self->memory, message) != 0)
+        return -1;
     double *next = self->memory + REST * count;
     vti_bonds *bonds = &self->bonds;
     bonds->count = self->all = count;

@@ -10,7 +10,9 @@
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
 #define BOND_NAMES                                                                                                     \
-    "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, break_energy"
+    "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, "             \
+    "break_energy, "                                                                                                   \
+    "length, nx, ny, nz"
 
 TEST(reads)
 {
@@ -134,6 +136,10 @@ static const struct {
      "c.csv: gives break_stretch, which the scene gives in binder.break too; keep one of them"},
     {BONDED, THREE, "i,j,break_bending\n0,1,1\n",
      "c.csv: bonds have no stiffness that could reach break_bending; give binder.moment"},
+    {BONDED, THREE, "i,j,length,nx,ny,nz\n0,1,1,1,0,0\n1,2,1,0,0,0\n",
+     "c.csv:3: nx, ny and nz give no direction; one of them must not be 0"},
+    {BONDED, THREE, "i,j,nx,nz\n0,1,1,0\n", "c.csv:1: nx, ny and nz come together; give all three"},
+    {BONDED, THREE, "i,j,length\n0,1,0\n", "c.csv:2:5: length: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,break_energy\n0,1,0\n", "c.csv:2:5: break_energy: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,moment\n0,1,1\n", "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
     {BODIES, "x,y,z,mass\n0,0,0,1\n", "", "b.csv: gives what the scene gives as bodies.mass too; keep one of them"},
@@ -206,6 +212,24 @@ TEST(bodies_and_bonds)
     model_destroy(&model);
 }
 
+/** Bonds that are under stress at t = 0: U = K^a/2 (r/L0 - 1)^2 + K^s (1 - cos gamma). */
+TEST(rest_of_bonds)
+{
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,mass,diameter\n0,0,0,1,1\n1,0,0,2,2\n1,2,0,3,1\n");
+    write_text("c.csv", "i,j,length,nx,ny,nz\n1,0,0.8,3,4,0\n1,2,2.5,0,-2,0\n");
+    make_model("bodies: {table: b.csv}\nbinder: {table: c.csv, axial: 10, shear: {stiffness: 7}}\n" TIME, &scene,
+               &model);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_close(bonds.rest[0], 0.6, EPS);
+    assert_close(bonds.rest[1], 0.8, EPS);
+    assert_true(bonds.rest[3] == 0.8 && bonds.rest[5] == -1.0 && bonds.rest[7] == 2.5);
+    const double axial = 5 * (0.25 * 0.25 + 0.2 * 0.2), shear = 7 * (1 - 0.6);
+    assert_close(model_energy(&model, &model.bodies), axial + shear, 20 * EPS);
+    model_destroy(&model);
+}
+
 /** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
 TEST(what_tables_add)
 {
@@ -246,4 +270,4 @@ TEST(given_tables)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
                     cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
-                    cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))
+                    cmocka_unit_test(rest_of_bonds), cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))
