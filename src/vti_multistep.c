@@ -52,14 +52,15 @@ static inline double *differences(const vti_past *past, int64_t i)
 /** The first known differences of f_n become the first known + 1 of f, as far as there is room. */
 static void push(double *n, int64_t depth, int64_t known, const double f[6])
 {
-    for (int k = 0; k < 6; ++k) {
-        double now = f[k];
-        for (int64_t j = 0; j <= known && j < depth; ++j) {
+    double now[6];
+    for (int k = 0; k < 6; ++k)
+        now[k] = f[k];
+    for (int64_t j = 0; j <= known && j < depth; ++j)
+        for (int k = 0; k < 6; ++k) {
             const double before = n[6 * j + k];
-            n[6 * j + k] = now;
-            now -= before;
+            n[6 * j + k] = now[k];
+            now[k] -= before;
         }
-    }
 }
 
 static int check_past(const vti_past *past, const vti_bodies *b, vti_fault *fault)
@@ -97,21 +98,28 @@ int vti_multistep_record(vti_past *past, const vti_bodies *b)
 /** sum of coefficient[j] N^j, j < depth, of the three numbers from n on, in this order. */
 static void sum_of(int64_t depth, const double *coefficient, const double *n, double sum[3])
 {
-    for (int k = 0; k < 3; ++k) {
-        sum[k] = 0.0;
-        for (int64_t j = 0; j < depth; ++j)
-            sum[k] += coefficient[j] * n[6 * j + k];
-    }
+    double s[3] = {0.0, 0.0, 0.0};
+    for (int64_t j = 0; j < depth; ++j)
+        for (int k = 0; k < 3; ++k) /* three sums at once: each waits for its last addition */
+            s[k] += coefficient[j] * n[6 * j + k];
+    for (int k = 0; k < 3; ++k)
+        sum[k] = s[k];
 }
 
-/** Turns body i by u, to order 9 in u. */
-static void turn_by(const vti_bodies *b, int64_t i, double u[3])
+/** The bodies with u for the Omega of each: made once for all of them, for it is a large copy. */
+static vti_bodies turned_by(const vti_bodies *b, double u[3])
+{
+    vti_bodies all = *b;
+    all.omega = vti_view_packed(u);
+    all.omega.stride = 0;
+    return all;
+}
+
+/** Turns body i by u, to order 9 in u; turned is turned_by(b, u). */
+static void turn_by(const vti_bodies *turned, int64_t i)
 {
     const struct vti_move whole = {.drift = 1.0, .drifts = 1, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};
-    vti_bodies one = *b;
-    one.omega = vti_view_packed(u);
-    one.omega.stride = 0;
-    vti_move_turn(&whole, &one, i);
+    vti_move_turn(&whole, turned, i);
 }
 
 /** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its values
@@ -139,9 +147,10 @@ static void magnus(double h, double o[3][3], double theta[3])
         theta[k] = a1[k] + a3[k] / 12.0 + theta[k] / 240.0;
 }
 
-static void predict_turn(int64_t depth, double h, const double *n, const vti_bodies *b, int64_t i)
+static void predict_turn(int64_t depth, double h, const double *n, const vti_bodies *b, int64_t i,
+                         const vti_bodies *turned, double theta[3])
 {
-    double w[3], o[3][3], theta[3], sum[3];
+    double w[3], o[3][3], sum[3];
     vti_load(&b->omega, i, w);
     for (int s = 0; s < 3; ++s) {
         sum_of(depth, adams_node[s], n + 3, sum);
@@ -150,7 +159,7 @@ static void predict_turn(int64_t depth, double h, const double *n, const vti_bod
     }
     if (vti_has_attitude(b)) {
         magnus(h, o, theta);
-        turn_by(b, i, theta);
+        turn_by(turned, i);
     }
     sum_of(depth, adams_g, n + 3, sum);
     for (int k = 0; k < 3; ++k)
@@ -198,10 +207,11 @@ static void foreseen(int64_t depth, const vti_past *past, const vti_bodies *b, i
         off[k] = f[k] - off[k];
 }
 
-static void correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t i)
+static void correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t i,
+                    const vti_bodies *turned, double turn[3])
 {
     const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
-    double f[6], off[6], turn[3];
+    double f[6], off[6];
     foreseen(m->depth, past, b, i, f, off);
     add(&b->v, i, g, off);
     if (vti_has(&b->v))
@@ -210,7 +220,7 @@ static void correct(const vti_multistep *m, double h, const vti_past *past, cons
     for (int k = 0; k < 3; ++k)
         turn[k] = d * off[3 + k];
     if (vti_has(&b->omega) && vti_has_attitude(b))
-        turn_by(b, i, turn);
+        turn_by(turned, i);
     push(differences(past, i), past->depth, past->known, f);
 }
 
@@ -236,12 +246,14 @@ int vti_multistep_predict(const vti_multistep *method, double h, const vti_past 
     const int status = check(method, h, past, b, fault);
     if (status != VTI_OK)
         return status;
+    double theta[3];
+    const vti_bodies turned = turned_by(b, theta);
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         const double *n = differences(past, i);
         if (vti_has(&b->v))
             predict_move(method->depth, h, n, b, i);
         if (vti_has(&b->omega))
-            predict_turn(method->depth, h, n, b, i);
+            predict_turn(method->depth, h, n, b, i, &turned, theta);
     }
     return VTI_OK;
 }
@@ -251,8 +263,10 @@ int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past,
     const int status = check(method, h, past, b, NULL);
     if (status != VTI_OK)
         return status;
+    double turn[3];
+    const vti_bodies turned = turned_by(b, turn);
     for (int64_t i = b->first; i < b->first + b->count; ++i)
-        correct(method, h, past, b, i);
+        correct(method, h, past, b, i, &turned, turn);
     past->known += past->known < past->depth;
     return VTI_OK;
 }
