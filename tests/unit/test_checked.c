@@ -149,6 +149,39 @@ TEST(planes_after_their_check)
     assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
 }
 
+/** Cylinders and motions that are wrong, one number after the other. */
+TEST(cylinders_and_motion_after_their_check)
+{
+    static double cylinder[7] = {0, 0, 1, 0, 0, 0, 50};
+    static vti_wall_motion motion[2];
+    static vti_sum work;
+    const vti_effect wall = vti_walls_effect(&walls);
+    double *const numbers[] = {cylinder,        cylinder + 4,     cylinder + 6,       motion[1].velocity + 1,
+                               &motion[1].spin, motion[1].centre, motion[1].moved + 2};
+    walls.cylinders = 1;
+    walls.cylinder = cylinder;
+    walls.motion = motion;
+    walls.work = &work;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) {
+        const double good = *numbers[k];
+        *numbers[k] = NAN;
+        list_refused(&wall, VTI_E_CONTACT);
+        *numbers[k] = good;
+    }
+    cylinder[6] = 0;
+    list_refused(&wall, VTI_E_CONTACT);
+    cylinder[6] = 50;
+    walls.work = NULL;
+    list_refused(&wall, VTI_E_NULL);
+    walls.motion = NULL;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    walls.cylinder = NULL;
+    list_refused(&wall, VTI_E_NULL);
+    walls.cylinders = 0;
+    walls.cylinder = NULL;
+}
+
 /** Bodies that are held lie outside the slice that is stepped: the views say that they exist. */
 TEST(held_bodies)
 {
@@ -161,4 +194,6 @@ TEST(held_bodies)
 
 RUN_TESTS(cmocka_unit_test_setup(views_after_the_seal, sound), cmocka_unit_test_setup(numbers_after_the_seal, sound),
           cmocka_unit_test_setup(lists_after_their_check, sound),
-          cmocka_unit_test_setup(planes_after_their_check, sound), cmocka_unit_test_setup(held_bodies, sound))
+          cmocka_unit_test_setup(planes_after_their_check, sound),
+          cmocka_unit_test_setup(cylinders_and_motion_after_their_check, sound),
+          cmocka_unit_test_setup(held_bodies, sound))
