@@ -10,8 +10,8 @@
 /** What bonds bear, in the order of the columns and of the members of vti_rupture. */
 enum { LIMIT_STRETCH, LIMIT_NORMAL, LIMIT_SHEAR, LIMIT_BENDING, LIMIT_TORSION, LIMIT_ENERGY, LIMITS };
 
-/** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), limits, and at rest the length
- *  and the direction nx ny nz. */
+/** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), limits, and at rest the
+ *  length and the direction nx ny nz. */
 enum {
     BOND_I,
     BOND_J,

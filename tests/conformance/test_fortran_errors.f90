@@ -278,6 +278,53 @@ contains
         call lists_are_good()
     end subroutine
 
+    !> A bond that is stretched from 1 to 3/2 holds N = K/2 and U = K/8; it breaks, and cannot be taken out twice.
+    subroutine rupture_of_one()
+        real(c_double), target :: x(3, 2), rest(4, 1), stiffness, limit, measures(VTI_BOND_MEASURES, 1)
+        integer(c_int64_t), target :: pair(2, 1), id(1)
+        integer(c_int64_t), pointer, contiguous :: pairs(:, :)
+        real(c_double), pointer, contiguous :: rests(:, :)
+        type(vti_bonds), target :: one
+        type(vti_rupture), target :: rupture
+        type(vti_rupture), pointer :: at
+        type(vti_sum), target :: lost
+        type(vti_bodies) :: two
+        type(vti_effect) :: effects(1)
+        type(vti_fault) :: fault
+        integer(c_int64_t) :: broken
+        x = reshape([1.5_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double], [3, 2])
+        rest(:, 1) = [1.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double]
+        pair(:, 1) = [1_c_int64_t, 2_c_int64_t]
+        stiffness = 8
+        limit = 0.5_c_double
+        id = 1
+        lost = vti_sum()
+        pairs => pair
+        rests => rest
+        one = vti_bonds_between(pairs, rests)
+        one%axial = vti_scalars_one(stiffness)
+        two = vti_bodies_none(2_c_int64_t)
+        two%x = vti_view_columns(x)
+        rupture%bonds = c_loc(one)
+        rupture%id = c_loc(id)
+        rupture%lost = c_loc(lost)
+        rupture%stretch = vti_scalars_one(limit)
+        at => rupture
+        call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 1_c_int64_t, measures), VTI_OK, 'what a bond holds')
+        call expect(all(abs(measures(:, 1) - [4.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double, &
+            0.5_c_double]) < 1e-14_c_double), 'N, U and the stretch')
+        call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 2_c_int64_t, measures), VTI_E_COUNT, 'too few measures')
+        call expect_status(vti_rupture_check(rupture), VTI_OK, 'limits')
+        limit = 0
+        call expect_status(vti_rupture_check(rupture, fault), VTI_E_BOND, 'a limit of 0')
+        call expect(fault%body == 1, 'of the first bond')
+        limit = 0.5_c_double
+        effects(1) = vti_rupture_effect(at)
+        call expect_status(vti_effects_rupture(effects, two, broken), VTI_OK, 'rupture')
+        call expect(broken == 1 .and. one%count == 0 .and. abs(lost%high - 1) < 1e-14_c_double, 'a bond less')
+        call expect_status(vti_rupture_take_out(rupture, id), VTI_E_BOND, 'taken out a second time')
+    end subroutine
+
     !> Effects of what does not exist, or has the wrong shape, are refused before anything is written.
     subroutine no_effects()
         type(vti_bonds), pointer :: no_bonds
@@ -309,6 +356,7 @@ contains
         call no_effect(vti_friction_effect(no_friction), 'no friction')
         call no_effect(vti_bond_dashpots_effect(no_bond_dashpots), 'no dashpots of bonds')
         call no_effect(vti_rupture_effect(no_rupture), 'no rupture')
+        call rupture_of_one()
         call no_effect(vti_pendulum_effect(no_pendulum), 'no pendulum')
         other_bonds = vti_bonds_between(wrong_pair, rest)
         call no_effect(vti_bonds_effect(other_bonds), 'bonds of the wrong shape')
