@@ -211,9 +211,9 @@ static int take_part(const struct effect *e, const vti_bodies *slice, struct eff
         return 0;
     const int64_t n = vti_pairs_of_slice(all->count, all->pair, all->base, slice->first, slice->count, NULL);
     int64_t *pair = effect_part_room(part, 3 * n);
-    double *length = (double *)(void *)(pair + 2 * n);
     if (pair == NULL)
         return -1;
+    double *length = (double *)(void *)(pair + 2 * n);
     part->age = self->age;
     part->contacts = *all;
     part->contacts.count = 0;
