@@ -42,7 +42,7 @@ def draw(study):
         axes = figure.add_subplot(grid[0, column])
         fits = {stepper: study.fit(stepper, panel.measure) for stepper in steppers}
         axes.set_title(f"{panel.name}: {words.orders_phrase(fits.values())}")
-        axes.set_xlabel("time step $h$ (dimensionless)")
+        axes.set_xlabel("time step $h$ (units of the scene)")
         axes.set_ylabel(panel.label)
         _draw_panel(axes, study, panel, fits, looks)
         _draw_legend(style.bare(figure.add_subplot(grid[1, column])), fits, looks)

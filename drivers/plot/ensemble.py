@@ -25,7 +25,7 @@ def draw(sweep):
         for column, panel in enumerate(PANELS):
             axes = figure.add_subplot(grid[2 * row, column])
             axes.set_title(f"{_name(group)}: {panel.name.lower()}" if column == 0 else panel.name)
-            axes.set_xlabel("time step $h$ (dimensionless)")
+            axes.set_xlabel("time step $h$ (units of the scene)")
             axes.set_ylabel(panel.label)
             _draw_panel(axes, group, panel.measure, looks)
             _draw_legend(style.bare(figure.add_subplot(grid[2 * row + 1, column])), group, panel.measure, looks)

@@ -57,7 +57,7 @@ def draw(study):
 
 def _facts(study):
     return (r"Every energy panel has its own scale; $\varepsilon$ = $2^{-52}$ = $2.2\times 10^{-16}$, the machine "
-            rf"precision; all quantities are dimensionless.   vti {words.plain(study.version)}")
+            rf"precision; units are those of the scene.   vti {words.plain(study.version)}")
 
 
 def _shape(count, columns):

@@ -22,6 +22,7 @@ def draw(run):
     touched = False
     for place, (axes, frame) in enumerate(zip(grid.flat, frames)):
         touched |= scene.draw(axes, frame)
+        axes.ticklabel_format(style="sci", scilimits=(-2, 4), useMathText=True)  # millimetres in metres, say
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
             axes.set_xlabel(f"${scene.axis_names()[0]}$", labelpad=1)
