@@ -255,7 +255,7 @@ static void same(const struct collision *a, const struct collision *b)
 }
 
 /** A material is the K that follows from it: (4/3) E* sqrt(R* L^5) = (2/3) E* here. */
-    TEST(dashpots_and_friction_of_a_material)
+TEST(dashpots_and_friction_of_a_material)
 {
     static struct collision one, other;
     const double moduli[2] = {4096, 8192};
