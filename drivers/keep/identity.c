@@ -26,6 +26,7 @@ static void write_numbers(FILE *text, const double *number, int count)
 static void write_value(FILE *text, const struct scene_field *field, const void *value)
 {
     const int64_t *count = value;
+    const struct scene_list *list = value;
     switch (field->kind) {
     case SCENE_SECTION:
         break;
@@ -49,7 +50,7 @@ static void write_value(FILE *text, const struct scene_field *field, const void 
     case SCENE_CYLINDERS:
     case SCENE_VECTORS:
     case SCENE_NUMBERS:
-        write_numbers(text, (const double *)(count + 1), (int)(*count * scene_rows_of(field->kind)->width));
+        write_numbers(text, list->numbers, (int)(list->count * scene_rows_of(field->kind)->width));
         break;
     case SCENE_PATH: /* what it holds counts, not where it lies */
         fputs(*(const char *)value != '\0' ? " given" : " none", text);

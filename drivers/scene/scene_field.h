@@ -61,6 +61,12 @@ struct scene_rows {
     const char *example;           /* of the list */
 };
 
+/** What those structs begin with. */
+struct scene_list {
+    int64_t count; /* rows */
+    double numbers[];
+};
+
 /** NULL for kinds that are no such lists. */
 const struct scene_rows *scene_rows_of(enum scene_kind kind);
 

@@ -211,15 +211,15 @@ static int finish_row(const struct scene_reader *reader, const struct scene_fiel
 
 /** A list of rows into its count and its numbers. */
 static int read_rows(const struct scene_reader *reader, const struct scene_field *field,
-                     const struct scene_value *value, int64_t *count)
+                     const struct scene_value *value, struct scene_list *list)
 {
     const struct scene_rows *rows = scene_rows_of(field->kind);
-    double *numbers = (double *)(count + 1);
-    *count = value->count / rows->width;
-    if (*count > rows->most)
-        return scene_reader_fail(reader, field->path, "%lld %s; give at most %lld", (long long)*count, rows->name,
+    double *numbers = list->numbers;
+    list->count = value->count / rows->width;
+    if (list->count > rows->most)
+        return scene_reader_fail(reader, field->path, "%lld %s; give at most %lld", (long long)list->count, rows->name,
                                  (long long)rows->most);
-    for (int64_t row = 0; row < *count; ++row, numbers += rows->width) {
+    for (int64_t row = 0; row < list->count; ++row, numbers += rows->width) {
         for (int64_t k = 0; k < rows->width; ++k)
             if (read_number(reader, field, value, rows->width * row + k, &numbers[k]) != 0 ||
                 check_range(reader, field, value, rows->width * row + k, numbers[k]) != 0)
