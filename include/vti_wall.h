@@ -29,7 +29,7 @@ typedef struct vti_walls {
     vti_scalars diameter; /**< D of the bodies */
     double stiffness;     /**< K^pw, energy, of all walls */
     const double *each;   /**< [count + cylinders], K^pw of each wall in place of it; NULL: of all the same */
-    int64_t cylinders;
+    int64_t cylinders;    /**< how many */
     const double *cylinder;  /**< [cylinders][7]: axis (unit), a point on it, radius; the point at first */
     vti_wall_motion *motion; /**< [count + cylinders]: memory of the caller's; NULL: none moves */
     vti_sum *work;           /**< one, memory of the caller's, {0, 0} at the start, needed where there is motion: the
