@@ -86,6 +86,9 @@ struct effect_planes {
     int64_t (*get)(const struct effect *e, const double **plane);
     /** How many cylinders; in *cylinder [count][7]: axis, a point on it, radius. NULL: none. */
     int64_t (*cylinders)(const struct effect *e, const double **cylinder);
+    /** How each moves, planes first: on and on with the same velocity and spin. NULL, itself or what it returns: none
+     *  does. */
+    const vti_wall_motion *(*motion)(const struct effect *e);
 };
 
 /** What touches, for effects that act where surfaces meet. */

@@ -187,6 +187,11 @@ static int64_t cylinders(const struct effect *e, const double **cylinder)
     return walls_of(e)->cylinders;
 }
 
+static const vti_wall_motion *motion(const struct effect *e)
+{
+    return walls_of(e)->motion;
+}
+
 static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
 {
     (void)at;
@@ -226,7 +231,7 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
 }
 
-static const struct effect_planes drawn = {"wall", planes, cylinders};
+static const struct effect_planes drawn = {"wall", planes, cylinders, motion};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
                                            {"work_wall", "$-W^{\\mathrm{pw}}$", "taken by moving walls", "#56B4E9"}};

@@ -13,7 +13,8 @@
 /** out.h5 of a run. Root attributes: scene, stepper, vti_version, h, complete (0 if the run broke off), and
  *  what the scene says yes or no to for its effects, such as contact.bonded. /VTKHDF: the trajectory (below).
  *  /energies: a dataset per column of out.csv, and their order in its attribute "columns". /walls: planes n.x = d as
- *  rows nx, ny, nz, d, of the effect that has any. /restart: what a complete run goes on from (run/run.h), as the
+ *  rows nx, ny, nz, d, of the effect that has any, and beside it /wall_cylinders, /wall_velocities, /wall_spins if it has
+ *  cylinders, if its walls move. /restart: what a complete run goes on from (run/run.h), as the
  *  bytes of its last checkpoint. The bytes of the file depend on the scene, the options and the results only. */
 int run_hdf5_write(const struct record *record, const char *path, struct message *message);
 
@@ -35,7 +36,8 @@ int run_csv_write(const struct record *record, FILE *file, struct message *messa
 int run_dump_write(const struct record *record, FILE *file, struct message *message);
 
 /** out.xdmf: an index of the trajectory in the HDF5 file called name, in the same folder, for readers that do not
- *  know VTKHDF; and the planes of effects, each as a square behind all bodies of all frames. */
+ *  know VTKHDF; and the planes of effects, each as a square behind all bodies of all frames, in each frame where it is then.
+ *  Cylinders are not in it. */
 int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message);
 
 #endif

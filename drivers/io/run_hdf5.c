@@ -70,8 +70,49 @@ static int energies_write(const struct record *record, struct hdf5_sink *file, s
     return file->failed ? -1 : 0;
 }
 
-/** Planes of effects, each as a dataset [planes][4], "walls", and their names, "wall", in planes; and in touching which
- *  pairs are in contact (effect_touch). */
+/** Velocities and spins of planes and cylinders, "wall_velocities" and "wall_spins", which they keep. */
+static void motion_write(const char *name, const vti_wall_motion *motion, hsize_t walls, struct hdf5_sink *file)
+{
+    const hsize_t dims[2] = {walls, 3};
+    double *values = malloc(sizeof *values * (size_t)(4 * walls)), *spins = values != NULL ? values + 3 * walls : NULL;
+    char path[64];
+    file->failed |= values == NULL;
+    for (hsize_t w = 0; values != NULL && w < walls; ++w) {
+        memcpy(values + 3 * w, motion[w].velocity, sizeof motion[w].velocity);
+        spins[w] = motion[w].spin;
+    }
+    snprintf(path, sizeof path, "%s_velocities", name);
+    if (values != NULL)
+        hdf5_dataset(file, path, H5T_NATIVE_DOUBLE, 2, dims, values);
+    snprintf(path, sizeof path, "%s_spins", name);
+    if (values != NULL)
+        hdf5_dataset(file, path, H5T_NATIVE_DOUBLE, 1, dims, spins);
+    free(values);
+}
+
+/** Planes and cylinders of an effect as they are at t = 0, and how they move. Returns how many. */
+static hsize_t walls_write(const struct effect *e, struct hdf5_sink *file)
+{
+    const struct effect_planes *kind = e->kind->planes;
+    const double *plane = NULL, *cylinder = NULL;
+    const vti_wall_motion *motion = kind->motion != NULL ? kind->motion(e) : NULL;
+    const hsize_t planes[2] = {(hsize_t)kind->get(e, &plane), 4};
+    const hsize_t cylinders[2] = {kind->cylinders != NULL ? (hsize_t)kind->cylinders(e, &cylinder) : 0, 7};
+    char path[64];
+    if (planes[0] + cylinders[0] == 0)
+        return 0;
+    snprintf(path, sizeof path, "%ss", kind->name);
+    hdf5_dataset(file, path, H5T_NATIVE_DOUBLE, 2, planes, plane);
+    snprintf(path, sizeof path, "%s_cylinders", kind->name);
+    if (cylinders[0] > 0)
+        hdf5_dataset(file, path, H5T_NATIVE_DOUBLE, 2, cylinders, cylinder);
+    if (motion != NULL)
+        motion_write(kind->name, motion, planes[0] + cylinders[0], file);
+    return planes[0] + cylinders[0];
+}
+
+/** Walls of effects, and the names of these, "wall", in planes; and in touching which pairs are in contact
+ *  (effect_touch). */
 static void scenery_write(const struct model *model, struct hdf5_sink *file)
 {
     int64_t touching = 0;
@@ -79,14 +120,9 @@ static void scenery_write(const struct model *model, struct hdf5_sink *file)
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *e = &model->rooms[k];
         const struct effect_planes *planes = e->kind->planes;
-        const double *plane = NULL;
-        const hsize_t dims[2] = {planes != NULL ? (hsize_t)planes->get(e, &plane) : 0, 4};
-        char name[32];
         touching |= e->kind->touching != NULL ? e->kind->touching(e) : 0;
-        if (dims[0] == 0)
+        if (planes == NULL || walls_write(e, file) == 0)
             continue;
-        snprintf(name, sizeof name, "%ss", planes->name);
-        hdf5_dataset(file, name, H5T_NATIVE_DOUBLE, 2, dims, plane);
         append(append(all, sizeof all, all[0] != '\0' ? "," : ""), sizeof all, planes->name);
     }
     hdf5_text(file, "planes", all);

@@ -2,10 +2,11 @@
  *
  * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every
  * array is a slab of the rows of one frame in a dataset of /VTKHDF. Another grid for the planes of an effect, "walls",
- * of all times, has a square for each. */
+ * has a square for each: one of all times, or where planes move one of each frame. */
 #include "run_formats.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "record.h"
 #include "number.h"
@@ -197,19 +198,28 @@ static void corners_of(const double plane[4], const double low[3], const double 
                 middle[c] - distance * plane[c] + reach / sqrt(vti_dot(u, u)) * (at[k][0] * u[c] + at[k][1] * v[c]);
 }
 
-static int write_planes(const struct writer *w, const struct effect *effect, struct message *message)
+/** The planes of an effect, and the box of all bodies at all times. */
+struct squares {
+    const struct writer *w;
+    const struct effect *effect;
+    const vti_wall_motion *motion; /* NULL: none moves */
+    double low[3], high[3];
+};
+
+/** The grid of all planes as they are at time t. */
+static void write_squares(const struct squares *s, double t)
 {
-    const char *name = effect->kind->planes->name;
+    const struct writer *w = s->w;
+    const char *name = s->effect->kind->planes->name;
     const double *plane;
-    const long long count = (long long)effect->kind->planes->get(effect, &plane);
-    double low[3] = {0.0, 0.0, 0.0}, high[3] = {0.0, 0.0, 0.0};
-    if (record_box(w->record, low, high, message) != 0)
-        return -1;
+    const long long count = (long long)s->effect->kind->planes->get(s->effect, &plane);
+    fprintf(w->file, "<Grid Name=\"%ss\" GridType=\"Uniform\">\n", name);
+    if (s->motion != NULL)
+        fprintf(w->file, "<Time Value=\"%s\"/>\n", NUMBER(t));
     fprintf(w->file,
-            "<Grid Name=\"%ss\" GridType=\"Uniform\">\n"
             "<Topology TopologyType=\"Quadrilateral\" NumberOfElements=\"%lld\">\n"
             "<DataItem Dimensions=\"%lld 4\" NumberType=\"Int\" Precision=\"8\" Format=\"XML\">",
-            name, count, count);
+            count, count);
     for (long long k = 0; k < 4 * count; ++k)
         fprintf(w->file, "%lld%s", k, k % 4 == 3 ? "\n" : " ");
     fprintf(w->file,
@@ -217,8 +227,11 @@ static int write_planes(const struct writer *w, const struct effect *effect, str
             "<DataItem Dimensions=\"%lld 3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">",
             4 * count);
     for (long long k = 0; k < count; ++k) {
-        double corner[4][3];
-        corners_of(plane + 4 * k, low, high, corner);
+        double corner[4][3], at[4];
+        memcpy(at, plane + 4 * k, sizeof at);
+        if (s->motion != NULL)
+            at[3] += vti_dot(at, s->motion[k].velocity) * t;
+        corners_of(at, s->low, s->high, corner);
         for (int c = 0; c < 4; ++c)
             fprintf(w->file, "%s %s %s\n", NUMBER(corner[c][0]), NUMBER(corner[c][1]), NUMBER(corner[c][2]));
     }
@@ -229,7 +242,34 @@ static int write_planes(const struct writer *w, const struct effect *effect, str
     for (long long k = 0; k < count; ++k)
         fprintf(w->file, "%lld%s", k, k + 1 < count ? " " : "");
     fputs("</DataItem>\n</Attribute>\n</Grid>\n", w->file);
-    return ferror(w->file) ? -1 : 0;
+}
+
+static int take_squares(void *self, int64_t k, const double *frame)
+{
+    const struct squares *s = self;
+    (void)k;
+    write_squares(s, frame[1]);
+    return ferror(s->w->file) ? -1 : 0;
+}
+
+static int write_planes(const struct writer *w, const struct effect *effect, struct message *message)
+{
+    const struct effect_planes *planes = effect->kind->planes;
+    const double *plane;
+    struct squares s = {w, effect, planes->motion != NULL ? planes->motion(effect) : NULL, {0.0}, {0.0}};
+    if (planes->get(effect, &plane) == 0)
+        return 0;
+    if (record_box(w->record, s.low, s.high, message) != 0)
+        return -1;
+    if (s.motion == NULL) {
+        write_squares(&s, 0.0);
+        return ferror(w->file) ? -1 : 0;
+    }
+    fprintf(w->file, "<Grid Name=\"%ss over time\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
+            planes->name);
+    const int failed = record_frames(w->record, take_squares, &s, message);
+    fputs("</Grid>\n", w->file);
+    return failed;
 }
 
 static int write_over_time(struct writer *w, struct message *message)

@@ -2,10 +2,12 @@
 """Reading the out.h5 of a run, and refusing it in one sentence where it is not what vti-run writes.
 
     attributes of the file   scene, stepper, h, vti_version; touching (which pairs that overlap are in contact: 1 those without
-                             a line, 2 all, 0 none); planes (what they are, "wall")
+                             a line, 2 all, 0 none); planes (what planes and cylinders are, "wall")
     /energies/<column>       a column of out.csv: t, energies, total, momenta; one row per recorded time; symbol, meaning and
                              colour of energies as attributes
-    /<what>s                 planes n.x = d as rows nx, ny, nz, d, if the scene has any
+    /<what>s                 planes n.x = d at t = 0 as rows nx, ny, nz, d, if the scene has walls
+    /<what>_cylinders        cylinders at t = 0 as rows ax, ay, az, x, y, z, R (axis, a point on it, radius), if it has any
+    /<what>_velocities       of planes, then of cylinders, and /<what>_spins about their axes, if walls move
     /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (pairs of bodies), Steps/Values (times)
 """
 from dataclasses import dataclass
@@ -30,6 +32,26 @@ class Frame:
 
 
 @dataclass
+class Walls:
+    """Planes and cylinders of all effects, as they are at t = 0, with their velocities."""
+    names: list                     # of the effects: "wall"
+    planes: np.ndarray              # k, 4
+    cylinders: np.ndarray           # k, 7
+    plane_velocity: np.ndarray      # k, 3
+    cylinder_velocity: np.ndarray   # k, 3
+    cylinder_spin: np.ndarray       # k
+
+    def planes_at(self, t):
+        moved = np.sum(self.planes[:, :3] * self.plane_velocity, axis=1) * t
+        return np.column_stack([self.planes[:, :3], self.planes[:, 3] + moved])
+
+    def cylinders_at(self, t):
+        """Rows as those of cylinders, and behind them the angles by which they have turned."""
+        points = self.cylinders[:, 3:6] + self.cylinder_velocity * t
+        return np.column_stack([self.cylinders[:, :3], points, self.cylinders[:, 6], self.cylinder_spin * t])
+
+
+@dataclass
 class Run:
     path: str
     scene: str
@@ -43,8 +65,7 @@ class Run:
     turns: bool
     diameter: np.ndarray    # of the bodies, or None
     lines: np.ndarray       # k, 2: pairs of bodies that something holds
-    planes: np.ndarray      # k, 4
-    plane_names: list       # "wall"
+    walls: Walls
     touching: int           # pairs that overlap are in contact: 0 none, 1 those without a line, 2 all
     looks: dict             # name of an energy -> symbol, meaning, colour
     breaks: bool = False    # lines may break
@@ -101,12 +122,12 @@ def read_run(path):
         lines = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
         if len(lines) % 2 or len(lines) and not 0 <= lines.min() <= lines.max() < bodies:
             raise reader.trouble("/VTKHDF/Lines/Connectivity names a body that does not exist, or none")
-        plane_names = [name for name in text(file.attrs.get("planes", "")).split(",") if name]
+        walls = _walls(reader, [name for name in text(file.attrs.get("planes", "")).split(",") if name])
         looks = {name: tuple(text(dataset.attrs[key]) for key in ("symbol", "meaning", "colour"))
                  for name, dataset in file["energies"].items() if "symbol" in dataset.attrs}
         run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
-                  "attitude_xyzw" in data, diameter, lines.reshape(-1, 2), _planes(reader, plane_names), plane_names,
+                  "attitude_xyzw" in data, diameter, lines.reshape(-1, 2), walls,
                   int(reader.number("touching")) if "touching" in file.attrs else 0, looks, "fragment" in data)
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
@@ -130,12 +151,27 @@ def _cut(run):
         run.times = run.times[run.times < run.lost]
 
 
-def _planes(reader, names):
-    every = [reader.numbers(f"/{name}s", 2) for name in names]
-    for name, planes in zip(names, every):
-        if planes.shape[1] != 4:
-            raise reader.trouble(f"/{name}s has {planes.shape[1]} columns instead of 4")
-    return np.concatenate([np.zeros((0, 4)), *every])
+def _walls(reader, names):
+    parts = [[np.zeros((0, columns)) for columns in (4, 7, 3, 3, 1)]]
+    for name in names:
+        planes = _rows(reader, f"/{name}s", 4)
+        cylinders = _rows(reader, f"/{name}_cylinders", 7) if f"{name}_cylinders" in reader.file else np.zeros((0, 7))
+        count = len(planes) + len(cylinders)
+        velocity, spin = np.zeros((count, 3)), np.zeros(count)
+        if f"{name}_velocities" in reader.file:
+            _must_have_shape(reader, f"/{name}_velocities", (count, 3))
+            _must_have_shape(reader, f"/{name}_spins", (count,))
+            velocity, spin = reader.numbers(f"/{name}_velocities", 2), reader.numbers(f"/{name}_spins")
+        parts.append([planes, cylinders, velocity[:len(planes)], velocity[len(planes):], spin[len(planes):, None]])
+    *rows, spins = [np.concatenate(part) for part in zip(*parts)]
+    return Walls(names, *rows, spins[:, 0])
+
+
+def _rows(reader, name, columns):
+    found = reader.numbers(name, 2)
+    if found.shape[1] != columns:
+        raise reader.trouble(f"{name} has {found.shape[1]} columns instead of {columns}")
+    return found
 
 
 def _must_have_shape(reader, name, shape):

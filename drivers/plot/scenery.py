@@ -3,19 +3,17 @@
 frames, planes, lines between bodies, marks that turn with the bodies, and contacts."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
-from matplotlib.patches import Polygon
 
-from . import style
+from . import style, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
-BODY, RIM, MARK, CONTACT, PLANE = "#CFE6F5", "#0072B2", "#000000", "#E69F00", "#8A8A8A"
-BEHIND_PLANE = "#DDDDDD"
+BODY, RIM, MARK, CONTACT = "#CFE6F5", "#0072B2", "#000000", "#E69F00"
 # Fragments that are left when bonds break, by their first body; those of one body are pale.
 FRAGMENTS, SINGLE = (BODY, "#F4D9A8", "#CDE8C4", "#F2C6CB", "#DCCDEB", "#D8D2A0"), "#F2F2F2"
 # Of which a picture is made, and between which its edges are smoothed.
-COLOURS = ("#FFFFFF", RIM, MARK, CONTACT, PLANE, BEHIND_PLANE, SINGLE, *FRAGMENTS)
-EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (PLANE, "#FFFFFF"),
+COLOURS = ("#FFFFFF", RIM, MARK, CONTACT, walls.WALL, walls.BEHIND, SINGLE, *FRAGMENTS)
+EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (walls.WALL, "#FFFFFF"),
          (MARK, RIM), *((colour, RIM) for colour in (SINGLE, *FRAGMENTS[1:])))
 
 
@@ -32,6 +30,8 @@ class Scenery:
         self.follows = np.max(high - low) > FAR * largest
         if self.follows:
             low, high = np.zeros(2), np.max([high - low for low, high in extents], axis=0)
+        else:
+            low, high = self._with_cylinders(frames, low, high)
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.outward = _outward(frames[0], self.plane) if run.turns else None
@@ -41,6 +41,14 @@ class Scenery:
     def _extent(self, frame):
         radius = self.radius[:, None]
         return np.min(frame.x - radius, axis=0)[self.plane], np.max(frame.x + radius, axis=0)[self.plane]
+
+    def _with_cylinders(self, frames, low, high):
+        """The window that shows the cylinders seen along their axes, too, but for those that dwarf the bodies."""
+        for frame in frames:
+            for centre, radius, _ in walls.circles(self.run.walls, frame.t, self.plane):
+                if 2 * radius <= FAR * np.max(high - low):
+                    low, high = np.minimum(low, centre - radius), np.maximum(high, centre + radius)
+        return low, high
 
     def window(self, frame):
         middle = np.mean(self._extent(frame), axis=0) if self.follows else self.middle
@@ -54,7 +62,7 @@ class Scenery:
         said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed and not self.run.breaks else []
         if self.run.breaks:
             said.append("colours: fragments, single bodies pale")
-        elif self.run.diameter is not None and self.detailed and (len(self.run.planes) or self.run.touching):
+        elif self.run.diameter is not None and self.detailed and (self.run.walls.names or self.run.touching):
             said.append("orange: in contact")
         return ["; ".join(said)] if said else []
 
@@ -63,8 +71,7 @@ class Scenery:
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
         behind_first = np.argsort(frame.x[:, 3 - sum(self.plane)], kind="stable")
         touching = np.zeros(len(xy), bool) if run.breaks else self._touching(frame)
-        for plane in run.planes:
-            self._draw_plane(axes, plane, window)
+        walls.draw(axes, self.plane, run.walls, frame.t, window)
         axes.add_collection(_circles(axes, xy[behind_first], self.radius[behind_first],
                                      np.where(touching, CONTACT, _fills(frame))[behind_first]))
         if self.detailed:
@@ -78,30 +85,13 @@ class Scenery:
         axes.grid(False)
         return bool(np.any(touching))
 
-    def _draw_plane(self, axes, plane, window):
-        """The half plane behind it, if it stands on the plane of the picture."""
-        normal, distance = plane[:3][self.plane], plane[3]
-        if abs(np.hypot(*normal) - np.linalg.norm(plane[:3])) > 1e-9 or not np.any(normal):
-            return
-        (left, bottom), (right, top) = window
-        corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
-        outline, heights = [], corners @ normal - distance
-        for k in range(4):
-            here, after = heights[k - 1], heights[k]
-            if here * after < 0:
-                outline.append(corners[k - 1] + (corners[k] - corners[k - 1]) * here / (here - after))
-            if after <= 0:
-                outline.append(corners[k])
-        if len(outline) > 2:
-            axes.add_patch(Polygon(outline, facecolor=BEHIND_PLANE, edgecolor=PLANE, linewidth=0.8, zorder=0.5))
-
     def _touching(self, frame):
         """Bodies that overlap a plane, or another body which the scene lets them touch."""
         touching = np.zeros(len(frame.x), bool)
         if self.run.diameter is None or not self.detailed:
             return touching
-        for plane in self.run.planes:
-            touching |= frame.x @ plane[:3] - plane[3] < self.radius * np.linalg.norm(plane[:3])
+        for gap in walls.gaps(self.run.walls, frame):
+            touching |= gap < self.radius
         for i in range(len(frame.x) - 1 if self.run.touching else 0):
             distance = np.linalg.norm(frame.x[i + 1:] - frame.x[i], axis=1)
             for j in i + 1 + np.flatnonzero(distance < self.radius[i] + self.radius[i + 1:]):

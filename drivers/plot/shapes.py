@@ -56,7 +56,7 @@ def _facts(run, scene, touched):
         parts.append("Colours: fragments, single bodies pale.")
     if touched:
         other = "another body" if run.touching == 2 or not len(run.lines) else "a body of no common bond"
-        parts.append("Orange: in contact with " + " or with ".join([f"a {name}" for name in run.plane_names] +
+        parts.append("Orange: in contact with " + " or with ".join([f"a {name}" for name in run.walls.names] +
                                                                    [other] * (run.touching > 0)) + ".")
     if scene.follows:
         parts.append("The window moves with the bodies, the scale stays.")

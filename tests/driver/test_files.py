@@ -123,6 +123,8 @@ binder: {{table: breaking.csv}}
 bond_dashpot: {{zeta: 0.125, axial: {u['kg'] / u['s']!r}, shear: {u['kg'] / u['s']!r}, bending: {u['J'] * u['s'] / 32!r},
   twisting: {u['J'] * u['s'] / 16!r}}}
 contact: {{stiffness: {128 * u['J']!r}, bonded: yes}}
+wall: {{stiffness: {64 * u['J']!r}, planes: [[0, 0, 1, 0]], cylinders: [[1, 0, 0, 0, {u['m'] / 2!r}, {u['m'] / 2!r}, {u['m'] * 1.25!r}]],
+  velocities: [[0, 0, {u['m'] / u['s'] / 8!r}], [0, {u['m'] / u['s'] / 8!r}, 0]], spins: [{0.25 / u['s']!r}, {1 / u['s']!r}]}}
 friction: {{sliding: 0.5, poisson: 0.25, rolling: {u['m'] / 8!r}, rolling_stiffness: {u['J']!r}, twisting: {u['m'] / 16!r},
   twisting_stiffness: {u['J'] / 2!r}}}
 dashpot: {{zeta: 0.25, normal: {u['kg'] / u['s'] / 4!r}, tangential: {u['kg'] / u['s'] / 2!r}, ratio: 0.5,
@@ -235,7 +237,8 @@ def shapes(found):
         if kind != "dataset":
             continue
         length = {name: len(next((v for n, v in content.items() if re.fullmatch(pattern, n)), ())) for name, pattern in (
-            ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("walls", "/walls"),
+            ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("planes", "/walls"),
+            ("cylinders", "/wall_cylinders"),
             ("runs", "/runs/h"), ("fits", "/orders/order"), ("scenes", "/scenes/name"), ("steppers", "/steppers/name"),
             ("points", "/points/scene"), ("groups", "/ensemble/point"), ("group_fits", "/ensemble_orders/point"))}
         length["bonds"] = len(content.get("/VTKHDF/Lines/Offsets", (0,))) - 1

@@ -131,6 +131,26 @@ def test_scenes(program, folder):
     assert said.count("the run blew up: from t = 3.0") == 4, said
 
 
+def test_walls(program, folder):
+    """Walls that have moved are drawn where they are: as walls that have always been there."""
+    run, drawn = os.path.join(folder, "out.h5"), []
+    shapes = ("shapes.png",)
+    for name, start, spin in (("moved", 0, 0), ("there", 4, 0), ("turned", 0, 1)):
+        write_run(run, frames=1)
+        with h5py.File(run, "a") as file:
+            velocity = np.array([[0.125, 0, 0], [0, 0, 0], [0.0625, -0.125, 0], [0, 0.0625, 0]])
+            way = start * velocity
+            del file["walls"], file["VTKHDF/Steps/Values"]
+            file["VTKHDF/Steps/Values"] = [4.0]
+            file["walls"] = [[1.0, 0.0, 0.0, 0.75 + way[0, 0]], [0.0, 0.0, 1.0, -1.0]]
+            cylinders = [[0, 0, 1, 2, 0, 0, 1.25], [1, 0, 0, 0, 0.25, 0, 0.875]]
+            file["wall_cylinders"] = np.array(cylinders) + np.pad(way[2:], ((0, 0), (3, 1)))
+            file["wall_velocities"], file["wall_spins"] = velocity * (start == 0), np.array([0.0, 0.0, spin, 0.0])
+        drawn.append(draws(program, run, os.path.join(folder, name), pictures=shapes, only=shapes)[0])
+    assert drawn[0] == drawn[1], "walls are not where they have come to"
+    assert drawn[0] != drawn[2], "one does not see that a cylinder turns"
+
+
 def test_film(program, folder):
     run = os.path.join(folder, "out.h5")
     write_run(run, frames=15)
@@ -175,7 +195,13 @@ def test_refusals(program, folder):
                     ("VTKHDF/PointData/diameter", np.ones(3), "/VTKHDF/PointData/diameter"),
                     ("VTKHDF/PointData/attitude_xyzw", np.ones((100, 4)), "/VTKHDF/PointData/attitude_xyzw"),
                     ("walls", np.ones((1, 3)), "/walls has 3 columns")])
+    for name, shape, words in (("wall_cylinders", (1, 6), "/wall_cylinders has 6 columns"),
+                               ("wall_velocities", (1, 3), "/wall_velocities has the shape (1, 3)")):
+        write_run(path)
+        with h5py.File(path, "a") as file:
+            file[name] = np.ones(shape)
+        refuses(program, path, path, words)
 
 
 if __name__ == "__main__":
-    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_film, test_refusals)
+    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_film, test_refusals)

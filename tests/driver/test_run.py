@@ -304,6 +304,36 @@ def loads(base):
     loads_of_pile(loads_kick(base, "pile", "1/4", "force"))
 
 
+MOVING = """name: moving
+bodies: {lattice: {counts: [3, 1, 2], spacing: 1}, mass: 1, diameter: 1}
+contact: {stiffness: 100}
+wall: {stiffness: 100, planes: [[0, 0, 2, -2], [0.6, 0, -0.8, -3]], cylinders: [[0, 2, 0, 1, 2, 0.5, 3]],
+  velocities: [[1, 0, 0.25], [0.5, 0, 0], [0.125, 0, 0]], spins: [0, 0, 1]}
+h: 1/128
+t_end: 2
+"""
+
+
+def moving_walls(base):
+    """Shapes and motion of walls in the file, and squares of planes where they are at the time of each frame."""
+    path, stem = os.path.join(base, "moving.yaml"), os.path.join(base, "moving")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(MOVING)
+    done = run(RUN, path, "-o", stem + ".h5", "--frames", "64")
+    check(done.returncode in (0, 3), f"walls that move: {done.stderr}")
+    with h5py.File(stem + ".h5") as file:
+        planes, cylinders, velocities, spins = (file["wall" + name][...] for name in ("s", "_cylinders", "_velocities", "_spins"))
+    check(abs(planes - [[0, 0, 1, -1], [0.6, 0, -0.8, -3]]).max() < 1e-15 and cylinders.tolist() == [[0, 1, 0, 1, 2, 0.5, 3]],
+          "HDF5: planes and cylinders as they are at t = 0")
+    check(velocities.tolist() == [[1, 0, 0.25], [0.5, 0, 0], [0.125, 0, 0]] and spins.tolist() == [0, 0, 1],
+          "... and how they move")
+    grid = read_xdmf(stem + ".xdmf")["walls over time"]
+    far = [abs(frame["Points"][4 * k:4 * k + 4] @ planes[k, :3] - planes[k, 3] - planes[k, :3] @ velocities[k] * frame["t"]).max()
+           for frame in grid for k in range(2)]
+    times = [frame["t"] for frame in read_vtkhdf(stem + ".h5")]
+    check([frame["t"] for frame in grid] == times and len(times) == 5 and max(far) < 1e-14, "XDMF: planes where they are")
+
+
 def contact_flag(base):
     """Whether bonded bodies touch stands in the file, if the scene has contact at all."""
     def flag(scene, *options):
@@ -324,6 +354,7 @@ with tempfile.TemporaryDirectory() as root:
     by_a_rival(root)
     even_times(root)
     many_frames(root)
+    moving_walls(root)
     contact_flag(root)
     loads(root)
 conclude()
