@@ -24,12 +24,12 @@ typedef struct vti_wall_motion {
  *  particle of radius zero at the foot point, U = 2/5 K [1 - g/(D/2)]_+^{5/2}, g being how far the centre is from the
  *  wall. They are counted from 0, planes first. */
 typedef struct vti_walls {
-    int64_t count;        /**< planes */
-    const double *plane;  /**< [count][4]: n (unit), offset; where it was at first, if it moves */
-    vti_scalars diameter; /**< D of the bodies */
-    double stiffness;     /**< K^pw, energy, of all walls */
-    const double *each;   /**< [count + cylinders], K^pw of each wall in place of it; NULL: of all the same */
-    int64_t cylinders;    /**< how many */
+    int64_t count;           /**< planes */
+    const double *plane;     /**< [count][4]: n (unit), offset; where it was at first, if it moves */
+    vti_scalars diameter;    /**< D of the bodies */
+    double stiffness;        /**< K^pw, energy, of all walls */
+    const double *each;      /**< [count + cylinders], K^pw of each wall in place of it; NULL: of all the same */
+    int64_t cylinders;       /**< how many */
     const double *cylinder;  /**< [cylinders][7]: axis (unit), a point on it, radius; the point at first */
     vti_wall_motion *motion; /**< [count + cylinders]: memory of the caller's; NULL: none moves */
     vti_sum *work;           /**< one, memory of the caller's, {0, 0} at the start, needed where there is motion: the
