@@ -131,6 +131,11 @@ def refusals(base):
     remembers = run(RUN, f"{base}/heap.yaml", "--fields", "force", "-o", f"{base}/none.h5")
     check(remembers.returncode == 1 and "--fields: the forces of friction depend on what was before" in remembers.stderr,
           f"--fields: {remembers.stderr.strip()}")
+    for key in ("friction.wall_sliding", "dashpot.wall_restitution"):
+        walls = run(RUN, f"{base}/mill.yaml", "--set", key + "=[0.5, 0.25]", "-o", f"{base}/none.h5")
+        check(walls.returncode == 1 and len(walls.stderr.splitlines()) == 1
+              and f"{key}: 2 numbers for 3 walls; give one for each plane, then for each cylinder" in walls.stderr,
+              f"a list that leaves walls out: {walls.stderr.strip()}")
     path = f"{base}/fall.yaml"
     for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone"),
                           ("an6", "smooth forces of positions alone")):

@@ -33,6 +33,23 @@ h: 2^-8
 t_end: 1
 """
 
+# A drum that turns while one of its ends comes nearer, each wall with its own stiffness, friction and dashpot.
+DRUM = """name: drum
+bodies: {lattice: {counts: [5, 2, 5], spacing: 1.05, corner: [-2.1, 0.5, -2.1]}, diameter: 1, mass: 1, random: {seed: 2, v: 0.5}}
+contact: {stiffness: 2000}
+wall:
+  stiffnesses: [2000, 4000, 3000]
+  planes: [[0, 1, 0, 0], [0, -1, 0, -2.1]]
+  cylinders: [[0, 1, 0, 0, 0, 0, 3.75]]
+  velocities: [[0, 0, 0], [0, -0.125, 0], [0, 0, 0.25]]
+  spins: [0, 0.5, 2]
+gravity: [0, 0, -9.81]
+friction: {sliding: 0.5, wall_sliding: [0, 0.25, 0.75], poisson: 0.3}
+dashpot: {restitution: 0.5, wall_restitution: [0.5, 0.5, 0.25], ratio: 0.5}
+h: 2^-9
+t_end: 1
+"""
+
 
 def files(scene, folder, threads, *options):
     """What a run leaves, or what it says."""
@@ -65,10 +82,11 @@ with tempfile.TemporaryDirectory() as root:
     if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
         sys.exit(77)
     same_bytes(together, root)
-    breaking = os.path.join(root, "breaking.yaml")
-    with open(breaking, "w", encoding="ascii") as file:
-        file.write(BREAKING)
-    same_bytes(breaking, root)
+    for name, text in (("breaking", BREAKING), ("drum", DRUM)):
+        path = os.path.join(root, name + ".yaml")
+        with open(path, "w", encoding="ascii") as file:
+            file.write(text)
+        same_bytes(path, root)
     same_bytes(os.path.join(SCENES, "pile.yaml"), root, "--h", "2^-8")
     same_bytes(os.path.join(SCENES, "torus.yaml"), root, "--stepper", "vti1", "--h", "1/256")
     refusals(together)

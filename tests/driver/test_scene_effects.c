@@ -12,6 +12,9 @@
 #define RING(keys) "bodies:\n  mass: 1\n  ring: {" keys "}\n" TIME
 #define CHAINED(keys) "bodies:\n  mass: 1\n  chain: {" keys "}\n" TIME
 #define LATTICE(keys) "bodies:\n  mass: 1\n  lattice: {" keys "}\n" TIME
+#define WALL(keys) "wall: {stiffness: 1, planes: [[1, 0, 0, 0]]" keys "}\n"
+#define WALLS " for 1 walls; give one for each plane, then for each cylinder"
+#define NUMBERS " is not a list of numbers; write them as in [1, 2]"
 #define CHAIN "bodies: {mass: 1, chain: {count: 2, spacing: 1}}\n"
 
 static const struct refusal refused[] = {
@@ -115,6 +118,12 @@ static const struct refusal refused[] = {
      "3:33: friction.poisson: '0.7' is above 0.5; no material has that"},
     {CHAIN "contact: {stiffness: 1}\nfriction: {rolling: 1}\n" TIME,
      "3:21: friction.rolling: has no stiffness; give friction.rolling_stiffness"},
+    {CHAIN WALL("") "friction: {sliding: 1, poisson: 0.3, wall_sliding: rough}\n" TIME,
+     "3:52: friction.wall_sliding: 'rough'" NUMBERS},
+    {CHAIN WALL("") "friction: {sliding: 1, poisson: 0.3, wall_sliding: [-0.5]}\n" TIME,
+     "3:53: friction.wall_sliding[0]: '-0.5' is negative; the coefficient mu of each wall must be >= 0"},
+    {CHAIN WALL("") "friction: {rolling: 1, rolling_stiffness: 1, wall_sliding: [0.5]}\n" TIME,
+     "3:60: friction.wall_sliding: needs friction.sliding; give one above 0"},
 
     /* bond_dashpot */
     {CHAIN "contact: {stiffness: 1}\nbond_dashpot: {zeta: 1}\n" TIME,
@@ -130,6 +139,12 @@ static const struct refusal refused[] = {
      "3:24: dashpot.restitution: '1.5' is above 1; give a share of the velocity"},
     {CHAIN "contact: {stiffness: 1}\ndashpot: {restitution: 1e-9}\n" TIME,
      "3:24: dashpot.restitution: '1e-9' is below 1e-6; give zeta, 1 or more"},
+    {CHAIN WALL("") "dashpot: {restitution: 0.5, wall_restitution: half}\n" TIME,
+     "3:47: dashpot.wall_restitution: 'half'" NUMBERS},
+    {CHAIN WALL("") "dashpot: {restitution: 0.5, wall_restitution: [0]}\n" TIME,
+     "3:48: dashpot.wall_restitution[0]: '0' is not positive; the restitution e of each wall must be > 0"},
+    {CHAIN WALL("") "dashpot: {restitution: 0.5, wall_restitution: [1.5]}\n" TIME,
+     "3:47: dashpot.wall_restitution: 1.5 is not from 1e-6 to 1; give shares of the velocity"},
 
     /* contact, wall, gravity, pendulum */
     {CHAIN "contact: {}\n" TIME,
@@ -174,6 +189,30 @@ static const struct refusal refused[] = {
      "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or "
      "too "
      "large"},
+    {POINT WALL(", stiffnesses: [1]") TIME, "2:59: wall.stiffnesses: given with wall.stiffness; keep one of them"},
+    {POINT "wall: {stiffnesses: [1, 2], planes: [[1, 0, 0, 0]]}\n" TIME, "2:21: wall.stiffnesses: 2 rows" WALLS},
+    {POINT "wall: {stiffnesses: [0], planes: [[1, 0, 0, 0]]}\n" TIME,
+     "2:22: wall.stiffnesses[0]: '0' is not positive; the stiffness K^pw of each wall must be > 0"},
+    {POINT "wall: {stiffnesses: 3, planes: [[1, 0, 0, 0]]}\n" TIME, "2:21: wall.stiffnesses: '3'" NUMBERS},
+    {POINT "wall: {stiffnesses: [soft], planes: [[1, 0, 0, 0]]}\n" TIME, "2:22: wall.stiffnesses[0]: 'soft'" NUMBER},
+    {POINT WALL(", cylinders: drum") TIME,
+     "2:57: wall.cylinders: 'drum' is not a list of cylinders; write them as in [[0, 1, 0, 0, 0, 0, 5]]"},
+    {POINT WALL(", cylinders: [[0, 1, 0, 0, 0, 0]]") TIME,
+     "2:58: wall.cylinders[0]: 6 values in a list of seven numbers ax, ay, az, x, y, z, R; write them as in "
+     "[0, 1, 0, 0, 0, 0, 5]"},
+    {POINT WALL(", cylinders: [[0, 0, 0, 0, 0, 0, 1]]") TIME,
+     "2:59: wall.cylinders[0]: '[0, 0, 0, ...]' has no axis; its first three numbers are zero or too large"},
+    {POINT WALL(", cylinders: [[0, 1, 0, 0, 0, 0, -1]]") TIME,
+     "2:77: wall.cylinders[0]: the radius '-1' is not positive; the seventh number must be > 0"},
+    {POINT WALL(", cylinders: [[0, 1, 0, 0, 0, 0, nan]]") TIME, "2:77: wall.cylinders[0][6]: 'nan'" NUMBER},
+    {POINT WALL(", velocities: [[0, 0, 1], [0, 0, 0]]") TIME, "2:58: wall.velocities: 2 rows" WALLS},
+    {POINT WALL(", velocities: []") TIME, "2:58: wall.velocities: 0 rows" WALLS},
+    {POINT WALL(", velocities: [0, 0, 1]") TIME,
+     "2:59: wall.velocities[0]: '0' is not a list of three numbers; write them as in [0, 0, 1]"},
+    {POINT WALL(", velocities: [[0, 0, up]]") TIME, "2:66: wall.velocities[0][2]: 'up'" NUMBER},
+    {POINT WALL(", spins: [1, 2]") TIME, "2:53: wall.spins: 2 rows" WALLS},
+    {POINT WALL(", spins: fast") TIME, "2:53: wall.spins: 'fast'" NUMBERS},
+    {POINT WALL(", spins: [inf]") TIME, "2:54: wall.spins[0]: 'inf'" NUMBER},
     {SPIN "wall: {stiffness: 1, planes: [[1, 0, 0, 0]]}\n" TIME,
      "2:1: wall: acts on bodies that translate; give " POSITIONS},
     {SPIN "gravity: [0, 0, -1]\n" TIME, "2:10: gravity: acts on bodies that translate; give " POSITIONS},
