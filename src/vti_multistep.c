@@ -7,8 +7,6 @@
  *               R_p = R turned by the Magnus vector of w(s) = w + h sum G_j(s) N^j b
  *     correct   D = f_{n+1} - sum_{j<K} N^j f_n, f_{n+1} at the predicted state
  *               v = v_p + h g_K D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g_K D_b,  R = R(c h^2 d_K D_b) R_p */
-#include <string.h>
-
 #include "vti_adams.h"
 #include "vti_move.h"
 #include "vti_multistep.h"
@@ -106,20 +104,24 @@ static void sum_of(int64_t depth, const double *coefficient, const double *n, do
         sum[k] = s[k];
 }
 
-/** The bodies with u for the Omega of each: made once for all of them, for it is a large copy. */
-static vti_bodies turned_by(const vti_bodies *b, double u[3])
-{
-    vti_bodies all = *b;
-    all.omega = vti_view_packed(u);
-    all.omega.stride = 0;
-    return all;
-}
+/** Bodies are turned by so many at once, in vector registers where there are enough (vti_move_kernels.h). */
+enum { TILE = 64 };
 
-/** Turns body i by u, to order 9 in u; turned is turned_by(b, u). */
-static void turn_by(const vti_bodies *turned, int64_t i)
+/** Turns the bodies from begin on by u[count][3], to order 9 in u. */
+static void turn_by(const vti_bodies *b, int64_t begin, int64_t count, double *u)
 {
     const struct vti_move whole = {.drift = 1.0, .drifts = 1, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};
-    vti_move_turn(&whole, turned, i);
+    vti_bodies turned = vti_bodies_none(count);
+    if (!vti_has(&b->omega) || !vti_has_attitude(b))
+        return;
+    turned.omega = vti_view_packed(u);
+    turned.alpha = b->alpha;
+    for (int k = 0; k < 3 && vti_has(&b->alpha); ++k)
+        turned.alpha.c[k] += begin * b->alpha.stride;
+    turned.quat = b->quat;
+    for (int k = 0; k < 4 && !vti_has(&b->alpha); ++k)
+        turned.quat.xyzw[k] += begin * b->quat.stride;
+    vti_move_all(&whole, &turned);
 }
 
 /** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its values
@@ -147,8 +149,7 @@ static void magnus(double h, double o[3][3], double theta[3])
         theta[k] = a1[k] + a3[k] / 12.0 + theta[k] / 240.0;
 }
 
-static void predict_turn(int64_t depth, double h, const double *n, const vti_bodies *b, int64_t i,
-                         const vti_bodies *turned, double theta[3])
+static void predict_turn(int64_t depth, double h, const double *n, const vti_bodies *b, int64_t i, double theta[3])
 {
     double w[3], o[3][3], sum[3];
     vti_load(&b->omega, i, w);
@@ -157,10 +158,7 @@ static void predict_turn(int64_t depth, double h, const double *n, const vti_bod
         for (int k = 0; k < 3; ++k)
             o[s][k] = w[k] + h * sum[k];
     }
-    if (vti_has_attitude(b)) {
-        magnus(h, o, theta);
-        turn_by(turned, i);
-    }
+    magnus(h, o, theta);
     sum_of(depth, adams_g, n + 3, sum);
     for (int k = 0; k < 3; ++k)
         w[k] += h * sum[k];
@@ -208,7 +206,7 @@ static void foreseen(int64_t depth, const vti_past *past, const vti_bodies *b, i
 }
 
 static void correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t i,
-                    const vti_bodies *turned, double turn[3])
+                    double turn[3])
 {
     const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
     double f[6], off[6];
@@ -219,8 +217,6 @@ static void correct(const vti_multistep *m, double h, const vti_past *past, cons
     add(&b->omega, i, g, off + 3);
     for (int k = 0; k < 3; ++k)
         turn[k] = d * off[3 + k];
-    if (vti_has(&b->omega) && vti_has_attitude(b))
-        turn_by(turned, i);
     push(differences(past, i), past->depth, past->known, f);
 }
 
@@ -246,14 +242,17 @@ int vti_multistep_predict(const vti_multistep *method, double h, const vti_past 
     const int status = check(method, h, past, b, fault);
     if (status != VTI_OK)
         return status;
-    double theta[3];
-    const vti_bodies turned = turned_by(b, theta);
-    for (int64_t i = b->first; i < b->first + b->count; ++i) {
-        const double *n = differences(past, i);
-        if (vti_has(&b->v))
-            predict_move(method->depth, h, n, b, i);
-        if (vti_has(&b->omega))
-            predict_turn(method->depth, h, n, b, i, &turned, theta);
+    double theta[3 * TILE];
+    for (int64_t begin = b->first, end = b->first + b->count; begin < end; begin += TILE) {
+        const int64_t count = end - begin < TILE ? end - begin : TILE;
+        for (int64_t i = begin; i < begin + count; ++i) {
+            const double *n = differences(past, i);
+            if (vti_has(&b->v))
+                predict_move(method->depth, h, n, b, i);
+            if (vti_has(&b->omega))
+                predict_turn(method->depth, h, n, b, i, theta + 3 * (i - begin));
+        }
+        turn_by(b, begin, count, theta);
     }
     return VTI_OK;
 }
@@ -263,10 +262,13 @@ int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past,
     const int status = check(method, h, past, b, NULL);
     if (status != VTI_OK)
         return status;
-    double turn[3];
-    const vti_bodies turned = turned_by(b, turn);
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        correct(method, h, past, b, i, &turned, turn);
+    double turn[3 * TILE];
+    for (int64_t begin = b->first, end = b->first + b->count; begin < end; begin += TILE) {
+        const int64_t count = end - begin < TILE ? end - begin : TILE;
+        for (int64_t i = begin; i < begin + count; ++i)
+            correct(method, h, past, b, i, turn + 3 * (i - begin));
+        turn_by(b, begin, count, turn);
+    }
     past->known += past->known < past->depth;
     return VTI_OK;
 }
