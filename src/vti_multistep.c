@@ -7,6 +7,8 @@
  *               R_p = R turned by the Magnus vector of w(s) = w + h sum G_j(s) N^j b
  *     correct   D = f_{n+1} - sum_{j<K} N^j f_n, f_{n+1} at the predicted state
  *               v = v_p + h g_K D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g_K D_b,  R = R(c h^2 d_K D_b) R_p */
+#include <string.h>
+
 #include "vti_adams.h"
 #include "vti_move.h"
 #include "vti_multistep.h"
