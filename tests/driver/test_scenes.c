@@ -8,7 +8,7 @@
 static const char *folder;
 
 /** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; pendulum 0.04 + 1/sqrt(2) (EQUATIONS
- *  3); chain, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its own splitmix64, and
+ *  3); incline m g z; chain, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its own splitmix64, and
  *  for the last three sum of 9.81 m z. error bounds |E - E_0|/E_0 over steps of h: twice what was measured; that it is the
  *  error of a method of second order is what the test looks at. Of the spin nothing changes, so that it has no error at
  *  all. */
@@ -28,6 +28,7 @@ static const struct {
     {"chain", "binder", 10, 9, 0.15513524476909824, 1e-16, 100, 1e-3},
     {"heap", "contact wall friction dashpot gravity", 200, 0, 8104.50916902587, 2e-11, 800, 4e-5},
     {"drum", "contact wall friction dashpot gravity", 77, 0, -0.0003058941845198765, 1e-18, 1600, 1e-4},
+    {"incline", "contact wall friction dashpot gravity", 1, 0, 1.309e-3 * 9.81 * 0.004, 1e-20, 400, 2e-6},
     {"pile", "contact wall gravity", 128, 0, 5603.704761919232, 1e-11, 800, 4e-5},
     {"pendulum", "pendulum", 1, 0, 0.74710678118654752, 4e-16, 100, 4e-5},
     {"spin", "", 1, 0, 0.5, EPS, 100, 0.0},
@@ -139,10 +140,42 @@ TEST(energy_is_kept)
     }
 }
 
+/* ---- closed forms ------------------------------------------------------------------------------------------------ */
+
+static double fall_of_the_incline(double sliding)
+{
+    struct scene scene;
+    struct model model;
+    struct message message;
+    open_scene("incline", &scene, &model);
+    model_destroy(&model);
+    *(double *)setting(&scene, "friction.sliding") = sliding;
+    assert_int_equal(model_create(&scene, &model, &message), 0);
+    const int64_t steps = (int64_t)(scene.t_end / scene.h + 0.5);
+    assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, steps, NULL, 0, &message), 0);
+    const double down = 0.8 * model.bodies.v.c[0][0] - 0.6 * model.bodies.v.c[2][0];
+    model_destroy(&model);
+    return down;
+}
+
+/** On a slope a with sin(a) = 0.6 friction mu > tan(a)/(1 + m l^2/J) lets a sphere roll, with g sin(a) m l^2/(m l^2 + J), l
+ *  being what the overlap delta leaves of the radius, delta^{3/2} K/R = m g cos(a); else it slides, with
+ *  g (sin(a) - mu cos(a)). */
+TEST(the_incline)
+{
+    const double g = 9.81, radius = 0.005, delta = pow(1.309e-3 * g * 0.8 * radius / 2.0, 2.0 / 3.0);
+    const double l = 1.0 - delta, rolls = g * 0.6 * l * l / (l * l + 0.4), slides = g * (0.6 - 0.1 * 0.8);
+    const double off[2] = {fall_of_the_incline(0.5) / rolls - 1.0, fall_of_the_incline(0.1) / slides - 1.0};
+    print_message("incline: rolls, slides: off by %.2g, %.2g\n", off[0], off[1]);
+    assert_below(fabs(off[0]), 1e-7);
+    assert_below(fabs(off[1]), 2e-4); /* it holds until it slides, which is no part of the closed form */
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(what_they_are), cmocka_unit_test(the_two_tori),
-                                       cmocka_unit_test(half_of_the_stable_step), cmocka_unit_test(energy_is_kept)};
+                                       cmocka_unit_test(half_of_the_stable_step), cmocka_unit_test(energy_is_kept),
+                                       cmocka_unit_test(the_incline)};
     folder = argc > 1 ? argv[1] : ".";
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
