@@ -158,8 +158,8 @@ static double fall_of_the_incline(double sliding)
     return down;
 }
 
-/** On a slope a with sin(a) = 0.6 friction mu > tan(a)/(1 + m l^2/J) lets a sphere roll, with g sin(a) m l^2/(m l^2 + J), l
- *  being what the overlap delta leaves of the radius, delta^{3/2} K/R = m g cos(a); else it slides, with
+/** On a slope a with sin(a) = 0.6 friction mu > tan(a)/(1 + m l^2/J) lets a sphere roll, with g sin(a) m l^2/(m l^2 + J),
+ *  l being what the overlap delta leaves of the radius, delta^{3/2} K/R = m g cos(a); else it slides, with
  *  g (sin(a) - mu cos(a)). */
 TEST(the_incline)
 {
