@@ -162,8 +162,9 @@ static void advance(const struct course *c, const struct adams *a, const struct 
     combine(to, y, sum->count, sum->weight, sum->slope, rest, rates_room(c));
 }
 
-static int step(struct course *c, const struct adams *a)
+static int step(struct course *c)
 {
+    const struct adams *a = c->rival->table;
     struct tool *tool = c->tool;
     double *const y = c->own, *const now = slope_at(c, a, c->steps), *const next = slope_at(c, a, c->steps + 1);
     int status = c->steps < a->past ? rates(c, y, now) : VTI_OK;
@@ -183,24 +184,14 @@ static int step(struct course *c, const struct adams *a)
 
 static int go(struct course *c, int64_t steps)
 {
-    int status = VTI_OK;
-    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = step(c, c->rival->table);
-        c->steps += status == VTI_OK;
-    }
-    return status;
-}
-
-static void show(struct course *c)
-{
-    rates_look_at(c, c->own);
+    return rates_steps(c, steps, step);
 }
 
 #define ADAMS(NAME, PAST, SHARE, ABOUT)                                                                                \
     {                                                                                                                  \
         .stepper = RIVAL_STEPPER(NAME, (PAST) + 1, 0.0, 0, NAN, ABOUT),                                                \
         .table = &(const struct adams){PAST, (SHARE) == 0.0, SHARE}, .own_width = ((PAST) + 2) * RATES_ROOM,           \
-        .prepare = prepare, .go = go, .show = show, .dismiss = dismiss                                                 \
+        .prepare = prepare, .go = go, .show = rates_show, .dismiss = dismiss                                           \
     }
 #define PECE "Adams-Bashforth-Moulton PECE of fixed step and order "
 

@@ -118,8 +118,9 @@ static void add(double *restrict sum, double weight, const double *restrict resu
         sum[j] += weight * (result[j] - y[j]);
 }
 
-static int step(struct course *c, const struct extrapolation *e)
+static int step(struct course *c)
 {
+    const struct extrapolation *e = c->rival->table;
     static const double whole = 1.0;
     struct tool *tool = c->tool;
     const int64_t room = rates_room(c);
@@ -138,24 +139,14 @@ static int step(struct course *c, const struct extrapolation *e)
 
 static int go(struct course *c, int64_t steps)
 {
-    int status = VTI_OK;
-    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = step(c, c->rival->table);
-        c->steps += status == VTI_OK;
-    }
-    return status;
-}
-
-static void show(struct course *c)
-{
-    rates_look_at(c, c->own);
+    return rates_steps(c, steps, step);
 }
 
 #define EXTRAPOLATION(NAME, RESULTS, PART, STATES, MAKE, EVALS, ABOUT)                                                 \
     {                                                                                                                  \
         .stepper = RIVAL_STEPPER(NAME, 2 * (RESULTS), 0.0, EVALS, NAN, ABOUT),                                         \
         .table = &(const struct extrapolation){RESULTS, PART, STATES, MAKE}, .own_width = RATES_ROOM,                  \
-        .prepare = prepare, .go = go, .show = show, .dismiss = dismiss                                                 \
+        .prepare = prepare, .go = go, .show = rates_show, .dismiss = dismiss                                           \
     }
 
 const struct rival rival_gbs8 =

@@ -25,11 +25,24 @@ int64_t rates_velocities(const struct course *course);
 void rates_start(const struct course *course, double *state);
 /** Makes the course's bodies views of the state. */
 void rates_look_at(struct course *course, const double *state);
+/** Shows the course where its memory is a state (struct rival, show). */
+void rates_show(struct course *course);
 /** The same, and what the course moves is the state. */
 void rates_live_in(struct course *course, double *state);
 /** The derivative of a state. One force evaluation; returns its status. */
 int rates(struct course *course, const double *state, double *rate);
 /** Normalises the quaternions of a state. */
 void rates_normalise(const struct course *course, double *state);
+
+/** So many steps, each of which returns a status; the first that is not VTI_OK ends them. */
+VTI_INLINE int rates_steps(struct course *course, int64_t steps, int (*step)(struct course *course))
+{
+    int status = VTI_OK;
+    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
+        status = step(course);
+        course->steps += status == VTI_OK;
+    }
+    return status;
+}
 
 #endif

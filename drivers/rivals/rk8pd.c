@@ -172,11 +172,6 @@ static int go_adaptive(struct course *c, int64_t steps)
     return VTI_OK;
 }
 
-static void show(struct course *c)
-{
-    rates_look_at(c, c->own);
-}
-
 static void show_adaptive(struct course *c)
 {
     double *const copy = c->own + rates_width(c);
@@ -193,7 +188,7 @@ const struct rival rival_rk8pd = {
     .own_width = STATES * RATES_WIDTH,
     .prepare = prepare,
     .go = go,
-    .show = show,
+    .show = rates_show,
     .dismiss = dismiss,
 };
 

@@ -99,19 +99,14 @@ static int prepare(struct course *c, struct message *message)
     return c->tool != NULL ? 0 : -1;
 }
 
-static int go(struct course *c, int64_t steps)
+static int step(struct course *c)
 {
-    int status = VTI_OK;
-    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = runge_kutta_step(c->tool, c, c->own, NULL);
-        c->steps += status == VTI_OK;
-    }
-    return status;
+    return runge_kutta_step(c->tool, c, c->own, NULL);
 }
 
-static void show(struct course *c)
+static int go(struct course *c, int64_t steps)
 {
-    rates_look_at(c, c->own);
+    return rates_steps(c, steps, step);
 }
 
 static void dismiss(struct course *c)
@@ -122,7 +117,7 @@ static void dismiss(struct course *c)
 #define RUNGE_KUTTA(NAME, ORDER, EVALS, REACH, TABLEAU, ABOUT)                                                         \
     {                                                                                                                  \
         .stepper = RIVAL_STEPPER(NAME, ORDER, 0.0, EVALS, REACH, ABOUT), .table = &(TABLEAU), .own_width = RATES_ROOM, \
-        .prepare = prepare, .go = go, .show = show, .dismiss = dismiss                                                 \
+        .prepare = prepare, .go = go, .show = rates_show, .dismiss = dismiss                                           \
     }
 
 const struct rival rival_rk4 =
