@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Price lists drawn: what an error costs, in force evaluations and in time, over the error. The methods of order 2 are one band;
-those that are the cheapest of their family somewhere have a name at the end of their line, the others are thin and grey."""
+those that are the cheapest of their family somewhere have a name beside the panel, the others are thin and grey."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -111,8 +111,7 @@ def _panel(axes, lines, looks, best):
     errors = np.concatenate([line.errors for line in shown]) if shown else np.array([1e-2, 1e-10])
     costs = np.concatenate([line.costs for line in shown]) if shown else np.array([1.0, 10.0])
     style.log_axis(axes.yaxis, np.min(costs) / 1.3, np.max(costs) * 1.3)
-    span = max(np.log10(np.max(errors) / np.min(errors)), 1)
-    style.log_axis(axes.xaxis, np.min(errors) / 10 ** (0.5 * span), np.max(errors) * 1.5)
+    style.log_axis(axes.xaxis, np.min(errors) / 1.5, np.max(errors) * 1.5)
     axes.invert_xaxis()
     _names(axes, ends)
 
@@ -128,21 +127,19 @@ def _band(axes, lines):
 
 
 def _names(axes, ends):
-    """At the ends of the lines. Those that would cover each other are moved apart, up from the lowest and back from the top."""
+    """In one column right of the panel, by the height of the lines' ends. Those that would cover each other are moved apart, up from
+    the lowest and back from the top."""
     low, high = axes.get_ylim()
-    columns = {}
-    for end in sorted(ends, key=lambda end: end[1]):
-        columns.setdefault(round(np.log10(end[0])), []).append(end)
-    for column in columns.values():
-        heights = [np.log(end[1] / low) / np.log(high / low) for end in column]
-        for k in range(1, len(heights)):
-            heights[k] = max(heights[k], heights[k - 1] + APART)
-        ceiling = 1.0
-        for k in reversed(range(len(heights))):
-            heights[k] = min(heights[k], ceiling)
-            ceiling = heights[k] - APART
-        for (error, value, name, colour, is_best), height in zip(column, heights):
-            axes.annotate(name, (error, value), (error / 1.8, low * (high / low) ** height), color=colour, fontsize=8.5, va="center",
-                          fontweight="bold" if is_best else "normal", annotation_clip=False,
-                          bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 0.3},
-                          arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0})
+    ends = sorted(ends, key=lambda end: end[1])
+    heights = [np.log(end[1] / low) / np.log(high / low) for end in ends]
+    for k in range(1, len(heights)):
+        heights[k] = max(heights[k], heights[k - 1] + APART)
+    ceiling = 1.0
+    for k in reversed(range(len(heights))):
+        heights[k] = min(heights[k], ceiling)
+        ceiling = heights[k] - APART
+    for (error, value, name, colour, is_best), height in zip(ends, heights):
+        axes.annotate(name, (error, value), (1.02, height), textcoords="axes fraction", color=colour, fontsize=8.5, va="center",
+                      fontweight="bold" if is_best else "normal", annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.6, "relpos": (0, 0.5), "shrinkA": 0,
+                                  "shrinkB": 0})
