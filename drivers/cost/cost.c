@@ -45,7 +45,7 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
             return -1;
         const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
         const int failed =
-            reference_create(model, it->t_end, interval, w->plan->memory, comm, w->watch, &w->references[c], message);
+            reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch, &w->references[c], message);
         if (failed != 0)
             return failed;
         struct cost_facts *facts = &w->cost->facts[c];

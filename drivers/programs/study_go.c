@@ -167,9 +167,14 @@ static void say_study(const struct study *study, const char *folder)
             printf("note: t_end = %s is not a multiple of h = %s: those runs take %lld steps and end at t = %.10g\n",
                    NUMBER(plan->t_end), NUMBER(plan->h[k]), (long long)study->trials[k].steps, study->trials[k].t_end);
     study_table_write(study, stdout);
-    printf("\nreference: rk8pd, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
+    const int dissipates = model_dissipates(&study->model) != NULL;
+    printf("\nreference: %s, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
+           dissipates ? "chin4 by a fourth of the shortest step, what is lost counted in" : "rk8pd",
            study->reference_energy_error, study->reference_uncertainty, study->norm_squared);
-    if (study->reference_uncertainty > 1e-3)
+    if (study->reference_uncertainty > 1e-3 && dissipates)
+        printf("runs by steps of that kind still part: the motion is chaotic or something breaks, and errors of "
+               "trajectories below that mean nothing; that of the energy does\n");
+    else if (study->reference_uncertainty > 1e-3)
         printf("the motion is chaotic: no method can follow it to the end, and errors of trajectories mean nothing "
                "there\n");
     printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,

@@ -52,9 +52,13 @@ vti_bodies equations_bodies(const struct model *model, double *state)
 
 void equations_start(const struct model *model, double *state)
 {
-    const vti_bodies *from = &model->bodies;
-    vti_bodies to = equations_bodies(model, state);
+    equations_take(model, &model->bodies, state);
     state[equations_width(model) - 1] = 0.0;
+}
+
+void equations_take(const struct model *model, const vti_bodies *from, double *state)
+{
+    const vti_bodies to = equations_bodies(model, state);
     for (int64_t i = 0; i < from->count; ++i) {
         for (int k = 0; k < 3 && model->translates; ++k) {
             to.x.c[k][i * to.x.stride] = from->x.c[k][i * from->x.stride];

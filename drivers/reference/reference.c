@@ -5,11 +5,13 @@
 #include <string.h>
 
 #include "sampled_pair.h"
+#include "stepped.h"
 
 int reference_is_smooth(const struct model *model)
 {
     enum { FEW = 256 }; /* doubles in a state: as many are interpolated at every step of every run */
-    return scene_first_with(model->scene, EFFECT_KINKED) == NULL && equations_width(model) <= FEW;
+    return scene_first_with(model->scene, EFFECT_KINKED) == NULL && model_dissipates(model) == NULL &&
+           equations_width(model) <= FEW;
 }
 
 /** Where a reference is made. */
@@ -68,23 +70,35 @@ static int create_smooth(struct model *model, double t_end, double bytes, const 
     return 0;
 }
 
-static int create_sampled(struct model *model, double t_end, double interval, const struct place *place,
-                          struct sampled *s, struct message *message)
+/** The states of a model without dissipation, by GSL. */
+static int integrate(struct sampled *s, const struct place *place, int ranks, struct message *message)
 {
-    int failed = sampled_create(s, model, interval, llrint(t_end / interval), message);
-    if ((failed = anywhere(failed, place->comm)) != 0)
-        return failed;
-    int ranks;
-    MPI_Comm_size(place->comm, &ranks);
+    int failed = 0;
     if (ranks > 1 && place->rank < 2)
         failed = pair_integrate(s, place->comm, place->watch, message);
     else if (ranks == 1) {
         failed = sampled_solve(s, NULL, place->watch, message);
         failed = failed == 0 ? sampled_compare(s, NULL, place->watch, message) : failed;
     }
+    return failed;
+}
+
+static int create_sampled(struct model *model, double t_end, double interval, double finest, const struct place *place,
+                          struct sampled *s, struct message *message)
+{
+    int failed = sampled_create(s, model, interval, llrint(t_end / interval), message);
     if ((failed = anywhere(failed, place->comm)) != 0)
         return failed;
-    if (ranks > 2)
+    int ranks;
+    const int dissipates = model_dissipates(model) != NULL;
+    MPI_Comm_size(place->comm, &ranks);
+    if (!dissipates)
+        failed = integrate(s, place, ranks, message);
+    else if (place->rank == 0)
+        failed = stepped_solve(s, finest, place->watch, message);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    if (ranks > (dissipates ? 1 : 2))
         broadcast(s->states, s->count * s->width, place->comm);
     return 0;
 }
@@ -107,19 +121,19 @@ static int see_pass(void *self, double share)
     return study_asked(stage->watch);
 }
 
-static int create(struct model *model, double t_end, double interval, double bytes, const struct place *place,
-                  struct reference *r, struct message *message)
+static int create(struct model *model, double t_end, double interval, double finest, double bytes,
+                  const struct place *place, struct reference *r, struct message *message)
 {
     const vti_effect *dissipates = model_dissipates(model);
     memset(r, 0, sizeof *r);
-    if (dissipates != NULL)
+    if (dissipates != NULL && !(finest > 0.0))
         return message_set(message,
-                           "%s: %s dissipates; the reference solution knows forces alone: compare runs of vti-run at "
-                           "several h, or leave it out",
+                           "%s: %s dissipates, and price lists compare with others' methods, which have forces alone; "
+                           "leave --cost out",
                            model->scene->name, dissipates->name);
     r->interval = interval;
     const int failed = interval == 0.0 ? create_smooth(model, t_end, bytes, place, &r->smooth, message)
-                                       : create_sampled(model, t_end, interval, place, &r->sampled, message);
+                                       : create_sampled(model, t_end, interval, finest, place, &r->sampled, message);
     if (failed != 0) {
         reference_destroy(r);
         return failed;
@@ -131,21 +145,21 @@ static int create(struct model *model, double t_end, double interval, double byt
     return 0;
 }
 
-int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
+int reference_create(struct model *model, double t_end, double interval, double finest, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *r, struct message *message)
 {
     struct stage stage = {watch, MPI_Wtime(), 0.0, 0};
     MPI_Comm_rank(comm, &stage.rank);
     const struct watch on_pass = {see_pass, &stage};
     const struct place place = {comm, stage.rank, &on_pass};
-    return create(model, t_end, interval, bytes, &place, r, message);
+    return create(model, t_end, interval, finest, bytes, &place, r, message);
 }
 
-int reference_alone(struct model *model, double t_end, double interval, double bytes, const struct watch *watch,
-                    struct reference *r, struct message *message)
+int reference_alone(struct model *model, double t_end, double interval, double finest, double bytes,
+                    const struct watch *watch, struct reference *r, struct message *message)
 {
     const struct place place = {MPI_COMM_SELF, 0, watch};
-    return create(model, t_end, interval, bytes, &place, r, message);
+    return create(model, t_end, interval, finest, bytes, &place, r, message);
 }
 
 void reference_destroy(struct reference *r)

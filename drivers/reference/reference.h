@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The reference solution of a model, by GSL's rk8pd on the continuous equations, the same on every rank: of few
- * bodies in smooth motion for any time (smooth.h), else at multiples of an interval (sampled.h). */
+ * bodies in smooth motion for any time (smooth.h), else at multiples of an interval (sampled.h). Where something
+ * dissipates there are no such equations, and it is by steps of our own (stepped.h). */
 #ifndef VTI_REFERENCE_H
 #define VTI_REFERENCE_H
 
@@ -18,7 +19,7 @@ struct reference {
     double uncertainty;  /* relative, of the solution: what interpolation adds, or how far a looser tolerance leads */
 };
 
-/** 1 if the model's motion can be read at any time: no contacts, no walls, few bodies. */
+/** 1 if the model's motion can be read at any time: no contacts, no walls, no dissipation, few bodies. */
 int reference_is_smooth(const struct model *model);
 
 /** The memory that a reference takes on every rank, in bytes, unless somebody says otherwise. */
@@ -26,14 +27,15 @@ int reference_is_smooth(const struct model *model);
 
 /** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm (and, at intervals, on rank 1 beside
  *  it) and shares it with all. interval is 0, or for models that are not smooth an interval of which t_end is a
- *  multiple. Panels take up to bytes on every rank: what does not fit is integrated again when it is read (smooth.h);
+ *  multiple. finest is the shortest step that will be compared with it, of models that dissipate (stepped.h); others do
+ *  not ask, and those are refused at 0. Panels take up to bytes on every rank: what does not fit is integrated again when it is read (smooth.h);
  *  states at intervals take what they take. watch looks on there. Collective. Returns 0 on all ranks, or -1 on all with
  *  one line in *message, or WATCH_ASKED on all. */
-int reference_create(struct model *model, double t_end, double interval, double bytes, MPI_Comm comm,
+int reference_create(struct model *model, double t_end, double interval, double finest, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
 /** The same, with the same bits, by this rank for itself. */
-int reference_alone(struct model *model, double t_end, double interval, double bytes, const struct watch *watch,
-                    struct reference *reference, struct message *message);
+int reference_alone(struct model *model, double t_end, double interval, double finest, double bytes,
+                    const struct watch *watch, struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
 
 /** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or

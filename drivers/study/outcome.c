@@ -24,6 +24,12 @@ struct measures {
     vti_integral error_squared;        /* the same of q_h - q */
 };
 
+/** The energy that only steps change: with what effects have booked. */
+static double energy_of(struct measures *m, const vti_bodies *bodies)
+{
+    return model_energy(m->model, bodies) + vti_booked(m->model->effects, m->model->effects_count);
+}
+
 static int measures_begin(struct measures *m, struct model *model, struct reference *reference,
                           const struct trial *trial, int64_t compare_every, struct outcome *outcome)
 {
@@ -34,7 +40,7 @@ static int measures_begin(struct measures *m, struct model *model, struct refere
     m->h = trial->h;
     m->t_end = trial->t_end;
     m->compare_every = compare_every;
-    m->energy0 = model_energy(model, &model->bodies);
+    m->energy0 = energy_of(m, &model->bodies);
     m->invariants = model_invariants(model, m->invariant);
     model_invariant_values(model, &model->bodies, m->invariants0);
     m->sample_every = (trial->steps + OUTCOME_SAMPLES - 2) / (OUTCOME_SAMPLES - 1);
@@ -66,7 +72,7 @@ static int compare(struct measures *m, int64_t step, const vti_bodies *bodies)
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct measures *m = self;
-    const double energy_error = model_energy(m->model, bodies) - m->energy0;
+    const double energy_error = energy_of(m, bodies) - m->energy0;
     vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
     vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
     if (step == m->next_compare) {

@@ -226,6 +226,14 @@ static int prepare(const struct plan *plan, int rank, struct study *study, struc
     return make_trials(study, message);
 }
 
+static double finest(const struct plan *plan)
+{
+    double least = INFINITY;
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        least = fmin(least, plan->h[k]);
+    return least;
+}
+
 static void note_reference(struct study *study, struct reference *reference)
 {
     study->energy0 = model_energy(&study->model, &study->model.bodies);
@@ -243,8 +251,8 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
     int failed = prepare(plan, rank, study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     if (failed == 0)
-        failed = reference_create(&study->model, study->t_end, study->interval, plan->memory, comm, watch, &reference,
-                                  message);
+        failed = reference_create(&study->model, study->t_end, study->interval, finest(plan), plan->memory, comm, watch,
+                                  &reference, message);
     if (failed != 0)
         return failed;
     if (rank == 0)
@@ -286,8 +294,8 @@ int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), 
     struct reference reference;
     int failed = prepare(plan, 0, study, message);
     if (failed == 0)
-        failed =
-            reference_alone(&study->model, study->t_end, study->interval, plan->memory, &watch, &reference, message);
+        failed = reference_alone(&study->model, study->t_end, study->interval, finest(plan), plan->memory, &watch,
+                                 &reference, message);
     if (failed != 0)
         return failed;
     note_reference(study, &reference);

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes that lose energy: vti-run books what is lost, the sum with it stays, a run that is prolonged has the bytes of one run, and
 what cannot dissipate is refused in one line.      test_dissipation.py VTI_RUN VTI_STUDY VTI_ADVISE MPIRUN"""
+import csv
 import os
+import re
 import sys
 import tempfile
 
@@ -146,10 +148,40 @@ def refusals(base):
     for stepper in ("vti1", "vti3", "exact", "chin4"):
         result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/{stepper}.h5")
         check(result.returncode == 0 and "verdict: good" in result.stdout, f"{stepper} may {result.stderr}")
-    study = run(MPIRUN, "-n", "1", STUDY, path, "--h", "1/64,1/128,1/256", "--no-plot", "-o", f"{base}/study")
-    check(study.returncode != 0 and "drag dissipates; the reference solution knows forces alone" in study.stderr, "vti-study refuses")
+    cost = run(MPIRUN, "-n", "1", STUDY, path, "--cost", "--no-plot", "-o", f"{base}/cost")
+    check(cost.returncode != 0 and "drag dissipates, and price lists compare" in cost.stderr, f"--cost: {cost.stderr.strip()}")
     advise = run(ADVISE, path, "--error", "1e-3")
     check(advise.returncode == 1 and "drag dissipates" in advise.stderr, f"vti-advise ends: {advise.stderr.strip()}")
+
+
+def follow_study(base):
+    """vti-study's errors of a fall under linear drag against the closed form, v = V + (v0 - V) exp(-c t/m), Omega and its angle
+    alike; and on scenes that rub and break its orders, with the same bytes from two ranks."""
+    tables = []
+    for ranks in ("1", "2"):
+        done = run(MPIRUN, "-n", ranks, STUDY, f"{base}/fall.yaml", "--set", "drag.quadratic=0", "--steppers", "vti2,exact", "--h",
+                   "1/64:1/512", "--t-end", "2", "--no-plot", "-o", f"{base}/study{ranks}")
+        check(done.returncode == 0 and "reference: chin4" in done.stdout, f"vti-study of a fall {done.stderr.strip()}")
+        with open(f"{base}/study{ranks}/study.csv", "rb") as file:
+            tables.append(file.read())
+    check(tables[0] == tables[1], "... with the same bytes from two ranks")
+    with open(f"{base}/study1/study.csv", encoding="ascii", newline="") as file:
+        rows = list(csv.DictReader(file))
+    rate, turn = 0.125 / 0.5, 5 ** 0.5                               # c_r/J and |Omega| at t = 0
+    angle = turn * (1 - numpy.exp(-rate * 2.0)) / rate
+    for row in rows:
+        if row["stepper"] == "vti2":                                 # turns by 2 atan(h Omega/2), of the mean Omega
+            h = float(row["h"])
+            middle = turn * numpy.exp(-rate * h * (numpy.arange(round(2.0 / h)) + 0.5))
+            off = abs(numpy.sum(2 * numpy.arctan(h * middle / 2)) - angle)
+            check(abs(float(row["attitude_error"]) - off) < 0.01 * off, f"... errors against the closed form at h = {h:g}")
+    for name, h, least in (("snap", "1/512:1/4096", 1.9), ("heap", "1/1024:1/8192", 1.3)):
+        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", "exact", "--h", h, "--t-end", "0.5", "--no-plot",
+                   "-o", f"{base}/study-{name}")
+        line = [row for row in done.stdout.splitlines() if row.startswith("exact ") and "+-" in row]
+        orders = [float(order) for order in re.findall(r"([0-9.]+) \+-", (line or [""])[0])]  # E, q if it has one, H1, attitude
+        check(done.returncode == 0 and len(orders) > 2 and 1.9 < orders[0] < 2.1 and min(orders[-2:]) > least,
+              f"vti-study of {name}: {line} {done.stderr.strip()}")
 
 
 with tempfile.TemporaryDirectory() as base:
@@ -157,4 +189,5 @@ with tempfile.TemporaryDirectory() as base:
         ledger(base, name)
     pieces(base)
     refusals(base)
+    follow_study(base)
 conclude()
