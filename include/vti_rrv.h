@@ -432,9 +432,9 @@ static inline void vti_rrv_to_matrix(const double a[3], double R[9])
     R[8] = 1.0 - 2.0 * (x * x + y * y);
 }
 
-/** alpha of a rotation matrix (row by row): of the four columns of 4 q q^T the one with the largest diagonal entry,
- *  so that no digits cancel at any angle. */
-static inline void vti_rrv_from_matrix(const double R[9], double a[3])
+/** The pair of a rotation matrix (row by row), up to a factor: of the four columns of 4 q q^T the one with the largest diagonal
+ *  entry, so that no digits cancel at any angle. */
+static inline void vti_rrv_pair_from_matrix(const double R[9], double q[4])
 {
     const double d[4] = {1.0 + R[0] - R[4] - R[8], 1.0 - R[0] + R[4] - R[8], 1.0 - R[0] - R[4] + R[8],
                          1.0 + R[0] + R[4] + R[8]};
@@ -444,7 +444,16 @@ static inline void vti_rrv_from_matrix(const double R[9], double a[3])
     int k = 3;
     for (int i = 0; i < 3; ++i)
         k = d[i] > d[k] ? i : k;
-    vti_rrv_from_pair(column[k], a);
+    for (int i = 0; i < 4; ++i)
+        q[i] = column[k][i];
+}
+
+/** alpha of a rotation matrix (row by row). */
+static inline void vti_rrv_from_matrix(const double R[9], double a[3])
+{
+    double q[4];
+    vti_rrv_pair_from_matrix(R, q);
+    vti_rrv_from_pair(q, a);
 }
 
 #endif

@@ -67,21 +67,6 @@ VTI_INLINE void turn_matrix(const double f[3], double R[MATRIX])
     }
 }
 
-/** The quaternion of R up to a factor, which forces do not see: the column of 4 q q^T with the largest diagonal. */
-VTI_INLINE void quat_of_matrix(const double R[MATRIX], double q[4])
-{
-    const double d[4] = {1.0 + R[0] - R[4] - R[8], 1.0 - R[0] + R[4] - R[8], 1.0 - R[0] - R[4] + R[8],
-                         1.0 + R[0] + R[4] + R[8]};
-    const double xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-    const double wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
-    const double column[4][4] = {{d[0], xy, xz, wx}, {xy, d[1], yz, wy}, {xz, yz, d[2], wz}, {wx, wy, wz, d[3]}};
-    int k = 3;
-    for (int i = 0; i < 3; ++i)
-        k = d[i] > d[k] ? i : k;
-    for (int i = 0; i < 4; ++i)
-        q[i] = column[k][i];
-}
-
 /** drift(h) of the attitudes, or VTI_E_TOO_LARGE at the first body without a solution. */
 static int turn(struct course *c)
 {
@@ -98,7 +83,7 @@ static int turn(struct course *c)
         }
         implicit_increment(u, f);
         turn_matrix(f, R + MATRIX * i);
-        quat_of_matrix(R + MATRIX * i, q + 4 * i);
+        vti_rrv_pair_from_matrix(R + MATRIX * i, q + 4 * i);
     }
     return VTI_OK;
 }
@@ -140,7 +125,7 @@ static void show(struct course *c)
 static void resume(struct course *c)
 {
     for (int64_t i = 0; i < c->n && c->q != NULL; ++i)
-        quat_of_matrix(c->own + MATRIX * i, c->q + 4 * i);
+        vti_rrv_pair_from_matrix(c->own + MATRIX * i, c->q + 4 * i);
 }
 
 const struct rival rival_lgvi = {
