@@ -209,6 +209,17 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_bonds_rest_now(count, pair, base, b, rest, turn, fault) result(status) &
+                bind(c, name='vti_bonds_rest_now')
+            import :: c_double, c_int, c_int64_t, vti_bodies, vti_fault
+            integer(c_int64_t), value :: count, base
+            integer(c_int64_t), intent(in) :: pair(2, *)
+            type(vti_bodies), intent(in) :: b
+            real(c_double), intent(inout) :: rest(4, *), turn(4, *)
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
         function c_bonds_check(bonds, n, fault) result(status) bind(c, name='vti_bonds_check')
             import :: c_int, c_int64_t, vti_bonds, vti_fault
             type(vti_bonds), intent(in) :: bonds

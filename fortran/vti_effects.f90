@@ -22,6 +22,7 @@ module vti_effects
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
     public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect, &
         vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_bond_dashpots_effect
+    public :: vti_bonds_rest_now
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
     public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
@@ -277,14 +278,21 @@ contains
 
     ! ---- bonds -------------------------------------------------------------------------------------------------------
 
-    !> Bonds between the bodies pair(1,k) and pair(2,k), at rest as rest(4,k) says, still without stiffnesses.
-    function vti_bonds_between(pair, rest) result(bonds)
+    !> Bonds between the bodies pair(1,k) and pair(2,k), at rest as rest(4,k) and, if it is given, turn(4,k) say, still
+    !> without stiffnesses.
+    function vti_bonds_between(pair, rest, turn) result(bonds)
         integer(c_int64_t), pointer, contiguous, intent(in) :: pair(:, :)
         real(c_double), pointer, contiguous, intent(in) :: rest(:, :)
+        real(c_double), pointer, contiguous, intent(in), optional :: turn(:, :)
         type(vti_bonds) :: bonds
         bonds%count = -1
         if (.not. (associated(pair) .and. associated(rest))) return
         if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
+        if (present(turn)) then
+            if (.not. associated(turn)) return
+            if (size(turn, 1) /= 4 .or. size(turn, 2) /= size(pair, 2)) return
+            if (size(pair, 2) > 0) bonds%turn = c_loc(turn)
+        end if
         bonds%count = size(pair, 2, c_int64_t)
         if (bonds%count == 0) return
         bonds%pair = c_loc(pair)
@@ -321,8 +329,25 @@ contains
         if (present(fault)) fault = from_one(found)
     end function
 
-    !> Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite
-    !> and >= 0. VTI_E_BOND, with fault%body the number of the bond (from 1) and fault%value what is wrong.
+    !> rest(4,k) and turn(4,k) of pairs that are to be at rest where the bodies are now, turned as they are. Errors as
+    !> those of vti_bonds_rest; nothing has been written then.
+    function vti_bonds_rest_now(pair, bodies, rest, turn, fault) result(status)
+        integer(c_int64_t), intent(in), contiguous :: pair(:, :)
+        type(vti_bodies), intent(in) :: bodies
+        real(c_double), intent(inout), contiguous :: rest(:, :), turn(:, :)
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        if (present(fault)) fault = vti_fault()
+        status = VTI_E_COUNT
+        if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
+        if (size(turn, 1) /= 4 .or. size(turn, 2) /= size(pair, 2)) return
+        status = c_bonds_rest_now(size(pair, 2, c_int64_t), pair, 1_c_int64_t, bodies, rest, turn, found)
+        if (present(fault)) fault = from_one(found)
+    end function
+
+    !> Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = |Q0| = 1, stiffnesses
+    !> finite and >= 0. VTI_E_BOND, with fault%body the number of the bond (from 1) and fault%value what is wrong.
     function vti_bonds_check(bonds, n, fault) result(status)
         type(vti_bonds), intent(in) :: bonds
         integer(c_int64_t), intent(in) :: n

@@ -146,7 +146,8 @@ module vti_types
     end type
 
     !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is
-    !> absent.
+    !> absent. turn is the address of turn(4,count), unit quaternions (x, y, z, w) of the rotations Q0 of bonds whose
+    !> bodies are not at R = I when they are at rest (vti_bonds_rest_now); where it is null, all are.
     type, bind(c) :: vti_bonds
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: pair = c_null_ptr
@@ -154,11 +155,12 @@ module vti_types
         type(c_ptr) :: rest = c_null_ptr
         type(vti_scalars) :: moment, axial, shear
         integer(c_int64_t) :: shear_form = VTI_SHEAR_OBJECTIVE
+        type(c_ptr) :: turn = c_null_ptr
     end type
 
     !> What bonds bear: bonds is the address of a vti_bonds, id that of as many numbers, 1, 2, 3 ..., and lost that of one
-    !> type(vti_sum), zero at the start. pair, rest, the bonds' arrays of stiffnesses and id are written when bonds
-    !> leave: what has left stands behind the bonds%count that hold. Limits that are absent are none.
+    !> type(vti_sum), zero at the start. pair, rest, turn, the bonds' arrays of stiffnesses and id are written when
+    !> bonds leave: what has left stands behind the bonds%count that hold. Limits that are absent are none.
     type, bind(c) :: vti_rupture
         type(c_ptr) :: bonds = c_null_ptr, id = c_null_ptr
         type(vti_scalars) :: stretch, normal, shear, bending, torsion, energy

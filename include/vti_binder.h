@@ -22,7 +22,11 @@ enum vti_shear {
  *      axial   K/2 (r/L0 - 1)^2
  *      shear   as vti_shear says
  *  A stiffness that is absent (p = NULL) is a term that is absent, and costs nothing. Attitudes are those that have
- *  turned the bodies since the rest configuration, in which R = I. Coincident centres have no direction: no force. */
+ *  turned the bodies since the rest configuration, in which R = I. Coincident centres have no direction: no force.
+ *
+ *  Bonds whose bodies are not at R = I when they are at rest, as those made later, have a rotation Q0 each: b_i = R_i
+ *  n0, b_j = R_j Q0^T n0 and exp S(theta_ij) = R_i Q0 R_j^T (EQUATIONS 6.6). At rest is where L0 = r, n0 = R_i^T n and
+ *  Q0 = R_i^T R_j: vti_bonds_rest_now. */
 typedef struct vti_bonds {
     int64_t count;       /**< bonds in the list */
     const int64_t *pair; /**< [count][2]: i, j */
@@ -32,14 +36,23 @@ typedef struct vti_bonds {
     vti_scalars axial;   /**< K^a, energy; the axial stiffness is K^a/L0^2 */
     vti_scalars shear;   /**< K^s, energy */
     int64_t shear_form;  /**< vti_shear; ignored without shear */
+    const double *turn; /**< [count][4]: Q0 as a unit quaternion (x, y, z, w). NULL: I for all, which costs nothing. Not
+                              with the printed shear, which knows one frame only */
 } vti_bonds;
 
 /** rest[count][4] of the pairs from the positions x of the rest configuration. VTI_E_BOND, with fault->body the number
  *  of the bond (from 0), if its bodies coincide or one comes before the first; how many there are is not known here. */
 VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest,
                            vti_fault *fault);
-/** Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = 1, stiffnesses finite and
- *  >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong. */
+/** rest[count][4] and turn[count][4] of pairs that are to be at rest where the bodies are now, turned as they are: those
+ *  bonds have neither force nor moment nor energy, to rounding. Bodies without attitudes have not turned. Errors as
+ *  those of vti_bonds_rest, VTI_E_NEEDS without positions, VTI_E_BOND also for a body that does not exist and for an
+ *  attitude that is none, or what is wrong with the bodies; nothing has been written then. */
+VTI_API int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
+                               double *turn, vti_fault *fault);
+/** Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = |Q0| = 1, stiffnesses
+ *  finite and >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong: of a
+ *  Q0 its length, and of a form of shear that is none or that does not go with turn, the form, of bond -1. */
 VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault);
 /** Numbers of one bond between vti_bonds_loads and vti_bonds_sum. */
 #define VTI_BOND_LOADS 9
@@ -48,8 +61,8 @@ VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
  *  range, then their sums, each thread those of its own bodies. The bits are those of the effect, however many share.
  *  vti_bonds_loads writes loads[(last - first) * VTI_BOND_LOADS] of the bonds first <= k < last, counted from 0, of the
  *  bodies as they are; nothing else changes. Once before use: vti_bonds_check. VTI_E_NULL without a list, bodies or
- *  loads, VTI_E_COUNT unless 0 <= first <= last <= count, VTI_E_BOND for a shear_form that is none, VTI_E_NEEDS without
- *  the positions or attitudes that the bonds read, or what is wrong with the bodies. */
+ *  loads, VTI_E_COUNT unless 0 <= first <= last <= count, VTI_E_BOND for a shear_form that is none or that does not go
+ *  with turn, VTI_E_NEEDS without the positions or attitudes that the bonds read, or what is wrong with the bodies. */
 VTI_API int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *loads);
 /** Adds loads[(last - first) * VTI_BOND_LOADS] of the bonds first <= k < last to force and moment of those of their
  *  bodies that are in the slice, in the order of the list; an absent one is left out. No two threads may sum for the

@@ -27,8 +27,8 @@ enum { VTI_RUPTURE_BOOKS = 1 };
  *  the effect of the bonds and that of their dashpots, is as it would be had the bond never been there, to the bit, and
  *  is spent on bonds that hold only. */
 typedef struct vti_rupture {
-    vti_bonds *bonds; /**< of an effect of their own. pair, rest and stiffnesses that are arrays are written when bonds
-                           leave: memory that may be, that no other list shares, and
+    vti_bonds *bonds; /**< of an effect of their own. pair, rest, turn and stiffnesses that are arrays are written when
+                           bonds leave: memory that may be, that no other list shares, and
                            in which no value for all stands */
     int64_t *id; /**< [count] as the list was at first: numbers of the bonds, counted from bonds->base and ascending:
                            0, 1, 2 ... They move with their bonds */

@@ -19,9 +19,11 @@ static const struct bond_kernels *kernels(int64_t count)
     return &vti_binder_baseline;
 }
 
+/** Whether there is such a form, and with turns, which the printed shear does not know. */
 static int form_is_known(const vti_bonds *bonds)
 {
-    return bonds->shear_form >= VTI_SHEAR_OBJECTIVE && bonds->shear_form <= VTI_SHEAR_PRINTED;
+    return bonds->shear_form >= VTI_SHEAR_OBJECTIVE &&
+           bonds->shear_form <= (bonds->turn != NULL ? VTI_SHEAR_QUARTIC : VTI_SHEAR_PRINTED);
 }
 
 /** 0 without shear. Any form will do for one that is none: check refuses it. */
@@ -39,6 +41,12 @@ static int terms_of(const vti_bonds *bonds)
 static const struct bond_kernel *kernel_of(const struct bond_kernels *kernels, const vti_bonds *bonds)
 {
     return &kernels->of[form_of(bonds)][terms_of(bonds) & (TERM_MOMENT | TERM_AXIAL)];
+}
+
+/** How loads are to be evaluated of bodies that lie so. */
+static enum layout loads_layout(int terms, const vti_bonds *bonds, enum layout layout)
+{
+    return bonds->turn != NULL && terms & (TERM_MOMENT | TERM_SHEAR) ? TURNED : layout;
 }
 
 /** Of all that the terms read and write. */
@@ -67,11 +75,11 @@ static void apply(const void *self, const vti_bodies *b)
     const struct bond_kernels *all = kernels(bonds->count);
     const struct bond_kernel *kernel = kernel_of(all, bonds);
     const int terms = terms_of(bonds);
-    const enum layout layout = layout_of(terms, b);
+    const enum layout layout = layout_of(terms, b), evaluated = loads_layout(terms, bonds, layout);
     double rows[TILE * VTI_BOND_LOADS];
     for (int64_t first = 0; first < bonds->count; first += TILE) {
         const int64_t last = bonds->count - first < TILE ? bonds->count : first + TILE;
-        kernel->loads[layout](bonds, b, first, last, rows);
+        kernel->loads[evaluated](bonds, b, first, last, rows);
         all->sum[1][layout == ANY](terms, bonds, b, first, last, rows); /* of the slice's bodies only */
     }
 }
@@ -211,9 +219,12 @@ static int pass_check(const vti_bonds *bonds, const vti_bodies *b, int64_t first
 int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *loads)
 {
     const int status = pass_check(bonds, b, first, last, loads);
-    if (status == VTI_OK)
-        kernel_of(kernels(bonds->count), bonds)->loads[layout_of(terms_of(bonds), b)](bonds, b, first, last, loads);
-    return status;
+    if (status != VTI_OK)
+        return status;
+    const int terms = terms_of(bonds);
+    const enum layout layout = loads_layout(terms, bonds, layout_of(terms, b));
+    kernel_of(kernels(bonds->count), bonds)->loads[layout](bonds, b, first, last, loads);
+    return VTI_OK;
 }
 
 int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, int64_t last, const vti_bodies *b)
@@ -288,6 +299,57 @@ int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_v
     return status;
 }
 
+/** R_i^T n and Q0 = R_i^T R_j of one bond, of which rest has n. Returns 0 where an attitude is none. */
+static int turn_now(const int64_t pair[2], int64_t base, const vti_bodies *b, double rest[4], double turn[4])
+{
+    double q[2][4] = {{0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0, 1.0}}, x[3];
+    for (int side = 0; side < 2 && vti_has_attitude(b); ++side)
+        vti_load_pair(b, pair[side] - base, q[side]);
+    vti_cross(q[0], q[1], x);
+    for (int c = 0; c < 3; ++c)
+        turn[c] = (q[0][3] * q[1][c] - q[1][3] * q[0][c]) - x[c];
+    turn[3] = q[0][3] * q[1][3] + vti_dot(q[0], q[1]);
+    const double square = vti_dot(turn, turn) + turn[3] * turn[3], length = sqrt(square);
+    for (int c = 0; c < 4; ++c)
+        turn[c] /= length;
+    vti_pair_rotate(q[0], -1.0, rest, rest);
+    return square > 0.0 && isfinite(square);
+}
+
+/** Bodies that do not exist, and attitudes that are none. */
+static int now_check(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, vti_fault *fault)
+{
+    for (int64_t k = 0; k < count; ++k) {
+        double n[4] = {1.0, 0.0, 0.0, 0.0}, turn[4];
+        for (int side = 0; side < 2; ++side)
+            if (pair[2 * k + side] < base || pair[2 * k + side] - base >= vti_bodies_named(b))
+                return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
+        if (!turn_now(pair + 2 * k, base, b, n, turn))
+            return vti_refuse(VTI_E_BOND, k, NAN, VTI_QUANTITY_NONE, fault);
+    }
+    return VTI_OK;
+}
+
+int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
+                       double *turn, vti_fault *fault)
+{
+    vti_refuse_none(VTI_OK, fault);
+    if (count < 0)
+        return VTI_E_COUNT;
+    if (b == NULL || (count > 0 && (pair == NULL || rest == NULL || turn == NULL)))
+        return VTI_E_NULL;
+    int status = vti_bodies_ready_or(b, fault);
+    if (status == VTI_OK && !vti_has(&b->x))
+        return vti_refuse(VTI_E_NEEDS, -1, 0.0, VTI_QUANTITY_X, fault);
+    if (status == VTI_OK)
+        status = now_check(count, pair, base, b, fault);
+    if (status == VTI_OK)
+        status = vti_bonds_rest(count, pair, base, &b->x, rest, fault);
+    for (int64_t k = 0; status == VTI_OK && k < count; ++k)
+        turn_now(pair + 2 * k, base, b, rest + 4 * k, turn + 4 * k);
+    return status;
+}
+
 /** Whether s ends before bond k. */
 static int ends_before(const vti_scalars *s, int64_t k)
 {
@@ -301,6 +363,7 @@ static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
 {
+    static const double unturned[4] = {0.0, 0.0, 0.0, 1.0};
     vti_refuse_none(VTI_OK, fault);
     if (bonds == NULL || !has_list(bonds))
         return VTI_E_NULL;
@@ -317,6 +380,10 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
             return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
         if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
             return vti_refuse(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
+        const double *turn = bonds->turn != NULL ? bonds->turn + 4 * k : unturned;
+        const double square = vti_dot(turn, turn) + turn[3] * turn[3];
+        if (!(fabs(square - 1.0) < 1e-12))
+            return vti_refuse(VTI_E_BOND, k, sqrt(square), VTI_QUANTITY_NONE, fault);
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))

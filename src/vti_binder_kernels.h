@@ -16,10 +16,10 @@
 /** The last bonds, filled up to WIDTH with the last one. */
 struct last {
     int64_t pair[2 * WIDTH];
-    double rest[4 * WIDTH], stiffness[TERMS][WIDTH];
+    double rest[4 * WIDTH], turn[4 * WIDTH], stiffness[TERMS][WIDTH];
 };
 
-/** The bonds from first on. What is absent is NULL, to which C lets nobody add 0. */
+/** The bonds from first on, but for turn. What is absent is NULL, to which C lets nobody add 0. */
 VTI_INLINE vti_bonds from(const vti_bonds *bonds, int64_t first)
 {
     vti_bonds block = *bonds;
@@ -54,6 +54,20 @@ VTI_APART vti_bonds from_last(const vti_bonds *bonds, int64_t first, int64_t las
         all[c]->p = few->stiffness[c];
         all[c]->stride = 1;
     }
+    return block;
+}
+
+/** WIDTH bonds from first on, or those up to last as a whole block, with turn. */
+VTI_INLINE vti_bonds block_at(const vti_bonds *bonds, int64_t first, int64_t last, struct last *few)
+{
+    vti_bonds block = last - first >= WIDTH ? from(bonds, first) : from_last(bonds, first, last, few);
+    if (bonds->turn == NULL)
+        return block;
+    block.turn = bonds->turn + 4 * first;
+    for (int c = 0; last - first < WIDTH && c < 4 * WIDTH; ++c)
+        few->turn[c] = block.turn[c < 4 * (last - first) ? c : 4 * (last - first - 1) + c % 4];
+    if (last - first < WIDTH)
+        block.turn = few->turn;
     return block;
 }
 
@@ -144,6 +158,27 @@ VTI_INLINE void gather(int terms, enum layout layout, const vti_bonds *block, co
     gather_stiffness(terms, block, s);
 }
 
+/** R_j Q0^T in place of R_j. */
+VTI_INLINE void gather_turns(const vti_bonds *block, struct bond_state *s)
+{
+    int64_t at[WIDTH];
+    lanes turn[4], v[3];
+    lanes_strided(4, at);
+    lanes_quads(block->turn, at, turn);
+    const lanes w = quotient(s->qj, turn, v);
+    for (int k = 0; k < 3; ++k)
+        s->qj[k] = v[k];
+    s->qj[3] = w;
+}
+
+/** Wherever bodies lie, with turns if there are any and terms that they matter to. */
+VTI_INLINE void gather_all(int terms, const vti_bonds *block, const vti_bodies *b, struct bond_state *s)
+{
+    gather(terms, ANY, block, b, s);
+    if (terms & (TERM_MOMENT | TERM_SHEAR) && block->turn != NULL)
+        gather_turns(block, s);
+}
+
 /* ---- evaluate ---------------------------------------------------------------------------------------------------- */
 
 /** Rows hold Fx Fy, Tx Ty of i, Tx Ty of j, Fz, Tz of i, Tz of j: an order that vectors can write. */
@@ -170,17 +205,22 @@ VTI_APART void evaluate_apart(int terms, int form, const vti_bonds *block, const
     write_rows(&loads, rows);
 }
 
-/** The loads of WIDTH bonds as rows; only what the terms give is to be read of them. No |alpha_k| > VTI_RRV_LARGE gets
- *  past the square of its pair. */
+/** Whether some alpha of WIDTH bonds is so large that it has to be scaled. No |alpha_k| > VTI_RRV_LARGE gets past the
+ *  square of its pair. */
+VTI_INLINE int is_large(const struct bond_state *s)
+{
+    const double most = 0.25 * VTI_RRV_LARGE * VTI_RRV_LARGE;
+    return !(lanes_all(lanes_square(s->qi) <= most) && lanes_all(lanes_square(s->qj) <= most));
+}
+
+/** The loads of WIDTH bonds as rows; only what the terms give is to be read of them. */
 VTI_INLINE void evaluate(int terms, int form, enum layout layout, const vti_bonds *block, const vti_bodies *b,
                          double rows[WIDTH * VTI_BOND_LOADS])
 {
-    const double most = 0.25 * VTI_RRV_LARGE * VTI_RRV_LARGE;
     struct bond_state state;
     struct bond_loads loads;
     gather(terms, layout, block, b, &state);
-    if (layout == ALPHA && terms & (TERM_MOMENT | TERM_SHEAR) &&
-        !(lanes_all(lanes_square(state.qi) <= most) && lanes_all(lanes_square(state.qj) <= most))) {
+    if (layout == ALPHA && terms & (TERM_MOMENT | TERM_SHEAR) && is_large(&state)) {
         const vti_bonds same_block = *block;
         const vti_bodies same = *b;
         evaluate_apart(terms, form, &same_block, &same, rows);
@@ -209,6 +249,31 @@ VTI_INLINE void loads_all(int terms, int form, enum layout layout, const vti_bon
     }
 }
 
+/** The same of bonds that have turns, gathered as the bodies lie. */
+VTI_INLINE void loads_turned(int terms, int form, const vti_bonds *bonds, const vti_bodies *bodies, int64_t first,
+                             int64_t last, double *rows)
+{
+    const vti_bodies b = *bodies;
+    const int packed = vti_is_packed(&b.x) && vti_is_packed(&b.alpha);
+    double row[WIDTH * VTI_BOND_LOADS];
+    struct bond_state state;
+    struct bond_loads loads;
+    struct last few;
+    for (; first < last; first += WIDTH, rows += WIDTH * VTI_BOND_LOADS) {
+        const int whole = last - first >= WIDTH;
+        const vti_bonds block = block_at(bonds, first, last, &few);
+        if (packed)
+            gather(terms, ALPHA, &block, &b, &state);
+        if (!packed || is_large(&state))
+            gather(terms, ANY, &block, &b, &state);
+        gather_turns(&block, &state);
+        bond_evaluate(terms, form, &state, &loads);
+        write_rows(&loads, whole ? rows : row);
+        for (int64_t k = 0; !whole && k < (last - first) * VTI_BOND_LOADS; ++k)
+            rows[k] = row[k];
+    }
+}
+
 VTI_INLINE void energy_all(int terms, int form, const vti_bonds *bonds, const vti_bodies *bodies, double *energies)
 {
     const vti_bodies b = *bodies;
@@ -218,8 +283,8 @@ VTI_INLINE void energy_all(int terms, int form, const vti_bonds *bonds, const vt
     vti_sum sum[TERMS] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (int64_t first = 0; first < bonds->count; first += WIDTH) {
         const int64_t left = bonds->count - first;
-        const vti_bonds block = left >= WIDTH ? from(bonds, first) : from_last(bonds, first, bonds->count, &few);
-        gather(terms, ANY, &block, &b, &state);
+        const vti_bonds block = block_at(bonds, first, bonds->count, &few);
+        gather_all(terms, &block, &b, &state);
         bond_evaluate(terms, form, &state, &out);
         for (int c = 0; c < TERMS; ++c)
             for (int l = 0; l < WIDTH && l < left && terms >> c & 1; ++l)
@@ -242,9 +307,11 @@ static void measure(int terms, int form, const vti_bonds *bonds, const vti_bodie
     memset(&state, 0, sizeof state); /* terms that are absent are not gathered */
     for (; first < last; first += WIDTH) {
         const int64_t left = last - first;
-        const vti_bonds block = left >= WIDTH ? from(bonds, first) : from_last(bonds, first, last, &few);
+        const vti_bonds block = block_at(bonds, first, last, &few);
         gather_places(terms | TERM_AXIAL, ANY, &block, bodies, &state);
         gather_stiffness(terms, &block, &state);
+        if (terms & (TERM_MOMENT | TERM_SHEAR) && block.turn != NULL)
+            gather_turns(&block, &state);
         bond_measure(terms, form, &state, &of);
         for (int l = 0; l < WIDTH && l < left; ++l)
             for (int c = 0; c < VTI_BOND_MEASURES; ++c)
@@ -351,32 +418,45 @@ SUM(any_sliced, ANY, 1)
         energy_all(TERMS_, FORM, bonds, b, energies);                                                                  \
     }
 
-#define SHEAR_KERNELS(SHEAR, FORM)                                                                                     \
-    KERNEL(SHEAR, TERM_SHEAR, FORM)                                                                                    \
-    KERNEL(moment_##SHEAR, TERM_SHEAR | TERM_MOMENT, FORM)                                                             \
-    KERNEL(axial_##SHEAR, TERM_SHEAR | TERM_AXIAL, FORM)                                                               \
-    KERNEL(moment_axial_##SHEAR, TERM_SHEAR | TERM_MOMENT | TERM_AXIAL, FORM)
+/** A kernel of terms to which turns matter, in a form that knows them. */
+#define TURNED_KERNEL(NAME, TERMS_, FORM)                                                                              \
+    KERNEL(NAME, TERMS_, FORM)                                                                                         \
+    static void loads_TURNED_##NAME(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,          \
+                                    double *rows)                                                                      \
+    {                                                                                                                  \
+        loads_turned(TERMS_, FORM, bonds, b, first, last, rows);                                                       \
+    }
+
+#define SHEAR_KERNELS(MAKE, SHEAR, FORM)                                                                               \
+    MAKE(SHEAR, TERM_SHEAR, FORM)                                                                                      \
+    MAKE(moment_##SHEAR, TERM_SHEAR | TERM_MOMENT, FORM)                                                               \
+    MAKE(axial_##SHEAR, TERM_SHEAR | TERM_AXIAL, FORM)                                                                 \
+    MAKE(moment_axial_##SHEAR, TERM_SHEAR | TERM_MOMENT | TERM_AXIAL, FORM)
 
 KERNEL(none, 0, 0)
-KERNEL(moment, TERM_MOMENT, 0)
+TURNED_KERNEL(moment, TERM_MOMENT, 0)
 KERNEL(axial, TERM_AXIAL, 0)
-KERNEL(moment_axial, TERM_MOMENT | TERM_AXIAL, 0)
-SHEAR_KERNELS(objective, VTI_SHEAR_OBJECTIVE)
-SHEAR_KERNELS(quartic, VTI_SHEAR_QUARTIC)
-SHEAR_KERNELS(printed, VTI_SHEAR_PRINTED)
+TURNED_KERNEL(moment_axial, TERM_MOMENT | TERM_AXIAL, 0)
+SHEAR_KERNELS(TURNED_KERNEL, objective, VTI_SHEAR_OBJECTIVE)
+SHEAR_KERNELS(TURNED_KERNEL, quartic, VTI_SHEAR_QUARTIC)
+SHEAR_KERNELS(KERNEL, printed, VTI_SHEAR_PRINTED)
 
 #define PICK(NAME)                                                                                                     \
     {                                                                                                                  \
-        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME}, energy_##NAME                                       \
+        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, NULL}, energy_##NAME                                 \
     }
-#define PICK_SHEAR(SHEAR)                                                                                              \
+#define PICK_TURNED(NAME)                                                                                              \
     {                                                                                                                  \
-        PICK(SHEAR), PICK(moment_##SHEAR), PICK(axial_##SHEAR), PICK(moment_axial_##SHEAR)                             \
+        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, loads_TURNED_##NAME}, energy_##NAME                  \
+    }
+#define PICK_SHEAR(PICK_ONE, SHEAR)                                                                                    \
+    {                                                                                                                  \
+        PICK_ONE(SHEAR), PICK_ONE(moment_##SHEAR), PICK_ONE(axial_##SHEAR), PICK_ONE(moment_axial_##SHEAR)             \
     }
 
-const struct bond_kernels BOND_KERNELS = {{{PICK(none), PICK(moment), PICK(axial), PICK(moment_axial)},
-                                           PICK_SHEAR(objective),
-                                           PICK_SHEAR(quartic),
-                                           PICK_SHEAR(printed)},
+const struct bond_kernels BOND_KERNELS = {{{PICK(none), PICK_TURNED(moment), PICK(axial), PICK_TURNED(moment_axial)},
+                                           PICK_SHEAR(PICK_TURNED, objective),
+                                           PICK_SHEAR(PICK_TURNED, quartic),
+                                           PICK_SHEAR(PICK, printed)},
                                           {{sum_packed, sum_any}, {sum_packed_sliced, sum_any_sliced}},
                                           measure};

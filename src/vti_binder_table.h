@@ -8,12 +8,13 @@
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
 /** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY:
- *  whatever the views say. */
-enum layout { ALPHA, QUAT, ANY };
+ *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. */
+enum layout { ALPHA, QUAT, ANY, TURNED, LAYOUTS };
 
 struct bond_kernel {
-    /** The rows of the bonds first <= k < last, VTI_BOND_LOADS numbers each; [layout] */
-    void (*loads[3])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
+    /** The rows of the bonds first <= k < last, VTI_BOND_LOADS numbers each; [layout]. TURNED: NULL where nothing
+     *  that could be turned is a term, and of the printed shear. */
+    void (*loads[LAYOUTS])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
     void (*energy)(const vti_bonds *bonds, const vti_bodies *b, double *energies);
 };
 

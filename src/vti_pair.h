@@ -4,7 +4,8 @@
  * bonds, one to a lane. `terms` and `form` are literals at every call, so that a kernel holds the instructions of its
  * own terms only; no branch depends on the data.
  *
- * Attitudes are pairs q ~ (v, w) of any length. P u = u - (u.n) n. */
+ * Attitudes are pairs q ~ (v, w) of any length. P u = u - (u.n) n. Of a bond with a rotation Q0 at rest R_j stands for
+ * R_j Q0^T (EQUATIONS 6.6): its formulas are those of one without. */
 #ifndef VTI_PAIR_H
 #define VTI_PAIR_H
 
@@ -54,16 +55,22 @@ VTI_INLINE lanes atan_ratio(lanes y)
     return 1.0 + y * ((low + high * y8) + cubic(p[4], y, y2) * (y8 * y8));
 }
 
-/** theta_ij = log(R_i R_j^T) = s v, |theta| <= pi, of the quaternion (v, w) = q_i q_j^-1, without libm:
- *      s = sgn(w) (4/k) A(v.v/k^2),  k = |w| + sqrt(w^2 + v.v),  A(y) = atan(sqrt y)/sqrt y.
- *  sgn(w) matters: bodies turn past pi, and w then turns negative. Returns s. */
-VTI_INLINE lanes relative_rotation(const lanes qi[4], const lanes qj[4], lanes v[3])
+/** The quaternion (v, w) = q_i conj(q_j) of R_i R_j^T; returns w. */
+VTI_INLINE lanes quotient(const lanes qi[4], const lanes qj[4], lanes v[3])
 {
     lanes x[3];
     lanes_cross(qi, qj, x);
     for (int k = 0; k < 3; ++k)
         v[k] = (qj[3] * qi[k] - qi[3] * qj[k]) - x[k];
-    const lanes w = qi[3] * qj[3] + lanes_dot(qi, qj), vv = lanes_dot(v, v);
+    return qi[3] * qj[3] + lanes_dot(qi, qj);
+}
+
+/** theta_ij = log(R_i R_j^T) = s v, |theta| <= pi, of the quaternion (v, w) = q_i q_j^-1, without libm:
+ *      s = sgn(w) (4/k) A(v.v/k^2),  k = |w| + sqrt(w^2 + v.v),  A(y) = atan(sqrt y)/sqrt y.
+ *  sgn(w) matters: bodies turn past pi, and w then turns negative. Returns s. */
+VTI_INLINE lanes relative_rotation(const lanes qi[4], const lanes qj[4], lanes v[3])
+{
+    const lanes w = quotient(qi, qj, v), vv = lanes_dot(v, v);
     const lanes inv = 1.0 / (lanes_abs(w) + lanes_sqrt(w * w + vv));
     return lanes_copysign(4.0 * inv, w) * atan_ratio(vv * inv * inv);
 }

@@ -42,12 +42,13 @@ static void exchange(const vti_rupture *p, int64_t k, int64_t l)
     const vti_bonds *bonds = p->bonds;
     const vti_scalars *const term[TERMS] = {&bonds->moment, &bonds->axial, &bonds->shear};
     int64_t *pair = (int64_t *)bonds->pair;
-    double *rest = (double *)bonds->rest;
+    double *const rest[2] = {(double *)bonds->rest, (double *)bonds->turn};
     swap_integers(&p->id[k], &p->id[l]);
     for (int c = 0; c < 2; ++c)
         swap_integers(&pair[2 * k + c], &pair[2 * l + c]);
-    for (int c = 0; c < 4; ++c)
-        swap(&rest[4 * k + c], &rest[4 * l + c]);
+    for (int c = 0; c < 8; ++c)
+        if (rest[c / 4] != NULL)
+            swap(&rest[c / 4][4 * k + c % 4], &rest[c / 4][4 * l + c % 4]);
     for (int c = 0; c < TERMS; ++c) {
         int done = term[c]->p == NULL || term[c]->stride == 0;
         for (int before = 0; before < c; ++before) /* one array may serve several terms */

@@ -38,7 +38,8 @@ static inline vti_bonds chain_bonds(const chain *c)
                              vti_scalars_one(&c->stiffness[0]),
                              vti_scalars_one(&c->stiffness[1]),
                              vti_scalars_one(&c->stiffness[2]),
-                             VTI_SHEAR_OBJECTIVE};
+                             VTI_SHEAR_OBJECTIVE,
+                             NULL};
     return bonds;
 }
 

@@ -25,8 +25,9 @@ static const struct scene_field fields[] = {
      NULL},
     {"binder.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(table), "file of bonds",
      "CSV or HDF5, relative to the scene's folder: a row for each bond, bodies i and j from 0, moment, axial, shear "
-     "and limits (break_stretch ...) as far as they differ, and length and nx, ny, nz where bonds are not at rest at "
-     "t = 0.",
+     "and limits (break_stretch ...) as far as they differ, and length, nx, ny, nz and turn_x, turn_y, turn_z, turn_w "
+     "where bonds are not at rest at t = 0: the direction in the frame of body i, and a quaternion that takes vectors "
+     "from the frame of j to that of i.",
      NULL},
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
      "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
@@ -105,7 +106,11 @@ static const struct table_column columns[] = {{"i", TABLE_INDEX},
                                               {"length", TABLE_POSITIVE},
                                               {"nx", TABLE_ANY},
                                               {"ny", TABLE_ANY},
-                                              {"nz", TABLE_ANY}};
+                                              {"nz", TABLE_ANY},
+                                              {"turn_x", TABLE_ANY},
+                                              {"turn_y", TABLE_ANY},
+                                              {"turn_z", TABLE_ANY},
+                                              {"turn_w", TABLE_ANY}};
 
 static int check_columns(const struct table *table, struct message *message)
 {
@@ -115,7 +120,14 @@ static int check_columns(const struct table *table, struct message *message)
         return table_fail_columns(table, message, "no column j; bonds need i and j");
     const int components =
         table_has(table, BOND_NORMAL) + table_has(table, BOND_NORMAL + 1) + table_has(table, BOND_NORMAL + 2);
-    return components % 3 == 0 ? 0 : table_fail_columns(table, message, "nx, ny and nz come together; give all three");
+    int turns = 0;
+    for (int c = 0; c < 4; ++c)
+        turns += table_has(table, BOND_TURN + c);
+    if (components % 3 != 0)
+        return table_fail_columns(table, message, "nx, ny and nz come together; give all three");
+    return turns % 4 == 0
+               ? 0
+               : table_fail_columns(table, message, "turn_x, turn_y, turn_z and turn_w come together; give all four");
 }
 
 const struct table_kind binder_table = {"bonds", "the scene's table of bonds", columns,
@@ -161,6 +173,9 @@ static int check_tables(const struct model *model, const void *settings, const s
             return table_fail_whole(table, message, both[k - BOND_MOMENT]);
         terms += has_term(binder, table, k);
     }
+    if (table_has(table, BOND_TURN) && binder->shear_form == VTI_SHEAR_PRINTED && has_term(binder, table, BOND_SHEAR))
+        return table_fail_whole(
+            table, message, "the printed shear knows no turn_x, turn_y, turn_z, turn_w; give shear.form: objective");
     if (terms == 0)
         return table_fail_whole(table, message,
                                 "no column moment, axial or shear; bonds need one of them, or binder.moment");
@@ -215,10 +230,11 @@ static void say(const struct effect *e, char *text, size_t size)
              self->breaking.id != NULL ? ", which may break" : "");
 }
 
-static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
+static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
 {
+    const int64_t number = binder_number(e->self, stable->element);
     (void)at;
-    snprintf(text, size, "bond %lld of bodies %lld and %lld", (long long)stable->element, (long long)stable->i,
+    snprintf(text, size, "bond %lld of bodies %lld and %lld", (long long)number, (long long)stable->i,
              (long long)stable->j);
 }
 

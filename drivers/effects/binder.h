@@ -11,7 +11,7 @@
 enum { LIMIT_STRETCH, LIMIT_NORMAL, LIMIT_SHEAR, LIMIT_BENDING, LIMIT_TORSION, LIMIT_ENERGY, LIMITS };
 
 /** Columns of the table of bonds: i j (bodies, from 0), moment axial shear (stiffnesses), limits, and at rest the
- *  length and the direction nx ny nz. */
+ *  length, the direction nx ny nz and the rotation turn_x turn_y turn_z turn_w. */
 enum {
     BOND_I,
     BOND_J,
@@ -20,7 +20,8 @@ enum {
     BOND_SHEAR,
     BOND_LIMITS,
     BOND_LENGTH = BOND_LIMITS + LIMITS,
-    BOND_NORMAL
+    BOND_NORMAL,
+    BOND_TURN = BOND_NORMAL + 3
 };
 
 /** Stiffnesses and limits of all bonds, in the order of the columns; 0 is a term, or a limit, that the file does not
@@ -61,7 +62,7 @@ struct binder_self {
     vti_bonds bonds; /* those that hold; what the effect's self points to, so it stands first */
     int64_t all;     /* how many there were at t = 0 */
     int64_t *pair;
-    double *memory; /* rest vectors and stiffnesses */
+    double *memory; /* rest vectors, rotations at rest if they have any, and stiffnesses */
     struct bond_turns turns;
     struct bond_break breaking;
 };

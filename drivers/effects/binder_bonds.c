@@ -99,6 +99,22 @@ static int fail_rest(const struct model *model, const struct table *t, const int
     return message_set(message, "%s: %s", model->scene->name, text);
 }
 
+/** Rotations at rest, as unit quaternions. */
+static int take_turns(const struct table *t, double *turn, struct message *message)
+{
+    for (int64_t k = 0; table_has(t, BOND_TURN) && k < t->rows; ++k) {
+        double square = 0.0;
+        for (int c = 0; c < 4; ++c)
+            square += t->column[BOND_TURN + c][k] * t->column[BOND_TURN + c][k];
+        if (!(square > 0.0 && isfinite(square)))
+            return table_fail(t, k, message,
+                              "turn_x, turn_y, turn_z and turn_w are no quaternion; 0, 0, 0, 1 turns nothing");
+        for (int c = 0; c < 4; ++c)
+            turn[4 * k + c] = t->column[BOND_TURN + c][k] / sqrt(square);
+    }
+    return 0;
+}
+
 /** Lengths and directions at rest of the table, in place of those at t = 0: bonds that are under stress then. */
 static int take_rest(const struct table *t, double *rest, struct message *message)
 {
@@ -118,12 +134,13 @@ static int take_rest(const struct table *t, double *rest, struct message *messag
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *t, struct message *message)
 {
     enum { REST = 4, STIFFNESSES = 3 };
+    const int turns = table_has(t, BOND_TURN) ? 4 : 0;
     const struct binder_settings *binder = e->settings;
     struct binder_self *self = e->self;
     vti_fault fault;
     const int64_t count = t->rows > 0 ? t->rows : arrange_bonds(model->scene);
     self->pair = calloc((size_t)(2 * count), sizeof *self->pair);
-    self->memory = calloc((size_t)((REST + STIFFNESSES) * count), sizeof *self->memory);
+    self->memory = calloc((size_t)((REST + turns + STIFFNESSES) * count), sizeof *self->memory);
     if (self->pair == NULL || self->memory == NULL)
         return out_of_memory(model, message);
     if (t->rows == 0)
@@ -132,13 +149,14 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
         return -1;
     if (vti_bonds_rest(count, self->pair, 0, &model->bodies.x, self->memory, &fault) != VTI_OK)
         return fail_rest(model, t, self->pair, fault.body, message);
-    if (take_rest(t, self->memory, message) != 0)
-        return -1;
-    double *next = self->memory + REST * count;
+    double *turn = self->memory + REST * count, *next = turn + turns * count;
     vti_bonds *bonds = &self->bonds;
+    if (take_rest(t, self->memory, message) != 0 || take_turns(t, turn, message) != 0)
+        return -1;
     bonds->count = self->all = count;
     bonds->pair = self->pair;
     bonds->rest = self->memory;
+    bonds->turn = turns > 0 ? turn : NULL;
     bonds->moment = stiffness(&binder->stiffness[0], t, BOND_MOMENT, &next);
     bonds->axial = stiffness(&binder->stiffness[1], t, BOND_AXIAL, &next);
     bonds->shear = stiffness(&binder->stiffness[2], t, BOND_SHEAR, &next);

@@ -49,20 +49,30 @@ static int start(struct effect *e)
     return b->pair != NULL ? 0 : -1;
 }
 
-/** (v, w) of q_i q_j^-1; its sign means nothing. */
+/** r = (v, w) of p q^-1, q of any length. */
+static void quotient(const double p[4], const double q[4], double r[4])
+{
+    double cross[3];
+    vti_cross(p, q, cross);
+    for (int c = 0; c < 3; ++c)
+        r[c] = p[c] * q[3] - p[3] * q[c] - cross[c];
+    r[3] = vti_dot(p, q) + p[3] * q[3];
+}
+
+/** (v, w) of R_i Q0 R_j^T; its sign means nothing. */
 static void relative(const struct bond_turns *b, const vti_bodies *bodies, int64_t k, double r[4])
 {
-    double q[2][4], cross[3];
+    const double *turn = bonds_of(b)->turn;
+    double q[2][4], turned[4];
     for (int c = 0; c < 2; ++c) {
         const vti_view *a = &bodies->alpha;
         const int64_t at = (bonds_of(b)->pair[2 * k + c] - bonds_of(b)->base) * a->stride;
         const double alpha[3] = {a->c[0][at], a->c[1][at], a->c[2][at]};
         vti_rrv_to_pair(alpha, q[c]);
     }
-    vti_cross(q[0], q[1], cross);
-    for (int c = 0; c < 3; ++c)
-        r[c] = q[0][c] * q[1][3] - q[0][3] * q[1][c] - cross[c];
-    r[3] = vti_dot(q[0], q[1]) + q[0][3] * q[1][3];
+    if (turn != NULL)
+        quotient(q[1], turn + 4 * k, turned);
+    quotient(q[0], turn != NULL ? turned : q[1], r);
 }
 
 static int is_marked(const double *pair)

@@ -240,8 +240,9 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */
 
-static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
+static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
 {
+    (void)e;
     if (at != NULL && at->meet)
         snprintf(text, size, "contacts that may come to body %lld", (long long)stable->i);
     else

@@ -244,8 +244,10 @@ static const vti_friction *friction_of(const struct effect *e)
     return &((const struct friction_self *)e->self)->friction;
 }
 
-static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t size_of_text)
+static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text,
+                  size_t size_of_text)
 {
+    (void)e;
     if (stable->j >= 0)
         snprintf(text, size_of_text, "friction of bodies %lld and %lld", (long long)stable->i, (long long)stable->j);
     else

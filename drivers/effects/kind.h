@@ -180,7 +180,7 @@ struct effect_kind {
     /** What stands behind the list of effects at the start of a run: "80 bonds". */
     void (*say)(const struct effect *e, char *text, size_t size);
     /** What limits the step (vti_stable_step), where "KEY at body 3" says too little. */
-    void (*limit)(const struct vti_deformation *at, const vti_stable *stable, char *text, size_t size);
+    void (*limit)(const struct effect *e, const struct vti_deformation *at, const vti_stable *stable, char *text, size_t size);
     /** Raises what of *at an energy that two bodies bring to where they meet may do to it. */
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
     /** The acceleration [3] that it gives every body, for how far they fall. */

@@ -192,9 +192,9 @@ static const vti_wall_motion *motion(const struct effect *e)
     return walls_of(e)->motion;
 }
 
-static void limit(const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
+static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
 {
-    (void)at;
+    (void)e, (void)at;
     snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 

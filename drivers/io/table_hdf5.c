@@ -47,7 +47,7 @@ static int check_values(const struct table *table, int k, struct message *messag
 /** first is the column that said how many rows there are, NULL if this is the first. */
 static int read_set(struct table *table, hid_t set, const char *name, const char *first, struct message *message)
 {
-    char text[256], list[160];
+    char text[352], list[256];
     const int k = table_find(table->kind, name);
     const int64_t rows = length_of(set);
     if (k < 0) {

@@ -127,7 +127,7 @@ void model_limit_text(const struct model *model, const vti_deformation *at, cons
     if (k < 0)
         snprintf(text, size, "nothing oscillates");
     else if (k < model->rooms_count && model->rooms[k].kind->limit != NULL)
-        model->rooms[k].kind->limit(at, stable, text, size);
+        model->rooms[k].kind->limit(&model->rooms[k], at, stable, text, size);
     else if (stable->j < 0)
         snprintf(text, size, "%s at body %lld", model->effects[k].name, (long long)stable->i);
     else

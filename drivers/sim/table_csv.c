@@ -76,7 +76,7 @@ static int count_fields(const char *line)
 
 static int fail_name(const struct csv *csv, const char *name)
 {
-    char shown[QUOTE_SIZE], known[160], text[320];
+    char shown[QUOTE_SIZE], known[256], text[416];
     snprintf(text, sizeof text, "unknown column '%s'; known are %s", quote(shown, sizeof shown, name),
              table_list(csv->table->kind, known, sizeof known));
     return fail(csv, name, text);

@@ -87,7 +87,8 @@ double scene_apply(int64_t bonds, const int64_t *pair, const double *rest, const
                         vti_scalars_one(&stiffness[0]),
                         vti_scalars_one(&stiffness[1]),
                         vti_scalars_one(&stiffness[2]),
-                        VTI_SHEAR_OBJECTIVE};
+                        VTI_SHEAR_OBJECTIVE,
+                        NULL};
     const vti_effect effect = vti_bonds_effect(&binder);
     const int status = vti_apply(&effect, 1, bodies);
     if (status != VTI_OK)

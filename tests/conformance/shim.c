@@ -166,6 +166,7 @@ static const int64_t layout[] = {
     AT(vti_bonds, axial),
     AT(vti_bonds, shear),
     AT(vti_bonds, shear_form),
+    AT(vti_bonds, turn),
     SIZE(vti_contacts),
     AT(vti_contacts, count),
     AT(vti_contacts, pair),

@@ -42,7 +42,8 @@ int shim_lattice(const char *name, double h, int64_t steps, int64_t n, double *x
                              vti_scalars_one(&bond_energy[0]),
                              vti_scalars_one(&bond_energy[1]),
                              vti_scalars_one(&bond_energy[2]),
-                             VTI_SHEAR_OBJECTIVE};
+                             VTI_SHEAR_OBJECTIVE,
+                             NULL};
     const vti_contacts contacts = {
         .count = count, .pair = pair, .base = 1, .diameter = vti_scalars_array(diameter), .stiffness = 80.0};
     const vti_walls walls = {

@@ -278,6 +278,51 @@ contains
         call lists_are_good()
     end subroutine
 
+    !> A bond that is made of bodies that have turned is at rest, to rounding; its rotation is that of alpha = (0, 0, 1.5).
+    subroutine bond_made_now()
+        real(c_double), target :: x(3, 2), alpha(3, 2), rest(4, 1), turn(4, 1), stiffness
+        real(c_double) :: measures(VTI_BOND_MEASURES, 1)
+        integer(c_int64_t), target :: pair(2, 1)
+        integer(c_int64_t), pointer, contiguous :: pairs(:, :)
+        real(c_double), pointer, contiguous :: rests(:, :), turns(:, :)
+        type(vti_bonds), target :: one
+        type(vti_bodies) :: two
+        x = reshape([1.5_c_double, 0.0_c_double, 2.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double], [3, 2])
+        alpha = 0
+        alpha(3, 1) = -1.5_c_double
+        pair(:, 1) = [1_c_int64_t, 2_c_int64_t]
+        stiffness = 8
+        pairs => pair
+        rests => rest
+        turns => turn
+        two = vti_bodies_none(2_c_int64_t)
+        two%x = vti_view_columns(x)
+        two%alpha = vti_view_columns(alpha)
+        call expect_status(vti_bonds_rest_now(pair, two, rest, turn), VTI_OK, 'a bond made now')
+        call expect(all(abs(rest(:, 1) - [0.168_c_double, 0.576_c_double, 0.8_c_double, 2.5_c_double]) &
+            < 1e-15_c_double), 'its direction and length')
+        call expect(all(abs(turn(:, 1) - [0.0_c_double, 0.0_c_double, 0.6_c_double, 0.8_c_double]) < 1e-15_c_double), &
+            'its rotation')
+        one = vti_bonds_between(pairs, rests, turns)
+        one%moment = vti_scalars_one(stiffness)
+        one%shear = vti_scalars_one(stiffness)
+        call element_is(vti_bonds_check(one, 2_c_int64_t, fault), VTI_OK, 0, 'a bond made now, checked')
+        call expect_status(vti_bonds_measure(one, two, 1_c_int64_t, 1_c_int64_t, measures), VTI_OK, 'what it holds')
+        call expect(all(abs(measures) < 1e-14_c_double), 'a bond made now holds nothing')
+        turn = 2*turn
+        call element_is(vti_bonds_check(one, 2_c_int64_t, fault), VTI_E_BOND, 1, 'a rotation of length 2')
+        pair(2, 1) = 3
+        call element_is(vti_bonds_rest_now(pair, two, rest, turn, fault), VTI_E_BOND, 1, 'a bond to no body')
+        call expect_status(vti_bonds_rest_now(pair, two, rest(:3, :), turn), VTI_E_COUNT, 'rest of the wrong shape')
+        call expect_status(vti_bonds_rest_now(pair, two, rest, turn(:3, :)), VTI_E_COUNT, 'turn of the wrong shape')
+        turns => turn(:, 1:0)
+        one = vti_bonds_between(pairs, rests, turns)
+        call expect(one%count == -1, 'bonds without their rotations')
+        nullify(turns)
+        one = vti_bonds_between(pairs, rests, turns)
+        call expect(one%count == -1, 'bonds of no rotations')
+    end subroutine
+
     !> A bond that is stretched from 1 to 3/2 holds N = K/2 and U = K/8; it breaks, and cannot be taken out twice.
     subroutine rupture_of_one()
         real(c_double), target :: x(3, 2), rest(4, 1), stiffness, limit, measures(VTI_BOND_MEASURES, 1)
@@ -357,6 +402,7 @@ contains
         call no_effect(vti_bond_dashpots_effect(no_bond_dashpots), 'no dashpots of bonds')
         call no_effect(vti_rupture_effect(no_rupture), 'no rupture')
         call rupture_of_one()
+    call bond_made_now()
         call no_effect(vti_pendulum_effect(no_pendulum), 'no pendulum')
         other_bonds = vti_bonds_between(wrong_pair, rest)
         call no_effect(vti_bonds_effect(other_bonds), 'bonds of the wrong shape')

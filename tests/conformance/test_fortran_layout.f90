@@ -135,7 +135,7 @@ contains
             c_loc(dashpots%reach), c_loc(dashpots%lost), c_loc(dashpots%wall_zeta)])
         call add(c_sizeof(bonds), c_loc(bonds), [c_loc(bonds%count), c_loc(bonds%pair), c_loc(bonds%base), &
             c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
-            c_loc(bonds%shear_form)])
+            c_loc(bonds%shear_form), c_loc(bonds%turn)])
         call add(c_sizeof(contacts), c_loc(contacts), [c_loc(contacts%count), c_loc(contacts%pair), &
             c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness), c_loc(contacts%modulus), &
             c_loc(contacts%length)])

@@ -93,7 +93,8 @@ int main(int argc, char **argv)
                              strchr(config, 'm') != NULL ? k : none,
                              strchr(config, 'a') != NULL ? k : none,
                              strchr(config, 's') != NULL ? k : none,
-                             VTI_SHEAR_OBJECTIVE};
+                             VTI_SHEAR_OBJECTIVE,
+                             NULL};
     const vti_contacts contacts = {.count = N - 1, .pair = pair[0], .diameter = d, .stiffness = stiffness};
     const vti_walls walls = {.count = 1, .plane = floor_plane[0], .diameter = d, .stiffness = stiffness};
     if (terms) {

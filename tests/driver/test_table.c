@@ -12,7 +12,7 @@
 #define BOND_NAMES                                                                                                     \
     "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, "             \
     "break_energy, "                                                                                                   \
-    "length, nx, ny, nz"
+    "length, nx, ny, nz, turn_x, turn_y, turn_z, turn_w"
 
 TEST(reads)
 {
@@ -139,6 +139,13 @@ static const struct {
     {BONDED, THREE, "i,j,length,nx,ny,nz\n0,1,1,1,0,0\n1,2,1,0,0,0\n",
      "c.csv:3: nx, ny and nz give no direction; one of them must not be 0"},
     {BONDED, THREE, "i,j,nx,nz\n0,1,1,0\n", "c.csv:1: nx, ny and nz come together; give all three"},
+    {BONDED, THREE, "i,j,turn_x,turn_w\n0,1,0,1\n",
+     "c.csv:1: turn_x, turn_y, turn_z and turn_w come together; give all four"},
+    {BONDED, THREE, "i,j,turn_x,turn_y,turn_z,turn_w\n0,1,0,0,0,1\n1,2,0,0,0,0\n",
+     "c.csv:3: turn_x, turn_y, turn_z and turn_w are no quaternion; 0, 0, 0, 1 turns nothing"},
+    {BODIES "binder: {table: c.csv, shear: {stiffness: 1, form: printed}}\n", THREE,
+     "i,j,turn_x,turn_y,turn_z,turn_w\n0,1,0,0,0,1\n",
+     "c.csv: the printed shear knows no turn_x, turn_y, turn_z, turn_w; give shear.form: objective"},
     {BONDED, THREE, "i,j,length\n0,1,0\n", "c.csv:2:5: length: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,break_energy\n0,1,0\n", "c.csv:2:5: break_energy: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,moment\n0,1,1\n", "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
@@ -230,6 +237,46 @@ TEST(rest_of_bonds)
     model_destroy(&model);
 }
 
+/** A rotation at rest, of any length in the file: K^m/2 (2 asin 0.6)^2 where nothing has turned, and nothing is held
+ *  where body 0 has turned by it. */
+TEST(turns_of_bonds)
+{
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,alpha_x,alpha_y,alpha_z,mass,diameter\n0,0,0,0,0,0,1,1\n1,0,0,0,1.5,0,1,1\n");
+    write_text("c.csv", "i,j,turn_x,turn_y,turn_z,turn_w\n0,1,0,1.2,0,1.6\n");
+    make_model("bodies: {table: b.csv}\nbinder: {table: c.csv, moment: 10, shear: {stiffness: 7}}\n" TIME, &scene,
+               &model);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_true(bonds.turn != NULL && bonds.turn[0] == 0 && bonds.turn[2] == 0);
+    assert_close(bonds.turn[1], 0.6, EPS);
+    assert_close(bonds.turn[3], 0.8, EPS);
+    assert_below(model_energy(&model, &model.bodies), 100 * EPS * EPS);
+    model.bodies.alpha.c[1][3] = 0;
+    const double theta = 2 * asin(0.6), bent = 7 * (1 - cos(theta / 2));
+    assert_close(model_energy(&model, &model.bodies), 5 * theta * theta + bent, 100 * EPS);
+    model_destroy(&model);
+}
+
+/** What limits the step is named by its number in the table, whatever has broken. */
+TEST(limits_name_the_bond)
+{
+    struct scene scene;
+    struct model model;
+    int64_t broken = 0;
+    char text[128];
+    const vti_stable stable = {.effect = 0, .element = 0, .i = 1, .j = 2};
+    write_text("b.csv", THREE);
+    write_text("c.csv", "i,j,length\n0,1,0.1\n1,2,1\n");
+    make_model("bodies: {table: b.csv, mass: 1}\nbinder: {table: c.csv, axial: 1, break: {stretch: 2}}\n" TIME, &scene,
+               &model);
+    assert_int_equal(vti_effects_rupture(model.effects, model.effects_count, &model.bodies, &broken), VTI_OK);
+    assert_int_equal(broken, 1);
+    model_limit_text(&model, NULL, &stable, text, sizeof text);
+    assert_string_equal(text, "bond 1 of bodies 1 and 2");
+    model_destroy(&model);
+}
+
 /** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
 TEST(what_tables_add)
 {
@@ -270,4 +317,6 @@ TEST(given_tables)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
                     cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
-                    cmocka_unit_test(rest_of_bonds), cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))
+                    cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
+                    cmocka_unit_test(limits_name_the_bond), cmocka_unit_test(what_tables_add),
+                    cmocka_unit_test(given_tables))

@@ -133,7 +133,8 @@ static inline void scene_effects(scene *s, vti_effect *effects)
                              vti_scalars_one(&s->stiffness[0]),
                              vti_scalars_one(&s->stiffness[1]),
                              vti_scalars_one(&s->stiffness[2]),
-                             VTI_SHEAR_OBJECTIVE};
+                             VTI_SHEAR_OBJECTIVE,
+                             NULL};
     const vti_contacts contacts = {
         .count = PAIRS, .pair = s->pair[0], .diameter = vti_scalars_array(s->diameter), .stiffness = 20.0};
     const vti_walls walls = {

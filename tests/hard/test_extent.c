@@ -103,7 +103,8 @@ TEST(effects)
                                      vti_scalars_one(&one),
                                      vti_scalars_one(&one),
                                      vti_scalars_one(&one),
-                                     VTI_SHEAR_OBJECTIVE};
+                                     VTI_SHEAR_OBJECTIVE,
+                                     NULL};
             const vti_contacts contacts = {
                 .count = 1, .pair = pair, .base = base, .diameter = vti_scalars_one(&one), .stiffness = 10};
             const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 10};

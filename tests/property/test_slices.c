@@ -110,7 +110,8 @@ static void run(const char *name, int64_t size, enum layout layout, struct block
                        vti_scalars_one(&moment),
                        vti_scalars_one(&axial),
                        vti_scalars_one(&shear),
-                       VTI_SHEAR_OBJECTIVE};
+                       VTI_SHEAR_OBJECTIVE,
+                       NULL};
     const vti_bodies b = start(s, layout);
     assert_int_equal(vti_bonds_rest(bonded, pair[0], 0, &b.x, rest[0], NULL), VTI_OK);
     const vti_effect binder = vti_bonds_effect(&bonds);

@@ -15,7 +15,7 @@ static inline void effects_refuse(const vti_bodies *bad, int status)
     static const vti_pendulum pendulum = {1.0, {0, 0, 1}};
     static const vti_gravity gravity = {{0, 0, -1}};
     const vti_scalars k = vti_scalars_one(&one);
-    const vti_bonds bonds = {1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE};
+    const vti_bonds bonds = {1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE, NULL};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = k, .stiffness = 1.0};
     const vti_walls walls = {.count = 1, .plane = plane, .diameter = k, .stiffness = 1.0};
     const vti_effect effects[5] = {vti_bonds_effect(&bonds), vti_contacts_effect(&contacts), vti_walls_effect(&walls),

@@ -32,7 +32,7 @@ static int sound(void **state)
     pair[1] = 1;
     assert_int_equal(vti_bonds_rest(1, pair, 0, &b.x, rest, NULL), VTI_OK);
     const vti_scalars k = vti_scalars_one(&one);
-    bonds = (vti_bonds){1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE};
+    bonds = (vti_bonds){1, pair, 0, rest, k, k, k, VTI_SHEAR_OBJECTIVE, NULL};
     contacts = (vti_contacts){.count = 1, .pair = pair, .diameter = k, .stiffness = 5};
     walls = (vti_walls){.count = 1, .plane = plane, .diameter = k, .stiffness = 5};
     assert_int_equal(vti_bodies_seal(&b), VTI_OK);

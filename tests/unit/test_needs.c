@@ -115,9 +115,9 @@ TEST(gives)
     rest[3] *= 0.5;
     const vti_pendulum pendulum = {1, {0.3, 0, 1}};
     const vti_gravity gravity = {{0, 1, 2}};
-    const vti_bonds moments = {1, pair, 0, rest, k, none, none, VTI_SHEAR_OBJECTIVE},
-                    axial = {1, pair, 0, rest, none, k, none, VTI_SHEAR_OBJECTIVE},
-                    shear = {1, pair, 0, rest, none, none, k, VTI_SHEAR_OBJECTIVE};
+    const vti_bonds moments = {1, pair, 0, rest, k, none, none, VTI_SHEAR_OBJECTIVE, NULL},
+                    axial = {1, pair, 0, rest, none, k, none, VTI_SHEAR_OBJECTIVE, NULL},
+                    shear = {1, pair, 0, rest, none, none, k, VTI_SHEAR_OBJECTIVE, NULL};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = d, .stiffness = 5};
     const vti_walls walls = {.count = 1, .plane = plane, .diameter = d, .stiffness = 5};
     const int F = 1 << VTI_QUANTITY_FORCE, M = 1 << VTI_QUANTITY_MOMENT;
