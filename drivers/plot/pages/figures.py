@@ -202,6 +202,31 @@ def torus_orders(page, folder):
                          "and no order is resolved.")))
 
 
+DISSIPATING = {
+    "billiards": "Glass beads strike a plane and each other obliquely.",
+    "incline": "A bead rolls down a slope.",
+    "heap": "A column of spheres collapses into a heap that comes to rest.",
+    "column": "A column of glass beads, one bead deep, collapses on a rough plane.",
+    "drum": "Glass beads in a drum that turns.",
+    "agglomerate": "Spheres of limestone, bonded, strike a plane and break.",
+}
+
+
+def dissipating(page, folder):
+    page.heading("Beyond the paper: scenes that lose energy")
+    page.text("Not in the paper: drag, dashpots, friction and rupture, which `docs/dissipation.md` explains. What is lost is booked, and "
+              "the sum with it stays to second order in h.")
+    for name, about in DISSIPATING.items():
+        run = read_run(os.path.join(folder, name, "out.h5"))
+        total = run.columns["total"]
+        scale = np.max(np.abs(total)) + max(np.max(np.abs(values)) for values in run.energies().values())
+        film = next((f"{name}/{film}" for film in ("film.mp4", "film.gif") if os.path.isfile(os.path.join(folder, name, film))), None)
+        page.text(f"**{name}.** {about} The sum stays to {number(np.max(np.abs(total - total[0])) / scale)} of the largest energy."
+                  + (f" The film is `{film}`." if film else ""))
+        page.picture(name, "shapes.png")
+        page.picture(name, "energy.png")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: python3 -m plot.figures FOLDER")
@@ -216,6 +241,7 @@ def main():
         long_time(page, folder)
         conserved(page, folder)
         torus_orders(page, folder)
+        dissipating(page, folder)
         for name, content in (("index.md", page.markdown()), ("index.html", page.html())):
             style.write(content.encode("utf-8"), os.path.join(folder, name))
             print(os.path.join(folder, name))
