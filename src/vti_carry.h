@@ -161,6 +161,14 @@ static inline double vti_carry_stiffness(const vti_friction *p, const struct vti
                             : p->stiffness;
 }
 
+/** The mean over a drift of a stiffness that goes as sqrt(delta) while delta goes evenly from one overlap to the other:
+ *  with the mean of the two ends instead, a spring that sticks from the first touch on would be off by h^{3/2}. It lies
+ *  between the two, so that a spring which stiffens loses. */
+static inline double vti_carry_mean(double k0, double k1)
+{
+    return k0 + k1 > 0.0 ? 2.0 / 3.0 * (k0 * k0 + k0 * k1 + k1 * k1) / (k0 + k1) : 0.0;
+}
+
 /** F_n */
 static inline double vti_carry_normal(const struct vti_touch *at, double delta)
 {
@@ -272,7 +280,7 @@ static inline void vti_carry_held(const vti_friction *p, const struct vti_carry 
                                           k0,
                                           k1,
                                           !(p->mindlin > 0.0) ? p->stiffness
-                                          : closes            ? 0.5 * (k0 + k1)
+                                          : closes            ? vti_carry_mean(k0, k1)
                                                               : k1,
                                           !(p->mindlin > 0.0) || closes ? 1.0 : k1 / k0};
         vti_sum_add(&p->lost[0], vti_carry_spring(c, &law, c->slid, held->sliding, mean));
