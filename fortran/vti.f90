@@ -19,6 +19,7 @@ module vti
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     use vti_c
     use vti_effects
+    use vti_controls
     use vti_multisteps
     use vti_packed
     use vti_rrv

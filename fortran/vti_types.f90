@@ -13,7 +13,7 @@ module vti_types
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
         VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
-        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22
+        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22, VTI_E_CONTROL = -23
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -83,6 +83,24 @@ module vti_types
     type, bind(c) :: vti_errors
         type(c_ptr) :: memory = c_null_ptr
         integer(c_int64_t) :: rows = 0
+    end type
+
+    !> What step control goes by, and its state; vti_control_start sets all of it, and what stands up to least may then
+    !> be changed.
+    type, bind(c) :: vti_control
+        real(c_double) :: tolerance = 0, speed = 1, turning = 1, most = 0, least = 0, power = 0, h = 0, error = 0
+        integer(c_int64_t) :: held = 0, accepted = 0, rejected = 0
+    end type
+
+    !> Bodies as they stood: memory is the address of an array (width, bodies) of the caller's.
+    type, bind(c) :: vti_kept
+        type(c_ptr) :: memory = c_null_ptr
+        integer(c_int64_t) :: width = 0
+    end type
+
+    !> The density of steps of the integrating controller; h is the step to be made next.
+    type, bind(c) :: vti_density
+        real(c_double) :: epsilon = 0, rho = 0, h = 0
     end type
 
     !> AN(K, c), a multistep method as data; vti_text reads name and about.

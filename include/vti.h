@@ -17,6 +17,7 @@
 #include "vti_bodies.h"
 #include "vti_bond_dashpot.h"
 #include "vti_contact.h"
+#include "vti_control.h"
 #include "vti_dashpot.h"
 #include "vti_drag.h"
 #include "vti_effect.h"

@@ -74,7 +74,10 @@ extern "C" {
         "bodies touch, and begin anew or from a restart")                                                              \
     ROW(VTI_E_PAST, -22,                                                                                               \
         "a multistep method remembers too little, or has no memory; record the accelerations before each of K - 1 "    \
-        "steps of another method, and after them")
+        "steps of another method, and after them")                                                                     \
+    ROW(VTI_E_CONTROL, -23,                                                                                            \
+        "a tolerance, a scale or a limit of step control is not positive and finite, or its shortest step is too "     \
+        "long for the tolerance; ask for less accuracy, or allow shorter steps")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

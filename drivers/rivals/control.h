@@ -2,8 +2,8 @@
  *
  * GSL's choice of steps for rk8pd in plain arithmetic: GSL's own calls pow, whose last bit depends on the
  * processor's vector units, and with it every step after. */
-#ifndef VTI_CONTROL_H
-#define VTI_CONTROL_H
+#ifndef VTI_RIVALS_CONTROL_H
+#define VTI_RIVALS_CONTROL_H
 
 #include <gsl/gsl_odeiv2.h>
 

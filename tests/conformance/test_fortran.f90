@@ -32,6 +32,8 @@ program test_fortran
         call packed(k)
     end do
     call watched()
+    call controlled()
+    call density()
     call multistep()
     call finish()
 
@@ -157,6 +159,68 @@ contains
         call expect(velocity > 0 .and. spin > 0, 'both are estimated')
         call expect_status(vti_step_watch(vti_stepper_find('vti2'), 0_c_int64_t, h, b, errors), VTI_E_STEPPER, &
             'vti2 has no estimates')
+    end subroutine
+
+    !> A step by a tolerance: undone while it is too long, and forces are put back with the bodies; then one accepted.
+    subroutine controlled()
+        type(state), target :: s
+        type(state) :: before
+        real(c_double), target :: force(3, n), moment(3, n), sums(6, 2, n), memory(34, n)
+        real(c_double) :: force_before(3, n), velocity, spin, tried
+        type(vti_bodies) :: b
+        type(vti_errors) :: errors
+        type(vti_control) :: control
+        type(vti_kept) :: kept
+        integer(c_int64_t) :: accepted, j
+        integer :: tries
+        s = initial()
+        b = on_columns(s, force, moment)
+        errors%memory = c_loc(sums)
+        errors%rows = 2
+        kept%memory = c_loc(memory)
+        kept%width = vti_step_keeps(b)
+        call expect(kept%width == 18, 'x, v, alpha, omega, force and moment are kept')
+        kept%width = 34
+        method = vti_stepper_find('srkn11')
+        call expect_status(vti_control_start(method, 1e-10_c_double, 0.5_c_double, control), VTI_OK, 'start')
+        call shim_forces(b)
+        before = s
+        force_before = force
+        accepted = 0
+        tries = 0
+        do while (accepted == 0 .and. tries < 20)
+            tries = tries + 1
+            tried = control%h
+            call expect_status(vti_step_keep(b, kept), VTI_OK, 'keep')
+            do j = 0, method%stages - 1
+                call expect_status(vti_step_watch(method, j, tried, b, errors), VTI_OK, 'watch')
+                call expect_status(vti_step_stage(method, j, tried, b), VTI_OK, 'stage')
+                call shim_forces(b)
+            end do
+            call expect_status(vti_step_watch(method, method%stages, tried, b, errors), VTI_OK, 'watch')
+            call expect_status(vti_step_finish(method, tried, b), VTI_OK, 'finish')
+            call expect_status(vti_step_error(method, b, errors, velocity, spin), VTI_OK, 'error')
+            call expect_status(vti_control_judge(control, tried, velocity, spin, accepted), VTI_OK, 'judge')
+            if (accepted == 1) exit
+            call expect(control%h < tried, 'the next try is shorter')
+            call expect_status(vti_step_undo(b, kept), VTI_OK, 'undo')
+            call expect(all(abs(s%x - before%x) <= 0) .and. all(abs(s%omega - before%omega) <= 0) &
+                .and. all(abs(force - force_before) <= 0), 'all is put back')
+        end do
+        call expect(accepted == 1 .and. tries > 1 .and. control%rejected == tries - 1, 'it was too long, then not')
+        call expect(max(velocity, spin) <= 1e-10_c_double, 'the error is below the tolerance')
+        call expect_status(vti_control_start(vti_stepper_find('vti2'), 1e-3_c_double, h, control), VTI_E_STEPPER, &
+            'vti2 has no estimates')
+        call expect_status(vti_control_start(method, 0.0_c_double, h, control), VTI_E_CONTROL, 'no tolerance')
+    end subroutine
+
+    subroutine density()
+        type(vti_density) :: d
+        call expect_status(vti_density_start(0.5_c_double, 0.25_c_double, 8.0_c_double, d), VTI_OK, 'density')
+        call expect(abs(d%h - 0.5_c_double/6) < 1e-15_c_double, 'h = epsilon/(1/s + epsilon G/2)')
+        call expect_status(vti_density_next(d, -4.0_c_double), VTI_OK, 'next')
+        call expect(abs(d%h - 0.125_c_double) < 1e-15_c_double, 'rho goes by epsilon G')
+        call expect_status(vti_density_next(d, -80.0_c_double), VTI_E_TIME, 'no step comes out')
     end subroutine
 
     !> an4 from a start by srkn11: it tells by how much it corrects the velocity, and follows srkn11.

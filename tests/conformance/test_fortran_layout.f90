@@ -62,6 +62,9 @@ contains
         type(vti_bodies), target :: bodies
         type(vti_stepper), target :: stepper
         type(vti_errors), target :: errors
+        type(vti_control), target :: control
+        type(vti_kept), target :: kept
+        type(vti_density), target :: density
         type(vti_effect), target :: effect
         type(vti_drifted), target :: drifted
         type(vti_pendulum), target :: pendulum
@@ -101,6 +104,12 @@ contains
             c_loc(stepper%kick), c_loc(stepper%drift), c_loc(stepper%probe), c_loc(stepper%about), &
             c_loc(stepper%estimate_order), c_loc(stepper%estimates), c_loc(stepper%estimate)])
         call add(c_sizeof(errors), c_loc(errors), [c_loc(errors%memory), c_loc(errors%rows)])
+        call add(c_sizeof(control), c_loc(control), [c_loc(control%tolerance), c_loc(control%speed), &
+            c_loc(control%turning), c_loc(control%most), c_loc(control%least), c_loc(control%power), &
+            c_loc(control%h), c_loc(control%error), c_loc(control%held), c_loc(control%accepted), &
+            c_loc(control%rejected)])
+        call add(c_sizeof(kept), c_loc(kept), [c_loc(kept%memory), c_loc(kept%width)])
+        call add(c_sizeof(density), c_loc(density), [c_loc(density%epsilon), c_loc(density%rho), c_loc(density%h)])
         call add(c_sizeof(effect), c_loc(effect), [c_loc(effect%name), c_loc(effect%apply), &
             c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
             c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &

@@ -18,6 +18,7 @@ static int reached(int status)
     vti_held held = {.i = 1, .j = 2};
     vti_history history = {.slots = 3, .slot = &held};
     vti_past past = {NULL, 1, 0};
+    vti_control control;
     const vti_stepper *const vti1 = vti_stepper_find("vti1");
     crowd_clear(&c, 2, CROWD_ALPHA);
     vti_bodies b = crowd_bodies(&c);
@@ -90,6 +91,8 @@ static int reached(int status)
         return vti_effects_check(&effect, 1, &b, &fault);
     case VTI_E_PAST:
         return vti_multistep_record(&past, &b);
+    case VTI_E_CONTROL:
+        return vti_control_start(vti_stepper_find("srkn11"), 0, 0.1, &control);
     case VTI_E_HISTORY:
         return vti_history_add(&history, &held);
     default:
@@ -124,10 +127,10 @@ TEST(every_status)
 {
     int count = 0;
     for (int status = LOWEST; status <= VTI_OK; ++status, ++count) {
-        fault.quantity =
-            status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS || status == VTI_E_HISTORY || status == VTI_E_PAST
-                ? VTI_QUANTITY_NONE
-                : -7; /* those calls have no fault to fill */
+        fault.quantity = status == VTI_E_DISSIPATES || status == VTI_E_SPRINGS || status == VTI_E_HISTORY ||
+                                 status == VTI_E_PAST || status == VTI_E_CONTROL
+                             ? VTI_QUANTITY_NONE
+                             : -7; /* those calls have no fault to fill */
         assert_int_equal(reached(status), status);
         assert_int_equal(fault.quantity, named(status));
         if (status == VTI_E_TOO_LARGE)
