@@ -3,63 +3,120 @@
 #ifndef VTI_ADVISE_H
 #define VTI_ADVISE_H
 
-#include "trial.h"
+#include "cost_ladder.h"
+
+/* What functions return that ended without an answer, beside 0 and -1. */
+enum {
+    ADVISE_SPENT = 1, /* the purse is empty */
+    ADVISE_PARTED = 2 /* finer and finer runs do not come together */
+};
+
+/* ---- what pilots may cost ---------------------------------------------------------------------------------------- */
+
+/** Looked at inside pilots. work is counted, so that without a time the same runs are made on every machine. */
+struct purse {
+    double until;      /* seconds of purse_clock; INFINITY: any time */
+    double work, most; /* force evaluations times bodies: spent, and how many may be */
+};
+
+/** Seconds that pass on the wall. */
+double purse_clock(void);
+/** Whether so much more work, on its way, leaves nothing. */
+int purse_is_empty(const struct purse *purse, double more);
 
 /* ---- pilot runs -------------------------------------------------------------------------------------------------- */
 
-/* Pilot runs: one stepper over the whole time of a scene, of which only the end and the time taken are kept. */
+enum { PILOT_MARKS = 16 };
 
+/** One stepper from the start of a scene on, of which the bodies at sixteen times are kept, the last at the end. */
 struct pilot {
     int64_t steps, force_evals;
-    int failed;       /* a step was refused, or the end is not finite; message says why */
-    double seconds;   /* of the steps alone */
-    double max_omega; /* largest |Omega| at some 64 times */
-    vti_bodies end;   /* v and alpha at t_end, of those that the scene has */
+    int failed;                  /* a step was refused, or a state is not finite; message says why */
+    int marked;                  /* all of these are there; else, of runs of a few steps, only the end */
+    int spent;                   /* ended because the purse was empty */
+    double seconds;              /* of the steps alone */
+    double max_omega;            /* largest |Omega| at some 64 times */
+    double energy, energy_error; /* at t = 0, and the largest |E - E_0|/|E_0| at these (absolute if E_0 = 0) */
+    vti_bodies at[PILOT_MARKS];  /* x, v, alpha and omega, of those that the scene has */
     double *memory;
     struct message message;
 };
 
-/** Runs the trial. Returns 0, or -1 with one line in *message if there is no memory or no model; a
- *  run that fails on its way is pilot->failed. */
-int pilot_run(const struct scene *scene, const struct trial *trial, struct pilot *pilot, struct message *message);
+/** The next number of steps that a pilot goes in: a multiple of PILOT_MARKS, its unit, unless it is small. */
+int64_t pilot_steps(double steps);
+int64_t pilot_unit(int64_t steps);
+/** Runs the trial, of pilot_steps. Returns 0; ADVISE_SPENT; or -1 with one line in *message if there is no memory or no
+ *  model. A run that fails on its way is pilot->failed. pilot_destroy is due after any of them. */
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot *pilot,
+              struct message *message);
 void pilot_destroy(struct pilot *pilot);
 
-/** How far the end of a run is from that of the solution: the largest |log(R R_s^T)| of a body, radians; where
- *  nothing turns the relative error of the velocities, (sum |v - v_s|^2 / sum |v_s|^2)^(1/2). Infinite if either run
- *  has failed. */
-double pilot_error(const struct pilot *pilot, const struct pilot *solution);
+/** How far a run is from the solution at a mark, by a measure of cost_ladder.h; of the energy that at all marks, for
+ *  which the solution may be NULL. Infinite if either has failed, NaN at a mark that is not there. */
+double pilot_error(const struct pilot *pilot, const struct pilot *solution, int measure, int mark);
 
 /* ---- advice ------------------------------------------------------------------------------------------------------ */
 
-enum { ADVICE_MOST = 32 };
+enum { ADVICE_MOST = 64 };
+
+/** Where an offer comes from. */
+enum offer_source {
+    OFFER_NONE,      /* no run has told anything of this stepper */
+    OFFER_STABILITY, /* from the stable step alone */
+    OFFER_FOLLOWED,  /* from coarser runs over the whole time, by the stepper's order */
+    OFFER_SHORTER,   /* from runs over the first part of the time */
+    OFFER_MEASURED   /* this very run was made */
+};
 
 /** One stepper's way to the error that was asked for. */
 struct offer {
     const vti_stepper *stepper;
-    int64_t steps; /* 0: no step was found that it survives */
+    int64_t steps; /* 0: none was found that it survives */
     int64_t force_evals;
     double h, error, seconds;
-    int measured; /* 1: this very run was made; 0: followed from coarser ones by the stepper's order */
+    double order;                 /* that its runs showed */
+    double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
+    double doubt;                 /* the error lies between error/doubt and error doubt; INFINITY: anywhere */
+    double errors[COST_MEASURES]; /* by all measures; NaN where the scene has none, or nothing is known */
+    enum offer_source source;
+};
+
+/** What is asked for. */
+struct advise_request {
+    const struct scene *scene;
+    double target, t_end;
+    int measure;                        /* of cost_ladder.h; -1: the attitude's, or the velocity's if nothing turns */
+    double budget;                      /* seconds; 0: the share of the predicted run that advise_share says */
+    const vti_stepper *const *steppers; /* count of them; 0: all of ours that the scene may be run by */
+    int64_t count;
+    void (*say)(const char *stepper, int64_t steps); /* hears of every run; may be NULL */
 };
 
 struct advice {
     double target, t_end;
-    struct model_limits limits; /* of the step, at the start */
-    double max_omega;           /* of the solution */
-    double order;               /* that the most accurate runs showed; NaN if they needed no refining */
-    const vti_stepper *checked; /* whose runs these were */
-    double known;               /* error of the solution that all others are compared with */
+    int measure;                 /* by which the offers reach the target: energy where trajectories part */
+    double together;             /* up to when trajectories of the finest runs agree to a tenth; t_end where they do */
+    int parted;                  /* ... and they do not: the target is the energy's */
+    struct model_limits limits;  /* of the step, at the start */
+    double max_omega;            /* of the solution; NaN: there is none */
+    double order;                /* that the most accurate runs showed; NaN if they needed no refining */
+    const vti_stepper *checked;  /* whose runs these were */
+    double known;                /* error of the solution that others are compared with; NaN: there is none */
+    double seconds, work, evals; /* that the pilots took; evaluations times bodies, and evaluations */
     int64_t count;
     struct offer offers[ADVICE_MOST]; /* by rising seconds, rivals after ours; the first is the advice */
 };
 
-/** Works out the advice by pilot runs over the whole time, coarse ones where they suffice. Steppers are those of the
- *  list, or all of ours for count 0. Rivals in it are measured too, and are never the advice. say (may be NULL)
- *  hears of every run. Returns 0, or -1 with one line in *message, so too if no run comes near enough to the others
- *  to tell its error, or would take more than budget seconds for that. */
-int advise(const struct scene *scene, double target, double t_end, double budget, const vti_stepper *const *steppers,
-           int64_t count, void (*say)(const char *stepper, int64_t steps), struct advice *advice,
-           struct message *message);
+/** The share of the predicted run that pilots take at most, if nothing else is said; more where forces have kinks, and
+ *  windows tell nothing. Where that is less than a tenth of a second or so, they take that. */
+double advise_share(const struct scene *scene);
+/** "attitude" and so on. Returns the measure, or -1. */
+int advise_measure(const char *name);
+
+/** Works out the advice by pilot runs within the budget. There always is one: from runs over the whole time if the
+ *  budget allows, else from its first part, from coarser runs, at the least from the stable step. Rivals in the list
+ *  are measured too, and are never the advice. Returns 0, or -1 with one line in *message. */
+int advise(const struct advise_request *request, struct advice *advice, struct message *message);
 
 /* ---- the search of one stepper ----------------------------------------------------------------------------------- */
 
@@ -68,22 +125,44 @@ int advise(const struct scene *scene, double target, double t_end, double budget
 struct search {
     const struct scene *scene;
     struct advice *advice;
+    struct purse purse;
+    double t_end, target;    /* of this stage: a part of the time, or an error that is easier to reach */
+    int measure, trajectory; /* of the errors; and by which runs come together or not */
     struct pilot solution;
+    int solved;
     double omega0;
     double stable_h; /* of contacts as they are listed and bonds at rest: searches begin there */
     double limit;    /* force evaluations beyond which runs are too dear */
-    double budget;   /* seconds to spend on the solution */
+    int64_t bodies;
+    int kinked;   /* the forces are */
+    double doubt; /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5), 30 where
+                   * something breaks, sooner or later by a step */
     void (*say)(const char *stepper, int64_t steps);
     struct message *message;
 };
 
-/** A pilot run. Returns 0, or -1 with one line in *s->message. */
+/** A pilot run over s->t_end. Returns as pilot_run does. */
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
-/** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound; at
- *  least 4. */
+/** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
-/** Fills in the offer of o->stepper by runs of up to limit force evaluations, compared with s->solution. Returns
- *  likewise. */
+/** Fills in the offer of o->stepper for s->t_end and s->target by runs of up to limit force evaluations, compared with
+ *  s->solution. Returns likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);
+/** Refines a->checked until its runs tell the error s->target: that is s->solution. Of the purse it takes up to the
+ *  share. Returns 0, -1, ADVISE_SPENT or ADVISE_PARTED. */
+int search_solution(struct search *s, double share);
+/** Up to when two runs agree to a tenth, in radians or of all velocities. */
+double search_together(const struct search *s, const struct pilot *a, const struct pilot *b);
+
+/** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. Returns 0, -1, ADVISE_SPENT,
+ *  or ADVISE_PARTED if they have nothing to do with each other: then it is the finer run, of which the energy's error
+ *  is known, and search_law_follow goes on by that once s->measure is the energy. The offer stays as it is if they
+ *  fail. */
+int search_law(struct search *s, struct offer *o, int64_t steps);
+void search_law_follow(const struct search *s, struct offer *o);
+/** The same from one run, of which that of the energy alone is known; s->measure is that. */
+void search_law_energy(const struct search *s, struct offer *o, const struct pilot *run);
+/** Force evaluations of the coarsest two runs that are worth making. */
+double law_evals(const struct search *s, const vti_stepper *stepper);
 
 #endif

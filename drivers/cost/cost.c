@@ -44,8 +44,8 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
         if (anywhere(model_create(it->scene, model, message), comm) != 0)
             return -1;
         const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
-        const int failed =
-            reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch, &w->references[c], message);
+        const int failed = reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch,
+                                            &w->references[c], message);
         if (failed != 0)
             return failed;
         struct cost_facts *facts = &w->cost->facts[c];

@@ -37,6 +37,10 @@ int64_t race_steps(double t_end, double h);
 void race_measure(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
                   struct reference *reference, struct race_result *result);
 
+/** The same errors of bodies against others: of v and Omega together, relative; of x, 0 if nothing translates. */
+double race_velocity_error(const vti_bodies *bodies, const vti_bodies *exact);
+double race_position_error(const vti_bodies *bodies, const vti_bodies *exact);
+
 /** Seconds of processor time, which is wall-clock time on a core of one's own, of the run alone: without model,
  *  start and observers. One sample is the mean of as many fresh runs in a row as fill a millisecond, at least one.
  *  Returns it, or NaN with one line in *message if the run failed. */

@@ -1,60 +1,164 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
+#define _POSIX_C_SOURCE 200809L
 #include "advise.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { LOOKS = 64 }; /* at the bodies of a run */
 
-/** A copy at p of a view that is there. */
-static void keep(vti_view *view, double *p, int64_t n, int *finite)
+/* ---- the purse --------------------------------------------------------------------------------------------------- */
+
+double purse_clock(void)
 {
-    for (int64_t i = 0; view->c[0] != NULL && i < n; ++i)
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int purse_is_empty(const struct purse *purse, double more)
+{
+    return purse->work + more >= purse->most || (isfinite(purse->until) && purse_clock() >= purse->until);
+}
+
+/* ---- on the way -------------------------------------------------------------------------------------------------- */
+
+/** A pilot and what looks at it. */
+struct flight {
+    struct pilot *pilot;
+    struct trial_run run;
+    const struct purse *purse;
+    double evals;   /* of a step; 0 where they vary */
+    double looking; /* seconds that are not the steps' */
+    int64_t step;   /* the last at which the purse was looked at */
+};
+
+/** A copy at p of a view that is there. Returns where the next one goes. */
+static double *keep(vti_view *view, double *p, int64_t n, int *finite)
+{
+    if (view->c[0] == NULL)
+        return p;
+    for (int64_t i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k) {
             p[3 * i + k] = view->c[k][i * view->stride];
             *finite &= isfinite(p[3 * i + k]) != 0;
         }
-    *view = view->c[0] != NULL ? vti_view_packed(p) : vti_view_none();
+    *view = vti_view_packed(p);
+    return p + 3 * n;
 }
 
-static int keep_end(struct pilot *pilot, const vti_bodies *bodies)
+static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
+    struct flight *f = self;
+    struct pilot *pilot = f->pilot;
+    const double from = trial_clock();
     const int64_t n = bodies->count;
     int finite = 1;
-    pilot->end = vti_bodies_none(n);
-    pilot->end.v = bodies->v;
-    pilot->end.alpha = bodies->alpha;
-    keep(&pilot->end.v, pilot->memory, n, &finite);
-    keep(&pilot->end.alpha, pilot->memory + 3 * n, n, &finite);
+    (void)t;
+    if (step == 0)
+        return 0;
+    const int64_t mark = step == pilot->steps ? PILOT_MARKS - 1 : step / (pilot->steps / PILOT_MARKS) - 1;
+    vti_bodies *b = &pilot->at[mark];
+    double *p = pilot->memory + 12 * n * mark;
+    *b = vti_bodies_none(n);
+    b->x = bodies->x;
+    b->v = bodies->v;
+    b->alpha = bodies->alpha;
+    b->omega = bodies->omega;
+    p = keep(&b->x, p, n, &finite);
+    p = keep(&b->v, p, n, &finite);
+    p = keep(&b->alpha, p, n, &finite);
+    keep(&b->omega, p, n, &finite);
+    f->looking += trial_clock() - from;
     return finite ? 0 : message_set(&pilot->message, "the bodies leave the range of numbers");
 }
 
+/** Energy, with what effects have booked, and rotation. */
 static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
-    struct pilot *pilot = self;
+    struct flight *f = self;
+    struct pilot *pilot = f->pilot;
+    struct model *model = &f->run.model;
+    const double from = trial_clock();
+    const double energy = model_energy(model, bodies) + vti_booked(model->effects, model->effects_count);
     (void)t;
+    pilot->energy = step == 0 ? energy : pilot->energy;
+    const double off = fabs(energy - pilot->energy) / (pilot->energy != 0.0 ? fabs(pilot->energy) : 1.0);
+    pilot->energy_error = off <= pilot->energy_error ? pilot->energy_error : off; /* once NaN, it stays */
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
-    return step == pilot->steps ? keep_end(pilot, bodies) : 0;
+    f->looking += trial_clock() - from;
+    return 0;
 }
 
-int pilot_run(const struct scene *scene, const struct trial *trial, struct pilot *pilot, struct message *message)
+static int see_purse(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
-    struct trial_run run;
-    const struct observer observer = {look, pilot, (trial->steps + LOOKS - 1) / LOOKS, 0};
+    struct flight *f = self;
+    (void)t;
+    f->step = step;
+    f->pilot->spent = purse_is_empty(f->purse, f->evals * (double)step * (double)bodies->count);
+    return f->pilot->spent;
+}
+
+/** Steps between two looks at the purse: about a millisecond's. Methods whose steps vary stop at their own where they
+ *  are looked at, which costs them something. */
+static int64_t purse_every(const struct flight *f, int64_t steps, int64_t bodies)
+{
+    static const double work = 2e4;
+    const double every = f->evals > 0.0 ? fmax(1.0, work / (f->evals * (double)bodies)) : (double)steps / LOOKS;
+    return (int64_t)fmin(fmax(every, 1.0), 1e15);
+}
+
+static int64_t fly(struct flight *f, const struct trial *trial)
+{
+    struct pilot *pilot = f->pilot;
+    const int64_t steps = trial->steps;
+    const struct observer observers[] = {{see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0},
+                                         {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0},
+                                         {look, f, (steps + LOOKS - 1) / LOOKS, 0}};
+    pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent;
+    pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
+    pilot->force_evals = travel_force_evals(&f->run.travel);
+    if (pilot->spent && pilot->force_evals == 0) /* of a list of kicks that was stopped */
+        pilot->force_evals = 1 + f->step * trial->stepper->evals;
+    return f->run.model.bodies.count;
+}
+
+int64_t pilot_unit(int64_t steps)
+{
+    enum { FEW = 8 * PILOT_MARKS };
+    return steps > FEW ? PILOT_MARKS : 1;
+}
+
+int64_t pilot_steps(double steps)
+{
+    static const double least = 4.0;
+    const double limited = ceil(fmin(fmax(steps, least), 1e15)), unit = (double)pilot_unit((int64_t)limited);
+    return (int64_t)(unit * ceil(limited / unit));
+}
+
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot *pilot,
+              struct message *message)
+{
+    struct flight flight = {.pilot = pilot, .purse = purse, .evals = (double)trial->stepper->evals};
     memset(pilot, 0, sizeof *pilot);
     pilot->steps = trial->steps;
-    if (trial_begin(&run, scene, trial, message) != 0)
+    pilot->marked = trial->steps % PILOT_MARKS == 0;
+    if (purse_is_empty(purse, 0.0))
+        return ADVISE_SPENT;
+    if (trial_begin(&flight.run, scene, trial, message) != 0)
         return -1;
-    pilot->memory = calloc((size_t)(6 * run.model.bodies.count), sizeof *pilot->memory);
+    pilot->memory = calloc((size_t)(12 * PILOT_MARKS * flight.run.model.bodies.count), sizeof *pilot->memory);
     const int without = pilot->memory == NULL;
     if (!without) {
-        pilot->failed = trial_go(&run, trial->steps, &observer, 1, &pilot->message) != 0;
-        pilot->seconds = run.seconds;
-        pilot->force_evals = travel_force_evals(&run.travel);
+        const int64_t bodies = fly(&flight, trial);
+        purse->work += (double)bodies * (double)pilot->force_evals;
     }
-    trial_end(&run);
-    return without ? message_set(message, "%s: out of memory; use fewer bodies", scene->name) : 0;
+    trial_end(&flight.run);
+    if (without)
+        return message_set(message, "%s: out of memory; use fewer bodies", scene->name);
+    return pilot->spent ? ADVISE_SPENT : 0;
 }
 
 void pilot_destroy(struct pilot *pilot)
@@ -63,12 +167,16 @@ void pilot_destroy(struct pilot *pilot)
     pilot->memory = NULL;
 }
 
-double pilot_error(const struct pilot *pilot, const struct pilot *solution)
+double pilot_error(const struct pilot *pilot, const struct pilot *solution, int measure, int mark)
 {
-    if (pilot->failed || solution->failed)
+    if (pilot->failed || (solution != NULL && solution->failed))
         return INFINITY;
-    if (solution->end.alpha.c[0] != NULL)
-        return vti_attitude_distance(&pilot->end, &solution->end);
-    const double size = vti_h1_density(&solution->end);
-    return size > 0.0 ? sqrt(vti_h1_distance(&pilot->end, &solution->end) / size) : 0.0;
+    if (mark < PILOT_MARKS - 1 && (!pilot->marked || (solution != NULL && !solution->marked)))
+        return NAN;
+    if (measure == COST_ENERGY)
+        return isnan(pilot->energy_error) ? INFINITY : pilot->energy_error;
+    const vti_bodies *b = &pilot->at[mark], *exact = &solution->at[mark];
+    return measure == COST_ATTITUDE   ? vti_attitude_distance(b, exact)
+           : measure == COST_POSITION ? race_position_error(b, exact)
+                                      : race_velocity_error(b, exact);
 }

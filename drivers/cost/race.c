@@ -61,7 +61,7 @@ static void add_squares(const vti_view *view, const vti_view *reference, int64_t
         }
 }
 
-static double velocity_error(const vti_bodies *b, const vti_bodies *exact)
+double race_velocity_error(const vti_bodies *b, const vti_bodies *exact)
 {
     vti_sum norm = {0.0, 0.0}, distance = {0.0, 0.0};
     add_squares(&b->v, &exact->v, b->count, &norm, &distance);
@@ -70,8 +70,7 @@ static double velocity_error(const vti_bodies *b, const vti_bodies *exact)
     return sqrt(vti_sum_value(&distance) / (n > 0.0 ? n : 1.0));
 }
 
-/** The largest |x - exact|; 0 if nothing translates. */
-static double position_error(const vti_bodies *b, const vti_bodies *exact)
+double race_position_error(const vti_bodies *b, const vti_bodies *exact)
 {
     double most = 0.0;
     for (int64_t i = 0; b->x.c[0] != NULL && i < b->count; ++i) {
@@ -116,8 +115,8 @@ static int at_the_end(struct trial_run *run, struct reference *reference, double
         return -1;
     const vti_bodies bodies = travel_bodies(&run->travel), exact = reference_at(reference, t_end);
     r->attitude_error = vti_attitude_distance(&bodies, &exact);
-    r->position_error = position_error(&bodies, &exact);
-    r->velocity_error = velocity_error(&bodies, &exact);
+    r->position_error = race_position_error(&bodies, &exact);
+    r->velocity_error = race_velocity_error(&bodies, &exact);
     r->force_evals = travel_force_evals(&run->travel);
     return isfinite(r->attitude_error + r->position_error + r->velocity_error) ? 0 : not_finite(run, &r->message);
 }

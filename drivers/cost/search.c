@@ -13,6 +13,12 @@
 /* h is aimed at a share of the error asked for, and taken if the error lies between the lowest share and 1 */
 static const double aim = 0.7, lowest = 0.35;
 
+/* the solution is known to this share of the error asked for */
+static const double known_share = 0.03;
+
+/* above this an angle says nothing about how it falls */
+static const double too_far = 0.3;
+
 /* runs of one stepper at most, and of these between a run that misses the error and one that meets it */
 enum { TRIES = 24, REFINEMENTS = 4 };
 
@@ -20,8 +26,10 @@ int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, stru
 {
     if (s->say != NULL)
         s->say(stepper->name, steps);
-    const struct trial trial = {stepper, s->advice->t_end / (double)steps, steps, s->advice->t_end};
-    return pilot_run(s->scene, &trial, pilot, s->message);
+    const struct trial trial = {stepper, s->t_end / (double)steps, steps, s->t_end};
+    const int result = pilot_run(s->scene, &trial, &s->purse, pilot, s->message);
+    s->advice->evals += (double)pilot->force_evals;
+    return result;
 }
 
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
@@ -29,8 +37,121 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
     double h = 0.9 * 0.5 * (isnan(stepper->reach) ? 2.0 : stepper->reach) * s->stable_h;
     if (stepper->law == VTI_LAW_CLOSED && s->omega0 > 0.0)
         h = fmin(h, 0.9 / s->omega0);
-    return (int64_t)fmax(4.0, ceil(fmin(s->advice->t_end / h, 1e15)));
+    return pilot_steps(s->t_end / h);
 }
+
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
+
+/** That of a run of this stage: at the end if that is the scene's, else the largest of the second half of the marks,
+ *  since an error may pass through zero at one of them. */
+static double error_of(const struct search *s, const struct pilot *pilot, int measure)
+{
+    const struct pilot *solution = s->solved ? &s->solution : NULL;
+    double most = pilot_error(pilot, solution, measure, PILOT_MARKS - 1);
+    for (int mark = PILOT_MARKS / 2; mark < PILOT_MARKS - 1 && s->t_end < s->advice->t_end; ++mark)
+        most = fmax(most, pilot_error(pilot, solution, measure, mark));
+    return most;
+}
+
+static int scene_has(const struct pilot *pilot, int measure)
+{
+    const vti_bodies *b = &pilot->at[PILOT_MARKS - 1];
+    return measure == COST_ATTITUDE ? b->alpha.c[0] != NULL : measure == COST_POSITION ? b->x.c[0] != NULL : 1;
+}
+
+static void all_errors(const struct search *s, const struct pilot *pilot, double errors[COST_MEASURES])
+{
+    for (int m = 0; m < COST_MEASURES; ++m)
+        errors[m] =
+            !pilot->failed && scene_has(pilot, m) && (s->solved || m == COST_ENERGY) ? error_of(s, pilot, m) : NAN;
+}
+
+/* ---- the solution ------------------------------------------------------------------------------------------------ */
+
+double search_together(const struct search *s, const struct pilot *a, const struct pilot *b)
+{
+    int mark = 0;
+    while (mark < PILOT_MARKS && !(pilot_error(a, b, s->trajectory, mark) >= 0.1))
+        ++mark;
+    return s->t_end * mark / PILOT_MARKS;
+}
+
+enum { FOUND = ADVISE_PARTED + 1 };
+
+/** What the refinements so far have shown. */
+struct refining {
+    double last, apart; /* between the runs before, and between the last two */
+    int halvings, stalled;
+};
+
+/** Takes note of the last two runs. Returns FOUND if the finer one is the solution, 0 if not yet, ADVISE_PARTED if it
+ *  never will be. */
+static int weigh(struct search *s, struct refining *r, double target)
+{
+    enum { STALLED = 4, MOST = 12 };
+    struct advice *a = s->advice;
+    /* what is left after a halving of h is 1/(2^p - 1) of what that changed; no order is taken for granted */
+    const double order =
+        isfinite(r->last) && r->apart > 0.0 ? fmin(fmax(plain_log2(r->last / r->apart), 1.0), 8.0) : 1.0;
+    a->order = isfinite(r->last) && r->apart > 1e-13 ? order : a->order;
+    a->known = r->apart / (plain_exp2(order) - 1.0);
+    if (r->halvings > 1 && a->known <= known_share * target)
+        return FOUND;
+    r->stalled = r->apart > 0.5 * r->last || !(r->apart < too_far) ? r->stalled + 1 : 0;
+    r->last = r->apart < too_far ? r->apart : INFINITY;
+    return r->stalled >= STALLED + 2 * !(r->apart < too_far) || r->halvings >= MOST + STALLED ? ADVISE_PARTED : 0;
+}
+
+/** Doubles the steps until two runs agree. Leaves the last in s->solution. */
+static int refine(struct search *s, int measure, double target, struct refining *r)
+{
+    const vti_stepper *checked = s->advice->checked;
+    int64_t steps = search_fewest(s, checked);
+    int result = search_run(s, checked, steps, &s->solution);
+    for (r->halvings = 1; result == 0; ++r->halvings) {
+        struct pilot finer;
+        steps *= 2;
+        result = search_run(s, checked, steps, &finer);
+        if (result == 0) {
+            r->apart = pilot_error(&s->solution, &finer, measure, PILOT_MARKS - 1);
+            s->advice->together = search_together(s, &s->solution, &finer);
+        }
+        if (result == 0) {
+            pilot_destroy(&s->solution);
+            s->solution = finer;
+            result = weigh(s, r, target);
+        } else
+            pilot_destroy(&finer);
+    }
+    return result;
+}
+
+int search_solution(struct search *s, double share)
+{
+    const struct purse whole = s->purse;
+    struct refining r = {INFINITY, INFINITY, 0, 0};
+    const int measure = s->measure == COST_ENERGY ? s->trajectory : s->measure;
+    pilot_destroy(&s->solution);
+    s->solved = 0;
+    s->advice->order = s->advice->known = NAN;
+    s->purse.most = whole.work + share * (whole.most - whole.work);
+    if (isfinite(whole.until))
+        s->purse.until = whole.until - (1.0 - share) * fmax(whole.until - purse_clock(), 0.0);
+    const int result = refine(s, measure, s->target, &r);
+    s->purse.most = whole.most;
+    s->purse.until = whole.until;
+    s->solved = result == FOUND;
+    if (s->solved)
+        s->advice->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
+    else
+        s->advice->known = NAN;
+    /* runs that are told apart by more than any angle tells are not brought together by what is left */
+    if (result == ADVISE_SPENT && r.halvings > 2 && !(r.apart < too_far) && s->t_end == s->advice->t_end)
+        return ADVISE_PARTED;
+    return s->solved ? 0 : result;
+}
+
+/* ---- the search -------------------------------------------------------------------------------------------------- */
 
 /** A run on the way: how many steps gave what error. */
 struct point {
@@ -48,7 +169,7 @@ struct price {
 static double order_between(const vti_stepper *stepper, const struct point *coarse, const struct point *fine)
 {
     const double most = (double)stepper->order + 1.0, least = 0.9 * fmin((double)stepper->order, 2.0);
-    if (coarse->steps == 0 || !(coarse->error < 0.3))
+    if (coarse->steps == 0 || !(coarse->error < too_far))
         return (double)stepper->order;
     return fmin(
         fmax(plain_log2(coarse->error / fine->error) / plain_log2((double)fine->steps / (double)coarse->steps), least),
@@ -57,7 +178,7 @@ static double order_between(const vti_stepper *stepper, const struct point *coar
 
 static int64_t steps_for(const struct point *p, double order, double error)
 {
-    return (int64_t)ceil((double)p->steps * plain_power(p->error / error, 1.0 / order));
+    return pilot_steps((double)p->steps * plain_power(p->error / error, 1.0 / order));
 }
 
 /** Steps between two points, one on each side of the error aimed at. */
@@ -67,18 +188,27 @@ static int64_t steps_between(const struct point *above, const struct point *belo
     double share = plain_log2(above->error / error) / plain_log2(above->error / below->error);
     share = share > 0.1 && share < 0.9 ? share : 0.5;
     const double steps = (double)above->steps * plain_power((double)below->steps / (double)above->steps, share);
-    return (int64_t)llrint(fmin(fmax(steps, (double)above->steps + 1.0), (double)below->steps - 1.0));
+    return pilot_steps(
+        fmin(fmax(steps, (double)above->steps + 1.0), (double)(below->steps - pilot_unit(below->steps))));
 }
 
-static void offer_set(const struct search *s, struct offer *o, int64_t steps, double error, const struct price *price,
-                      int measured)
+static void offer_set(const struct search *s, struct offer *o, int64_t steps, double error, const struct price *price)
 {
     o->steps = steps;
     o->force_evals = llrint(price->evals * (double)steps);
-    o->h = s->advice->t_end / (double)steps;
+    o->h = s->t_end / (double)steps;
     o->error = error;
     o->seconds = price->seconds * (double)steps;
-    o->measured = measured;
+}
+
+/** The run was made: its error is as sure as the solution is. */
+static void offer_measured(const struct search *s, struct offer *o, const struct pilot *pilot, double error,
+                           const struct price *price)
+{
+    offer_set(s, o, pilot->steps, error, price);
+    all_errors(s, pilot, o->errors);
+    o->source = OFFER_MEASURED;
+    o->doubt = 1.2;
 }
 
 /** The next number of steps to try, or 0 if the search is over. above: the finest run that misses the error; below: the
@@ -86,16 +216,16 @@ static void offer_set(const struct search *s, struct offer *o, int64_t steps, do
 static int64_t next_try(const struct search *s, const vti_stepper *stepper, const struct point *before,
                         const struct point *above, const struct point *below)
 {
-    const double target = s->advice->target;
     if (below->steps > 0) {
-        const int good = below->error >= lowest * target;
-        return good || above->steps == 0 || below->steps - above->steps < 2 ? 0
-                                                                            : steps_between(above, below, aim * target);
+        const int good = below->error >= lowest * s->target;
+        return good || above->steps == 0 || below->steps - above->steps < 2 * pilot_unit(below->steps)
+                   ? 0
+                   : steps_between(above, below, aim * s->target);
     }
-    if (!(above->error < 0.3))
+    if (!(above->error < too_far))
         return 2 * above->steps;
-    const int64_t steps = steps_for(above, order_between(stepper, before, above), aim * target);
-    return (int64_t)fmin(fmax((double)steps, 1.2 * (double)above->steps + 1.0), 4.0 * (double)above->steps);
+    const int64_t steps = steps_for(above, order_between(stepper, before, above), aim * s->target);
+    return pilot_steps(fmin(fmax((double)steps, 1.2 * (double)above->steps + 1.0), 4.0 * (double)above->steps));
 }
 
 /** Whether a run of so many steps costs too much to be made. Runs that are too coarse to converge tell nothing about
@@ -104,17 +234,22 @@ static int is_too_dear(const struct search *s, const struct price *price, const 
                        double limit)
 {
     const double cost = (double)steps * price->evals;
-    return cost > (finest->error < 0.3 ? limit : 4.0 * limit) && isfinite(s->limit);
+    return cost > (finest->error < too_far ? limit : 4.0 * limit) && isfinite(s->limit);
 }
 
-/** Follows the order from the finest run to where it meets the error. */
+/** Follows the order from the finest run to where it meets the error. The longer the way, the more an order that is off
+ *  by a half matters. */
 static void follow(const struct search *s, struct offer *o, const struct point *before, const struct point *finest,
                    const struct price *price)
 {
-    const double error = aim * s->advice->target, nominal = (double)o->stepper->order;
+    const double error = aim * s->target, nominal = (double)o->stepper->order;
     const double seen = order_between(o->stepper, before, finest);
     const int64_t steps = steps_for(finest, fabs(seen - nominal) < 0.7 ? nominal : seen, error);
-    offer_set(s, o, steps, error, price, 0);
+    offer_set(s, o, steps, error, price);
+    for (int m = 0; m < COST_MEASURES; ++m)
+        o->errors[m] = m == s->measure ? error : NAN;
+    o->source = OFFER_FOLLOWED;
+    o->doubt = s->doubt * sqrt((double)steps / (double)finest->steps);
 }
 
 int search_stepper(struct search *s, struct offer *o, double limit)
@@ -125,27 +260,31 @@ int search_stepper(struct search *s, struct offer *o, double limit)
     int64_t steps = search_fewest(s, o->stepper);
     for (int k = 0; k < TRIES && steps > 0; ++k) {
         struct pilot pilot;
-        if (search_run(s, o->stepper, steps, &pilot) != 0)
-            return -1;
-        const struct point p = {steps, pilot_error(&pilot, &s->solution)};
+        const int result = search_run(s, o->stepper, steps, &pilot);
+        if (result != 0) {
+            pilot_destroy(&pilot);
+            if (result < 0 || below.steps == 0)
+                return result;
+            break; /* what is known is worth telling */
+        }
+        const struct point p = {steps, error_of(s, &pilot, s->measure)};
         price.seconds = pilot.seconds / (double)steps;
         price.evals = o->stepper->evals > 0 ? (double)o->stepper->evals : (double)pilot.force_evals / (double)steps;
-        pilot_destroy(&pilot);
         refinements += below.steps > 0;
-        if (p.error <= s->advice->target) {
+        if (p.error <= s->target) {
             below = p;
-            offer_set(s, o, steps, p.error, &price, 1);
+            offer_measured(s, o, &pilot, p.error, &price);
         } else {
             before = above;
             above = p;
         }
+        pilot_destroy(&pilot);
         steps = refinements < REFINEMENTS ? next_try(s, o->stepper, &before, &above, &below) : 0;
         if (below.steps == 0 && is_too_dear(s, &price, &above, steps, limit))
             break;
     }
-    if (below.steps == 0 && above.error < 0.3)
+    o->order = below.steps > 0 ? order_between(o->stepper, &above, &below) : order_between(o->stepper, &before, &above);
+    if (below.steps == 0 && above.error < too_far)
         follow(s, o, &before, &above, &price);
-    else if (below.steps == 0)
-        o->seconds = INFINITY;
     return 0;
 }

@@ -12,27 +12,35 @@
 #include "table_hdf5.h"
 
 static struct option_list sets;
-static const char *steppers;
-static double target = 1e-4, t_end, budget = 120.0;
+static const char *steppers, *measure;
+static double target = 1e-4, t_end, budget;
 static int json;
 
 static const struct option_row rows[] = {
     OPTION_PARAGRAPH(
         "Finds by pilot runs which stepper and step reach a given error at the end of the scene in the\n"
-        "least time, and what the others would need. The error is that at the end: the largest angle\n"
-        "between a body's attitude and the true one, in radians; where nothing turns, the relative error of\n"
-        "the velocities.\n"),
+        "least time, and what the others would need. Errors are those at the end: attitude, the largest\n"
+        "angle between a body's attitude and the true one, in radians; position, the largest distance;\n"
+        "velocity, relative, of v and Omega together; energy, the largest change on the way, relative.\n"
+        "\n"
+        "Pilots take a part of the time of the run that is advised on. If that is too little for runs over\n"
+        "the whole time, advice is from its first part or from coarser runs: every error comes with the\n"
+        "interval in which it lies, the narrower the more pilots may take. Where trajectories part, however\n"
+        "small the step, it is said from when on, and advice goes by the error of the energy.\n"),
     {"--error", "E", OPTION_NUMBER, &target, 1e-12, 0.1, "1e-4, 1/64 or 2^-7", "the error to reach (default 1e-4)"},
     {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY,
      "only these steppers (default: all of ours); rivals, what others use, are measured too and never advised"},
     {"--t-end", "T", OPTION_NUMBER, &t_end, 0, 0, "10, 1e3 or 2^7", "end time (default: the scene's)"},
+    {"--measure", "WHAT", OPTION_TEXT, &measure, OPTION_ANY,
+     "of what the error is: attitude, position, velocity or energy (default: attitude; velocity where nothing turns)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
-     "how long finding the solution may take (default 120)"},
+     "how long pilots may take (default: 0.3 of the run that is advised on, as long as that with contacts or walls; a "
+     "tenth of a second or so at least)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
-     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, stable_h, h_max_omega, "
-     "alternatives; "
-     "warnings go to stderr"},
+     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, source, interval, errors, "
+     "stable_h, "
+     "h_max_omega, measure, trajectories_until, pilots, alternatives; warnings go to stderr"},
     {0}};
 
 static const struct options options = {"vti-advise", "", "[options] SCENE.yaml", rows, 1};
@@ -48,17 +56,58 @@ static void say_seconds(double seconds, FILE *file)
         fprintf(file, "%7.3g us", 1e6 * seconds);
 }
 
+/** "1.2e-05", or a dash where there is none. */
+static void say_number(double value, FILE *file)
+{
+    if (isfinite(value))
+        fprintf(file, " %9.1e", value);
+    else
+        fprintf(file, " %9s", "-");
+}
+
+static const char *const sources[] = {"", "(from the stable step alone)", "(from coarser runs)",
+                                      "(from the first part)", ""};
+
 static void say_offer(const struct offer *o, int width, FILE *file)
 {
-    if (!isfinite(o->seconds)) {
+    if (o->steps == 0) {
         fprintf(file, "  %-*s       too dear to tell\n", width, o->stepper->name);
         return;
     }
     fprintf(file, "  %-*s %10.4g %10lld %12lld ", width, o->stepper->name, o->h, (long long)o->steps,
             (long long)o->force_evals);
-    say_seconds(o->seconds, file);
-    fprintf(file, " %9.1e %s%s\n", o->error, o->measured ? "" : "(from coarser runs)",
-            method_rival(o->stepper) != NULL ? "(a rival, to compare with)" : "");
+    if (isfinite(o->seconds))
+        say_seconds(o->seconds, file);
+    else
+        fprintf(file, "%10s", "-");
+    for (int m = 0; m < COST_MEASURES; ++m)
+        say_number(o->errors[m], file);
+    if (o->source == OFFER_MEASURED || !isfinite(o->doubt))
+        fprintf(file, " %9s", "");
+    else
+        fprintf(file, " %8.2gx", o->doubt);
+    fprintf(file, " %s%s\n", sources[o->source], method_rival(o->stepper) != NULL ? "(a rival, to compare with)" : "");
+}
+
+/** The advice in a sentence. */
+static void say_best(const struct scene *scene, const struct advice *a, FILE *file)
+{
+    const struct offer *best = &a->offers[0];
+    const char *what = cost_measures[a->measure];
+    fprintf(file, "%s to t = %g: %s at h = %.6g", scene->name, a->t_end, best->stepper->name, best->h);
+    if (best->source == OFFER_STABILITY) {
+        fprintf(file, " is stable; nothing is known of its error: the budget is spent, allow more by --budget\n\n");
+        return;
+    }
+    fprintf(file, " reaches an error of the %s of %.1e%s (asked for: %g) in", what, best->error,
+            best->source == OFFER_MEASURED ? "" : " or so", a->target);
+    say_seconds(best->seconds, file);
+    if (best->source != OFFER_MEASURED && !isfinite(best->doubt))
+        fputs(";\nit is told from the first part of the time, before whatever may happen later, and may be any", file);
+    else if (best->source != OFFER_MEASURED)
+        fprintf(file, ";\nit lies between %.1e and %.1e, told %s", best->error / best->doubt, best->error * best->doubt,
+                best->source == OFFER_SHORTER ? "from the first part of the time" : "from coarser runs");
+    fputs("\n\n", file);
 }
 
 /** What to use, what the others would need, and how the step stands to stability and rotation. */
@@ -70,17 +119,21 @@ static void say_advice(const struct scene *scene, const struct advice *a, FILE *
         const int w = methods_width(&a->offers[k].stepper, 1);
         width = w > width ? w : width;
     }
-    fprintf(file, "%s to t = %g: %s at h = %.6g reaches %.1e (asked for: %g) in", scene->name, a->t_end,
-            best->stepper->name, best->h, best->error, a->target);
-    say_seconds(best->seconds, file);
-    fprintf(file, "\n\n  %-*s %10s %10s %12s %10s %9s\n", width, "stepper", "h", "steps", "force evals", "time  ",
-            "error");
+    say_best(scene, a, file);
+    fprintf(file, "  %-*s %10s %10s %12s %10s %9s %9s %9s %9s %9s\n", width, "stepper", "h", "steps", "force evals",
+            "time  ", cost_measures[0], cost_measures[1], cost_measures[2], cost_measures[3], "within");
     for (int64_t k = 0; k < a->count; ++k)
         say_offer(&a->offers[k], width, file);
     fputc('\n', file);
     stable_say(&a->limits, best->stepper, best->h, file);
-    fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
-    fprintf(file, "times are of the steps alone, without output; the solution is known to %.0e\n", a->known);
+    if (isfinite(a->max_omega))
+        fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
+    fprintf(file, "times are of the steps alone, without output");
+    if (isfinite(a->known))
+        fprintf(file, "; the solution is known to %.0e", a->known);
+    fprintf(file, "\npilots took");
+    say_seconds(a->seconds, file);
+    fprintf(file, " and %.3g force evaluations\n", a->evals);
 }
 
 /** One line each for what should give pause. */
@@ -89,6 +142,11 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
     const struct offer *best = &a->offers[0];
     const double nominal = (double)a->checked->order;
     const char *kink = scene_first_with(scene, EFFECT_KINKED);
+    if (a->parted)
+        fprintf(file,
+                "warning: trajectories of the finest pilots part at t = %.4g: from there on they mean nothing at steps "
+                "like these, and the advice goes by the error of the energy\n",
+                a->together);
     if (kink != NULL && a->order < nominal - 1.0)
         fprintf(
             file,
@@ -109,19 +167,26 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 best->stepper->name, a->t_end);
     if (best->error < 0.33 * a->target)
         fprintf(file, "note: stability, not the error, sets the step: the error is %.1e\n", best->error);
+    if (best->source != OFFER_MEASURED)
+        fprintf(file, "note: pilots were not allowed to go over the whole time to this error; --budget %.2g would do\n",
+                150.0 * (isfinite(best->seconds) ? best->seconds : 1.0));
 }
 
 /* JSON knows no infinity: null */
+static void json_value(double value, FILE *file)
+{
+    fputs(isfinite(value) ? NUMBER(value) : "null", file);
+}
+
 static void json_number(const char *key, double value, FILE *file)
 {
-    if (isfinite(value))
-        fprintf(file, "\"%s\": %s", key, NUMBER(value));
-    else
-        fprintf(file, "\"%s\": null", key);
+    fprintf(file, "\"%s\": ", key);
+    json_value(value, file);
 }
 
 static void json_offer(const struct offer *o, FILE *file)
 {
+    static const char *const source[] = {"none", "stability", "followed", "shorter", "measured"};
     fprintf(file, "\"stepper\": \"%s\", ", o->stepper->name);
     if (method_rival(o->stepper) != NULL)
         fputs("\"kind\": \"rival\", ", file);
@@ -130,10 +195,19 @@ static void json_offer(const struct offer *o, FILE *file)
     json_number("predicted_error", o->steps > 0 ? o->error : NAN, file);
     fputs(", ", file);
     json_number("predicted_seconds", o->seconds, file);
+    fprintf(file, ", \"source\": \"%s\", \"interval\": [", source[o->source]);
+    json_value(o->error / o->doubt, file);
+    fputs(", ", file);
+    json_value(o->error * o->doubt, file);
+    fputs("], \"errors\": {", file);
+    for (int m = 0; m < COST_MEASURES; ++m) {
+        fputs(m > 0 ? ", " : "", file);
+        json_number(cost_measures[m], o->errors[m], file);
+    }
+    fputs("}", file);
 }
 
-/** One JSON object with the keys stepper, h, predicted_error, predicted_seconds, stable_h, h_max_omega,
- *  alternatives. */
+/** One JSON object with the keys that --help names. */
 static void print_json(const struct advice *a, FILE *file)
 {
     fputs("{", file);
@@ -142,7 +216,13 @@ static void print_json(const struct advice *a, FILE *file)
     json_number("stable_h", fmin(a->limits.rest.h, a->limits.within.h), file);
     fputs(", ", file);
     json_number("h_max_omega", a->offers[0].h * a->max_omega, file);
-    fputs(", \"alternatives\": [", file);
+    fprintf(file, ", \"measure\": \"%s\", ", cost_measures[a->measure]);
+    json_number("trajectories_until", a->parted ? a->together : NAN, file);
+    fputs(", \"pilots\": {", file);
+    json_number("seconds", a->seconds, file);
+    fputs(", ", file);
+    json_number("force_evals", a->evals, file);
+    fputs("}, \"alternatives\": [", file);
     for (int64_t k = 1; k < a->count; ++k) {
         fputs(k > 1 ? ", {" : "{", file);
         json_offer(&a->offers[k], file);
@@ -167,7 +247,24 @@ static int give_advice(struct scene *scene, struct message *message)
         return -1;
     if (t_end == 0.0)
         t_end = scene->t_end;
-    const int failed = advise(scene, target, t_end, budget, list, listed, show, &advice, message);
+    const struct advise_request request = {.scene = scene,
+                                           .target = target,
+                                           .t_end = t_end,
+                                           .measure = measure != NULL ? advise_measure(measure) : -1,
+                                           .budget = budget,
+                                           .steppers = list,
+                                           .count = listed,
+                                           .say = show};
+    if (measure != NULL && request.measure < 0)
+        return message_set(message, "--measure: '%s' is none; take attitude, position, velocity or energy", measure);
+    if (budget == 0.0 && advise_share(scene) >= 1.0)
+        fprintf(
+            json ? stderr : stdout,
+            "note: the forces of %s have kinks, which only runs over the whole time tell: pilots may take as long as "
+            "the run that is advised on; --budget sets another time\n",
+            scene_first_with(scene, EFFECT_KINKED));
+    fflush(stdout);
+    const int failed = advise(&request, &advice, message);
     if (isatty(STDERR_FILENO))
         fputs("\r\033[K", stderr);
     if (failed != 0)

@@ -28,9 +28,9 @@ int reference_is_smooth(const struct model *model);
 /** Integrates *model, which must outlive the reference, to t_end on rank 0 of comm (and, at intervals, on rank 1 beside
  *  it) and shares it with all. interval is 0, or for models that are not smooth an interval of which t_end is a
  *  multiple. finest is the shortest step that will be compared with it, of models that dissipate (stepped.h); others do
- *  not ask, and those are refused at 0. Panels take up to bytes on every rank: what does not fit is integrated again when it is read (smooth.h);
- *  states at intervals take what they take. watch looks on there. Collective. Returns 0 on all ranks, or -1 on all with
- *  one line in *message, or WATCH_ASKED on all. */
+ *  not ask, and those are refused at 0. Panels take up to bytes on every rank: what does not fit is integrated again
+ *  when it is read (smooth.h); states at intervals take what they take. watch looks on there. Collective. Returns 0 on
+ *  all ranks, or -1 on all with one line in *message, or WATCH_ASKED on all. */
 int reference_create(struct model *model, double t_end, double interval, double finest, double bytes, MPI_Comm comm,
                      const struct study_watch *watch, struct reference *reference, struct message *message);
 /** The same, with the same bits, by this rank for itself. */

@@ -83,9 +83,10 @@ int stepped_solve(struct sampled *s, double finest, const struct watch *watch, s
     const int64_t coarsest = (int64_t)ceil(s->interval / finest);
     double change[RUNS] = {0.0, 0.0, 0.0};
     double *before = calloc((size_t)(s->count * s->width), sizeof *before);
-    int failed = before == NULL ? message_set(message, "%s: out of memory for the reference solution; shorten t_end",
-                                              s->model->scene->name)
-                                : 0;
+    int failed = 0;
+    if (before == NULL)
+        return message_set(message, "%s: out of memory for the reference solution; shorten t_end",
+                           s->model->scene->name);
     for (int run = 0; run < RUNS && failed == 0; ++run) {
         struct pass pass = {.sampled = s, .steps = coarsest << run, .run = run, .watch = watch};
         pass.h = s->interval / (double)pass.steps;

@@ -134,9 +134,9 @@ int methods_width(const vti_stepper *const *list, int64_t n)
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
 
 /** Only lists of kicks and drifts flow and carry, and of those only the ones that never step back. */
-static int check_dissipation(const vti_stepper *stepper, const struct rival *way, const struct model *model,
-                             struct message *message)
+int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message)
 {
+    const struct rival *way = way_of(stepper);
     const vti_effect *e = model_dissipates(model);
     if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
@@ -159,7 +159,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
-    if (check_dissipation(stepper, way, model, message) != 0)
+    if (travel_check(stepper, model, message) != 0)
         return -1;
     if (way != NULL) {
         travel->course = course_create(way, model, h, message);

@@ -44,6 +44,10 @@ struct travel {
     vti_bodies seen[2];    /* of a course: what observers are shown, in time and raw; sealed */
 };
 
+/** Whether the stepper can take the model: where something dissipates, not all can. Returns 0, or -1 with one line in
+ *  *message. */
+int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
+
 /** Prepares *stepper to take *model, at t = 0, by steps of h. The model must outlive the travel and be left alone by
  *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,

@@ -3,6 +3,7 @@
 """Scenes that lose energy: vti-run books what is lost, the sum with it stays, a run that is prolonged has the bytes of one run, and
 what cannot dissipate is refused in one line.      test_dissipation.py VTI_RUN VTI_STUDY VTI_ADVISE MPIRUN"""
 import csv
+import json
 import os
 import re
 import sys
@@ -150,8 +151,8 @@ def refusals(base):
         check(result.returncode == 0 and "verdict: good" in result.stdout, f"{stepper} may {result.stderr}")
     cost = run(MPIRUN, "-n", "1", STUDY, path, "--cost", "--no-plot", "-o", f"{base}/cost")
     check(cost.returncode != 0 and "drag dissipates, and price lists compare" in cost.stderr, f"--cost: {cost.stderr.strip()}")
-    advise = run(ADVISE, path, "--error", "1e-3")
-    check(advise.returncode == 1 and "drag dissipates" in advise.stderr, f"vti-advise ends: {advise.stderr.strip()}")
+    advise = run(ADVISE, path, "--error", "1e-3", "--steppers", "exact,srkn6")
+    check(advise.returncode == 1 and "drag dissipates, which the stepper srkn6 cannot" in advise.stderr, f"vti-advise: {advise.stderr}")
 
 
 def follow_study(base):
@@ -184,10 +185,31 @@ def follow_study(base):
               f"vti-study of {name}: {line} {done.stderr.strip()}")
 
 
+def advice(base):
+    """vti-advise ends, with steppers that may be used, and the run that it advises errs as it says, against a finer one of
+    another kind."""
+    for name, t_end in (("fall", "2"), ("swing", "2"), ("snap", "1"), ("heap", "0.5"), ("mill", "4")):
+        done = run(ADVISE, "--json", "--error", "1e-3", "--t-end", t_end, f"{base}/{name}.yaml")
+        check(done.returncode == 0, f"advice on {name} {done.stderr.strip()}")
+        told = json.loads(done.stdout)
+        may = {"vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "chin4"}
+        check({told["stepper"]} | {other["stepper"] for other in told["alternatives"]} == may, "... among those that may be used")
+        check(told["pilots"]["force_evals"] < 3e5, f"... after {told['pilots']['force_evals']} evaluations")
+        if told["trajectories_until"] is not None:
+            continue
+        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", told["stepper"], "--h", repr(told["h"]), "--t-end",
+                   t_end, "--no-plot", "-o", f"{base}/advised-{name}")
+        with open(f"{base}/advised-{name}/study.csv", encoding="ascii", newline="") as file:
+            found = float(next(csv.DictReader(file))["attitude_error"])
+        low, high = told["interval"]
+        check(low <= found <= high, f"... {told['stepper']} at h = {told['h']:.3g}: error {found:.2e} in {low:.1e} to {high:.1e}")
+
+
 with tempfile.TemporaryDirectory() as base:
     for name in SCENES:
         ledger(base, name)
     pieces(base)
     refusals(base)
     follow_study(base)
+    advice(base)
 conclude()
