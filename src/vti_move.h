@@ -37,6 +37,12 @@ struct vti_move_kernels {
     int64_t (*rotate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     /** Whether a body's turn of the drift is 1 or more, or NaN; for the bodies up to *stopped. */
     int (*reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped);
+    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by turn[][3]: all of
+     *  the bodies, whatever the layout (vti_adams_kernels.h). */
+    void (*predict)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
+                    int64_t end, double *turn);
+    void (*correct)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
+                    int64_t end, double *turn);
 };
 extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_avx512;
 

@@ -2,14 +2,15 @@
  *
  * The table of the kernels that move many bodies at once. The files vti_move_*.c include this and nothing else: each is
  * compiled for vector units of its own, and defines MOVE_KERNELS, the name of its table. */
-#include "vti_lanes.h"
+#include "vti_adams_kernels.h"
 #include "vti_move.h"
 
 #if VTI_WIDTH > 1
 
 #include "vti_turn_kernels.h"
 
-const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH, translate, rotate, reaches};
+const struct vti_move_kernels MOVE_KERNELS = {
+    WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH, translate, rotate, reaches, adams_predict, adams_correct};
 
 #else
 
@@ -27,6 +28,6 @@ static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_
     return 0;
 }
 
-const struct vti_move_kernels MOVE_KERNELS = {0, none, none, reaches_none};
+const struct vti_move_kernels MOVE_KERNELS = {0, none, none, reaches_none, adams_predict, adams_correct};
 
 #endif

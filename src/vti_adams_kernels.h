@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What a multistep method does to one body after the other (EQUATIONS 8.1), its numbers in quads: of the six differences
+ * of a body, translation first, the first four (a quad whose last number is the turn's) and the last four (whose first
+ * is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by vti_multistep.c. */
+#ifndef VTI_ADAMS_KERNELS_H
+#define VTI_ADAMS_KERNELS_H
+
+#include "vti_adams.h"
+#include "vti_quad.h"
+
+/** The differences of body i: [depth][6], translation first. */
+VTI_INLINE double *adams_differences(const vti_past *past, int64_t i)
+{
+    return past->memory + 6 * past->depth * i;
+}
+
+VTI_INLINE void quad_zero(part a[PARTS])
+{
+    quad_of(0.0, 0.0, 0.0, 0.0, a);
+}
+
+/** a += t b. */
+VTI_INLINE void quad_add(double t, const part b[PARTS], part a[PARTS])
+{
+    for (int k = 0; k < PARTS; ++k)
+        a[k] += t * b[k];
+}
+
+/** A vector of body i as (x, y, z, 0), or as (0, x, y, z) with first = 1. */
+VTI_INLINE void quad_of_view(const vti_view *view, int first, int64_t i, part a[PARTS])
+{
+    const int64_t at = i * view->stride;
+    const double x = view->c[0][at], y = view->c[1][at], z = view->c[2][at];
+    if (first)
+        quad_of(0.0, x, y, z, a);
+    else
+        quad_of(x, y, z, 0.0, a);
+}
+
+VTI_INLINE void quad_into_view(const vti_view *view, int first, int64_t i, const part a[PARTS])
+{
+    for (int k = 0; k < 3; ++k)
+        view->c[k][i * view->stride] = quad_get(a, k + first);
+}
+
+/** v_p = v + h sum g_j N^j a,  x_p = x + h v + h^2 sum d_j N^j a. */
+VTI_INLINE void adams_move(int64_t depth, double h, const double *n, const vti_view *x, const vti_view *v, int64_t i)
+{
+    part a[PARTS], g[PARTS], d[PARTS], there[PARTS], speed[PARTS];
+    quad_zero(g);
+    quad_zero(d);
+    for (int64_t j = 0; j < depth; ++j) {
+        quad_load(n + 6 * j, a);
+        quad_add(adams_d[j], a, d);
+        quad_add(adams_g[j], a, g);
+    }
+    quad_of_view(v, 0, i, speed);
+    if (vti_has(x)) {
+        quad_of_view(x, 0, i, there);
+        for (int k = 0; k < PARTS; ++k)
+            there[k] += h * (speed[k] + h * d[k]);
+        quad_into_view(x, 0, i, there);
+    }
+    quad_add(h, g, speed);
+    quad_into_view(v, 0, i, speed);
+}
+
+/** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its values
+ *  O1, O2, O3 at Gauss' nodes A1 = h O2, A2 = (r/3) h (O3 - O1), A3 = (10/3) h (O3 - 2 O2 + O1), r = sqrt(15), C1 = A1 x A2,
+ *  C2 = -(1/60) A1 x (2 A3 + C1), and theta = A1 + A3/12 + (1/240)(-20 A1 - A3 + C1) x (A2 + C2). */
+VTI_INLINE void adams_magnus(double h, part o[3][PARTS], part theta[PARTS])
+{
+    const double r3 = 1.2909944487358056; /* sqrt(15)/3 */
+    part a1[PARTS], a2[PARTS], a3[PARTS], c1[PARTS], c2[PARTS], p[PARTS], q[PARTS];
+    for (int k = 0; k < PARTS; ++k) {
+        a1[k] = h * o[1][k];
+        a2[k] = r3 * h * (o[2][k] - o[0][k]);
+        a3[k] = 10.0 / 3.0 * h * (o[2][k] - 2.0 * o[1][k] + o[0][k]);
+    }
+    quad_cross(a1, a2, c1);
+    for (int k = 0; k < PARTS; ++k)
+        p[k] = 2.0 * a3[k] + c1[k];
+    quad_cross(a1, p, c2);
+    for (int k = 0; k < PARTS; ++k) {
+        p[k] = c1[k] - 20.0 * a1[k] - a3[k];
+        q[k] = a2[k] - c2[k] / 60.0;
+    }
+    quad_cross(p, q, theta);
+    for (int k = 0; k < PARTS; ++k)
+        theta[k] = a1[k] + a3[k] / 12.0 + theta[k] / 240.0;
+}
+
+/** w_p = w + h sum g_j N^j b, and by which vector the body turns meanwhile. */
+VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, const vti_view *omega, int64_t i, double turn[3])
+{
+    part b[PARTS], g[PARTS], w[PARTS], o[3][PARTS], theta[PARTS];
+    quad_zero(g);
+    for (int s = 0; s < 3; ++s)
+        quad_zero(o[s]);
+    for (int64_t j = 0; j < depth; ++j) {
+        quad_load(n + 6 * j + 2, b);
+        quad_add(adams_g[j], b, g);
+        for (int s = 0; s < 3; ++s)
+            quad_add(adams_node[s][j], b, o[s]);
+    }
+    quad_of_view(omega, 1, i, w);
+    for (int s = 0; s < 3; ++s)
+        for (int k = 0; k < PARTS; ++k)
+            o[s][k] = w[k] + h * o[s][k];
+    adams_magnus(h, o, theta);
+    quad_add(h, g, w);
+    quad_into_view(omega, 1, i, w);
+    for (int k = 0; k < 3; ++k)
+        turn[k] = quad_get(theta, 1 + k);
+}
+
+/** Bodies begin <= i < end to where they will be but for the correction, attitudes excepted, which turn by
+ *  turn[end - begin][3]. */
+static inline void adams_predict(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
+                                 int64_t begin, int64_t end, double *turn)
+{
+    const vti_view x = bodies->x, v = bodies->v, omega = bodies->omega;
+    const int moves = vti_has(&v), spins = vti_has(&omega);
+    const int64_t depth = m->depth, apart = 6 * past->depth;
+    const double *n = adams_differences(past, begin);
+    for (int64_t i = begin; i < end; ++i, n += apart, turn += 3) {
+        if (moves)
+            adams_move(depth, h, n, &x, &v, i);
+        if (spins)
+            adams_spin(depth, h, n, &omega, i, turn);
+    }
+}
+
+/** What a load does, a = by/over: (x, y, z, 0), or (0, x, y, z) with first = 1; 0 where there is none. */
+VTI_INLINE void adams_acceleration(const vti_view *by, const vti_scalars *over, int first, int64_t i, part a[PARTS])
+{
+    quad_zero(a);
+    if (!vti_has(by))
+        return;
+    const double m = over->p[i * over->stride];
+    quad_of_view(by, first, i, a);
+    for (int k = 0; k < PARTS; ++k)
+        a[k] /= m;
+}
+
+/** Accelerations, or differences of them: F/m and the first number of RM/J; the last of F/m and RM/J. */
+struct adams_felt {
+    part low[PARTS], high[PARTS];
+};
+
+VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const vti_view *moment,
+                           const vti_scalars *inertia, int64_t i, struct adams_felt *f)
+{
+    part a[PARTS], b[PARTS];
+    adams_acceleration(force, mass, 0, i, a);
+    adams_acceleration(moment, inertia, 1, i, b);
+    quad_three_and(a, b, f->low);
+    quad_and_three(a, b, f->high);
+}
+
+/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: of the levels differences
+ *  of the last f, which are at least those, become those of this one. */
+VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, struct adams_felt f,
+                              struct adams_felt *off)
+{
+    struct adams_felt sum, was, now = f;
+    quad_zero(sum.low);
+    quad_zero(sum.high);
+    for (int64_t j = 0; j < levels; ++j, n += 6) {
+        quad_load(n, was.low);
+        quad_load(n + 2, was.high);
+        if (writes) {
+            quad_store(n, now.low);
+            quad_store(n + 2, now.high); /* the two numbers that are in both are the same */
+        }
+        for (int k = 0; k < PARTS; ++k) {
+            now.low[k] -= was.low[k];
+            now.high[k] -= was.high[k];
+        }
+        for (int k = 0; j < depth && k < PARTS; ++k) {
+            sum.low[k] += was.low[k];
+            sum.high[k] += was.high[k];
+        }
+    }
+    for (int k = 0; k < PARTS; ++k) {
+        off->low[k] = f.low[k] - sum.low[k];
+        off->high[k] = f.high[k] - sum.high[k];
+    }
+}
+
+/** How many differences there are after the next. */
+VTI_INLINE int64_t adams_levels(const vti_past *past)
+{
+    return past->known < past->depth ? past->known + 1 : past->depth;
+}
+
+VTI_INLINE void adams_add(const vti_view *view, int first, int64_t i, double t, const part d[PARTS])
+{
+    part a[PARTS];
+    if (!vti_has(view))
+        return;
+    quad_of_view(view, first, i, a);
+    quad_add(t, d, a);
+    quad_into_view(view, first, i, a);
+}
+
+/** By D, off: v = v_p + h g_K D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g_K D_b, and turn = c h^2 d_K D_b. */
+static inline void adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
+                                 int64_t begin, int64_t end, double *turn)
+{
+    const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
+    const vti_view v = bodies->v, omega = bodies->omega, force = bodies->force, moment = bodies->moment;
+    const vti_view x = vti_has(&v) ? bodies->x : v;
+    const vti_scalars mass = bodies->mass, inertia = bodies->inertia;
+    const int64_t depth = m->depth, levels = adams_levels(past), apart = 6 * past->depth;
+    double *n = adams_differences(past, begin);
+    for (int64_t i = begin; i < end; ++i, n += apart, turn += 3) {
+        struct adams_felt f, off;
+        adams_feel(&force, &mass, &moment, &inertia, i, &f);
+        adams_compare(1, depth, levels, n, f, &off);
+        adams_add(&v, 0, i, g, off.low);
+        adams_add(&x, 0, i, d, off.low);
+        adams_add(&omega, 1, i, g, off.high);
+        for (int k = 0; k < 3; ++k)
+            turn[k] = d * quad_get(off.high, 1 + k);
+    }
+}
+
+#endif
