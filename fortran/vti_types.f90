@@ -13,7 +13,8 @@ module vti_types
         VTI_E_STRIDE = -5, VTI_E_ALIAS = -6, VTI_E_TIME = -7, VTI_E_MASS = -8, VTI_E_INERTIA = -9, &
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
         VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
-        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22, VTI_E_CONTROL = -23
+        VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22, VTI_E_CONTROL = -23, &
+        VTI_E_MOMENTS = -24
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -28,7 +29,8 @@ module vti_types
     integer(c_int64_t), parameter :: VTI_QUANTITY_NONE = 0, VTI_QUANTITY_X = 1, VTI_QUANTITY_V = 2, &
         VTI_QUANTITY_FORCE = 3, VTI_QUANTITY_ALPHA = 4, VTI_QUANTITY_QUAT = 5, VTI_QUANTITY_OMEGA = 6, &
         VTI_QUANTITY_MOMENT = 7, VTI_QUANTITY_MASS = 8, VTI_QUANTITY_INERTIA = 9, VTI_QUANTITY_X_LOW = 10, &
-        VTI_QUANTITY_V_LOW = 11, VTI_QUANTITY_ALPHA_LOW = 12, VTI_QUANTITY_OMEGA_LOW = 13
+        VTI_QUANTITY_V_LOW = 11, VTI_QUANTITY_ALPHA_LOW = 12, VTI_QUANTITY_OMEGA_LOW = 13, &
+        VTI_QUANTITY_MOMENTS = 14, VTI_QUANTITY_SPIN = 15, VTI_QUANTITY_PRINCIPAL = 16, VTI_QUANTITY_SPIN_LOW = 17
 
     !> Where and why a call failed: the body (of the procedures of module vti: counted from 1, 0 if it is not about
     !> one), the value, and the quantity that it is a value of (vti_quantity_text names it).
@@ -66,6 +68,9 @@ module vti_types
         type(vti_view) :: omega, moment
         type(vti_scalars) :: mass, inertia
         type(vti_view) :: x_low, v_low, alpha_low, omega_low
+        type(vti_view) :: moments, spin
+        type(vti_quat_view) :: principal
+        type(vti_view) :: spin_low
     end type
 
     !> A stepper as data. vti_text reads name and about; c_f_pointer gives kick, drift and, unless it is null, probe, of
@@ -77,6 +82,7 @@ module vti_types
         type(c_ptr) :: kick = c_null_ptr, drift = c_null_ptr, probe = c_null_ptr, about = c_null_ptr
         integer(c_int64_t) :: estimate_order = 0, estimates = 0
         type(c_ptr) :: estimate = c_null_ptr
+        integer(c_int64_t) :: rotor = 0
     end type
 
     !> Sums of a step for vti_step_error: memory is the address of an array (6, rows, bodies) of the caller's.

@@ -28,7 +28,11 @@ extern "C" {
     ROW(VTI_QUANTITY_X_LOW, 10, x_low, vti_view, LOW)                                                                  \
     ROW(VTI_QUANTITY_V_LOW, 11, v_low, vti_view, LOW)                                                                  \
     ROW(VTI_QUANTITY_ALPHA_LOW, 12, alpha_low, vti_view, LOW)                                                          \
-    ROW(VTI_QUANTITY_OMEGA_LOW, 13, omega_low, vti_view, LOW)
+    ROW(VTI_QUANTITY_OMEGA_LOW, 13, omega_low, vti_view, LOW)                                                          \
+    ROW(VTI_QUANTITY_MOMENTS, 14, moments, vti_view, CONSTANT)                                                         \
+    ROW(VTI_QUANTITY_SPIN, 15, spin, vti_view, STATE)                                                                  \
+    ROW(VTI_QUANTITY_PRINCIPAL, 16, principal, vti_quat_view, CONSTANT)                                                \
+    ROW(VTI_QUANTITY_SPIN_LOW, 17, spin_low, vti_view, LOW)
 /* clang-format on */
 
 /** A member of vti_bodies, as vti_fault names it. */
@@ -85,7 +89,13 @@ typedef struct vti_scalars {
  *  attitude or omega nothing turns, without force or moment nothing is kicked, and nothing is spent on it. Effects that
  *  read what is absent are refused. mass is needed for a force and for momenta, inertia for a moment and for spin. Give
  *  the attitude as alpha or as a quaternion, never as both. Mass and inertia are finite: a body that is held is one
- *  outside the slice that is stepped, as effects act across slices. Start from vti_bodies_none(). */
+ *  outside the slice that is stepped, as effects act across slices. Start from vti_bodies_none().
+ *
+ *  With moments a body has the inertia R_p diag(A, B, C) R_p^T, R_p = R(attitude) R(principal), in the place of J, and
+ *  turns by spin, L: kicks are L += t RM, drifts leave L as it is, to the bit. Where omega is shown beside spin, steps,
+ *  kicks and drifts write Omega = R_p diag(1/A, 1/B, 1/C) R_p^T L there, and read it nowhere. Where it is shown alone,
+ *  with an attitude, the same map is done on Omega. inertia and omega_low do not go with moments, nor do effects that
+ *  damp by omega; where there is spin, there are moments. */
 typedef struct vti_bodies {
     int64_t abi;         /**< VTI_ABI */
     int64_t sealed;      /**< 0, or what vti_bodies_seal has put here, good in this object only, not in a copy */
@@ -99,13 +109,18 @@ typedef struct vti_bodies {
     vti_view omega;      /**< Omega, spatial angular velocity */
     vti_view moment;     /**< RM, spatial moment about the centre */
     vti_scalars mass;    /**< m */
-    vti_scalars inertia; /**< J */
+    vti_scalars inertia; /**< J, of spheres */
     /* Rounding errors carried along (compensated sums): what x, v, alpha and omega leave out, starting from 0. Each is
      * absent, or goes with its quantity; then its additions are exact to second order in eps. */
     vti_view x_low;     /**< what x leaves out */
     vti_view v_low;     /**< what v leaves out */
     vti_view alpha_low; /**< what alpha leaves out */
     vti_view omega_low; /**< what omega leaves out */
+    /* General inertia (EQUATIONS 7): bodies of three principal moments, which need not be spheres. */
+    vti_view moments;        /**< A, B, C about the principal axes; absent: spheres; stride 0: one body's for all */
+    vti_view spin;           /**< L, spatial angular momentum about the centre of mass */
+    vti_quat_view principal; /**< takes the principal axes to the body's; absent: they are; stride 0: one for all */
+    vti_view spin_low;       /**< what spin leaves out */
 } vti_bodies;
 
 /** No view: what it would show is absent. */
@@ -199,8 +214,9 @@ VTI_API int vti_bodies_check(const vti_bodies *bodies);
  *  For the day when a fault is hunted; otherwise it costs no instruction. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
-/** All of vti_bodies_check, and of the slice every mass and inertia finite and > 0, every position, velocity, attitude
- *  and spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is
+/** All of vti_bodies_check, and of the slice every mass, inertia and moment finite and > 0, no moment more than the sum
+ *  of the two others (by more than 2^-20 of it, as single precision has it), every position, velocity, attitude and
+ *  spin finite, no quaternion zero (as zeroed memory is). For once before the first step. fault, which says what is
  *  wrong with which body, may be NULL. */
 VTI_API int vti_bodies_check_values(const vti_bodies *bodies, vti_fault *fault);
 

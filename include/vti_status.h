@@ -47,7 +47,9 @@ extern "C" {
     ROW(VTI_E_STEPPER, -12,                                                                                            \
         "there is no such stepper or drift law, or it has more stages than the packed calls can play, or no "          \
         "estimates of its error; known steppers are " VTI_STEPPER_NAMES "as vti_stepper_at lists them")                \
-    ROW(VTI_E_FRAME, -13, "there is no such frame; use VTI_FRAME_SPACE or VTI_FRAME_BODY")                             \
+    ROW(VTI_E_FRAME, -13,                                                                                              \
+        "there is no such frame, or not for bodies with moments of inertia; use VTI_FRAME_SPACE or, of spheres, "      \
+        "VTI_FRAME_BODY")                                                                                              \
     ROW(VTI_E_BOND, -14,                                                                                               \
         "a bond is not between two different bodies that exist at different places, or a stiffness of it is "          \
         "negative or not finite, or there is no such form of shear; mend that bond")                                   \
@@ -77,7 +79,11 @@ extern "C" {
         "steps of another method, and after them")                                                                     \
     ROW(VTI_E_CONTROL, -23,                                                                                            \
         "a tolerance, a scale or a limit of step control is not positive and finite, or its shortest step is too "     \
-        "long for the tolerance; ask for less accuracy, or allow shorter steps")
+        "long for the tolerance; ask for less accuracy, or allow shorter steps")                                       \
+    ROW(VTI_E_MOMENTS, -24,                                                                                            \
+        "a principal moment of inertia is not positive and finite, or more than the sum of the two others, or a spin " \
+        "has no moments, or they stand beside inertia, omega_low or a multistep method, or omega alone without an "    \
+        "attitude; give spin and three moments for each body, or three for all")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

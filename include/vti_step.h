@@ -59,6 +59,7 @@ typedef struct vti_stepper {
     int64_t estimate_order; /**< what vti_step_watch sums is of order h^(estimate_order + 1) */
     int64_t estimates;      /**< how many sums it makes of a body; 0 where there is nothing to watch */
     const double *estimate; /**< [estimates][stages + 1], weights of the forces of the kicks, or NULL */
+    int64_t rotor;          /**< of bodies with moments, the order of a free one's turn: 2, 4 or 6; 0 is 2 */
 } vti_stepper;
 
 /** The paper's maps: "vti1", "vti2", "vti3", "vti3-leapfrog" (VTI-3 started and read with half kicks), "vti1-body"

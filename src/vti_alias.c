@@ -174,11 +174,19 @@ int vti_alias_check(const vti_bodies *b, vti_fault *fault)
 #define COUNT(constant, number, member, type, role) +1
     struct reach all[VTI_QUANTITIES(COUNT)];
     int n = 0;
-#define ADD_vti_view(member, quantity) n = add(all, n, b->member.c, NULL, b->member.stride, &range, quantity);
-#define ADD_vti_quat_view(member, quantity)                                                                            \
-    n = add(all, n, b->member.xyzw, b->member.xyzw[3], b->member.stride, &range, quantity);
-#define ADD_vti_scalars(member, quantity) /* only read */
-#define ADD(constant, number, member, type, role) ADD_##type(member, constant)
+    /* what is one for all is only read, as scalars are */
+#define STATE_ADDS(member) 1
+#define LOAD_ADDS(member) 1
+#define LOW_ADDS(member) 1
+#define CONSTANT_ADDS(member) (b->member.stride != 0)
+#define ADD_vti_view(member, quantity, adds)                                                                           \
+    if (adds(member))                                                                                                  \
+        n = add(all, n, b->member.c, NULL, b->member.stride, &range, quantity);
+#define ADD_vti_quat_view(member, quantity, adds)                                                                      \
+    if (adds(member))                                                                                                  \
+        n = add(all, n, b->member.xyzw, b->member.xyzw[3], b->member.stride, &range, quantity);
+#define ADD_vti_scalars(member, quantity, adds) /* only read */
+#define ADD(constant, number, member, type, role) ADD_##type(member, constant, role##_ADDS)
     VTI_QUANTITIES(ADD)
     for (int i = 0; i < n; ++i) {
         if (components_meet(&all[i], &range))

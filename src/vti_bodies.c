@@ -19,8 +19,9 @@ VTI_INLINE int count_check(int64_t count, int64_t end, int64_t quantity, vti_fau
     return count != 0 && end > count ? vti_refuse(VTI_E_COUNT, -1, (double)count, quantity, fault) : VTI_OK;
 }
 
-/** One view: all components or none, on different memory, and a stride if there is more than one body. */
-VTI_INLINE int view_check(const vti_view *view, int64_t end, int64_t quantity, vti_fault *fault)
+/** One view: all components or none, on different memory, and a stride if there is more than one body, unless one is
+ *  for all. */
+VTI_INLINE int view_check(const vti_view *view, int64_t end, int one_for_all, int64_t quantity, vti_fault *fault)
 {
     double *const *c = view->c;
     if (c[0] == NULL && c[1] == NULL && c[2] == NULL)
@@ -30,29 +31,30 @@ VTI_INLINE int view_check(const vti_view *view, int64_t end, int64_t quantity, v
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
         return refuse_all(VTI_E_ALIAS, quantity, fault);
     if (view->stride == 0 && end > 1)
-        return refuse_all(VTI_E_STRIDE, quantity, fault);
+        return one_for_all ? VTI_OK : refuse_all(VTI_E_STRIDE, quantity, fault);
     return count_check(view->count, end, quantity, fault);
 }
 
-static int quat_check(const vti_bodies *b, int64_t end, vti_fault *fault)
+static int quat_check(const vti_bodies *b, const vti_quat_view *quat, int64_t end, int one_for_all, int64_t quantity,
+                      vti_fault *fault)
 {
-    double *const *c = b->quat.xyzw;
+    double *const *c = quat->xyzw;
     int given = 0;
     for (int k = 0; k < 4; ++k)
         given += c[k] != NULL;
     if (given == 0)
         return VTI_OK;
-    if (given < 4 || vti_has(&b->alpha))
-        return refuse_all(VTI_E_VIEW, VTI_QUANTITY_QUAT, fault);
-    if (vti_has(&b->alpha_low)) /* goes with alpha */
+    if (given < 4 || (vti_has(&b->alpha) && quat == &b->quat))
+        return refuse_all(VTI_E_VIEW, quantity, fault);
+    if (vti_has(&b->alpha_low) && quat == &b->quat) /* goes with alpha */
         return refuse_all(VTI_E_VIEW, VTI_QUANTITY_ALPHA_LOW, fault);
     for (int k = 0; k < 4; ++k)
         for (int j = 0; j < k; ++j)
             if (c[k] == c[j])
-                return refuse_all(VTI_E_ALIAS, VTI_QUANTITY_QUAT, fault);
-    if (b->quat.stride == 0 && end > 1)
-        return refuse_all(VTI_E_STRIDE, VTI_QUANTITY_QUAT, fault);
-    return count_check(b->quat.count, end, VTI_QUANTITY_QUAT, fault);
+                return refuse_all(VTI_E_ALIAS, quantity, fault);
+    if (quat->stride == 0 && end > 1)
+        return one_for_all ? VTI_OK : refuse_all(VTI_E_STRIDE, quantity, fault);
+    return count_check(quat->count, end, quantity, fault);
 }
 
 static int is_positive(double value)
@@ -70,6 +72,35 @@ static int scalars_check(const vti_scalars *s, int64_t end, int needed, int erro
     return count_check(s->count, end, quantity, fault);
 }
 
+/** The moment of body i that is no principal moment of a body: not positive, of no finite inverse, or more than the sum
+ *  of the two others, which sums that were rounded to single precision may be; VTI_OK if there is none. */
+static int moments_check(const vti_view *moments, int64_t i, int64_t named, vti_fault *fault)
+{
+    double m[3];
+    vti_load(moments, i, m);
+    for (int k = 0; k < 3; ++k)
+        if (!is_positive(m[k]) || !isfinite(1.0 / m[k]))
+            return vti_refuse(VTI_E_MOMENTS, named, m[k], VTI_QUANTITY_MOMENTS, fault);
+    for (int k = 0; k < 3; ++k)
+        if (m[k] - m[(k + 1) % 3] > m[(k + 2) % 3] + 0x1p-20 * m[k])
+            return vti_refuse(VTI_E_MOMENTS, named, m[k], VTI_QUANTITY_MOMENTS, fault);
+    return VTI_OK;
+}
+
+/** What general inertia goes with (EQUATIONS 7.1). */
+VTI_APART int general_check(const vti_bodies *b, vti_fault *fault)
+{
+    if (!vti_has(&b->moments))
+        return refuse_all(VTI_E_MOMENTS, VTI_QUANTITY_MOMENTS, fault);
+    if (b->inertia.p != NULL)
+        return refuse_all(VTI_E_MOMENTS, VTI_QUANTITY_INERTIA, fault);
+    if (vti_has(&b->omega_low))
+        return refuse_all(VTI_E_MOMENTS, VTI_QUANTITY_OMEGA_LOW, fault);
+    if (vti_has(&b->omega) && !vti_has(&b->spin) && !vti_has_attitude(b))
+        return refuse_all(VTI_E_MOMENTS, VTI_QUANTITY_OMEGA, fault);
+    return b->moments.stride == 0 ? moments_check(&b->moments, 0, -1, fault) : VTI_OK;
+}
+
 int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
 {
     if (b == NULL)
@@ -83,18 +114,25 @@ int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
 
     const int64_t end = b->first + b->count;
     int status = VTI_OK;
-#define CHECK_vti_view(member, quantity) view_check(&b->member, end, quantity, fault)
-#define CHECK_vti_quat_view(member, quantity) quat_check(b, end, fault)
-#define CHECK_vti_scalars(member, quantity) VTI_OK /* below */
-#define CHECK(constant, number, member, type, role) status = status != VTI_OK ? status : CHECK_##type(member, constant);
+#define STATE_FOR_ALL 0
+#define LOAD_FOR_ALL 0
+#define LOW_FOR_ALL 0
+#define CONSTANT_FOR_ALL 1
+#define CHECK_vti_view(member, quantity, all) view_check(&b->member, end, all, quantity, fault)
+#define CHECK_vti_quat_view(member, quantity, all) quat_check(b, &b->member, end, all, quantity, fault)
+#define CHECK_vti_scalars(member, quantity, all) VTI_OK /* below */
+#define CHECK(constant, number, member, type, role)                                                                    \
+    status = status != VTI_OK ? status : CHECK_##type(member, constant, role##_FOR_ALL);
     VTI_QUANTITIES(CHECK)
     status = status != VTI_OK ? status : vti_alias_check(b, fault);
     if (status == VTI_OK)
         status =
             scalars_check(&b->mass, end, vti_has(&b->v) && vti_has(&b->force), VTI_E_MASS, VTI_QUANTITY_MASS, fault);
     if (status == VTI_OK)
-        status = scalars_check(&b->inertia, end, vti_has(&b->omega) && vti_has(&b->moment), VTI_E_INERTIA,
-                               VTI_QUANTITY_INERTIA, fault);
+        status = vti_has(&b->moments) || vti_has(&b->spin)
+                     ? general_check(b, fault)
+                     : scalars_check(&b->inertia, end, vti_has(&b->omega) && vti_has(&b->moment), VTI_E_INERTIA,
+                                     VTI_QUANTITY_INERTIA, fault);
     return status;
 }
 
@@ -144,7 +182,10 @@ static int body_check(const vti_bodies *b, int64_t i, vti_fault *fault)
     if (GIVEN_##type(member) && status == VTI_OK)                                                                      \
         status = STATE_##type(member, constant);
 #define CHECK_LOAD(constant, member, type)
-#define CHECK_CONSTANT(constant, member, type)
+#define CHECK_CONSTANT(constant, member, type) CONSTANT_##type(constant, member)
+#define CONSTANT_vti_scalars(constant, member)
+#define CONSTANT_vti_view(constant, member) /* moments_check */
+#define CONSTANT_vti_quat_view(constant, member) CHECK_STATE(constant, member, vti_quat_view)
 #define CHECK_LOW(constant, member, type)
 #define CHECK_ROLE(constant, number, member, type, role) CHECK_##role(constant, member, type)
     VTI_QUANTITIES(CHECK_ROLE)
@@ -166,6 +207,8 @@ int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault)
         status = values_check(&b->mass, b, VTI_E_MASS, VTI_QUANTITY_MASS, fault);
     if (status == VTI_OK)
         status = values_check(&b->inertia, b, VTI_E_INERTIA, VTI_QUANTITY_INERTIA, fault);
+    for (int64_t i = b->first; vti_has(&b->moments) && i < b->first + b->count && status == VTI_OK; ++i)
+        status = moments_check(&b->moments, i, i, fault);
     return status == VTI_OK ? states_check(b, fault) : status;
 }
 

@@ -93,13 +93,13 @@ struct column {
     int64_t stride;
 };
 
-enum { VIEWS = 10, COLUMNS = 3 * VIEWS + 4 };
+enum { VIEWS = 12, COLUMNS = 3 * VIEWS + 4 };
 
 /** All that a step and its forces write. Returns how many there are. */
 static int64_t columns_of(const vti_bodies *b, struct column column[COLUMNS])
 {
-    const vti_view *const views[VIEWS] = {&b->x,      &b->v,     &b->force, &b->alpha,     &b->omega,
-                                          &b->moment, &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
+    const vti_view *const views[VIEWS] = {&b->x,     &b->v,     &b->force,     &b->alpha,     &b->omega, &b->moment,
+                                          &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low, &b->spin,  &b->spin_low};
     int64_t n = 0;
     for (int q = 0; q < VIEWS; ++q)
         for (int k = 0; k < 3 && vti_has(views[q]); ++k) {

@@ -244,7 +244,8 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
     good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
-    (void)b;
+    if (vti_has(&b->moments)) /* it turns spheres */
+        return VTI_E_MOMENTS;
     if (!good)
         return VTI_E_DAMPING;
     if (p->history->slot == NULL || (p->contacts != NULL && (p->contacts->diameter.p == NULL ||

@@ -80,6 +80,9 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** w = R_p diag(1/A, 1/B, 1/C) R_p^T L of body i with moments and an attitude, where L is what the view shows of it. */
+void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3]);
+
 /** F/m and RM/J of body i, 0 where there is no load. */
 static inline void vti_accelerations(const vti_bodies *b, int64_t i, double f[6])
 {
@@ -91,7 +94,9 @@ static inline void vti_accelerations(const vti_bodies *b, int64_t i, double f[6]
         for (int k = 0; k < 3; ++k)
             f[k] = load[k] / vti_scalar(&b->mass, i);
     }
-    if (vti_has(&b->moment)) {
+    if (vti_has(&b->moment) && vti_has(&b->moments))
+        vti_rotor_over(b, i, &b->moment, f + 3);
+    else if (vti_has(&b->moment)) {
         vti_load(&b->moment, i, load);
         for (int k = 0; k < 3; ++k)
             f[3 + k] = load[k] / vti_scalar(&b->inertia, i);

@@ -2,26 +2,9 @@
  *
  * Kick and drift, the two primitives of every stepper, for one body after the other; where there are many, by kernels
  * that give the same bits (vti_move_kernels.h). */
-#include "vti_move.h"
-
-VTI_MOVE_LAW(law_of, double, (double), sqrt)
-
-/** a += b with the rounding error of the sum carried in *low (two-sum, exact whatever the magnitudes). */
-static inline double add_compensated(double a, double b, double *low)
-{
-    const double y = b + *low, s = a + y, z = s - a;
-    *low = (a - (s - z)) + (y - z);
-    return s;
-}
+#include "vti_move_body.h"
 
 /* ---- kick and translation ---------------------------------------------------------------------------------------- */
-
-/** a += t by of one body, with its residual where there is one. */
-VTI_INLINE void add_by(double t, const double by[3], const vti_view *low, int64_t i, double a[3])
-{
-    for (int c = 0; c < 3; ++c)
-        a[c] = vti_has(low) ? add_compensated(a[c], t * by[c], low->c[c] + i * low->stride) : a[c] + t * by[c];
-}
 
 /** a of body i after its kicks, a += t/m by, which are also stored. */
 VTI_INLINE void kicked(const struct vti_move *move, const vti_view *view, const vti_view *by, const vti_scalars *over,
@@ -55,75 +38,6 @@ static void translate(const struct vti_move *move, const vti_bodies *b, int64_t 
 
 /* ---- turn -------------------------------------------------------------------------------------------------------- */
 
-/** The increment dalpha = 2 f u/c. small: as in vti_rrv_increment. */
-struct increment {
-    double cf[2];
-    int small;
-};
-
-/** As VTI_MOVE_LAW has it. Where s^2 would overflow, s has long lost its fraction of a turn: a half turn, c = 0, is as
- *  good as any. Below s^2 = 8, c > 0.36 in both of the exact. */
-VTI_INLINE struct increment increment(int law, const double u[3])
-{
-    struct increment d = {{2.0, 1.0}, 0};
-    if (law == VTI_LAW_CAYLEY)
-        return d;
-    const double s2 = vti_dot(u, u);
-    d.small = law != VTI_LAW_CLOSED && s2 < 8.0;
-    if (law != VTI_LAW_CLOSED && !d.small && !(s2 < 0x1p60))
-        d.cf[0] = 0.0;
-    else
-        law_of(law, s2, d.cf);
-    return d;
-}
-
-/** alpha <- alpha (+) dalpha for side = 1, in space; for side = -1 in the body's frame. */
-VTI_INLINE void turn_alpha(int law, double side, const double u[3], const vti_view *alpha, int64_t i)
-{
-    double a[3];
-    vti_load(alpha, i, a);
-    const struct increment d = increment(law, u);
-    vti_rrv_turn_by(d.cf[0], d.cf[1], u, d.small, side, a);
-    vti_store(alpha, i, a);
-}
-
-/** The same with the rounding error of alpha carried along. */
-VTI_INLINE void turn_compensated(int law, double side, const double u[3], const vti_view *alpha, const vti_view *low,
-                                 int64_t i)
-{
-    double base[3], add[3], r[3];
-    vti_load(alpha, i, base);
-    vti_load(low, i, r);
-    const struct increment d = increment(law, u);
-    const int incremental = vti_rrv_increment(d.cf[0], d.cf[1], u, d.small, side, base, add);
-    for (int k = 0; k < 3; ++k) {
-        r[k] = incremental ? r[k] : 0.0;
-        base[k] = add_compensated(incremental ? base[k] : 0.0, add[k], &r[k]);
-    }
-    vti_store(alpha, i, base);
-    vti_store(low, i, r);
-}
-
-/** q <- normalise((u, c) q), or q (u, c) in the body's frame: the same increment on a host's quaternion. */
-VTI_INLINE void turn_quat(int law, double side, const double turn[3], const vti_quat_view *quat, int64_t i)
-{
-    double u[3], q[4], r[4], x[3];
-    for (int k = 0; k < 4; ++k)
-        q[k] = quat->xyzw[k][i * quat->stride];
-    /* scaled, lest the square of a huge u overflow */
-    const struct increment d = increment(law, turn);
-    const double s = vti_max3(turn) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.cf[0];
-    for (int k = 0; k < 3; ++k)
-        u[k] = s * d.cf[1] * turn[k];
-    vti_cross(u, q, x);
-    for (int k = 0; k < 3; ++k)
-        r[k] = c * q[k] + q[3] * u[k] + side * x[k];
-    r[3] = c * q[3] - vti_dot(u, q);
-    const double scale = 1.0 / sqrt(vti_dot(r, r) + r[3] * r[3]);
-    for (int k = 0; k < 4; ++k)
-        quat->xyzw[k][i * quat->stride] = r[k] * scale;
-}
-
 /* How the attitude is kept. */
 enum { NOT, BY_ALPHA, COMPENSATED, BY_QUAT };
 
@@ -135,11 +49,11 @@ VTI_INLINE void rotate(int kept, int law, double side, const struct vti_move *mo
         kicked(move, &b->omega, &b->moment, &b->inertia, &b->omega_low, i, w);
         const double t = move->drift, u[3] = {t * w[0], t * w[1], t * w[2]};
         if (kept == BY_ALPHA)
-            turn_alpha(law, side, u, &b->alpha, i);
+            turn_alpha(increment(law, u), side, u, &b->alpha, i);
         else if (kept == COMPENSATED)
-            turn_compensated(law, side, u, &b->alpha, &b->alpha_low, i);
+            turn_compensated(increment(law, u), side, u, &b->alpha, &b->alpha_low, i);
         else if (kept == BY_QUAT)
-            turn_quat(law, side, u, &b->quat, i);
+            turn_quat(increment(law, u), side, u, &b->quat, i);
     }
 }
 
@@ -188,7 +102,7 @@ static turn *turn_of(const struct vti_move *move, const vti_bodies *b)
 
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
 {
-    const struct vti_move drift = {0.0, 0.0, move->drift, 1, move->law, move->frame};
+    const struct vti_move drift = {0.0, 0.0, move->drift, 1, move->law, move->frame, 0};
     turn_of(&drift, b)(&drift, b, i, i + 1);
 }
 
@@ -241,7 +155,9 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
 {
     const int kicks = move->before != 0.0 || move->kick != 0.0;
     const int translates = vti_has(&b->v) && ((move->drifts && vti_has(&b->x)) || (kicks && vti_has(&b->force)));
-    const int rotates = vti_has(&b->omega) && ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
+    const int general = vti_has(&b->moments);
+    const int rotates = !general && vti_has(&b->omega) &&
+                        ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
     const int64_t last = b->first + b->count;
     for (int64_t begin = b->first; begin < last; begin += BLOCK) {
         const int64_t end = last - begin < BLOCK ? last : begin + BLOCK;
@@ -249,6 +165,8 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
             translate_all(move, b, begin, end);
         if (rotates)
             rotate_all(move, b, begin, end);
+        else if (general)
+            vti_rotor_move(move, b, begin, end);
     }
 }
 
@@ -317,7 +235,7 @@ int vti_kick(double t, const vti_bodies *b)
         return status;
     if (!isfinite(t))
         return VTI_E_TIME;
-    const struct vti_move move = {0.0, t, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    const struct vti_move move = {0.0, t, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0};
     vti_move_all(&move, b);
     return VTI_OK;
 }
@@ -340,9 +258,9 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))
         status = vti_refuse(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
-    const struct vti_move move = {0.0, 0.0, t, 1, law, frame};
+    const struct vti_move move = {0.0, 0.0, t, 1, law, frame, 0};
     if (status == VTI_OK)
-        status = vti_move_check(&move, b, fault);
+        status = vti_has(&b->moments) ? vti_rotor_check(&move, b, fault) : vti_move_check(&move, b, fault);
     if (status == VTI_OK)
         vti_move_all(&move, b);
     return status;

@@ -18,6 +18,7 @@ struct vti_move {
     double drift;        /* time of the drift */
     int drifts;          /* whether there is one */
     int law, frame;
+    int rotor; /* of bodies with moments: 2, 4, 6; 0 is 2 */
 };
 
 /** Moves all bodies of the slice, which have been checked. */
@@ -28,6 +29,17 @@ int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *
 
 /** Turns one body by the drift: what the kernels leave out. */
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
+
+/* ---- bodies with moments (vti_rotor.c) --------------------------------------------------------------------------- */
+
+/** Kicks, and turns by the drift, the bodies begin <= i < end, which have been checked. */
+void vti_rotor_move(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+
+/** Whether they can be moved so: the frame, the rotor, and the bound of the closed form for every turn of each, of
+ *  which the worst is what fault then names. */
+int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault);
+
+/* ---- many at once ------------------------------------------------------------------------------------------------ */
 
 /** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the
  *  layout is not for them. Nothing that carries residuals is for them. */

@@ -49,6 +49,8 @@ static int check_past(const vti_past *past, const vti_bodies *b, vti_fault *faul
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
+    if (vti_has(&b->moments))
+        return vti_refuse(VTI_E_MOMENTS, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
     const vti_view *const low[] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
     for (int k = 0; k < 4; ++k)
         if (vti_has(low[k]))

@@ -56,10 +56,12 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_f
 VTI_INLINE int play(const vti_stepper *method, double before, int64_t k, double h, const vti_bodies *b,
                     vti_fault *fault)
 {
-    const struct vti_move move = {before * h, method->kick[k] * h, method->drift[k] * h,
-                                  1,          (int)method->law,    (int)method->frame};
+    const struct vti_move move = {before * h,       method->kick[k] * h, method->drift[k] * h, 1,
+                                  (int)method->law, (int)method->frame,  (int)method->rotor};
     int status = vti_law_check(move.law, move.frame);
-    if (status == VTI_OK && move.law == VTI_LAW_CLOSED)
+    if (status == VTI_OK && vti_has(&b->moments))
+        status = vti_rotor_check(&move, b, fault);
+    else if (status == VTI_OK && move.law == VTI_LAW_CLOSED)
         status = vti_move_check(&move, b, fault);
     if (status == VTI_OK)
         vti_move_all(&move, b);
@@ -83,7 +85,7 @@ int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti
 /** kick(share h) of bodies that have been checked; a share of 0 touches nothing. */
 static int kick_share(double share, double h, const vti_bodies *b)
 {
-    const struct vti_move move = {0.0, share * h, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    const struct vti_move move = {0.0, share * h, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0};
     if (!isfinite(move.kick))
         return VTI_E_TIME;
     if (move.kick != 0.0)
@@ -167,17 +169,19 @@ static void copy_configuration(const vti_bodies *b, const vti_bodies *to)
 }
 
 /** A drift by F/m and RM/J instead of v and Omega, body by body where masses differ; by the exact law, which has no
- *  bound. What has no v does not translate here either, and what has no Omega does not turn. */
+ *  bound. What has no v does not translate here either, and what has no Omega or L does not turn. */
 static void displace(int frame, double t, const vti_bodies *b, const vti_bodies *to)
 {
-    const int translates = vti_has(&b->v) && vti_has(&b->force), turns = vti_has(&b->omega) && vti_has(&b->moment);
+    const int general = vti_has(&b->moments), translates = vti_has(&b->v) && vti_has(&b->force);
+    const int turns = (vti_has(&b->omega) || vti_has(&b->spin)) && vti_has(&b->moment);
+    double w[3];
     vti_bodies centres = vti_bodies_none(1), attitudes = centres;
     centres.x = to->x;
     centres.v = b->force;
     attitudes.alpha = to->alpha;
     attitudes.quat = to->quat;
-    attitudes.omega = b->moment;
-    struct vti_move move = {0.0, 0.0, 0.0, 1, VTI_LAW_EXACT, frame};
+    attitudes.omega = general ? (vti_view){{w, w + 1, w + 2}, 0, 0} : b->moment;
+    struct vti_move move = {0.0, 0.0, 0.0, 1, VTI_LAW_EXACT, frame, 0};
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         centres.first = attitudes.first = i;
         if (translates) {
@@ -185,7 +189,9 @@ static void displace(int frame, double t, const vti_bodies *b, const vti_bodies 
             vti_move_all(&move, &centres);
         }
         if (turns) {
-            move.drift = t / vti_scalar(&b->inertia, i);
+            move.drift = general ? t : t / vti_scalar(&b->inertia, i);
+            if (general)
+                vti_rotor_over(b, i, &b->moment, w);
             vti_move_all(&move, &attitudes);
         }
     }
@@ -198,6 +204,8 @@ int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bod
         status = VTI_E_STAGE;
     if (status == VTI_OK)
         status = vti_law_check((int)method->law, (int)method->frame);
+    if (status == VTI_OK && vti_has(&b->moments) && method->frame != VTI_FRAME_SPACE)
+        status = VTI_E_FRAME;
     if (status == VTI_OK)
         status = probe_check(b, probed);
     if (status != VTI_OK)

@@ -52,6 +52,7 @@ static const int64_t layout[] = {
     AT(vti_stepper, estimate_order),
     AT(vti_stepper, estimates),
     AT(vti_stepper, estimate),
+    AT(vti_stepper, rotor),
     SIZE(vti_errors),
     AT(vti_errors, memory),
     AT(vti_errors, rows),

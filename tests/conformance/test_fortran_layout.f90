@@ -7,11 +7,13 @@ program test_fortran_layout
     integer(c_int64_t) :: theirs(300), count
     integer(c_int64_t) :: ours(300) = 0
     integer :: entries = 0
-    integer(c_int64_t), parameter :: quantity(13) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
+    integer(c_int64_t), parameter :: quantity(17) = [VTI_QUANTITY_X, VTI_QUANTITY_V, VTI_QUANTITY_FORCE, &
         VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT, VTI_QUANTITY_OMEGA, VTI_QUANTITY_MOMENT, VTI_QUANTITY_MASS, &
-        VTI_QUANTITY_INERTIA, VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW]
-    character(len=9), parameter :: name(13) = [character(len=9) :: 'x', 'v', 'force', 'alpha', 'quat', 'omega', &
-        'moment', 'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low']
+        VTI_QUANTITY_INERTIA, VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW, VTI_QUANTITY_OMEGA_LOW, &
+        VTI_QUANTITY_MOMENTS, VTI_QUANTITY_SPIN, VTI_QUANTITY_PRINCIPAL, VTI_QUANTITY_SPIN_LOW]
+    character(len=9), parameter :: name(17) = [character(len=9) :: 'x', 'v', 'force', 'alpha', 'quat', 'omega', &
+        'moment', 'mass', 'inertia', 'x_low', 'v_low', 'alpha_low', 'omega_low', 'moments', 'spin', &
+        'principal', 'spin_low']
     integer :: k
 
     call members()
@@ -22,11 +24,11 @@ program test_fortran_layout
     call expect(index('AVX-512 and AVX2, those of the build', vti_vector_units()) > 0, 'units '//vti_vector_units())
     call expect(vti_status_text(VTI_OK) == 'no error', 'text of VTI_OK')
     call expect(index(vti_status_text(99_c_int), 'unknown') == 1, 'text of no status')
-    do k = 1, 13
+    do k = 1, 17
         call expect(vti_quantity_text(quantity(k)) == trim(name(k)), 'text of the quantity '//name(k))
     end do
     call expect(vti_quantity_text(VTI_QUANTITY_NONE) == 'value', 'text of no quantity')
-    call expect(vti_quantity_text(14_c_int64_t) == 'value', 'text of a quantity that there is not')
+    call expect(vti_quantity_text(18_c_int64_t) == 'value', 'text of a quantity that there is not')
     call finish()
 
 contains
@@ -97,12 +99,14 @@ contains
             c_loc(bodies%count), c_loc(bodies%x), c_loc(bodies%v), c_loc(bodies%force), c_loc(bodies%alpha), &
             c_loc(bodies%quat), c_loc(bodies%omega), c_loc(bodies%moment), c_loc(bodies%mass), &
             c_loc(bodies%inertia), c_loc(bodies%x_low), c_loc(bodies%v_low), c_loc(bodies%alpha_low), &
-            c_loc(bodies%omega_low)])
+            c_loc(bodies%omega_low), c_loc(bodies%moments), c_loc(bodies%spin), c_loc(bodies%principal), &
+            c_loc(bodies%spin_low)])
         call add(c_sizeof(stepper), c_loc(stepper), [c_loc(stepper%name), c_loc(stepper%law), &
             c_loc(stepper%frame), c_loc(stepper%order), c_loc(stepper%reversible), c_loc(stepper%symplectic), &
             c_loc(stepper%stages), c_loc(stepper%evals), c_loc(stepper%lag), c_loc(stepper%reach), &
             c_loc(stepper%kick), c_loc(stepper%drift), c_loc(stepper%probe), c_loc(stepper%about), &
-            c_loc(stepper%estimate_order), c_loc(stepper%estimates), c_loc(stepper%estimate)])
+            c_loc(stepper%estimate_order), c_loc(stepper%estimates), c_loc(stepper%estimate), &
+            c_loc(stepper%rotor)])
         call add(c_sizeof(errors), c_loc(errors), [c_loc(errors%memory), c_loc(errors%rows)])
         call add(c_sizeof(control), c_loc(control), [c_loc(control%tolerance), c_loc(control%speed), &
             c_loc(control%turning), c_loc(control%most), c_loc(control%least), c_loc(control%power), &

@@ -95,6 +95,10 @@ static int reached(int status)
         return vti_control_start(vti_stepper_find("srkn11"), 0, 0.1, &control);
     case VTI_E_HISTORY:
         return vti_history_add(&history, &held);
+    case VTI_E_MOMENTS:
+        b.spin = b.omega;
+        b.omega = vti_view_none();
+        return vti_step_begin(vti1, 0.1, &b, &fault);
     default:
         break;
     }
@@ -118,6 +122,8 @@ static int64_t named(int status)
     case VTI_E_TOO_LARGE:
     case VTI_E_STATE:
         return VTI_QUANTITY_OMEGA;
+    case VTI_E_MOMENTS:
+        return VTI_QUANTITY_MOMENTS;
     default:
         return VTI_QUANTITY_NONE;
     }

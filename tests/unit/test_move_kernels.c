@@ -97,7 +97,7 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
         const double *const kick = kicks[k / (4 * LAYOUTS) % 4];
         const int drifts = k / (16 * LAYOUTS) % 2, law = 1 + k / (32 * LAYOUTS) % 4;
         const int frame = k / (128 * LAYOUTS) % 2 ? VTI_FRAME_BODY : VTI_FRAME_SPACE;
-        const struct vti_move move = {kick[0], kick[1], 0.2, drifts, law, frame};
+        const struct vti_move move = {kick[0], kick[1], 0.2, drifts, law, frame, 0};
         for (int i = 0; i < N; ++i) {
             before.mass[i] = uniform(&g, 0.5, 2);
             before.inertia[i] = uniform(&g, 0.5, 2);

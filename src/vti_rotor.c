@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Kicks and drifts of bodies with three moments (EQUATIONS 7.1, 7.2), one after the other: kick(t) is L += t RM,
+ * drift(t) the increment of vti_rotor.h onto the attitude, and L stays as it is. */
+#define VTI_WIDTH 1
+#include "vti_rotor.h"
+
+#include "vti_move_body.h"
+
+/* ---- one body ---------------------------------------------------------------------------------------------------- */
+
+static void body_of(const vti_bodies *b, int64_t i, struct rotor_body *body)
+{
+    double a[4] = {0.0, 0.0, 0.0, 1.0}, p[4];
+    if (vti_has_attitude(b))
+        vti_load_pair(b, i, a);
+    for (int k = 0; k < 4; ++k) {
+        p[k] = b->principal.xyzw[0] != NULL ? b->principal.xyzw[k][i * b->principal.stride] : 0.0;
+        body->q[k] = a[k];
+    }
+    if (b->principal.xyzw[0] != NULL)
+        rotor_principal(a, p, body->q);
+    body->scale = 2.0 / vti_pair_square(body->q);
+    vti_load(&b->moments, i, body->m);
+    for (int k = 0; k < 3; ++k)
+        body->k[k] = 1.0 / body->m[k];
+}
+
+void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3])
+{
+    struct rotor_body body;
+    body_of(b, i, &body);
+    vti_load(L, i, w);
+    rotor_times(&body, body.k, w, w);
+}
+
+/** L after the kicks: of spin, or by way of Omega += t R_p diag(k) R_p^T RM. Kicks are stored if they are to be. */
+static void kicked(const struct vti_move *move, const vti_bodies *b, int64_t i, const struct rotor_body *body,
+                   int stores, double L[3])
+{
+    const int spins = vti_has(&b->spin), carries = spins && vti_has(&b->spin_low);
+    const vti_view *const view = spins ? &b->spin : &b->omega;
+    double low[3] = {0.0, 0.0, 0.0}, by[3];
+    const vti_view carried = carries ? (vti_view){{low, low + 1, low + 2}, 0, 0} : vti_view_none();
+    vti_load(view, i, L);
+    if (vti_has(&b->moment) && (move->before != 0.0 || move->kick != 0.0)) {
+        vti_load(&b->moment, i, by);
+        if (!spins)
+            rotor_times(body, body->k, by, by);
+        if (carries)
+            vti_load(&b->spin_low, i, low);
+        if (move->before != 0.0)
+            add_by(move->before, by, &carried, 0, L);
+        if (move->kick != 0.0)
+            add_by(move->kick, by, &carried, 0, L);
+        if (stores)
+            vti_store(view, i, L);
+        if (stores && carries)
+            vti_store(&b->spin_low, i, low);
+    }
+    if (!spins)
+        rotor_times(body, body->m, L, L);
+}
+
+/* ---- drift ------------------------------------------------------------------------------------------------------- */
+
+typedef void drift(double t, const struct rotor_body *body, const double L[3], struct rotor_increment *d);
+
+/* Literal arguments, so that each law and each rotor is code of its own. */
+#define DRIFT(LAW, ROTOR)                                                                                              \
+    static void drift_##LAW##_##ROTOR(double t, const struct rotor_body *body, const double L[3],                      \
+                                      struct rotor_increment *d)                                                       \
+    {                                                                                                                  \
+        rotor_drift(VTI_LAW_##LAW, ROTOR, t, body, L, d);                                                              \
+    }
+#define LAWS(ROTOR)                                                                                                    \
+    DRIFT(CLOSED, ROTOR)                                                                                               \
+    DRIFT(CAYLEY, ROTOR)                                                                                               \
+    DRIFT(EXACT, ROTOR)                                                                                                \
+    DRIFT(EXACT9, ROTOR)
+LAWS(2)
+LAWS(4)
+LAWS(6)
+
+#define BY_LAW(ROTOR)                                                                                                  \
+    {                                                                                                                  \
+        NULL, drift_CLOSED_##ROTOR, drift_CAYLEY_##ROTOR, drift_EXACT_##ROTOR, drift_EXACT9_##ROTOR                    \
+    }
+/** [half of the rotor, less 1][law] */
+static drift *const drifts[3][VTI_LAW_EXACT9 + 1] = {BY_LAW(2), BY_LAW(4), BY_LAW(6)};
+
+/** 2, 4 or 6 */
+static int rotor_of(const struct vti_move *move)
+{
+    return move->rotor == 0 ? 2 : move->rotor;
+}
+
+/** t d |L|, of which no more than 2^20 matters. */
+static double cut_off(double td, double size)
+{
+    const double turn = fabs(td) * size;
+    return copysign(turn < 0x1p20 ? turn : 0x1p20, td);
+}
+
+/** A drift by turns so large that their squares leave the range: they have long lost their fraction of a turn, and any
+ *  finite ones are as good. */
+static void drift_hard(int law, int rotor, double t, const struct rotor_body *body, const double L[3],
+                       struct rotor_increment *d)
+{
+    const struct rotor_axes at = rotor_axes_of(body->k);
+    const double size = vti_max3(L);
+    const double n[3] = {size > 0.0 ? L[0] / size : L[0], size > 0.0 ? L[1] / size : L[1],
+                         size > 0.0 ? L[2] / size : L[2]};
+    const double e_x = cut_off(t * at.d_x, size), e_y = cut_off(t * at.d_y, size);
+    struct rotor_list list = {.law = law, .hard = 1};
+    rotor_list_of(rotor, body, &at, n, e_x, e_y, &list);
+    double u[3];
+    for (int k = 0; k < 3; ++k) {
+        u[k] = t == 0.0 ? 0.0 : t * (at.k_r * L[k]);
+        d->u[k] = u[k] = isinf(u[k]) ? copysign(0x1p1000, u[k]) : u[k];
+    }
+    const struct increment whole = increment(law, u);
+    const double most = fabs(whole.cf[1]) * vti_max3(u), s = vti_scale(most > fabs(whole.cf[0]) ? most : whole.cf[0]);
+    const double cf[2] = {s * whole.cf[0], s * whole.cf[1]};
+    rotor_join(rotor, body, &at, &list, n, e_x, cf, d);
+    if (d->plain) {
+        d->c = whole.cf[0];
+        d->f = whole.cf[1];
+        return;
+    }
+    const double largest_u = vti_max3(d->u), back = vti_scale(largest_u > fabs(d->c) ? largest_u : fabs(d->c));
+    d->c *= back;
+    for (int k = 0; k < 3; ++k)
+        d->u[k] *= back;
+}
+
+static void turn_one(const struct vti_move *move, const vti_bodies *b, int64_t i, const struct rotor_body *body,
+                     const double L[3])
+{
+    struct rotor_increment d;
+    const int rotor = rotor_of(move);
+    drifts[rotor / 2 - 1][move->law](move->drift, body, L, &d);
+    const double size = d.c * d.c + d.f * d.f * vti_dot(d.u, d.u);
+    if (!(size < 0x1p100 && size > 0x1p-100))
+        drift_hard(move->law, rotor, move->drift, body, L, &d);
+    const struct increment whole = {{d.c, d.f}, 0};
+    if (!vti_has(&b->alpha))
+        turn_quat(whole, 1.0, d.u, &b->quat, i);
+    else if (vti_has(&b->alpha_low))
+        turn_compensated(whole, 1.0, d.u, &b->alpha, &b->alpha_low, i);
+    else
+        turn_alpha(whole, 1.0, d.u, &b->alpha, i);
+}
+
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
+
+static void move_one(const struct vti_move *move, const vti_bodies *b, int64_t i)
+{
+    const int drifts_too = move->drifts && vti_has_attitude(b);
+    struct rotor_body body;
+    double L[3], w[3];
+    body_of(b, i, &body);
+    kicked(move, b, i, &body, 1, L);
+    if (drifts_too) {
+        turn_one(move, b, i, &body, L);
+        body_of(b, i, &body);
+    }
+    if (vti_has(&b->omega) && vti_has_attitude(b) && (drifts_too || vti_has(&b->spin))) {
+        rotor_times(&body, body.k, L, w);
+        vti_store(&b->omega, i, w);
+    }
+}
+
+void vti_rotor_move(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (!vti_has(&b->spin) && !vti_has(&b->omega))
+        return;
+    for (int64_t i = begin; i < end; ++i)
+        move_one(move, b, i);
+}
+
+/** The largest turn of the drift, after the kicks. */
+static double most_of(const struct vti_move *move, const vti_bodies *b, int64_t i)
+{
+    struct rotor_body body;
+    double L[3];
+    body_of(b, i, &body);
+    kicked(move, b, i, &body, 0, L);
+    return rotor_most(VTI_LAW_CLOSED, rotor_of(move), move->drift, &body, L);
+}
+
+int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault)
+{
+    if (move->frame != VTI_FRAME_SPACE)
+        return vti_refuse(VTI_E_FRAME, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
+    if (move->rotor != 0 && move->rotor != 2 && move->rotor != 4 && move->rotor != 6)
+        return VTI_E_STEPPER;
+    if (move->law != VTI_LAW_CLOSED || !vti_has_attitude(b) || (!vti_has(&b->spin) && !vti_has(&b->omega)))
+        return VTI_OK;
+    int status = VTI_OK;
+    double worst = -1.0;
+    for (int64_t i = b->first; i < b->first + b->count && !isnan(worst); ++i) {
+        const double most = most_of(move, b, i);
+        if (!(most < 1.0) && !(most <= worst)) {
+            worst = most;
+            status =
+                vti_refuse(VTI_E_TOO_LARGE, i, most, vti_has(&b->spin) ? VTI_QUANTITY_SPIN : VTI_QUANTITY_OMEGA, fault);
+        }
+    }
+    return status;
+}
