@@ -12,6 +12,7 @@
 
 #define AT(member) offsetof(struct binder_settings, member)
 
+static const struct scene_word times[] = {{"start", BINDER_START}, {"touching", BINDER_TOUCHING}, {NULL, 0}};
 static const struct scene_word shear_forms[] = {
     {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
 
@@ -29,6 +30,15 @@ static const struct scene_field fields[] = {
      "where bonds are not at rest at t = 0: the direction in the frame of body i, and a quaternion that takes vectors "
      "from the frame of j to that of i.",
      NULL},
+    {"binder.when", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(when), "when bonds are made",
+     "start (default): at t = 0; touching: at the end of the step in which two spheres come into contact, at rest as "
+     "they "
+     "are then, once for each pair. Then there is no table, the contact stays inside the bond (contact.bonded: yes), "
+     "and "
+     "steppers with negative coefficients are refused.",
+     times},
+    {"binder.most", SCENE_COUNT, SCENE_MAY, SCENE_POSITIVE, AT(most), "most bonds of a body",
+     "Of bonds that are made where bodies touch; without it any number.", NULL},
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
      "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
     {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[1]), "stiffness K^a",
@@ -69,13 +79,49 @@ static void defaults(void *settings)
     ((struct binder_settings *)settings)->shear_form = VTI_SHEAR_OBJECTIVE;
 }
 
+/** Whether bodies that are bonded are in contact, too: 1, 0, or -1 if there is no contact. */
+static int bonded_contact(const struct scene *scene)
+{
+    int found = -1;
+    for (int k = 0; k < EFFECT_COUNT; ++k) {
+        const struct effect_kind *kind = kinds_at(k);
+        const struct effect e = {.kind = kind, .settings = kinds_settings_of(kind, &scene->settings)};
+        if (scene->has[k] && kind->touching != NULL)
+            found = kind->touching(&e) == EFFECT_TOUCH_ALL;
+    }
+    return found;
+}
+
+/** Bonds of touching bodies hold no energy when they are made, and so take nothing out of the contact, which stays. */
+static int check_touching(const struct scene_reader *reader, const struct scene *scene,
+                          const struct binder_settings *binder)
+{
+    const int contact = bonded_contact(scene);
+    if (binder->table[0] != '\0')
+        return scene_reader_fail(reader, "binder.table",
+                                 "bonds that are made where bodies touch are in no table; remove it");
+    if (contact != 1)
+        return scene_reader_fail(reader, "binder.when",
+                                 "bonds that are made where bodies touch need their contact; give %s",
+                                 contact < 0 ? "contact" : "contact.bonded: yes");
+    if (binder->stiffness[2] != 0.0 && binder->shear_form == VTI_SHEAR_PRINTED)
+        return scene_reader_fail(reader, "binder.shear.form",
+                                 "the printed shear knows bonds of t = 0 only; give objective or quartic");
+    return 0;
+}
+
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct binder_settings *binder = settings;
+    const int touching = binder->when == BINDER_TOUCHING;
+    if (touching && check_touching(reader, scene, binder) != 0)
+        return -1;
+    if (!touching && binder->most != 0)
+        return scene_reader_fail(reader, "binder.most", "all bonds are made at t = 0; give when: touching");
     const int has_table = binder->table[0] != '\0', in_table = scene->arrangement == SCENE_IN_TABLE;
-    if (in_table && !has_table)
+    if (!touching && in_table && !has_table)
         return scene_reader_fail(reader, "binder", "bodies of a table have no neighbours; give table, a file of bonds");
-    if (!in_table && scene_bodies(scene) < 2)
+    if (!touching && !in_table && scene_bodies(scene) < 2)
         return scene_reader_fail(reader, "binder",
                                  "a single body has no bonds; give bodies.ring, chain, lattice or table");
     if (!has_table && binder->stiffness[0] == 0.0 && binder->stiffness[1] == 0.0 && binder->stiffness[2] == 0.0)
@@ -193,8 +239,8 @@ static vti_effect draft(const void *settings, const struct table *table)
             *terms[k - BOND_MOMENT] = vti_scalars_one(&any);
     vti_effect effect = vti_bonds_effect(&bonds);
     effect.self = NULL;
-    if (binder_may_break(binder, table))
-        binder_add_rupture(&effect, NULL);
+    if (binder_may_break(binder, table) || binder->when == BINDER_TOUCHING)
+        binder_add_rupture(&effect, binder_may_break(binder, table));
     return effect;
 }
 
@@ -204,10 +250,12 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     struct binder_self *self = effect_memory(e, sizeof *self, message);
-    if (self == NULL || binder_make_bonds(e, model, table, message) != 0)
+    const int touching = ((const struct binder_settings *)e->settings)->when == BINDER_TOUCHING;
+    if (self == NULL ||
+        (touching ? binder_make_none(e, model, message) : binder_make_bonds(e, model, table, message)) != 0)
         return -1;
     made->self = &self->bonds;
-    if (made->rupture != NULL)
+    if (made->books > 0)
         made->booked = e->booked;
     return 0;
 }
@@ -216,6 +264,7 @@ static void destroy(struct effect *e)
 {
     struct binder_self *self = e->self;
     binder_free_breaking(&self->breaking);
+    binder_free_touch(&self->touch);
     free(self->turns.pair);
     free(self->pair);
     free(self->memory);
@@ -226,8 +275,11 @@ static void destroy(struct effect *e)
 static void say(const struct effect *e, char *text, size_t size)
 {
     const struct binder_self *self = e->self;
-    snprintf(text, size, "%lld bonds%s", (long long)self->bonds.count,
-             self->breaking.id != NULL ? ", which may break" : "");
+    const char *what = self->breaking.limits ? ", which may break" : "";
+    if (binder_touches(self))
+        snprintf(text, size, "bonds where bodies touch%s", what);
+    else
+        snprintf(text, size, "%lld bonds%s", (long long)self->bonds.count, what);
 }
 
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
@@ -276,6 +328,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .table = &binder_table,
                                           .check_tables = check_tables,
                                           .make = make,
+                                          .join = binder_join,
                                           .take_part = binder_take_part,
                                           .destroy = destroy,
                                           EFFECT_TERMS(terms),

@@ -31,7 +31,12 @@ struct binder_settings {
     double stiffness[3];
     int64_t shear_form; /* vti_shear */
     double limit[LIMITS];
+    int64_t when; /* BINDER_START or BINDER_TOUCHING */
+    int64_t most; /* bonds of a body that are made where bodies touch; 0: any number */
 };
+
+/** When bonds are made: at t = 0, or at the end of the step in which their bodies touch (binder_touch.c). */
+enum { BINDER_START, BINDER_TOUCHING };
 
 /** Which bonds have turned past half a turn (bond_turns.c). */
 struct bond_turns {
@@ -43,7 +48,7 @@ struct bond_turns {
                         turned */
 };
 
-/** Bonds that break (binder_break.c); all zeros where none can. Bonds have the numbers that they have in the scene, and
+/** Bonds that break (binder_break.c), or are made as a run goes on; all zeros where none does. Bonds have the numbers that they have in the scene, and
  *  their arrays keep all of them: those that hold, in their order, and behind them those that have broken. */
 struct bond_break {
     vti_rupture rupture;
@@ -51,6 +56,8 @@ struct bond_break {
     int64_t *id;    /* [all] number of the bond at each place of the list */
     int64_t *ends;  /* [all][2] bodies of each bond, by number */
     double *broke;  /* [all] the step at whose end it broke, by number; infinite while it holds */
+    double *made;   /* [all] the step at whose end it was made, by number; NULL: all at t = 0 */
+    int limits;     /* 1 if there are any */
     int64_t *root;  /* [bodies] a body of the same fragment with no larger number, its own of the first one; -1 of a
                         body that was never bonded */
     int64_t bodies;
@@ -58,13 +65,22 @@ struct bond_break {
     int64_t changes; /* how often the list has changed */
 };
 
+/** Bonds that are made where bodies touch (binder_touch.c); all zeros where none is. */
+struct bond_touch {
+    int64_t room;   /* arrays of bonds, in struct binder_self and in its members, are for so many */
+    double *turn;   /* [room][4] rotations at rest; memory of struct binder_self has rest vectors only */
+    int64_t *known; /* [all][2] bodies of all bonds that have been made, i < j, ascending */
+    int64_t *meet;  /* [bodies] how many bonds hold it, where there may only be so many */
+};
+
 struct binder_self {
     vti_bonds bonds; /* those that hold; what the effect's self points to, so it stands first */
-    int64_t all;     /* how many there were at t = 0 */
+    int64_t all;     /* how many there have been so far */
     int64_t *pair;
     double *memory; /* rest vectors, rotations at rest if they have any, and stiffnesses */
     struct bond_turns turns;
     struct bond_break breaking;
+    struct bond_touch touch;
 };
 
 extern const struct table_kind binder_table;
@@ -83,11 +99,33 @@ extern const struct effect_lines binder_lines;
 
 /* ---- rupture (binder_break.c) ------------------------------------------------------------------------------------ */
 
+/* ---- bonds that are made where bodies touch (binder_touch.c) ----------------------------------------------------- */
+
+/** In place of binder_make_bonds: none yet. */
+int binder_make_none(struct effect *e, const struct model *model, struct message *message);
+void binder_free_touch(struct bond_touch *touch);
+/** As effect_kind has it. */
+int64_t binder_join(struct effect *e, struct model *model, int64_t step, struct message *message);
+/** What a run goes on with, as struct effect_memory_of has it. */
+int64_t binder_touch_size(const struct effect *e);
+void binder_touch_get(const struct effect *e, double *memory);
+int64_t binder_touch_put(struct effect *e, const double *memory, int64_t left);
+
+/** Whether bonds are made as a run goes on. */
+static inline int binder_touches(const struct binder_self *self)
+{
+    return self->touch.room > 0;
+}
+
 /** Whether a limit is in the scene or in the table, which may be NULL. */
 int binder_has_limit(const struct binder_settings *binder, const struct table *table, int limit);
 int binder_may_break(const struct binder_settings *binder, const struct table *table);
-/** What *effect of bonds needs, gives and books besides, if they break. */
-void binder_add_rupture(vti_effect *effect, const vti_sum *booked);
+/** What *effect of bonds needs, gives and books besides, if they break or are made. */
+void binder_add_rupture(vti_effect *effect, int breaks);
+/** Limits of the scene, or of the table, of which *breaking keeps copies; room for them is there. */
+void binder_take_limits(struct effect *e, const struct table *table);
+/** Bonds of numbers whose broke is not infinite leave the list. Returns 0, or -1 if there is no memory. */
+int binder_take_out(struct binder_self *self);
 /** Makes e->self->breaking of the bonds, if they break. Returns 0, or -1 with one line in *message. */
 int binder_make_breaking(struct effect *e, const struct model *model, const struct table *table,
                          struct message *message);

@@ -188,14 +188,14 @@ static int values(const struct effect *e, const vti_bodies *bodies, int64_t step
 {
     enum { TILE = 64 };
     const struct binder_self *self = e->self;
-    const double *broke = self->breaking.broke;
+    const double *broke = self->breaking.broke, *made = self->breaking.made;
     double measures[TILE][VTI_BOND_MEASURES];
     vti_bonds every = self->bonds;
     every.count = self->all;
     for (int64_t k = 0; k < self->all; ++k) {
         const int64_t last = k + TILE < self->all ? k + TILE : self->all, m = binder_number(self, k);
         const int status = k % TILE == 0 ? vti_bonds_measure(&every, bodies, k, last, measures[0]) : VTI_OK;
-        const int holds = broke == NULL || broke[m] > (double)step;
+        const int holds = broke == NULL || (broke[m] > (double)step && (made == NULL || made[m] <= (double)step));
         if (status != VTI_OK)
             return status;
         value[0][m] = holds ? measures[k % TILE][VTI_BOND_ENERGY] : 0.0;

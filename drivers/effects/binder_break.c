@@ -24,20 +24,23 @@ int binder_may_break(const struct binder_settings *binder, const struct table *t
 static int64_t rupture(const void *self, const vti_bodies *bodies)
 {
     const struct binder_self *binder = self;
+    if (!binder->breaking.limits)
+        return 0;
     const vti_effect effect = vti_rupture_effect(&binder->breaking.rupture);
     return effect.rupture(effect.self, bodies);
 }
 
-void binder_add_rupture(vti_effect *effect, const vti_sum *booked)
+void binder_add_rupture(vti_effect *effect, int breaks)
 {
     static const char *const book[VTI_RUPTURE_BOOKS] = {"lost_rupture"};
     effect->rupture = rupture;
     effect->needs |= 1 << VTI_QUANTITY_X;
     effect->smooth = 0; /* forces end where bonds break */
+    if (!breaks)
+        return;
     effect->dissipates = 1;
     effect->books = VTI_RUPTURE_BOOKS;
     effect->book = book;
-    effect->booked = booked;
 }
 
 /* ---- making ------------------------------------------------------------------------------------------------------ */
@@ -57,6 +60,7 @@ void binder_free_breaking(struct bond_break *b)
     free(b->memory);
     free(b->id);
     free(b->ends);
+    free(b->made);
     free(b->root);
 }
 
@@ -64,11 +68,26 @@ void binder_free_breaking(struct bond_break *b)
 static vti_scalars limit_of(const struct binder_settings *binder, const struct table *table, int limit, double *p)
 {
     const vti_scalars none = {NULL, 0, 0};
-    if (!table_has(table, BOND_LIMITS + limit))
+    if (table == NULL || !table_has(table, BOND_LIMITS + limit))
         return binder->limit[limit] != 0.0 ? vti_scalars_one(&binder->limit[limit]) : none;
     for (int64_t k = 0; k < table->rows; ++k)
         p[k] = table->column[BOND_LIMITS + limit][k];
     return vti_scalars_array(p);
+}
+
+void binder_take_limits(struct effect *e, const struct table *table)
+{
+    const struct binder_settings *settings = e->settings;
+    struct binder_self *self = e->self;
+    struct bond_break *b = &self->breaking;
+    vti_scalars *const to[LIMITS] = {&b->rupture.stretch, &b->rupture.normal,  &b->rupture.shear,
+                                     &b->rupture.bending, &b->rupture.torsion, &b->rupture.energy};
+    for (int k = 0; k < LIMITS; ++k)
+        *to[k] = limit_of(settings, table, k, b->memory + k * self->all);
+    b->limits = binder_may_break(settings, table);
+    b->rupture.bonds = &self->bonds;
+    b->rupture.id = b->id;
+    b->rupture.lost = e->booked;
 }
 
 int binder_make_breaking(struct effect *e, const struct model *model, const struct table *table,
@@ -77,14 +96,11 @@ int binder_make_breaking(struct effect *e, const struct model *model, const stru
     const struct binder_settings *settings = e->settings;
     struct binder_self *self = e->self;
     struct bond_break *b = &self->breaking;
-    vti_scalars *const to[LIMITS] = {&b->rupture.stretch, &b->rupture.normal,  &b->rupture.shear,
-                                     &b->rupture.bending, &b->rupture.torsion, &b->rupture.energy};
     if (!binder_may_break(settings, table))
         return 0;
     if (allocate(b, self->all, model->bodies.count) != 0)
         return message_set(message, "%s: out of memory for its bonds; use fewer", model->scene->name);
-    for (int k = 0; k < LIMITS; ++k)
-        *to[k] = limit_of(settings, table, k, b->memory + k * self->all);
+    binder_take_limits(e, table);
     b->broke = b->memory + LIMITS * self->all;
     b->bodies = model->bodies.count;
     b->holding = self->all;
@@ -94,9 +110,6 @@ int binder_make_breaking(struct effect *e, const struct model *model, const stru
         b->ends[2 * k + 1] = self->pair[2 * k + 1];
         b->broke[k] = INFINITY;
     }
-    b->rupture.bonds = &self->bonds;
-    b->rupture.id = b->id;
-    b->rupture.lost = e->booked;
     return 0;
 }
 
@@ -135,6 +148,12 @@ static int64_t first_of(int64_t *root, int64_t i)
     return i;
 }
 
+/** Whether the bond had been made by the end of the step. */
+static int was_made(const struct bond_break *b, int64_t m, double step)
+{
+    return b->made == NULL || b->made[m] <= step;
+}
+
 /** Fragments that bonds hold together which have not broken by the end of the step. Returns how many. */
 static int64_t find_fragments(const struct effect *e, double step)
 {
@@ -144,9 +163,10 @@ static int64_t find_fragments(const struct effect *e, double step)
     for (int64_t i = 0; i < b->bodies; ++i)
         root[i] = -1;
     for (int64_t m = 0; m < 2 * self->all; ++m)
-        root[b->ends[m]] = b->ends[m];
+        if (was_made(b, m / 2, step))
+            root[b->ends[m]] = b->ends[m];
     for (int64_t m = 0; m < self->all; ++m) {
-        if (b->broke[m] <= step)
+        if (b->broke[m] <= step || !was_made(b, m, step))
             continue;
         const int64_t i = first_of(root, b->ends[2 * m]), j = first_of(root, b->ends[2 * m + 1]);
         root[i > j ? i : j] = i > j ? j : i;
@@ -177,34 +197,45 @@ const struct effect_breaks binder_breaks = {may, broken, {"bonds", "fragments"},
 
 static int64_t size(const struct effect *e)
 {
-    return may(e) ? ((const struct binder_self *)e->self)->all : 0;
+    const struct binder_self *self = e->self;
+    return binder_touches(self) ? binder_touch_size(e) : may(e) ? self->all : 0;
 }
 
 static void get(const struct effect *e, double *memory)
 {
-    for (int64_t m = 0; m < size(e); ++m)
-        memory[m] = breaking_of(e)->broke[m];
+    if (binder_touches(e->self))
+        binder_touch_get(e, memory);
+    else
+        for (int64_t m = 0; m < size(e); ++m)
+            memory[m] = breaking_of(e)->broke[m];
+}
+
+int binder_take_out(struct binder_self *self)
+{
+    struct bond_break *b = &self->breaking;
+    int64_t *out = calloc(self->all > 0 ? (size_t)self->all : 1, sizeof *out), n = 0;
+    for (int64_t m = 0; out != NULL && m < self->all; ++m)
+        if (b->broke[m] < INFINITY)
+            out[n++] = m;
+    const int taken = out != NULL && vti_rupture_take_out(&b->rupture, n, out) == VTI_OK;
+    free(out);
+    b->holding = self->bonds.count;
+    b->changes += n > 0;
+    return taken ? 0 : -1;
 }
 
 /** Into a model at t = 0, whose bonds all hold. */
 static int64_t put(struct effect *e, const double *memory, int64_t left)
 {
     struct binder_self *self = e->self;
-    struct bond_break *b = &self->breaking;
+    if (binder_touches(self))
+        return binder_touch_put(e, memory, left);
     const int64_t all = size(e);
     if (left < all)
         return -1;
-    int64_t *out = calloc(all > 0 ? (size_t)all : 1, sizeof *out), n = 0;
-    for (int64_t m = 0; out != NULL && m < all; ++m) {
-        b->broke[m] = memory[m];
-        if (memory[m] < INFINITY)
-            out[n++] = m;
-    }
-    const int taken = out != NULL && (all == 0 || vti_rupture_take_out(&b->rupture, n, out) == VTI_OK);
-    free(out);
-    b->holding = self->bonds.count;
-    b->changes += n > 0;
-    return taken ? all : -1;
+    for (int64_t m = 0; m < all; ++m)
+        self->breaking.broke[m] = memory[m];
+    return all == 0 || binder_take_out(self) == 0 ? all : -1;
 }
 
 const struct effect_memory_of binder_memory = {size, get, put};

@@ -43,9 +43,12 @@ static int start(struct effect *e)
     for (int64_t k = 0; k < bonds->count; ++k)
         if (stiffness(bonds, k) > 0.0)
             b->least = fmin(b->least, half_pi_squared * stiffness(bonds, k));
+    if (binder_touches(e->self) && bonds->moment.p != NULL) /* one for all, of bonds that are still to come, too */
+        b->least = half_pi_squared * *bonds->moment.p;
     if (!isfinite(b->least))
         return 0;
-    b->pair = calloc((size_t)(4 * b->binder->all), sizeof *b->pair);
+    const int64_t room = binder_touches(e->self) ? b->binder->touch.room : b->binder->all;
+    b->pair = calloc((size_t)(4 * room), sizeof *b->pair);
     return b->pair != NULL ? 0 : -1;
 }
 
@@ -145,10 +148,16 @@ static int64_t turned(const struct effect *e)
     return (int64_t)turns_of(e)->turned;
 }
 
+/** How many numbers of bonds are kept here: of bonds that are made as the run goes on, none; they keep them. */
+static int64_t kept(const struct bond_turns *b)
+{
+    return binder_touches(b->binder) ? 0 : 4 * b->binder->all;
+}
+
 static int64_t size(const struct effect *e)
 {
     const struct bond_turns *b = turns_of(e);
-    return b->pair != NULL ? 2 + 4 * b->binder->all : 0;
+    return b->pair != NULL ? 2 + kept(b) : 0;
 }
 
 static void get(const struct effect *e, double *state)
@@ -158,7 +167,7 @@ static void get(const struct effect *e, double *state)
         return;
     state[0] = b->watching;
     state[1] = b->turned;
-    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)(4 * b->binder->all));
+    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)kept(b));
 }
 
 static void put(struct effect *e, const double *state)
@@ -168,7 +177,7 @@ static void put(struct effect *e, const double *state)
         return;
     b->watching = state[0];
     b->turned = state[1];
-    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)(4 * b->binder->all));
+    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)kept(b));
 }
 
 const struct effect_watch binder_watch = {start, row, step, turned, size, get, put};

@@ -68,9 +68,9 @@ struct effect_lines {
     int (*values)(const struct effect *e, const vti_bodies *bodies, int64_t step, double *const *value);
 };
 
-/** Lines that break as a run goes on (EQUATIONS 6.7); how many there are does not change by it. */
+/** Lines that break as a run goes on (EQUATIONS 6.7), or are made; those that have broken still count. */
 struct effect_breaks {
-    int (*may)(const struct effect *e); /* whether they can in this scene; where they cannot, nobody asks for more */
+    int (*may)(const struct effect *e); /* whether they do in this scene; where they do not, nobody asks for more */
     /** Those that have broken at the end of the step: how many, and in *pair [][2] their bodies. Asked once a step. */
     int64_t (*broken)(struct effect *e, int64_t step, const int64_t **pair);
     const char *name[2]; /* columns of a run: lines that hold, and fragments that they hold together, */
@@ -169,6 +169,9 @@ struct effect_kind {
      *  Returns as find_pairs. */
     int (*release)(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
                    struct message *message);
+    /** At the end of every step of such a model, after what breaks: makes lines anew, and returns how many, or -1 with
+     *  one line in *message. */
+    int64_t (*join)(struct effect *e, struct model *model, int64_t step, struct message *message);
     /** Makes *part act with the pairs alone that name a body of the slice, if the effect's have changed since it did
      *  last. Threads call it at once, each with a part of its own. Returns 0, or -1 if there is no memory. NULL: a
      *  slice looks at all pairs, or there are none. */
@@ -180,7 +183,8 @@ struct effect_kind {
     /** What stands behind the list of effects at the start of a run: "80 bonds". */
     void (*say)(const struct effect *e, char *text, size_t size);
     /** What limits the step (vti_stable_step), where "KEY at body 3" says too little. */
-    void (*limit)(const struct effect *e, const struct vti_deformation *at, const vti_stable *stable, char *text, size_t size);
+    void (*limit)(const struct effect *e, const struct vti_deformation *at, const vti_stable *stable, char *text,
+                  size_t size);
     /** Raises what of *at an energy that two bodies bring to where they meet may do to it. */
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
     /** The acceleration [3] that it gives every body, for how far they fall. */

@@ -128,6 +128,13 @@ int model_rupture(struct model *model, int64_t step)
         if (e->kind->release != NULL && e->kind->release(e, &model->bodies, count, pair, &model->trouble) != 0)
             return MODEL_E_PAIRS;
     }
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        struct effect *e = &model->rooms[k];
+        const int64_t made = e->kind->join != NULL ? e->kind->join(e, model, step, &model->trouble) : 0;
+        if (made < 0)
+            return MODEL_E_PAIRS;
+        broken += made;
+    }
     return broken > 0 ? model_forces(model, &model->bodies) : VTI_OK;
 }
 

@@ -33,6 +33,21 @@ h: 2^-8
 t_end: 1
 """
 
+# A lattice of spheres falls and is bonded where they touch; some bonds break.
+JOINING = """name: joining
+bodies: {lattice: {counts: [4, 4, 4], spacing: 1.1, corner: [0, 0, 0.6]}, mass: 1, diameter: 1,
+         random: {seed: 3, v: 1.5, omega: 1.5}}
+binder: {when: touching, most: 4, moment: 20, axial: 600, shear: {stiffness: 300},
+         break: {stretch: 0.2, shear: 40, bending: 8}}
+contact: {stiffness: 2000, bonded: yes}
+wall: {stiffness: 2000, planes: [[0, 0, 1, 0]]}
+gravity: [0, 0, -3]
+bond_dashpot: {zeta: 0.1}
+friction: {sliding: 0.3, poisson: 0.3}
+h: 2^-8
+t_end: 1
+"""
+
 # A drum that turns while one of its ends comes nearer, each wall with its own stiffness, friction and dashpot.
 DRUM = """name: drum
 bodies: {lattice: {counts: [5, 2, 5], spacing: 1.05, corner: [-2.1, 0.5, -2.1]}, diameter: 1, mass: 1, random: {seed: 2, v: 0.5}}
@@ -82,7 +97,7 @@ with tempfile.TemporaryDirectory() as root:
     if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
         sys.exit(77)
     same_bytes(together, root)
-    for name, text in (("breaking", BREAKING), ("drum", DRUM)):
+    for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM)):
         path = os.path.join(root, name + ".yaml")
         with open(path, "w", encoding="ascii") as file:
             file.write(text)

@@ -75,7 +75,7 @@ static const struct refusal refused[] = {
     {CHAIN "binder: {axial: 0}\n" TIME, "2:17: binder.axial: '0' is not positive; the stiffness K^a must be > 0"},
     {CHAIN "binder: {moment: -1}\n" TIME, "2:18: binder.moment: '-1' is not positive; the stiffness K^m must be > 0"},
     {CHAIN "binder: {axial: 1, bending: 3}\n" TIME,
-     "2:20: binder.bending: unknown key 'bending'; known in binder: table, moment, axial, shear, break"},
+     "2:20: binder.bending: unknown key 'bending'; known in binder: table, when, most, moment, axial, shear, break"},
     {CHAIN "binder: {shear: 200}\n" TIME, "2:17: binder.shear: '200' is not a section; write its keys, each on a "
                                           "line of its own: stiffness, form"},
     {CHAIN "binder: {shear: {form: objective}}\n" TIME,
@@ -88,6 +88,18 @@ static const struct refusal refused[] = {
      "2:1: binder: bodies of a table have no neighbours; give table, a file of bonds"},
 
     /* binder.break */
+    {CHAIN "binder: {axial: 1, most: 3}\n" TIME, "2:26: binder.most: all bonds are made at t = 0; give when: touching"},
+    {CHAIN "binder: {axial: 1, when: touching}\n" TIME,
+     "2:26: binder.when: bonds that are made where bodies touch need their contact; give contact"},
+    {CHAIN "binder: {axial: 1, when: touching}\ncontact: {stiffness: 1}\n" TIME,
+     "2:26: binder.when: bonds that are made where bodies touch need their contact; give contact.bonded: yes"},
+    {CHAIN "binder: {axial: 1, when: touching, table: b.csv}\ncontact: {stiffness: 1, bonded: yes}\n" TIME,
+     "2:43: binder.table: bonds that are made where bodies touch are in no table; remove it"},
+    {CHAIN
+     "binder: {when: touching, shear: {stiffness: 1, form: printed}}\ncontact: {stiffness: 1, bonded: yes}\n" TIME,
+     "2:54: binder.shear.form: the printed shear knows bonds of t = 0 only; give objective or quartic"},
+    {CHAIN "binder: {when: touching}\ncontact: {stiffness: 1, bonded: yes}\n" TIME,
+     "2:1: binder: no stiffness; give moment, axial or shear"},
     {CHAIN "binder: {axial: 1, break: {}}\n" TIME,
      "2:20: binder.break: no limit; give stretch, normal, shear, bending, torsion or energy"},
     {CHAIN "binder: {axial: 1, break: {stretch: 0}}\n" TIME,
