@@ -3,8 +3,9 @@
  * A scene made of the effects that its argument names, stepped so many times: what callgrind counts instructions of.
  *     cost CONFIG STEPS [WEIGHT]
  *             CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact, w
- *             wall, g gravity, p pendulum; h the pendulum by hand, without the library's steps and effects; 1 one body,
- *             u not sealed */
+ *             wall, g gravity, p pendulum; what loses energy: d dashpots (normal, tangential) and f friction (sliding)
+ *             of contacts, x drag, k rupture of bonds, b dashpots of bonds; h the pendulum by hand, without the
+ *             library's steps and effects; 1 one body, u not sealed */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,9 @@ static int64_t pair[N - 1][2];
 static const double floor_plane[1][4] = {{0.0, 0.0, 1.0, -0.4}}; /* every body touches it */
 /* not constants, lest the loop by hand be compiled for this arm only */
 static vti_pendulum pendulum = {1.0, {0.0, 0.0, 1.0}};
+static vti_held slots[2 * N];
+static vti_sum lost[5][5];
+static int64_t id[N - 1];
 static const vti_gravity gravity = {{0.0, 0.0, -1.0}};
 
 /** A chain along x, its neighbours slightly overlapping, everything moving a little. */
@@ -36,6 +40,7 @@ static void place(void)
     for (int i = 0; i < N - 1; ++i) {
         pair[i][0] = i;
         pair[i][1] = i + 1;
+        id[i] = i;
     }
 }
 
@@ -66,8 +71,8 @@ int main(int argc, char **argv)
     const char *config = argc >= 3 ? argv[1] : "";
     const long steps = argc >= 3 ? atol(argv[2]) : 0;
     vti_bodies b = vti_bodies_none(strchr(config, '1') != NULL ? 1 : N);
-    vti_effect effects[5];
-    int64_t n = 0;
+    vti_effect effects[10];
+    int64_t n = 0, broken = 0;
     place();
     if (strchr(config, 't') != NULL) {
         b.x = vti_view_packed(x[0]);
@@ -111,12 +116,45 @@ int main(int argc, char **argv)
     if (strchr(config, 'p') != NULL)
         effects[n++] = vti_pendulum_effect(&pendulum);
 
+    vti_history history = {2 * N, 0, 0, slots};
+    const vti_friction friction = {
+        .contacts = &contacts, .sliding = 0.5, .mindlin = 0.8, .reach = 0.1, .history = &history, .lost = lost[0]};
+    const vti_dashpots dashpots = {.contacts = &contacts,
+                                   .friction = strchr(config, 'f') != NULL ? &friction : NULL,
+                                   .zeta = 0.1,
+                                   .ratio = 0.5,
+                                   .reach = 0.1,
+                                   .lost = lost[1]};
+    const vti_drag drag = {.linear = k, .lost = lost[2]};
+    const vti_bond_dashpots bond_dashpots = {.bonds = &bonds, .zeta = 0.1, .lost = lost[4]};
+    const double limit = 1e9; /* nothing breaks: what looking for it costs */
+    vti_bonds held = bonds;
+    const vti_rupture rupture = {.bonds = &held, .id = id, .normal = vti_scalars_one(&limit), .lost = lost[3]};
+    if (strchr(config, 'f') != NULL)
+        effects[n++] = vti_friction_effect(&friction);
+    if (strchr(config, 'd') != NULL)
+        effects[n++] = vti_dashpots_effect(&dashpots);
+    if (strchr(config, 'x') != NULL)
+        effects[n++] = vti_drag_effect(&drag);
+    if (strchr(config, 'k') != NULL)
+        effects[n++] = vti_rupture_effect(&rupture);
+    if (strchr(config, 'b') != NULL)
+        effects[n++] = vti_bond_dashpots_effect(&bond_dashpots);
+
     if (argc > 3)
         pendulum.weight = one = atof(argv[3]);
     const vti_stepper *method = vti_stepper_find("vti2");
     int status = strchr(config, 'u') == NULL ? vti_bodies_seal(&b) : VTI_OK;
     if (strchr(config, 'h') != NULL)
         by_hand(steps);
+    else if (strpbrk(config, "dfxkb") != NULL)
+        for (long s = 0; s < steps && status == VTI_OK; ++s) {
+            status = vti_effects_begin(method, h, effects, n, &b, NULL);
+            vti_apply(effects, n, &b);
+            vti_effects_finish(method, h, effects, n, &b);
+            if (strchr(config, 'k') != NULL)
+                status = vti_effects_rupture(effects, n, &b, &broken);
+        }
     else
         for (long s = 0; s < steps && status == VTI_OK; ++s) {
             status = vti_step_begin(method, h, &b, NULL);

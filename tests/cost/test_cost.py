@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not depend
 on what else the machine does. Prints the table of the README.      test_cost.py COST VALGRIND"""
+import functools
 import os
 import re
 import subprocess
@@ -28,6 +29,7 @@ def callgrind(config, steps):
     return int(re.search(r"Collected : (\d+)", result.stderr)[1]), set(names.values()), checks
 
 
+@functools.cache
 def per_body(config):
     """Instructions per body and step, start-up taken off, and the functions."""
     start, _, _ = callgrind(config, 0)
@@ -43,6 +45,11 @@ for name, letters in {"binder: moment": "m", "binder: axial": "a", "binder: shea
                       "binder: moment, axial, shear": "mas", "contact (touching pair)": "c", "wall (touching)": "w",
                       "gravity": "g"}.items():
     cost[name] = per_body("trl" + letters)[0] - base
+# What loses energy, beside what it acts on.
+for name, base_letters, letters in (("dashpot of a touching pair: normal, tangential", "c", "cd"), ("friction of a touching pair: sliding", "c", "cf"),
+                                    ("friction and dashpot together", "c", "cfd"), ("limits of a bond (rupture)", "mas", "mask"),
+                                    ("dashpots of a bond: four terms", "mas", "masb"), ("drag: linear", "", "x")):
+    cost[name] = per_body("trl" + letters)[0] - per_body("trl" + base_letters)[0]
 pendulum, _ = per_body("rlp")
 hand, _ = per_body("h")
 
@@ -64,6 +71,10 @@ check(abs(parts / whole - 1) < 0.05, f"the sum of the parts, {parts:.0f}, explai
 check(pendulum < 1.10 * hand, f"a pendulum scene costs {pendulum / hand:.3f} times a hand-written loop of the same arithmetic")
 
 _, names = per_body("trlma")
+elastic = cost["contact (touching pair)"]
+print(f"a touching pair with dashpot and friction costs {(elastic + cost['friction and dashpot together']) / elastic:.2f} elastic ones\n")
+losing = re.compile("^flow|carry|history|dashpot|friction|drag|rupture|decay|booked")
+check(not any(map(losing.search, names_whole)), "a scene without dissipation calls no function of it")
 shear = re.compile("objective|quartic|printed|shear")
 check(not any(map(shear.search, names)), "a scene without shear calls no function of shear")
 check(any(map(shear.search, names_whole)), "... and one with shear does")

@@ -174,6 +174,33 @@ TEST(each_flow)
     }
 }
 
+/** Constant coefficients act on the share of the drift on which bodies overlap: of one that ends or begins a quarter of
+ *  the way in or out of contact, a quarter. */
+TEST(share_of_the_drift)
+{
+    for (int which = 0; which < 8; ++which) {
+        const int plane = which % 2, after = which / 2 % 2, out = which / 4;
+        const double c = 3, t = 0.25, deep = out ? -0.03 : 0.01,
+                     way = 0.04; /* from the overlap at one end to 1/4 or 3/4 */
+        impact_clear(&m, plane ? 1 : 2, plane, 1e4);
+        m.plane[0][2] = 1;
+        m.c.x[0][2] = (plane ? 0.5 : 1) - deep;
+        const vti_dashpots dashpots = {.contacts = plane ? NULL : &m.contacts,
+                                       .walls = plane ? &m.walls : NULL,
+                                       .normal = c,
+                                       .pull = 1,
+                                       .reach = 1,
+                                       .lost = m.lost};
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        const double drift = 0.5, share = 0.25;
+        const double u = (deep > 0 ? 1 : -1) * (after ? -1 : 1) * way / drift; /* to the other side of the touch */
+        m.c.v[0][2] = u;
+        assert_int_equal(vti_effects_flow(&effect, 1, t, after ? -drift : drift, &m.b), VTI_OK);
+        const double mass = plane ? 1 : 0.5, left = m.c.v[0][2] - (plane ? 0 : m.c.v[1][2]);
+        assert_close(left, u * exp(-c * share * t / mass), 1e-12);
+    }
+}
+
 /** Bodies that do not turn: the normal and the tangential dashpot decay the velocities of the centres, on their reduced
  *  mass. */
 TEST(bodies_that_do_not_turn)
@@ -404,5 +431,6 @@ TEST(crowds)
 }
 
 RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(restitution), cmocka_unit_test(each_flow),
-          cmocka_unit_test(bodies_that_do_not_turn), cmocka_unit_test(limits_of_dashpots), cmocka_unit_test(ledger),
-          cmocka_unit_test(random_impacts_never_gain), cmocka_unit_test(crowds))
+          cmocka_unit_test(share_of_the_drift), cmocka_unit_test(bodies_that_do_not_turn),
+          cmocka_unit_test(limits_of_dashpots), cmocka_unit_test(ledger), cmocka_unit_test(random_impacts_never_gain),
+          cmocka_unit_test(crowds))
