@@ -40,7 +40,7 @@ FILES = {
     + "".join(f"{who},0.25,{t},{10.0 ** -t},0.725\n" for who in ("vti", "LAMMPS") for t in range(13)),
     "agglomerate": "who,h,t,kinetic,bonds\n"
     + "".join(f"{who},1e-7,{t},{8 - t},{540 - t}\n" for who in ("vti", '"LAMMPS, smooth no"') for t in range(6)),
-    "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\n",
+    "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\nheap,4,1,0.25,0.2,0.3\n",
 }
 PLACES = "x,y,z\n0,0,1\n1,0,2\n"
 
@@ -78,12 +78,15 @@ def test_page(folder):
         "| 1/4 | vti | 1 | 0.001 | 1e-06 | 1e-09 | 1e-12 | 0.725 |",
         "| 1e-07 | vti | 539 | 538 | 535 | 0.875 | 0.750 | 0.375 |",
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
+        "**LAMMPS is the faster one on heap.**",
     ):
         check(row in made, f"row {row}")
     for name in ("impact", "heap", "agglomerate"):
         check(10_000 < os.path.getsize(os.path.join(folder, name + ".png")) < 300_000, f"picture {name}")
     os.remove(os.path.join(folder, "times.csv"))
     check(page(folder).returncode == 0, "a page without times")
+    with open(os.path.join(folder, "peers.md"), encoding="utf-8") as file:
+        check("Not taken in this run." in file.read(), "which says so")
     with open(os.path.join(folder, "cycles.csv"), "w", encoding="ascii") as file:
         file.write("a,b\n1,2\n")
     done = page(folder)
