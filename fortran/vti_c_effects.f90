@@ -105,6 +105,44 @@ module vti_c_effects
             real(c_double), intent(out) :: arm(3)
         end subroutine
 
+        function c_clumps_check(clumps, n, fault) result(status) bind(c, name='vti_clumps_check')
+            import :: c_int, c_int64_t, vti_clumps, vti_fault
+            type(vti_clumps), intent(in) :: clumps
+            integer(c_int64_t), value :: n
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
+        !> The spheres of the bodies of the slice, as a slice of clumps%spheres.
+        function vti_clumps_spheres(clumps, bodies) result(spheres) bind(c)
+            import :: vti_bodies, vti_clumps
+            type(vti_clumps), intent(in) :: clumps
+            type(vti_bodies), intent(in) :: bodies
+            type(vti_bodies) :: spheres
+        end function
+
+        !> Puts the spheres of the slice's bodies where they are: x + R rho, v + Omega x R rho, attitude and Omega.
+        function vti_clumps_spread(clumps, bodies) result(status) bind(c)
+            import :: c_int, vti_bodies, vti_clumps
+            type(vti_clumps), intent(in) :: clumps
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        !> Adds the loads of the spheres to those of the slice's bodies, with the moments of their forces.
+        function vti_clumps_gather(clumps, bodies) result(status) bind(c)
+            import :: c_int, vti_bodies, vti_clumps
+            type(vti_clumps), intent(in) :: clumps
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
+
+        function c_clumped_effect(clumped) result(effect) bind(c, name='vti_clumped_effect')
+            import :: c_ptr, vti_effect
+            type(c_ptr), value :: clumped
+            type(vti_effect) :: effect
+        end function
+
         function c_gravity_effect(gravity) result(effect) bind(c, name='vti_gravity_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: gravity

@@ -27,6 +27,8 @@ module vti_effects
     public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
     public :: vti_walls_at, vti_walls_effect, vti_walls_gap
+    public :: vti_clumps_of, vti_clumps_check, vti_clumps_spheres, vti_clumps_spread, vti_clumps_gather
+    public :: vti_clumped_effect
 
     abstract interface
         subroutine c_visit(context, spring) bind(c)
@@ -492,5 +494,42 @@ contains
         p = c_null_ptr
         if (associated(walls)) p = c_loc(walls)
         gap = c_walls_gap(p, w - 1_c_int64_t, x, n)
+    end function
+
+    ! ---- clumps ------------------------------------------------------------------------------------------------------
+
+    !> Spheres at offset(3,s) in the bodies body(s), which ascend from 1; spheres shows them as bodies of their own.
+    function vti_clumps_of(body, offset, spheres) result(clumps)
+        integer(c_int64_t), pointer, contiguous, intent(in) :: body(:)
+        real(c_double), pointer, contiguous, intent(in) :: offset(:, :)
+        type(vti_bodies), intent(in) :: spheres
+        type(vti_clumps) :: clumps
+        clumps%spheres = spheres
+        clumps%count = -1
+        if (.not. (associated(body) .and. associated(offset))) return
+        if (size(offset, 1) /= 3 .or. size(offset, 2) /= size(body)) return
+        clumps%count = size(body, kind=c_int64_t)
+        if (clumps%count == 0) return
+        clumps%body = c_loc(body)
+        clumps%offset = c_loc(offset)
+    end function
+
+    !> When the list has changed: every sphere belongs to one of the n bodies, the list ascends, offsets are finite.
+    !> VTI_E_CLUMP, with fault%body the number of the sphere (from 1) and fault%value what is wrong.
+    function vti_clumps_check(clumps, n, fault) result(status)
+        type(vti_clumps), intent(in) :: clumps
+        integer(c_int64_t), intent(in) :: n
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_clumps_check(clumps, n, found)
+        if (present(fault)) fault = from_one(found)
+    end function
+
+    !> The effect on the bodies that an effect on the spheres of their clumps is.
+    function vti_clumped_effect(clumped) result(effect)
+        type(vti_clumped), pointer, intent(in) :: clumped
+        type(vti_effect) :: effect
+        if (associated(clumped)) effect = c_clumped_effect(c_loc(clumped))
     end function
 end module

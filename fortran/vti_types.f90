@@ -14,7 +14,7 @@ module vti_types
         VTI_E_TOO_LARGE = -10, VTI_E_STAGE = -11, VTI_E_STEPPER = -12, VTI_E_FRAME = -13, VTI_E_BOND = -14, &
         VTI_E_DISSIPATES = -15, VTI_E_CONTACT = -16, VTI_E_STATE = -17, VTI_E_SPRINGS = -18, VTI_E_NEEDS = -19, &
         VTI_E_DAMPING = -20, VTI_E_HISTORY = -21, VTI_E_PAST = -22, VTI_E_CONTROL = -23, &
-        VTI_E_MOMENTS = -24
+        VTI_E_MOMENTS = -24, VTI_E_CLUMP = -25
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
@@ -263,12 +263,27 @@ module vti_types
         type(c_ptr) :: cylinder = c_null_ptr, motion = c_null_ptr, work = c_null_ptr
     end type
 
+    !> The spheres of clumps; vti_clumps_of makes it from arrays. spheres are the spheres as bodies of their own, views
+    !> of arrays that are not those of the bodies.
+    type, bind(c) :: vti_clumps
+        integer(c_int64_t) :: count = 0
+        type(c_ptr) :: body = c_null_ptr
+        integer(c_int64_t) :: base = 1
+        type(c_ptr) :: offset = c_null_ptr
+        type(vti_bodies) :: spheres
+    end type
+
+    !> An effect on the spheres of clumps: the addresses of a vti_clumps and of a vti_effect.
+    type, bind(c) :: vti_clumped
+        type(c_ptr) :: clumps = c_null_ptr, effect = c_null_ptr
+    end type
+
     !> A spring for vti_show_spring, between the bodies i and j or, for j = 0, between i and what does not move; element
     !> is its number in the effect. All count from 1. The members are explained in vti.h: stiffnesses are energies.
     type, bind(c) :: vti_spring
         integer(c_int64_t) :: element = 0, i = 0, j = 0
         real(c_double) :: length = 1, axial = 0, across = 0, shear = 0, arm_i = 0.5_c_double, arm_j = 0.5_c_double, &
-            bend = 0, twist = 0
+            bend = 0, twist = 0, lever_i = 0, lever_j = 0
     end type
 
     !> How far bodies may get from rest: overlap of contacts as a share of D, strain of bonds as one of L0; meet = 1 if

@@ -16,6 +16,7 @@
 #include "vti_binder.h"
 #include "vti_bodies.h"
 #include "vti_bond_dashpot.h"
+#include "vti_clump.h"
 #include "vti_contact.h"
 #include "vti_control.h"
 #include "vti_dashpot.h"

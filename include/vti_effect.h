@@ -37,6 +37,9 @@ typedef struct vti_spring {
     double arm_j;    /**< and from j */
     double bend;     /**< against turning apart, about what is across n */
     double twist;    /**< and about n */
+    double lever_i;  /**< distance from the centre of i, in it, of the place that the spring holds: u_i is that place's;
+                          0 where it is the centre */
+    double lever_j;  /**< and of j */
 } vti_spring;
 
 /** Takes one spring; context is what came with it. */

@@ -83,7 +83,11 @@ extern "C" {
     ROW(VTI_E_MOMENTS, -24,                                                                                            \
         "a principal moment of inertia is not positive and finite, or more than the sum of the two others, or a spin " \
         "has no moments, or they stand beside inertia, omega_low or a multistep method, or omega alone without an "    \
-        "attitude; give spin and three moments for each body, or three for all")
+        "attitude; give spin and three moments for each body, or three for all")                                       \
+    ROW(VTI_E_CLUMP, -25,                                                                                              \
+        "a sphere of a clump belongs to no body that exists or to one before that of the last sphere, or its offset "  \
+        "is not finite, or an effect on the spheres damps by a flow, which acts on whole bodies only; sort the "       \
+        "spheres by body, or damp by drag on the bodies")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

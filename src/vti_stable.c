@@ -88,6 +88,29 @@ static struct wide eigenvalue(struct wide p, struct wide q, struct wide r)
     return wide(0.5 * (x + y + sqrt((x - y) * (x - y) + at_exponent(r, 2 * e))), e);
 }
 
+/** z/m and z/J of the place at which a spring holds body i. At r from its centre the inverse mass of u, theta is
+ *      diag(1/m, 0) + (1/J) B B^T,  B = [-r x; 1],  B B^T <= 2 diag(|r|^2 - r r^T, 1),
+ *  and of u alone at most 1/m + |r|^2/J (EQUATIONS 7.5). */
+struct share {
+    struct wide m, J;
+};
+
+static struct share share_at(const vti_spring *s, const vti_bodies *b, double z, int64_t i, double lever)
+{
+    struct share share = {share_over(&b->mass, z, i), share_over(&b->inertia, z, i)};
+    if (vti_has(&b->moments) && i >= 0) { /* R_p diag(A, B, C) R_p^T >= min(A, B, C) (EQUATIONS 7.4) */
+        double moments[3];
+        vti_load(&b->moments, i, moments);
+        share.J = over(wide(z, 0), wide(fmin(fmin(moments[0], moments[1]), moments[2]), 0));
+    }
+    if (lever == 0.0)
+        return share;
+    if (s->shear != 0.0 || s->bend != 0.0 || s->twist != 0.0)
+        share.J = times(wide(2.0, 0), share.J);
+    share.m = plus(share.m, times(times(wide(lever, 0), wide(lever, 0)), share.J));
+    return share;
+}
+
 /** omega_max^2 of a spring with 1/zi and 1/zj of its bodies; a = (zi/m_i + zj/m_j)/L^2, b = z/J.
  *
  *  Along n it is K^axial a and K^twist (b_i + b_j). In each of two planes through n the energy is, with q = (u_i, u_j,
@@ -101,9 +124,9 @@ static struct wide omega2(const vti_spring *s, const vti_bodies *b, double zi, d
     const struct wide length = wide(s->length, 0), axial = wide(s->axial, 0), across = wide(s->across, 0);
     const struct wide shear = wide(s->shear, 0), bend = wide(s->bend, 0), twist = wide(s->twist, 0);
     const struct wide ai = wide(s->arm_i * s->arm_i, 0), aj = wide(s->arm_j * s->arm_j, 0);
-    const struct wide a =
-        over(plus(share_over(&b->mass, zi, s->i), share_over(&b->mass, zj, s->j)), times(length, length));
-    const struct wide bi = share_over(&b->inertia, zi, s->i), bj = share_over(&b->inertia, zj, s->j), dd = plus(bi, bj);
+    const struct share at_i = share_at(s, b, zi, s->i, s->lever_i), at_j = share_at(s, b, zj, s->j, s->lever_j);
+    const struct wide a = over(plus(at_i.m, at_j.m), times(length, length));
+    const struct wide bi = at_i.J, bj = at_j.J, dd = plus(bi, bj);
     const int e = exponent(bi, bj);
     const struct wide gd = wide(fabs(s->arm_j * at_exponent(bj, e) - s->arm_i * at_exponent(bi, e)), e);
     const struct wide p = times(shear, plus(a, plus(times(ai, bi), times(aj, bj)))), q = times(bend, dd);

@@ -72,6 +72,7 @@ program test_fortran_effects
     other%x = other%x + 1
     call measures()
     call effects()
+    call clumps()
     call probe()
     call sums()
     call finish()
@@ -158,6 +159,65 @@ contains
         both(2)%springs = c_funloc(vti_springs_none)
         call expect_status(vti_stable_step(both(2:), b, scratch, stable), VTI_OK, 'no springs')
         call expect(stable%h > huge(1.0_c_double) .and. stable%effect == 0, 'no springs do not oscillate')
+    end subroutine
+
+    !> Spheres at two places of each body, of which the second are pulled: F and RM = r x F, by calls and as an effect.
+    subroutine clumps()
+        type(vti_clumps), target :: of_all
+        type(vti_clumped), target :: clumped
+        type(vti_clumped), pointer :: at
+        type(vti_gravity), target :: field = vti_gravity([0.0_c_double, 0.0_c_double, 2.0_c_double])
+        type(vti_gravity), pointer :: g
+        type(vti_effect), target :: inner
+        type(vti_effect) :: effect(1)
+        type(vti_bodies) :: spheres, slice
+        type(vti_fault) :: fault
+        real(c_double), target :: offset(3, 2*n), x(3, 2*n), pull(3, 2*n), mass
+        integer(c_int64_t), target :: body(2*n)
+        integer(c_int64_t), pointer, contiguous :: bodies(:)
+        real(c_double), pointer, contiguous :: offsets(:, :)
+        real(c_double) :: r(3, n)
+        integer(c_int64_t) :: i
+        body(::2) = [(i, i=1, n)]
+        body(2::2) = body(::2)
+        offset = 0
+        offset(1, 2::2) = 0.5_c_double
+        pull = 0
+        pull(3, 2::2) = 2
+        mass = 1
+        spheres = vti_bodies_none(2*n)
+        spheres%x = vti_view_columns(x)
+        spheres%force = vti_view_columns(pull)
+        spheres%mass = vti_scalars_one(mass)
+        bodies => body
+        offsets => offset
+        of_all = vti_clumps_of(bodies, offsets, spheres)
+        call expect_status(vti_clumps_check(of_all, n, fault), VTI_OK, 'clumps')
+        call expect_status(vti_clumps_check(of_all, n - 1, fault), VTI_E_CLUMP, 'a body that is not there')
+        call expect(fault%body == 2*n - 1, 'the first of its spheres')
+        slice = vti_clumps_spheres(of_all, vti_bodies_slice(b, 2_c_int64_t, 1_c_int64_t))
+        call expect(slice%first == 2 .and. slice%count == 2, 'spheres of a slice')
+        call expect_status(vti_clumps_spread(of_all, b), VTI_OK, 'spread')
+        call expect(same_bits(x(:, ::2), s%x), 'spheres at the centres')
+        r = x(:, 2::2) - s%x
+        call expect(all(abs(norm2(r, 1) - 0.5_c_double) < 1e-14_c_double), 'spheres at their offsets')
+        force = 0
+        moment = 0
+        call expect_status(vti_clumps_gather(of_all, b), VTI_OK, 'gather')
+        call expect(same_bits(force(3, :), pull(3, 2::2)), 'forces')
+        call expect(all(abs(moment(1, :) - 2*r(2, :)) < 1e-14_c_double) .and. &
+            all(abs(moment(2, :) + 2*r(1, :)) < 1e-14_c_double), 'moments')
+        g => field
+        inner = vti_gravity_effect(g)
+        clumped%clumps = c_loc(of_all)
+        clumped%effect = c_loc(inner)
+        at => clumped
+        effect(1) = vti_clumped_effect(at)
+        call expect_status(vti_apply(effect, b), VTI_OK, 'an effect on clumps')
+        call expect(all(abs(force(3, :) - 4) <= 0), 'the weight of two spheres')
+        nullify (offsets)
+        of_all = vti_clumps_of(bodies, offsets, spheres)
+        call expect_status(vti_clumps_check(of_all, n), VTI_E_COUNT, 'no offsets')
     end subroutine
 
     !> chin4 takes the forces of a kick at x + probe h^2 F/m.

@@ -85,6 +85,8 @@ contains
         type(vti_wall_motion), target :: motion
         type(vti_walls), target :: walls
         type(vti_spring), target :: spring
+        type(vti_clumps), target :: clumps
+        type(vti_clumped), target :: clumped
         type(vti_deformation), target :: deformation
         type(vti_stable), target :: stable
         type(vti_sum), target :: sum
@@ -159,7 +161,11 @@ contains
             c_loc(walls%motion), c_loc(walls%work)])
         call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &
             c_loc(spring%length), c_loc(spring%axial), c_loc(spring%across), c_loc(spring%shear), &
-            c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist)])
+            c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist), &
+            c_loc(spring%lever_i), c_loc(spring%lever_j)])
+        call add(c_sizeof(clumps), c_loc(clumps), [c_loc(clumps%count), c_loc(clumps%body), c_loc(clumps%base), &
+            c_loc(clumps%offset), c_loc(clumps%spheres)])
+        call add(c_sizeof(clumped), c_loc(clumped), [c_loc(clumped%clumps), c_loc(clumped%effect)])
         call add(c_sizeof(deformation), c_loc(deformation), [c_loc(deformation%overlap), &
             c_loc(deformation%strain), c_loc(deformation%meet)])
         call add(c_sizeof(stable), c_loc(stable), [c_loc(stable%h), c_loc(stable%effect), c_loc(stable%element), &

@@ -27,6 +27,7 @@ static int reached(int status)
     memset(&effect, 0, sizeof effect);
     const int64_t pair[2] = {0, 1};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&c.mass[0]), .stiffness = 1};
+    const vti_clumps clumps = {.count = 2, .body = pair, .base = 1, .offset = c.x[0], .spheres = crowd_bodies(&c)};
     double rest[4];
     vti_stable stable;
     switch (status) {
@@ -99,6 +100,8 @@ static int reached(int status)
         b.spin = b.omega;
         b.omega = vti_view_none();
         return vti_step_begin(vti1, 0.1, &b, &fault);
+    case VTI_E_CLUMP:
+        return vti_clumps_check(&clumps, 1, &fault);
     default:
         break;
     }

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Clumps: bodies that effects see as spheres at fixed places in them (multispheres; EQUATIONS 7.5). */
+#ifndef VTI_CLUMP_H
+#define VTI_CLUMP_H
+
+#include "vti_effect.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The spheres of clumps. Sphere s belongs to body i = body[s] - base and sits at rho = offset[s] in it. To effects the
+ *  spheres are bodies of their own, numbered as in this list: contacts, walls, friction, bonds and a host's own effects
+ *  act on them as they are. All memory is the caller's. */
+typedef struct vti_clumps {
+    int64_t count;        /**< spheres */
+    const int64_t *body;  /**< [count] the body of each, ascending */
+    int64_t base;         /**< 0, or 1 in Fortran */
+    const double *offset; /**< [count][3] rho: from the body's centre of mass, in the body's frame */
+    /** All spheres, from 0 to count - 1, in views that share no memory with those of the bodies. A view that is absent
+     *  is not made. Nothing kicks or moves them: mass and inertia are there for those who read them, as gravity does,
+     *  and because views of v and force go with a mass, of omega and moment with an inertia. */
+    vti_bodies spheres;
+} vti_clumps;
+
+/** When the list has changed: every sphere belongs to one of the n bodies that exist, the list ascends, offsets are
+ *  finite, and spheres are as many as the list says. VTI_E_CLUMP, with fault->body the number of the sphere and
+ *  fault->value what is wrong: the body or the component of the offset. */
+VTI_API int vti_clumps_check(const vti_clumps *clumps, int64_t n, vti_fault *fault);
+
+/** The spheres of the bodies of the slice, as a slice of clumps->spheres; none if the lists are not there. */
+VTI_API vti_bodies vti_clumps_spheres(const vti_clumps *clumps, const vti_bodies *bodies);
+
+/** Puts the spheres of the slice's bodies where they are (EQUATIONS 7.5), of the views that they have:
+ *      r = R rho,   x_s = x + r,   v_s = v + Omega x r,   attitude and Omega those of the body.
+ *  The bodies need an attitude; x, v and Omega that they do not have are 0. Threads may do slices of bodies at once. */
+VTI_API int vti_clumps_spread(const vti_clumps *clumps, const vti_bodies *bodies);
+
+/** Adds the loads of the spheres to those of the slice's bodies, s ascending (a load that is absent is left out):
+ *      F += F_s,   RM += RM_s + r x F_s,
+ *  the transpose of spread: what was a gradient stays one, and momenta are kept. Threads may do slices of bodies at
+ *  once. A step with its own loop over the spheres' effects, which gives a clump of one sphere at its centre the bits
+ *  of that sphere:
+ *
+ *      vti_step_begin(method, h, &bodies, &fault);
+ *      vti_clumps_spread(&clumps, &bodies);
+ *      vti_apply(on_spheres, n, &clumps.spheres);
+ *      vti_apply(on_bodies, m, &bodies);
+ *      vti_clumps_gather(&clumps, &bodies);
+ *      vti_step_finish(method, h, &bodies);                                                                         */
+VTI_API int vti_clumps_gather(const vti_clumps *clumps, const vti_bodies *bodies);
+
+/** An effect on the spheres of clumps. */
+typedef struct vti_clumped {
+    const vti_clumps *clumps;
+    const vti_effect *effect; /**< acts on clumps->spheres */
+} vti_clumped;
+
+/** The effect on the bodies that *clumped is, which must outlive it with all that it points to: spreads, does what the
+ *  effect does on the spheres, and gathers. Name, energies, booked energies and rupture are those of the effect;
+ *  springs have the lever of their sphere (vti_spring), and what it pulls with now turns it as well. Where it is told
+ *  of a drift, spheres have the velocity of their chord, (x_s - x_s before)/t. It conserves what the effect does, but
+ *  for the sum of J Omega.
+ *
+ *  As it writes all spheres, slices of bodies may be done one after another, but not at once. An effect that flows
+ *  (dashpots, drag) is refused, VTI_E_CLUMP: its exact decay is that of a sphere with the sphere's own mass.
+ *  So is one that is told of drifts (friction) on bodies with moments, VTI_E_MOMENTS. */
+VTI_API vti_effect vti_clumped_effect(const vti_clumped *clumped);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,588 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Clumps: spread against a textbook algebra, gather as its transpose, momenta, effects that pass through, and what is
+ * refused. */
+#include "troop.h"
+
+static troop t;
+static crowd free_spheres;
+
+static vti_bodies bodies(void)
+{
+    return crowd_bodies(&t.c);
+}
+
+/** r = R rho in long double. */
+static void textbook_lever(int s, double r[3])
+{
+    quat_rotate(crowd_attitude(&t.c, (int)t.body[s]), t.offset[s], r);
+}
+
+/* ---- spread and gather ------------------------------------------------------------------------------------------- */
+
+TEST(spread_places_spheres)
+{
+    rng g = rng_seed(4101);
+    for (int trial = 0; trial < 200; ++trial) {
+        troop_draw(&t, &g, 5, 4, 0.7, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, trial & 2 ? CROWD_QUAT : CROWD_ALPHA);
+        const vti_bodies b = bodies();
+        assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+        for (int s = 0; s < t.s.n; ++s) {
+            const int i = (int)t.body[s];
+            double r[3], turn[3];
+            textbook_lever(s, r);
+            vti_cross(t.c.omega[i], r, turn);
+            for (int k = 0; k < 3; ++k) {
+                assert_close(t.s.x[s][k], t.c.x[i][k] + r[k], 16 * EPS); /* numbers below 3, some 10 operations */
+                assert_close(t.s.v[s][k], t.c.v[i][k] + turn[k], 16 * EPS);
+            }
+            assert_same_bits(t.s.omega[s], t.c.omega[i], 3);
+            assert_below(quat_distance(crowd_attitude(&t.s, s), crowd_attitude(&t.c, i)), 8 * EPS);
+            if (t.c.storage == CROWD_ALPHA && t.s.storage == CROWD_ALPHA)
+                assert_same_bits(t.s.alpha[s], t.c.alpha[i], 3);
+            if (t.c.storage == CROWD_QUAT && t.s.storage == CROWD_QUAT)
+                assert_same_bits(t.s.quat[s], t.c.quat[i], 4);
+        }
+    }
+}
+
+/** What bodies do not have is 0, and what spheres do not have is not made. */
+TEST(absent_views)
+{
+    rng g = rng_seed(4102);
+    const vti_view none = vti_view_none();
+    troop_draw(&t, &g, 3, 3, 0.7, CROWD_ALPHA, CROWD_ALPHA);
+    vti_bodies b = bodies();
+    b.x = b.v = b.omega = b.moment = none;
+    t.clumps.spheres.moment = t.clumps.spheres.alpha = none;
+    assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+    for (int s = 0; s < t.s.n; ++s) {
+        const double still[3] = {0, 0, 0};
+        double r[3];
+        textbook_lever(s, r);
+        assert_close3(t.s.x[s], r, 16 * EPS);
+        assert_close3(t.s.v[s], still, 0);
+        assert_close3(t.s.omega[s], still, 0);
+        random_vector(&g, 1, t.s.force[s]);
+    }
+    memset(t.c.force, 0, sizeof t.c.force);
+    memset(t.c.moment, 0, sizeof t.c.moment);
+    assert_int_equal(vti_clumps_gather(&t.clumps, &b), VTI_OK);
+    for (int i = 0; i < t.c.n; ++i) { /* in the order of the spheres, to the bit; moments have nowhere to go */
+        double sum[3] = {0, 0, 0};
+        for (int s = 0; s < t.s.n; ++s)
+            for (int k = 0; k < 3 && t.body[s] == i; ++k)
+                sum[k] += t.s.force[s][k];
+        assert_same_bits(t.c.force[i], sum, 3);
+        assert_close(vti_norm(t.c.moment[i]), 0, 0);
+    }
+    b = bodies();
+    b.force = none;
+    t.clumps.spheres = crowd_bodies(&t.s);
+    t.clumps.spheres.x = t.clumps.spheres.v = t.clumps.spheres.omega = t.clumps.spheres.force = none;
+    const double moment[3] = {1, 2, 4};
+    memcpy(t.s.moment[0], moment, sizeof moment);
+    memset(t.c.moment, 0, sizeof t.c.moment);
+    assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+    assert_int_equal(vti_clumps_gather(&t.clumps, &b), VTI_OK);
+    assert_same_bits(t.c.moment[t.body[0]], moment, 3);
+}
+
+/** F.v_s + RM.Omega_s summed over spheres is F.v + RM.Omega of the bodies: gather is the transpose of spread. */
+TEST(gather_is_the_transpose)
+{
+    rng g = rng_seed(4103);
+    for (int trial = 0; trial < 200; ++trial) {
+        double of_spheres = 0, of_bodies = 0;
+        troop_draw(&t, &g, 4, 5, 0.7, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, CROWD_ALPHA);
+        const vti_bodies b = bodies();
+        vti_clumps_spread(&t.clumps, &b);
+        for (int s = 0; s < t.s.n; ++s) {
+            random_vector(&g, 1, t.s.force[s]);
+            random_vector(&g, 1, t.s.moment[s]);
+            of_spheres += vti_dot(t.s.force[s], t.s.v[s]) + vti_dot(t.s.moment[s], t.s.omega[s]);
+        }
+        assert_int_equal(vti_clumps_gather(&t.clumps, &b), VTI_OK);
+        for (int i = 0; i < t.c.n; ++i)
+            of_bodies += vti_dot(t.c.force[i], t.c.v[i]) + vti_dot(t.c.moment[i], t.c.omega[i]);
+        assert_close(of_bodies, of_spheres, 400 * EPS); /* 20 spheres, products of order 1 */
+    }
+}
+
+/** Bodies in any slices, one after another, of spread, gather and effect: the bits of one call for all. */
+TEST(slices)
+{
+    static crowd whole, spheres;
+    rng g = rng_seed(4104);
+    for (int trial = 0; trial < 60; ++trial) {
+        troop_draw(&t, &g, 9, 3, 0.7, CROWD_ALPHA, trial & 1 ? CROWD_QUAT : CROWD_ALPHA);
+        const vti_effect contact = vti_contacts_effect(&t.contacts);
+        const vti_clumped clumped = {&t.clumps, &contact};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        const vti_bodies b = bodies();
+        assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK);
+        whole = t.c;
+        spheres = t.s;
+        memset(t.s.x, 0, sizeof t.s.x);
+        for (int i = 0, n; i < 9; i += n) {
+            n = 1 + rng_below(&g, 9 - i);
+            const vti_bodies slice = vti_bodies_slice(b, i, n);
+            assert_int_equal(vti_clumps_spread(&t.clumps, &slice), VTI_OK);
+        }
+        assert_same_bits(t.s.x, spheres.x, 3 * CROWD_MAX);
+        memset(t.c.force, 1, sizeof t.c.force[0] * 9);
+        memset(t.s.x, 0, sizeof t.s.x);
+        for (int i = 0, n; i < 9; i += n) {
+            n = 1 + rng_below(&g, 9 - i);
+            const vti_bodies slice = vti_bodies_slice(b, i, n);
+            assert_int_equal(vti_apply(&effect, 1, &slice), VTI_OK);
+        }
+        assert_memory_equal(&t.c, &whole, sizeof whole);
+    }
+}
+
+/* ---- one sphere at the centre ------------------------------------------------------------------------------------ */
+
+/** A clump of one sphere at its centre gives the bits of that sphere: of the loop over all effects of the spheres, and
+ *  of one effect as it passes through. */
+TEST(one_centred_sphere)
+{
+    static web w;
+    static const double plane[4] = {0, 0, 1, -1.5};
+    const vti_stepper *vti2 = vti_stepper_find("vti2");
+    const vti_gravity gravity = {{0.25, 0, -1}};
+    for (int trial = 0; trial < 8; ++trial) {
+        rng g = rng_seed(4105 + (uint64_t)trial);
+        troop_draw(&t, &g, 6, 0, 0.7, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, trial & 1 ? CROWD_QUAT : CROWD_ALPHA);
+        crowd_clear(&t.s, 6, t.c.storage);
+        for (int i = 0; i < 6; ++i) {
+            t.body[i] = i;
+            t.diameter[i] = uniform(&g, 0.5, 1);
+            memset(t.offset[i], 0, sizeof t.offset[i]);
+            memcpy(t.s.mass, t.c.mass, sizeof t.s.mass);
+        }
+        troop_link(&t);
+        troop_touch(&t, 10);
+        web_terms(&w, web_grow(&w, &g, &t.c, 3, 1, 5), MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+        const vti_walls walls = {
+            .count = 1, .plane = plane, .diameter = vti_scalars_array(t.diameter), .stiffness = 20};
+        const vti_effect all[] = {vti_bonds_effect(&w.bonds), vti_contacts_effect(&t.contacts),
+                                  vti_walls_effect(&walls), vti_gravity_effect(&gravity)};
+        free_spheres = t.c;
+        crowd_steps(&free_spheres, vti2, 0.01, 200, all, 4);
+        const vti_bodies b = bodies();
+        vti_effect clumped_bonds = all[0];
+        const vti_clumped clumped = {&t.clumps, &all[0]};
+        crowd alone = t.c;
+        vti_clumps_spread(&t.clumps, &b);
+        vti_apply(all, 4, &t.clumps.spheres);
+        vti_apply(NULL, 0, &b);
+        vti_clumps_gather(&t.clumps, &b);
+        for (int step = 0; step < 200; ++step) {
+            assert_int_equal(vti_step_begin(vti2, 0.01, &b, NULL), VTI_OK);
+            vti_clumps_spread(&t.clumps, &b);
+            vti_apply(all, 4, &t.clumps.spheres);
+            vti_apply(NULL, 0, &b);
+            vti_clumps_gather(&t.clumps, &b);
+            assert_int_equal(vti_step_finish(vti2, 0.01, &b), VTI_OK);
+        }
+        assert_memory_equal(&t.c, &free_spheres, sizeof t.c);
+
+        free_spheres = t.c = alone;
+        clumped_bonds = vti_clumped_effect(&clumped);
+        crowd_steps(&free_spheres, vti2, 0.01, 200, all, 1);
+        crowd_steps(&t.c, vti2, 0.01, 200, &clumped_bonds, 1);
+        assert_memory_equal(&t.c, &free_spheres, sizeof t.c);
+    }
+}
+
+/** The pendulum is the clump of one sphere at rho0 with its weight. The effect has m g R rho0 as R (m g rho0), the clump
+ *  as (R rho0) x (m g e3): one product is rounded before and one after the turn, which is some 20 operations long. */
+TEST(pendulum_is_a_clump)
+{
+    rng g = rng_seed(4106);
+    const vti_stepper *vti1 = vti_stepper_find("vti1");
+    for (int trial = 0; trial < 40; ++trial) {
+        troop_draw(&t, &g, 1, 0, 0.7, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, CROWD_ALPHA);
+        crowd_clear(&t.s, 1, CROWD_ALPHA);
+        troop_link(&t);
+        t.body[0] = 0;
+        random_vector(&g, 0.5, t.offset[0]);
+        t.s.mass[0] = 2;
+        const vti_gravity gravity = {{0, 0, 1.5}};
+        const vti_pendulum pendulum = {3, {t.offset[0][0], t.offset[0][1], t.offset[0][2]}};
+        const vti_effect field = vti_gravity_effect(&gravity), hung = vti_pendulum_effect(&pendulum);
+        const vti_clumped clumped = {&t.clumps, &field};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        vti_bodies b = bodies();
+        b.x = b.v = b.force = vti_view_none();
+        double moment[3], scratch[1];
+        vti_stable of_clump, of_pendulum;
+        assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK);
+        memcpy(moment, t.c.moment[0], sizeof moment);
+        vti_apply(&hung, 1, &b);
+        assert_close3(moment, t.c.moment[0], 3 * vti_norm(t.offset[0]) * 20 * EPS);
+        assert_close(vti_energy(&effect, 1, &b), vti_energy(&hung, 1, &b), 20 * EPS * 10);
+        assert_int_equal(vti_stable_step(&effect, 1, &b, NULL, scratch, &of_clump), VTI_OK);
+        assert_int_equal(vti_stable_step(&hung, 1, &b, NULL, scratch, &of_pendulum), VTI_OK);
+        assert_close(of_clump.h, of_pendulum.h, 8 * EPS * of_pendulum.h);
+        free_spheres = t.c;
+        vti_bodies other = crowd_bodies(&free_spheres);
+        other.x = other.v = other.force = vti_view_none();
+        for (int step = 0; step < 100; ++step) {
+            vti_step_begin(vti1, 0.02, &b, NULL);
+            vti_apply(&effect, 1, &b);
+            vti_step_finish(vti1, 0.02, &b);
+            vti_step_begin(vti1, 0.02, &other, NULL);
+            vti_apply(&hung, 1, &other);
+            vti_step_finish(vti1, 0.02, &other);
+        }
+        /* 100 steps of some 40 roundings each, which the swing and the turn make grow no faster than with time */
+        assert_close3(t.c.omega[0], free_spheres.omega[0], 100 * 40 * EPS);
+    }
+}
+
+static double before_drift[CROWD_MAX][3], after_drift[CROWD_MAX][3];
+static int carried;
+
+static void nothing(const void *self, const vti_bodies *b)
+{
+    (void)self, (void)b;
+}
+
+/** Keeps where spheres come from, by their velocities, and where they are. */
+static void follow(const void *self, const vti_bodies *b, const vti_drifted *drifted)
+{
+    (void)self;
+    ++carried;
+    for (int64_t s = 0; s < b->count; ++s)
+        for (int k = 0; k < 3; ++k) {
+            after_drift[s][k] = b->x.c[k][s * b->x.stride];
+            before_drift[s][k] = after_drift[s][k] - drifted->t * b->v.c[k][s * b->v.stride];
+        }
+}
+
+/* ---- what is kept ------------------------------------------------------------------------------------------------ */
+
+/** Two clumps of four spheres fly into each other: linear and angular momentum stay to rounding, as of spheres. */
+TEST(momenta_of_a_collision)
+{
+    double start[9], now[9];
+    for (int trial = 0; trial < 10; ++trial) {
+        rng g = rng_seed(4120 + (uint64_t)trial);
+        troop_draw(&t, &g, 2, 0, 1, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, CROWD_ALPHA);
+        crowd_clear(&t.s, 8, CROWD_ALPHA);
+        for (int s = 0; s < 8; ++s) {
+            t.body[s] = s / 4;
+            random_vector(&g, 0.3, t.offset[s]);
+            t.diameter[s] = 0.6;
+        }
+        troop_link(&t);
+        troop_touch(&t, 20);
+        for (int k = 0; k < 3; ++k) {
+            t.c.x[0][k] = k == 0 ? -1 : 0.1;
+            t.c.x[1][k] = k == 0 ? 1 : 0;
+            t.c.v[0][k] = k == 0 ? 1 : 0;
+            t.c.v[1][k] = k == 0 ? -0.5 : 0.1;
+        }
+        const vti_effect contact = vti_contacts_effect(&t.contacts);
+        const vti_clumped clumped = {&t.clumps, &contact};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        assert_int_equal(effect.breaks, 0x1c0);
+        assert_int_equal(effect.gives, 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT);
+        const double v = t.c.v[0][0];
+        crowd_momenta(&t.c, start);
+        crowd_steps(&t.c, vti_stepper_find("vti2"), 0.005, 800, &effect, 1);
+        crowd_momenta(&t.c, now);
+        assert_true(fabs(t.c.v[0][0] - v) > 0.1); /* they did collide */
+        for (int k = 0; k < 6; ++k)               /* 800 steps of some 20 roundings of numbers up to 4, at random */
+            assert_close(now[k], start[k], 4 * sqrt(800 * 20) * EPS);
+    }
+}
+
+/** Two asymmetric bodies of three spheres each, which turn by L: their spheres move by Omega = R diag(1/I) R^T L, and
+ *  momenta stay to rounding as they collide. */
+TEST(bodies_with_moments)
+{
+    static double moments[CROWD_MAX][3], spin[CROWD_MAX][3];
+    double start[2][3], now[2][3];
+    for (int trial = 0; trial < 10; ++trial) {
+        rng g = rng_seed(4140 + (uint64_t)trial);
+        troop_draw(&t, &g, 2, 0, 1, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, CROWD_ALPHA);
+        crowd_clear(&t.s, 6, CROWD_ALPHA);
+        for (int s = 0; s < 6; ++s) {
+            t.body[s] = s / 3;
+            random_vector(&g, 0.3, t.offset[s]);
+            t.diameter[s] = 0.6;
+        }
+        troop_link(&t);
+        troop_touch(&t, 20);
+        vti_bodies b = bodies();
+        const vti_scalars none = {NULL, 0, 0};
+        b.inertia = none;
+        b.omega = vti_view_none();
+        b.moments = vti_view_packed(moments[0]);
+        b.spin = vti_view_packed(spin[0]);
+        for (int i = 0; i < 2; ++i) {
+            const double I[3] = {0.7, 1.1, 1.6}, x[3] = {i ? 1 : -1, 0.1 * i, 0}, v[3] = {i ? -0.5 : 1, 0, 0};
+            memcpy(moments[i], I, sizeof I);
+            memcpy(t.c.x[i], x, sizeof x);
+            memcpy(t.c.v[i], v, sizeof v);
+            random_vector(&g, 0.5, spin[i]);
+        }
+        assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+        for (int s = 0; s < 6; ++s) {
+            const int i = s / 3;
+            const rotor q = crowd_attitude(&t.c, i), back = {-q.x, -q.y, -q.z, q.w};
+            double p[3], omega[3];
+            quat_rotate(back, spin[i], p);
+            for (int k = 0; k < 3; ++k)
+                p[k] /= moments[i][k];
+            quat_rotate(q, p, omega);
+            assert_close3(t.s.omega[s], omega, 32 * EPS);
+        }
+        const vti_effect contact = vti_contacts_effect(&t.contacts);
+        const vti_clumped clumped = {&t.clumps, &contact};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        const vti_stepper *exact = vti_stepper_find("exact");
+        const double speed = t.c.v[0][0];
+        vti_apply(&effect, 1, &b);
+        for (int step = 0; step <= 800; ++step) {
+            double total[2][3] = {{0}};
+            for (int i = 0; i < 2; ++i) {
+                double orbit[3];
+                vti_cross(t.c.x[i], t.c.v[i], orbit);
+                for (int k = 0; k < 3; ++k) {
+                    total[0][k] += t.c.mass[i] * t.c.v[i][k];
+                    total[1][k] += t.c.mass[i] * orbit[k] + spin[i][k];
+                }
+            }
+            memcpy(step == 0 ? start : now, total, sizeof total);
+            assert_int_equal(vti_step_begin(exact, 0.005, &b, NULL), VTI_OK);
+            assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK);
+            assert_int_equal(vti_step_finish(exact, 0.005, &b), VTI_OK);
+        }
+        assert_true(fabs(t.c.v[0][0] - speed) > 0.1);
+        assert_close3(now[0], start[0], 4 * sqrt(800 * 20) * EPS);
+        assert_close3(now[1], start[1], 4 * sqrt(800 * 20) * EPS);
+
+        const vti_effect inner = {.name = "follow", .apply = nothing, .carry = follow};
+        const vti_clumped followed = {&t.clumps, &inner};
+        const vti_effect refused = vti_clumped_effect(&followed);
+        assert_int_equal(vti_effects_check(&refused, 1, &b, NULL), VTI_E_MOMENTS);
+    }
+}
+
+/** Loads are minus the gradient of the energy, by central differences. */
+TEST(loads_are_the_gradient)
+{
+    const double d = 1e-5;
+    rng g = rng_seed(4108);
+    for (int trial = 0; trial < 40; ++trial) {
+        troop_draw(&t, &g, 3, 4, 0.4, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, trial & 2 ? CROWD_QUAT : CROWD_ALPHA);
+        const vti_effect contact = vti_contacts_effect(&t.contacts);
+        const vti_clumped clumped = {&t.clumps, &contact};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        const vti_bodies b = bodies();
+        vti_apply(&effect, 1, &b);
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 6; ++k) {
+                const double load = k < 3 ? t.c.force[i][k] : t.c.moment[i][k - 3];
+                const double axis[3] = {k == 3, k == 4, k == 5};
+                const crowd before = t.c;
+                double energy[2];
+                for (int side = 0; side < 2; ++side) {
+                    if (k < 3)
+                        t.c.x[i][k] += side ? d : -d;
+                    else
+                        crowd_turn(&t.c, i, axis, side ? d : -d);
+                    effect.energy(effect.self, &b, &energy[side]);
+                    t.c = before;
+                }
+                /* Hertz's third derivative, 10/L^3 15/4 o^-1/2 of 12 pairs, is below 1e4 but where a pair just parts,
+                 * and there the force it belongs to is d^{3/2}; energies below 10 are good to 1e-15 */
+                assert_close(-(energy[1] - energy[0]) / (2 * d), load, 1e4 * d * d + 1e-9);
+            }
+    }
+}
+
+/* ---- effects that remember, break or flow ------------------------------------------------------------------------ */
+
+static void see_nothing(const void *self, const vti_bodies *b, const vti_drifted *drifted)
+{
+    (void)self, (void)b, (void)drifted;
+    ++carried;
+}
+
+/** In a carry t v_s is the way that a sphere has come over the drift, of any law. */
+TEST(carry_has_the_chord)
+{
+    static const char *const stepper[] = {"vti1", "vti2", "exact"};
+    rng g = rng_seed(4109);
+    const vti_effect inner = {.name = "follow", .apply = nothing, .carry = follow};
+    for (int trial = 0; trial < 60; ++trial) {
+        troop_draw(&t, &g, 4, 4, 0.7, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, CROWD_ALPHA);
+        const vti_clumped clumped = {&t.clumps, &inner};
+        const vti_effect effect = vti_clumped_effect(&clumped);
+        const vti_bodies b = bodies();
+        static double x[CROWD_MAX][3], v[CROWD_MAX][3];
+        carried = 0;
+        vti_clumps_spread(&t.clumps, &b);
+        memcpy(x, t.s.x, sizeof x);
+        assert_int_equal(vti_effects_begin(vti_stepper_find(stepper[trial % 3]), 0.5, &effect, 1, &b, NULL), VTI_OK);
+        assert_int_equal(carried, 1);
+        memcpy(v, t.s.v, sizeof v);
+        vti_clumps_spread(&t.clumps, &b);
+        assert_same_bits(v, t.s.v, 3 * t.s.n); /* and afterwards the velocity at the end */
+        for (int s = 0; s < t.s.n; ++s) {
+            assert_close3(before_drift[s], x[s], 40 * EPS);
+            assert_close3(after_drift[s], t.s.x[s], 0);
+        }
+        const vti_drifted still = {0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+        assert_int_equal(vti_effects_carry(&effect, 1, &still, &b), VTI_OK);
+        assert_true(all_finite(before_drift[0], 3 * t.s.n));
+        const vti_effect blind = {.name = "blind", .apply = nothing, .carry = see_nothing};
+        const vti_clumped unseen = {&t.clumps, &blind};
+        const vti_effect seeing_nothing = vti_clumped_effect(&unseen);
+        t.clumps.spheres.v = vti_view_none(); /* nor is it made for an effect that has no use for it */
+        assert_int_equal(vti_effects_carry(&seeing_nothing, 1, &still, &b), VTI_OK);
+        assert_int_equal(carried, 3);
+        const vti_effect none = {.name = "none", .apply = nothing, .carry = NULL, .rupture = NULL};
+        const vti_clumped without = {&t.clumps, &none};
+        assert_null(vti_clumped_effect(&without).carry);
+    }
+}
+
+/** A bond between two clumps breaks, and its energy is booked, through the clumps. */
+TEST(rupture_passes_through)
+{
+    rng g = rng_seed(4110);
+    int64_t pair[2] = {0, 1}, id[1] = {0}, broken = 0;
+    double rest[4] = {1, 0, 0, 0.1};
+    const double stiffness = 2, limit = 0.01;
+    vti_sum lost = {0, 0};
+    vti_bonds bonds = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&stiffness)};
+    const vti_rupture rupture = {.bonds = &bonds, .id = id, .stretch = vti_scalars_one(&limit), .lost = &lost};
+    crowd_clear(&t.s, 2, CROWD_ALPHA);
+    troop_draw(&t, &g, 2, 0, 0.3, CROWD_ALPHA, CROWD_ALPHA);
+    crowd_clear(&t.s, 2, CROWD_ALPHA);
+    t.body[0] = 0;
+    t.body[1] = 1;
+    random_vector(&g, 0.02, t.offset[0]);
+    random_vector(&g, 0.02, t.offset[1]);
+    troop_link(&t);
+    const vti_effect inner = vti_rupture_effect(&rupture);
+    const vti_clumped clumped = {&t.clumps, &inner};
+    const vti_effect effect = vti_clumped_effect(&clumped);
+    const vti_bodies b = bodies();
+    assert_null(effect.apply);
+    assert_int_equal(vti_effects_rupture(&effect, 1, &b, &broken), VTI_OK);
+    assert_int_equal(broken, 1);
+    assert_true(vti_booked(&effect, 1) > 0 && effect.booked == &lost);
+    assert_null(effect.energy);
+}
+
+/* ---- what is refused --------------------------------------------------------------------------------------------- */
+
+TEST(lists_are_refused)
+{
+    rng g = rng_seed(4111);
+    vti_fault fault;
+    troop_draw(&t, &g, 3, 0, 0.7, CROWD_ALPHA, CROWD_ALPHA);
+    crowd_clear(&t.s, 4, CROWD_ALPHA);
+    troop_link(&t);
+    const int64_t body[4] = {1, 2, 2, 3};
+    memcpy(t.body, body, sizeof body);
+    t.clumps.base = 1;
+    memset(t.offset, 0, sizeof t.offset);
+    assert_int_equal(vti_clumps_check(&t.clumps, 3, &fault), VTI_OK);
+    assert_int_equal(vti_clumps_check(&t.clumps, 2, &fault), VTI_E_CLUMP);
+    assert_true(fault.body == 3 && fault.value == 3);
+    assert_int_equal(vti_clumps_check(&t.clumps, -1, &fault), VTI_E_COUNT);
+    t.body[0] = 0;
+    assert_int_equal(vti_clumps_check(&t.clumps, 3, &fault), VTI_E_CLUMP);
+    assert_true(fault.body == 0 && fault.value == 0);
+    t.body[0] = 1;
+    t.body[2] = 1;
+    assert_int_equal(vti_clumps_check(&t.clumps, 3, &fault), VTI_E_CLUMP);
+    assert_true(fault.body == 2 && fault.value == 1);
+    t.body[2] = 2;
+    t.offset[1][2] = INFINITY;
+    assert_int_equal(vti_clumps_check(&t.clumps, 3, &fault), VTI_E_CLUMP);
+    assert_true(fault.body == 1 && isinf(fault.value));
+    t.offset[1][2] = 0;
+
+    const vti_bodies b = bodies();
+    assert_int_equal(vti_clumps_spheres(&t.clumps, &b).count, 4);
+    const vti_bodies second = vti_bodies_slice(b, 1, 1);
+    assert_int_equal(vti_clumps_spheres(&t.clumps, &second).first, 1);
+    assert_int_equal(vti_clumps_spheres(&t.clumps, &second).count, 2);
+    assert_int_equal(vti_clumps_spheres(&t.clumps, NULL).count, 0);
+    assert_int_equal(vti_clumps_check(NULL, 3, NULL), VTI_E_NULL);
+    vti_clumps bad = t.clumps;
+    bad.body = NULL;
+    assert_int_equal(vti_clumps_spread(&bad, &b), VTI_E_NULL);
+    bad = t.clumps;
+    bad.offset = NULL;
+    assert_int_equal(vti_clumps_gather(&bad, &b), VTI_E_NULL);
+    bad = t.clumps;
+    bad.count = -1;
+    assert_int_equal(vti_clumps_spread(&bad, &b), VTI_E_COUNT);
+    assert_int_equal(vti_clumps_spheres(&bad, &b).count, 0);
+    bad.count = 3;
+    assert_int_equal(vti_clumps_gather(&bad, &b), VTI_E_COUNT);
+    bad = t.clumps;
+    bad.spheres.first = 1;
+    assert_int_equal(vti_clumps_gather(&bad, &b), VTI_E_COUNT);
+    bad.spheres.first = 0;
+    bad.spheres.x.c[1] = NULL;
+    assert_int_equal(vti_clumps_spread(&bad, &b), VTI_E_VIEW);
+}
+
+static void pull(const void *self, const vti_bodies *b, double time, double drift)
+{
+    (void)self, (void)b, (void)time, (void)drift;
+}
+
+TEST(effects_are_refused)
+{
+    rng g = rng_seed(4112);
+    troop_draw(&t, &g, 3, 3, 0.7, CROWD_ALPHA, CROWD_ALPHA);
+    vti_bodies b = bodies();
+    vti_fault fault;
+    vti_effect contact = vti_contacts_effect(&t.contacts);
+    const vti_clumped clumped = {&t.clumps, &contact}, no_clumps = {NULL, &contact}, no_effect = {&t.clumps, NULL};
+    vti_effect effect = vti_clumped_effect(&clumped);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_OK);
+    b.alpha = vti_view_none();
+    assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_E_NEEDS);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NEEDS);
+    assert_int_equal(fault.quantity, VTI_QUANTITY_ALPHA);
+    b.count = -1;
+    assert_int_equal(vti_clumps_gather(&t.clumps, &b), VTI_E_COUNT);
+    b = bodies();
+    t.clumps.spheres.x = vti_view_none(); /* what the effect needs, the spheres must have */
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NEEDS);
+    t.clumps.count = 0;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_COUNT);
+    troop_link(&t);
+    contact.flow = pull;
+    effect = vti_clumped_effect(&clumped);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_CLUMP);
+    contact.apply = NULL;
+    effect = vti_clumped_effect(&clumped);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_CLUMP);
+    effect = vti_clumped_effect(&no_clumps);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
+    effect = vti_clumped_effect(&no_effect);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
+    effect = vti_clumped_effect(NULL);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
+}
+
+RUN_TESTS(cmocka_unit_test(spread_places_spheres), cmocka_unit_test(absent_views),
+          cmocka_unit_test(gather_is_the_transpose), cmocka_unit_test(slices), cmocka_unit_test(one_centred_sphere),
+          cmocka_unit_test(pendulum_is_a_clump), cmocka_unit_test(momenta_of_a_collision),
+          cmocka_unit_test(loads_are_the_gradient), cmocka_unit_test(bodies_with_moments),
+          cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(rupture_passes_through),
+          cmocka_unit_test(lists_are_refused), cmocka_unit_test(effects_are_refused))
