@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the page of ./dev granular measures, on heaps whose slope, front and law are known; and the tables of beads that it
+pours.      test_granular.py PROJECT"""
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import numpy as np
+    import matplotlib  # noqa: F401
+    import h5py  # noqa: F401
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+from tally import check, conclude
+
+project = os.path.abspath(sys.argv[1])
+sys.path.insert(0, os.path.join(project, "drivers"))
+from plot.pages import granular  # noqa: E402
+
+RADIUS = 0.0015
+
+
+def wedge(degrees, columns):
+    """Rows of beads that touch, below a line of that slope."""
+    places = [((2 * k + 1) * RADIUS, 0.0, (2 * row + 1) * RADIUS) for k in range(columns)
+              for row in range(max(1, int((columns - k) * math.tan(math.radians(degrees)))))]
+    return np.array(places)
+
+
+for angle in (12, 20, 31):
+    x = wedge(angle, 80)
+    radius = np.full(len(x), RADIUS)
+    found = granular.slope(x, radius)
+    check(abs(found - angle) < 1.0, f"a heap of {angle} degrees has {found:.1f}")
+    away = np.vstack([x, [[1.0, 0.0, RADIUS]]])
+    front = granular.front(away, np.full(len(away), RADIUS))
+    check(abs(front - 160 * RADIUS) < 1e-12, f"... its front is at {front:.4g}, without the bead that is far away")
+
+some = [granular.Column(1, a, 2.5 * a**0.7, 3.0 * a) for a in (0.5, 1.0, 3.0)]
+exponent, factor = granular.power(some)
+check(abs(exponent - 0.7) < 1e-12 and abs(factor - 2.5) < 1e-12, f"2.5 a^0.7 is {factor:.3g} a^{exponent:.3g}")
+
+# head on the struck bead takes (1 + e)/2; across, friction is mu times that
+normal = np.array([0.6, 0.0, 0.8])
+velocity = granular.struck(normal, 1.0)
+tangent = np.array([0.8, 0.0, -0.6])
+along, across = velocity @ normal, velocity @ tangent
+check(abs(along + 0.5 * (1 + granular.RESTITUTION) * 0.8) < 1e-15, f"a bead struck at 37 degrees has {along:.4g} along the normal")
+check(abs(across - granular.MU * -along) < 1e-15, f"... and {across:.4g} across, towards where it is pushed")
+
+with tempfile.TemporaryDirectory() as folder:
+    table = os.path.join(folder, "beads.csv")
+    subprocess.run([sys.executable, os.path.join(project, "bench", "granular", "packing.py"), "loose", "10", "60", "1", table], check=True)
+    with open(table, encoding="utf-8", newline="") as file:
+        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+gaps = [math.hypot(a["x"] - b["x"], a["z"] - b["z"]) - (a["diameter"] + b["diameter"]) / 2 for k, a in enumerate(rows) for b in rows[:k]]
+check(len(rows) == 60 and min(gaps) > 0, f"60 loose beads do not touch: {min(gaps):.2g}")
+check(all(abs(row["mass"] / (2500 * math.pi / 6 * row["diameter"]**3) - 1) < 1e-6 for row in rows), "... and have the mass of glass")
+check(all(0 < row["x"] - row["diameter"] / 2 and row["x"] + row["diameter"] / 2 < 0.0303 and row["y"] == 0 for row in rows), "... in their box")
+conclude()
