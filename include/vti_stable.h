@@ -24,7 +24,7 @@ typedef struct vti_stable {
  *  (at = NULL), with bonds that are not bent. It is bounded spring by spring (EQUATIONS 5, 6.10) and never above the
  *  exact eigenvalues' limit; on the torus at rest by 0.2 % below it. Where at is given, pairs in contact are those of
  *  the list, all touching, or, if at->meet, any (each body is then taken to have as many neighbours as there is room
- *  for, or bodies), and every body touches every wall.
+ *  for, or bodies), and every body touches every wall. Bodies with moments count with their smallest (EQUATIONS 7.4).
  *
  *  All effects of the scene, a host's own among them, stand in the array. scratch is [count] doubles for the bodies of
  *  the slice, which must be all that the springs name. VTI_E_BOND if a spring names a body that is not in the slice,

@@ -80,6 +80,16 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** L of body i with moments and a spin or, with an attitude, an Omega. */
+void vti_rotor_spin(const vti_bodies *b, int64_t i, double L[3]);
+
+/** With an attitude: the largest of |Omega|, k_r |L|, |d_x p_x| and |d_y p_y| (EQUATIONS 7.2), by which a drift turns,
+ *  and the kinetic energy of rotation. */
+struct vti_rotor_rates {
+    double most, energy;
+};
+struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i);
+
 /** w = R_p diag(1/A, 1/B, 1/C) R_p^T L of body i with moments and an attitude, where L is what the view shows of it. */
 void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3]);
 

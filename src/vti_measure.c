@@ -15,6 +15,17 @@ static int can_measure(const vti_bodies *b, const void *needed, double r[3])
     return 0;
 }
 
+/** Whether the spins of bodies with moments are known, and with an attitude their angular velocities. */
+static int spins_generally(const vti_bodies *b)
+{
+    return vti_has(&b->moments) && (vti_has(&b->spin) || vti_has(&b->omega));
+}
+
+static int turns_generally(const vti_bodies *b)
+{
+    return spins_generally(b) && vti_has_attitude(b);
+}
+
 static double sum_of_squares(const vti_view *view, const vti_scalars *weight, const vti_bodies *b)
 {
     vti_sum sum = {0.0, 0.0};
@@ -37,6 +48,12 @@ double vti_kinetic_rotation(const vti_bodies *b)
 {
     if (vti_bodies_ready(b) != VTI_OK)
         return NAN;
+    if (turns_generally(b)) {
+        vti_sum sum = {0.0, 0.0};
+        for (int64_t i = b->first; i < b->first + b->count; ++i)
+            vti_sum_add(&sum, vti_rotor_rates_of(b, i).energy);
+        return vti_sum_value(&sum);
+    }
     return vti_has(&b->omega) && b->inertia.p != NULL ? 0.5 * sum_of_squares(&b->omega, &b->inertia, b) : 0.0;
 }
 
@@ -64,7 +81,7 @@ void vti_angular_momentum(const vti_bodies *b, const double about[3], double l[3
     if (!can_measure(b, about, l))
         return;
     const int orbits = vti_has(&b->x) && vti_has(&b->v) && b->mass.p != NULL;
-    const int spins = vti_has(&b->omega) && b->inertia.p != NULL;
+    const int general = spins_generally(b), spins = vti_has(&b->omega) && b->inertia.p != NULL;
     vti_sum sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double x[3], v[3], w[3], c[3];
@@ -77,7 +94,11 @@ void vti_angular_momentum(const vti_bodies *b, const double about[3], double l[3
             for (int k = 0; k < 3; ++k)
                 vti_sum_add(&sum[k], vti_scalar(&b->mass, i) * c[k]);
         }
-        if (spins) {
+        if (general) {
+            vti_rotor_spin(b, i, w);
+            for (int k = 0; k < 3; ++k)
+                vti_sum_add(&sum[k], w[k]);
+        } else if (spins) {
             vti_load(&b->omega, i, w);
             for (int k = 0; k < 3; ++k)
                 vti_sum_add(&sum[k], vti_scalar(&b->inertia, i) * w[k]);
@@ -105,8 +126,17 @@ void vti_momentum(const vti_bodies *b, double p[3])
 
 void vti_spin(const vti_bodies *b, double s[3])
 {
-    if (can_measure(b, b, s))
+    const double about[3] = {0.0, 0.0, 0.0};
+    if (!can_measure(b, b, s))
+        return;
+    if (!vti_has(&b->moments)) {
         weighted_sum(&b->omega, &b->inertia, b, s);
+        return;
+    }
+    vti_bodies still = *b;
+    still.sealed = 0;
+    still.v = vti_view_none();
+    vti_angular_momentum(&still, about, s);
 }
 
 /** The larger of the two; a NaN wins and stays. */
@@ -120,7 +150,9 @@ double vti_max_turn(double h, const vti_bodies *b)
     double most = 0.0;
     if (vti_bodies_ready(b) != VTI_OK)
         return NAN;
-    for (int64_t i = b->first; vti_has(&b->omega) && i < b->first + b->count; ++i) {
+    for (int64_t i = b->first; turns_generally(b) && i < b->first + b->count; ++i)
+        most = larger(most, fabs(h) * vti_rotor_rates_of(b, i).most);
+    for (int64_t i = b->first; !vti_has(&b->moments) && vti_has(&b->omega) && i < b->first + b->count; ++i) {
         double w[3];
         vti_load(&b->omega, i, w);
         const double turn = fabs(h) * vti_norm(w);

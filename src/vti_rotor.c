@@ -62,6 +62,35 @@ static void kicked(const struct vti_move *move, const vti_bodies *b, int64_t i, 
         rotor_times(body, body->m, L, L);
 }
 
+void vti_rotor_spin(const vti_bodies *b, int64_t i, double L[3])
+{
+    const struct vti_move none = {.drift = 0.0};
+    struct rotor_body body;
+    body_of(b, i, &body);
+    kicked(&none, b, i, &body, 0, L);
+}
+
+struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i)
+{
+    struct rotor_body body;
+    double L[3], p[3], w[3];
+    vti_rotor_spin(b, i, L);
+    body_of(b, i, &body);
+    const struct rotor_axes at = rotor_axes_of(body.k);
+    lanes_rotate(body.q, body.scale, -1.0, L, p);
+    struct vti_rotor_rates rates = {.energy = 0.0};
+    for (int k = 0; k < 3; ++k) {
+        w[k] = body.k[k] * p[k];
+        rates.energy += 0.5 * w[k] * p[k];
+    }
+    rotor_onto(&at, p, p);
+    const double turns[3] = {at.k_r * vti_norm(L), fabs(at.d_x * p[0]), fabs(at.d_y * p[1])};
+    rates.most = vti_norm(w);
+    for (int k = 0; k < 3; ++k)
+        rates.most = vti_larger(rates.most, turns[k]);
+    return rates;
+}
+
 /* ---- drift ------------------------------------------------------------------------------------------------------- */
 
 typedef void drift(double t, const struct rotor_body *body, const double L[3], struct rotor_increment *d);

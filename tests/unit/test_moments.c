@@ -287,6 +287,128 @@ TEST(closed_looks_past_the_kicks)
     assert_close(spin[3][1], 0.9, 4 * EPS);
 }
 
+static double turn_about(const double k[3], int r, int axis, const double p[3])
+{
+    return fabs((k[axis] - k[r]) * p[axis]);
+}
+
+/** Energy, momenta and the largest turn by their formulas, with L, with Omega, and with neither. */
+TEST(measures)
+{
+    rng g = rng_seed(304);
+    for (int trial = 0; trial < 90; ++trial) {
+        top p = top_random(&g, (enum top_storage)(trial % TOP_STORAGES), (enum top_spin)(trial / 3 % 3));
+        double x[3] = {1, 2, 3}, v[3] = {0.5, -1, 2}, about[3] = {-1, 0, 1}, l[3], s[3], arm[3] = {2, 2, 2}, orbit[3];
+        double body[3], k[3], energy = 0, w[3];
+        const double mass = 1.5;
+        vti_bodies all = top_bodies(&p);
+        all.x = vti_view_packed(x);
+        all.v = vti_view_packed(v);
+        all.mass = vti_scalars_one(&mass);
+        quat_rotate(quat_conj(top_axes(&p)), p.spin, body);
+        for (int c = 0; c < 3; ++c) {
+            k[c] = 1 / p.moments[c];
+            energy += 0.5 * k[c] * body[c] * body[c];
+        }
+        int r = 0;
+        for (int c = 1; c < 3; ++c) /* the middle k */
+            if ((k[c] > k[(c + 1) % 3]) != (k[c] > k[(c + 2) % 3]))
+                r = c;
+        top_omega(&p, w);
+        const double most = fmax(fmax(vti_norm(w), k[r] * vti_norm(p.spin)),
+                                 fmax(turn_about(k, r, (r + 1) % 3, body), turn_about(k, r, (r + 2) % 3, body)));
+        vti_cross(arm, v, orbit);
+        assert_close(vti_kinetic_rotation(&all), energy, 64 * EPS * energy);
+        assert_close(vti_energy(NULL, 0, &all), energy + 0.5 * mass * vti_dot(v, v), 64 * EPS * (energy + 4));
+        assert_close(vti_max_turn(-0.5, &all), 0.5 * most, 64 * EPS * most);
+        vti_spin(&all, s);
+        assert_close3(s, p.spin, 64 * EPS * vti_norm(p.spin));
+        vti_angular_momentum(&all, about, l);
+        for (int c = 0; c < 3; ++c)
+            assert_close(l[c], mass * orbit[c] + p.spin[c], 64 * EPS * (10 + vti_norm(p.spin)));
+        all.spin = all.omega = all.spin_low = vti_view_none();
+        assert_true(vti_kinetic_rotation(&all) == 0 && vti_max_turn(1, &all) == 0);
+        vti_spin(&all, s);
+        assert_true(s[0] == 0 && s[1] == 0 && s[2] == 0);
+    }
+}
+
+/** A bond between two bodies, one or both of general inertia: P and L are kept, energy is the symplectic one's, and the
+ *  bound of the step is that of spheres of the smallest moments. */
+TEST(bonded_pairs)
+{
+    static const double stiff[3] = {2, 50, 30}, mass[2] = {1, 1.5};
+    rng g = rng_seed(305);
+    for (int64_t m = 0; m < vti_stepper_count(); ++m) {
+        const vti_stepper *const method = vti_stepper_at(m);
+        double x[2][3] = {{0, 0, 0}, {1, 0, 0}}, v[2][3], f[2][3], q[2][4] = {{0, 0, 0, 1}, {0, 0, 0, 1}}, t[2][3];
+        double I[2][3], L[2][3], at[2][3], turned[2][4], rest[4], least[2];
+        const int64_t pair[2] = {0, 1};
+        vti_bodies pairs = vti_bodies_none(2);
+        if (method->frame != VTI_FRAME_SPACE)
+            continue;
+        for (int i = 0; i < 2; ++i) {
+            top_moments(&g, 0.1, I[i]);
+            random_vector(&g, 0.1, v[i]);
+            random_vector(&g, 0.1, L[i]);
+            random_vector(&g, 0.02, at[i]);
+            least[i] = fmin(I[i][0], fmin(I[i][1], I[i][2]));
+        }
+        pairs.x = vti_view_packed(x[0]);
+        pairs.v = vti_view_packed(v[0]);
+        pairs.force = vti_view_packed(f[0]);
+        pairs.quat = quats_packed(q[0]);
+        pairs.moment = vti_view_packed(t[0]);
+        pairs.moments = vti_view_packed(I[0]);
+        pairs.spin = vti_view_packed(L[0]);
+        pairs.mass = vti_scalars_array(mass);
+        assert_int_equal(vti_bonds_rest(1, pair, 0, &pairs.x, rest, NULL), VTI_OK);
+        const vti_bonds bonds = {.count = 1,
+                                 .pair = pair,
+                                 .rest = rest,
+                                 .moment = vti_scalars_one(&stiff[0]),
+                                 .axial = vti_scalars_one(&stiff[1]),
+                                 .shear = vti_scalars_one(&stiff[2]),
+                                 .shear_form = VTI_SHEAR_OBJECTIVE};
+        const vti_effect bond = vti_bonds_effect(&bonds);
+        vti_bodies probed = pairs, balls = pairs;
+        probed.x = vti_view_packed(at[0]);
+        probed.quat = quats_packed(turned[0]);
+        double scratch[2], p0[3], p1[3], l0[3], l1[3];
+        const double about[3] = {0, 0, 0};
+        vti_stable stable, of_balls;
+        balls.moments = balls.spin = vti_view_none();
+        balls.inertia = vti_scalars_array(least);
+        assert_int_equal(vti_stable_step(&bond, 1, &pairs, NULL, scratch, &stable), VTI_OK);
+        assert_int_equal(vti_stable_step(&bond, 1, &balls, NULL, scratch, &of_balls), VTI_OK);
+        assert_true(stable.h == of_balls.h && isfinite(stable.h));
+        vti_momentum(&pairs, p0);
+        vti_angular_momentum(&pairs, about, l0);
+        const double e0 = vti_energy(&bond, 1, &pairs), h = 0.2 * stable.h;
+        assert_int_equal(vti_apply(&bond, 1, &pairs), VTI_OK);
+        for (int n = 0; n < 200; ++n) {
+            for (int64_t k = 0; k <= method->stages; ++k) {
+                if (method->probe != NULL && method->probe[k] != 0) {
+                    assert_int_equal(vti_step_probe(method, k, h, &pairs, &probed), VTI_OK);
+                    assert_int_equal(vti_apply(&bond, 1, &probed), VTI_OK);
+                }
+                if (k < method->stages) {
+                    assert_int_equal(vti_step_stage(method, k, h, &pairs, NULL), VTI_OK);
+                    assert_int_equal(vti_apply(&bond, 1, &pairs), VTI_OK);
+                }
+            }
+            assert_int_equal(vti_step_finish(method, h, &pairs), VTI_OK);
+        }
+        vti_momentum(&pairs, p1);
+        vti_angular_momentum(&pairs, about, l1);
+        const double noise = 200 * (double)method->stages * 64 * EPS;
+        assert_close3(p1, p0, noise);
+        if (method->probe == NULL) /* whose loads are those of another place */
+            assert_close3(l1, l0, noise);
+        assert_close(vti_energy(&bond, 1, &pairs), e0, method->order == 1 ? 0.3 * e0 : 0.05 * e0);
+    }
+}
+
 /** Moments from 1e-300 to 1e300, plates, needles, near-ties in every order, spins and steps of any size. */
 TEST(any_size_is_finite)
 {
@@ -323,5 +445,6 @@ TEST(any_size_is_finite)
 RUN_TESTS(cmocka_unit_test_setup(views_that_do_not_go_together, sound), cmocka_unit_test_setup(principal_axes, sound),
           cmocka_unit_test_setup(one_for_all, sound), cmocka_unit_test_setup(values, sound),
           cmocka_unit_test_setup(frames_rotors_and_methods, sound), cmocka_unit_test_setup(accelerations, sound),
-          cmocka_unit_test_setup(closed_needs_every_turn_below_1, sound),
-          cmocka_unit_test_setup(closed_looks_past_the_kicks, sound), cmocka_unit_test_setup(any_size_is_finite, sound))
+          cmocka_unit_test_setup(closed_needs_every_turn_below_1, sound), cmocka_unit_test(measures),
+          cmocka_unit_test(bonded_pairs), cmocka_unit_test_setup(closed_looks_past_the_kicks, sound),
+          cmocka_unit_test_setup(any_size_is_finite, sound))
