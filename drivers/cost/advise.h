@@ -76,7 +76,7 @@ struct offer {
     double h, error, seconds;
     double order;                 /* that its runs showed */
     double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
-    double doubt;                 /* the error lies between error/doubt and error doubt; INFINITY: anywhere */
+    double doubt, below;          /* the error lies between error/below and error doubt; INFINITY: anywhere */
     double errors[COST_MEASURES]; /* by all measures; NaN where the scene has none, or nothing is known */
     enum offer_source source;
 };
@@ -145,6 +145,9 @@ struct search {
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
 /** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
+/** Says of how much doubt an error is that was followed by this order to so many times the steps: below it where forces
+ *  have kinks, since between them it falls by the stepper's own order. */
+void search_doubt(const struct search *s, struct offer *o, double order, double finer);
 /** Fills in the offer of o->stepper for s->t_end and s->target by runs of up to limit force evaluations, compared with
  *  s->solution. Returns likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);

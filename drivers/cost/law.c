@@ -75,7 +75,9 @@ void search_law_follow(const struct search *s, struct offer *o)
     o->seconds *= more;
     o->more = more;
     o->source = OFFER_FOLLOWED;
-    o->doubt = (s->measure == COST_ENERGY ? 3.0 : s->doubt) * sqrt(fmax(finer, 1.0));
+    search_doubt(s, o, o->order, finer);
+    if (s->measure == COST_ENERGY)
+        o->doubt = fmin(o->doubt, 3.0 * sqrt(fmax(finer, 1.0)));
 }
 
 int search_law(struct search *s, struct offer *o, int64_t steps)

@@ -208,7 +208,7 @@ static void offer_measured(const struct search *s, struct offer *o, const struct
     offer_set(s, o, pilot->steps, error, price);
     all_errors(s, pilot, o->errors);
     o->source = OFFER_MEASURED;
-    o->doubt = 1.2;
+    o->doubt = o->below = 1.2;
 }
 
 /** The next number of steps to try, or 0 if the search is over. above: the finest run that misses the error; below: the
@@ -249,7 +249,14 @@ static void follow(const struct search *s, struct offer *o, const struct point *
     for (int m = 0; m < COST_MEASURES; ++m)
         o->errors[m] = m == s->measure ? error : NAN;
     o->source = OFFER_FOLLOWED;
-    o->doubt = s->doubt * sqrt((double)steps / (double)finest->steps);
+    search_doubt(s, o, seen, (double)steps / (double)finest->steps);
+}
+
+void search_doubt(const struct search *s, struct offer *o, double order, double finer)
+{
+    const double most = 2.0, higher = fmin(fmax((double)o->stepper->order - order, 0.0), most);
+    o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
+    o->below = o->doubt * (s->kinked ? plain_power(fmax(finer, 1.0), higher) : 1.0);
 }
 
 int search_stepper(struct search *s, struct offer *o, double limit)

@@ -38,7 +38,7 @@ static const struct option_row rows[] = {
      "tenth of a second or so at least)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
-     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, source, interval, errors, "
+     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, interval, errors, "
      "stable_h, "
      "h_max_omega, measure, trajectories_until, pilots, alternatives; warnings go to stderr"},
     {0}};
@@ -105,7 +105,7 @@ static void say_best(const struct scene *scene, const struct advice *a, FILE *fi
     if (best->source != OFFER_MEASURED && !isfinite(best->doubt))
         fputs(";\nit is told from the first part of the time, before whatever may happen later, and may be any", file);
     else if (best->source != OFFER_MEASURED)
-        fprintf(file, ";\nit lies between %.1e and %.1e, told %s", best->error / best->doubt, best->error * best->doubt,
+        fprintf(file, ";\nit lies between %.1e and %.1e, told %s", best->error / best->below, best->error * best->doubt,
                 best->source == OFFER_SHORTER ? "from the first part of the time" : "from coarser runs");
     fputs("\n\n", file);
 }
@@ -195,8 +195,10 @@ static void json_offer(const struct offer *o, FILE *file)
     json_number("predicted_error", o->steps > 0 ? o->error : NAN, file);
     fputs(", ", file);
     json_number("predicted_seconds", o->seconds, file);
+    fputs(", ", file);
+    json_number("predicted_force_evals", o->steps > 0 ? (double)o->force_evals : NAN, file);
     fprintf(file, ", \"source\": \"%s\", \"interval\": [", source[o->source]);
-    json_value(o->error / o->doubt, file);
+    json_value(o->error / o->below, file);
     fputs(", ", file);
     json_value(o->error * o->doubt, file);
     fputs("], \"errors\": {", file);

@@ -14,8 +14,8 @@ import tempfile
 from programs import run
 from tally import check, conclude
 
-KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "source", "interval", "errors", "stable_h", "h_max_omega", "measure",
-        "trajectories_until", "pilots", "alternatives"]
+KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "predicted_force_evals", "source", "interval", "errors", "stable_h",
+        "h_max_omega", "measure", "trajectories_until", "pilots", "alternatives"]
 MEASURES = ["attitude", "position", "velocity", "energy"]
 # with so long, all pilots go over the whole time
 LONG = ["--budget", "600"]
