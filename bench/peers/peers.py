@@ -86,6 +86,18 @@ def breaks(case, folder):
     write(folder, case.scene, ["who", "h", "t", "kinetic", "bonds"], rows)
 
 
+def bursts(case, folder):
+    """Kinetic energy of the ring, by both, at three steps."""
+    rows = []
+    for h in (case.h, case.h / 4, case.h / 20):
+        case.record = round(0.25 / h)
+        for step, still, turning in case.by_lammps_rows(h):
+            rows.append(("LAMMPS", h, step * h, still + turning))
+        ours = case.by_vti(h)[0]
+        rows += [("vti", h, t, energy) for t, energy in zip(ours["t"], kinetic(ours))]
+    write(folder, case.scene, ["who", "h", "t", "kinetic"], rows)
+
+
 def main():
     folder, vti_run, venv, package = sys.argv[1:5]
     rounds = int(sys.argv[5]) if len(sys.argv) > 5 else 5
@@ -96,7 +108,9 @@ def main():
     conserved(pile, folder)
     falls(heap, folder)
     breaks(agglomerate, folder)
-    times = [(case.scene, *case.times(rounds)) for case in (pile, heap, agglomerate)]
+    bursts(scenes.Torus(lammps, vti_run, folder), folder)
+    ring = scenes.Flight(lammps, vti_run, folder)
+    times = [(case.scene, *case.times(rounds)) for case in (pile, heap, agglomerate, ring)]
     write(folder, "times", ["scene", "vti_s", "lammps_s", "ratio", "least", "most"], times)
 
 

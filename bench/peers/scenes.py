@@ -36,6 +36,7 @@ class Case:
     script = scene = ""
     settings = {}
     h, t_end, record = 1.0, 1.0, 1
+    room = 2  # around the spheres, in diameters
 
     def __init__(self, lammps, vti_run, folder):
         self.lammps, self.vti_run, self.folder = lammps, vti_run, os.path.join(folder, self.scene)
@@ -74,7 +75,7 @@ class Case:
         diameter = numpy.full(len(x[0]), self.diameter)
         density = numpy.full(len(x[0]), self.mass / (math.pi / 6 * self.diameter**3))
         atoms = os.path.join(self.folder, "spheres.data")
-        write_data(atoms, x[0], v[0], omega[0], diameter, density, bonds)
+        write_data(atoms, x[0], v[0], omega[0], diameter, density, bonds, self.room)
         return atoms
 
     def variables(self, h, atoms, pictures=0):
@@ -87,8 +88,10 @@ class Case:
     def by_lammps(self, h, pictures=1):
         """Rows of energies, and of the dump."""
         given = self.variables(h, self.prepare(), pictures)
-        rows = thermo(self.lammps.run(self.script, **given))
-        return rows, frames(given["out"])
+        return thermo(self.lammps.run(self.script, **given)), frames(given["out"])
+
+    def by_lammps_rows(self, h):
+        return thermo(self.lammps.run(self.script, **self.variables(h, self.prepare())))
 
     def times(self, rounds):
         """Median processor seconds of both as whole processes that record energies and write no dump, in turns, and
@@ -255,3 +258,42 @@ class Agglomerate(Case):
             "point": " ".join(repr(-8e-4 * c) for c in (0.36, 0.48, 0.8)),
             "normal": "0.36 0.48 0.8",
         }
+
+
+class Torus(Case):
+    """The ring of the paper's impact: bonds that do not break, contacts and a plane. LAMMPS' spheres have the inertia
+    of solid ones, and so have ours here."""
+
+    scene, script = "torus", "torus.in"
+    h, t_end, record, room = 1e-3, 4.5, 250, 25
+    diameter, mass, edge = 0.1177794472772058271, 1.0, "f"
+    bond, shear, moment, stiffness = 200.0, 200.0, 10.0, 2100.0
+    settings = {
+        "bodies.inertia": 0.1 * mass * diameter**2,
+        "binder.axial": bond,
+        "binder.shear.stiffness": shear,
+        "binder.moment": moment,
+        "contact.stiffness": stiffness,
+        "wall.stiffness": stiffness,
+    }
+
+    def laws(self):
+        numbers = [self.bond / self.diameter**2, self.shear / self.diameter**2, self.moment, self.moment]
+        words = "hertz/material {!r} 0.0 0.25 tangential linear_nohistory 0.0 0.0 damping velocity"
+        return {
+            "law": words.format(hertz(self.stiffness, self.diameter, 0.25, True)),
+            "floor": words.format(hertz(self.stiffness, self.diameter, 0.25, False)),
+            "bond": " ".join(repr(number) for number in numbers + 4 * [1e9] + 4 * [0.0]),
+            "edge": self.edge,
+            "skin": 0.1,
+        }
+
+
+class Flight(Torus):
+    """The same ring flies away from the plane, shaken: nothing meets, so that LAMMPS comes to the end."""
+
+    t_end, record, room, edge = 35.0, 100, 2, "m"
+    settings = dict(
+        Torus.settings,
+        **{"bodies.v": "[1, 0, 0]", "bodies.random.seed": 1, "bodies.random.v": 0.1, "bodies.random.omega": 0.1},
+    )
