@@ -30,7 +30,7 @@ module vti_controls
             integer(c_int) :: status
         end function
 
-        !> Numbers that vti_step_keep copies of each body, at most 34; negative for bodies that are refused.
+        !> Numbers that vti_step_keep copies of each body, at most 36; negative for bodies that are refused.
         function vti_step_keeps(bodies) result(width) bind(c)
             import :: c_int64_t, vti_bodies
             type(vti_bodies), intent(in) :: bodies

@@ -72,7 +72,7 @@ typedef struct vti_kept {
 } vti_kept;
 
 /** Numbers that vti_step_keep copies of each body: positions, velocities, attitudes, spins, what rounding left out of
- *  them, forces and moments, of those that are there; at most 34. A negative status for bodies that are refused. */
+ *  them, forces and moments, of those that are there; at most 36. A negative status for bodies that are refused. */
 VTI_API int64_t vti_step_keeps(const vti_bodies *bodies);
 /** Copies the slice. VTI_E_COUNT where the memory is too narrow. */
 VTI_API int vti_step_keep(const vti_bodies *bodies, const vti_kept *kept);

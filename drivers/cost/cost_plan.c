@@ -40,6 +40,12 @@ static int add_case(struct cost_plan *plan, const struct scene *scene, double t_
 {
     if (plan->cases_count == COST_CASES)
         return message_set(message, "%s: more than %d scenes and ends; use fewer at a time", scene->name, COST_CASES);
+    if (scene->tolerance > 0.0)
+        return message_set(
+            message,
+            "%s: tolerance: a cost study finds the tolerances by itself; leave it out and name srkn11-tol "
+            "in --steppers",
+            scene->name);
     struct cost_case *c = &plan->cases[plan->cases_count];
     c->scene = scene;
     c->t_end = t_end;

@@ -28,6 +28,9 @@ static const struct option_row rows[] = {
     {"--stepper", "NAME", OPTION_KEY, &sets, OPTION_ANY, "integrator, one of --list steppers (default: the scene's)"},
     {"--h", "H", OPTION_KEY, &sets, OPTION_ANY,
      "step (default: the scene's); numbers may be written 0.01, 1/64 or 2^-6"},
+    {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
+     "choose steps whose estimated error in velocity and spin is at most that; for srkn11, srkn14 and srkn6, and H is "
+     "then only the unit of --record and --frames; each row takes a further step, so there are about 100"},
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--record", "EVERY", OPTION_WHOLE, &request.record_every, 1, 0x1p53, "50 or 1e3",
@@ -112,7 +115,15 @@ static void say_step(const struct run *run, FILE *file)
     const double h = run->scene.h, degrees = 180.0 / acos(-1.0);
     const vti_stepper *stepper = run->scene.stepper;
     struct model_limits limits;
+    struct travel_tally tally;
     struct message trouble = {""};
+    if (travel_tally(&run->travel, &tally)) {
+        fprintf(file,
+                "%s to t = %.10g: steps with estimated errors of at most %.4g in velocity and spin; rows and frames at "
+                "multiples of h = %s\n",
+                stepper->name, (double)run->steps * h, tally.tolerance, NUMBER(h));
+        return;
+    }
     fprintf(file, "%s, h = %s: %lld steps to t = %.10g", stepper->name, NUMBER(h), (long long)run->steps,
             (double)run->steps * h);
     if (run->record.frames.turns)
@@ -180,6 +191,14 @@ static void say_end(const struct run *run, FILE *file)
     fprintf(file, "energy: %.10g at t = 0, %.10g at t = %.10g; change %.3g, at most %.3g%s\n", run->energy0,
             run->energy1, run->t, (run->energy1 - run->energy0) / scale, run->drift / scale,
             run->energy0 != 0.0 ? " of it" : "");
+    struct travel_tally tally;
+    if (travel_tally(&run->travel, &tally))
+        fprintf(
+            file,
+            "%lld steps, %.3g long on the mean, %lld made again, and %lld tried to end at rows and frames: %lld force "
+            "evaluations\n",
+            (long long)tally.accepted, run->t / (double)(tally.accepted > 0 ? tally.accepted : 1),
+            (long long)tally.rejected, (long long)tally.cut, (long long)tally.evals);
     fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s\n",
             (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
             run->output, xdmf ? ", .xdmf" : "", run->files.dump ? ", .dump" : "",

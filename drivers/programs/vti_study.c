@@ -42,6 +42,10 @@ static const struct option_row rows[] = {
      "the pendulum); numbers may be written 0.01, 1/64 or 2^-6"},
     {"--t-end", "T", OPTION_TEXT, &end_times, OPTION_ANY,
      "end time (default: the scene's). A run takes the whole steps that fit into it"},
+    {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
+     "choose steps whose estimated error in velocity and spin is at most that, of srkn11, srkn14 and srkn6; the steps "
+     "of "
+     "--h are then only where runs are compared"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--sweep", "PATH=VALUES", OPTION_EACH, &sweeps, OPTION_ANY,
      "the study at each of many values of the scene: a range 1:1000 or 0:1:1/8 (ends included) or a list 100,200; may "

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "rival.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "number.h"
@@ -139,6 +140,19 @@ static int refused(const struct course *c, int status, struct message *message)
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
     return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->stepper.name, NUMBER(c->h),
                        (double)c->steps * c->h, model_text(c->model, status));
+}
+
+int course_fastest(struct course *c, double *most, struct message *message)
+{
+    vti_stable stable;
+    vti_deformation at = model_deformation(c->model, &c->model->bodies);
+    at.strain = 0.0;
+    at.meet = 0; /* what is fast here, not what may become so */
+    if (model_stable_step(c->model, &c->model->bodies, &at, &stable, message) != 0)
+        return -1;
+    const double fastest = fmax(2.0 * c->h / stable.h, vti_max_turn(c->h, &c->bodies));
+    *most = fastest > 0.0 ? fastest : 1.0;
+    return 0;
 }
 
 int course_begin(struct course *c, struct message *message)

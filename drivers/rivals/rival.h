@@ -10,6 +10,7 @@
 #include "model.h"
 
 struct course;
+struct travel_tally; /* travel.h */
 
 /** evals: of a step; 0 where they vary. reach: as in vti_stepper, NaN where nobody has worked it out. */
 #define RIVAL_STEPPER(NAME, ORDER, LAG, EVALS, REACH, ABOUT)                                                           \
@@ -45,6 +46,10 @@ const struct rival *rival_unlisted(int64_t i);
  *  vti_multistep_count(). The first call for an i is not for two threads. */
 const struct rival *multistep_at(int64_t i);
 
+/** The same of those that choose their steps by a tolerance: their table is the vti_stepper that they step by. NULL
+ *  outside 0 <= i < 3. */
+const struct rival *controlled_at(int64_t i);
+
 /** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
  *  the model does not have are NULL. x, v, w, f and m are the model's own memory. */
 struct course {
@@ -63,7 +68,7 @@ struct course {
     vti_fault fault;
 };
 
-enum { COURSE_NUMBERS = 3 };
+enum { COURSE_NUMBERS = 10 };
 
 /** The model at t = 0 with a rival that steps it by h. Returns NULL with one line in *message if that cannot be. */
 struct course *course_create(const struct rival *rival, struct model *model, double h, struct message *message);
@@ -75,6 +80,13 @@ int course_begin(struct course *course, struct message *message);
 int course_go(struct course *course, int64_t steps, struct message *message);
 /** The bodies after these steps, velocities as the rival keeps them. */
 const vti_bodies *course_bodies(struct course *course);
+
+/** h times the fastest that there is, of the frequencies that vti_stable_step allows for and the spins of the bodies as
+ *  they stand; 1 if nothing oscillates or spins. Returns 0, or -1 with one line in *message. */
+int course_fastest(struct course *course, double *most, struct message *message);
+
+/** Of a course that is controlled_at some number (travel.h). */
+void course_tally(const struct course *course, struct travel_tally *tally);
 
 /** Forces and moments of the bodies as they stand. */
 static inline int course_forces(struct course *course)

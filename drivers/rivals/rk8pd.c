@@ -81,25 +81,12 @@ static int prepare(struct course *c, struct message *message)
     return tool->step != NULL ? 0 : -1;
 }
 
-/** The tolerance that h stands for. */
-static int tolerance_of(const struct course *c, double *epsilon, struct message *message)
-{
-    vti_stable stable;
-    vti_deformation at = model_deformation(c->model, &c->model->bodies);
-    at.strain = 0.0;
-    at.meet = 0; /* what is fast here, not what may become so */
-    if (model_stable_step(c->model, &c->model->bodies, &at, &stable, message) != 0)
-        return -1;
-    const double most = fmax(2.0 * c->h / stable.h, vti_max_turn(c->h, &c->bodies));
-    *epsilon = fmax(share * plain_power(most > 0.0 ? most : 1.0, ORDER), least);
-    return 0;
-}
-
 static int prepare_adaptive(struct course *c, struct message *message)
 {
-    double epsilon;
-    if (prepare(c, message) != 0 || tolerance_of(c, &epsilon, message) != 0)
+    double most;
+    if (prepare(c, message) != 0 || course_fastest(c, &most, message) != 0)
         return -1;
+    const double epsilon = fmax(share * plain_power(most, ORDER), least);
     struct tool *tool = c->tool;
     c->number[STEP] = c->h;
     tool->control = control_new(epsilon);

@@ -25,6 +25,8 @@ static void collect(void)
     for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
         methods[methods_count++] = &rival_at(i)->stepper;
     methods_all = methods_count;
+    for (int64_t i = 0; controlled_at(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &controlled_at(i)->stepper;
     for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
         methods[methods_all++] = &rival_unlisted(i)->stepper;
 }
@@ -32,8 +34,10 @@ static void collect(void)
 /** What scenes may name beside the steppers of the core. */
 static const vti_stepper *admitted_at(int64_t i)
 {
-    const int64_t ours = vti_multistep_count();
-    const struct rival *way = i < ours ? multistep_at(i) : rival_at(i - ours);
+    const int64_t ours = vti_multistep_count(), rivals = rival_count();
+    const struct rival *way = i < ours            ? multistep_at(i)
+                              : i < ours + rivals ? rival_at(i - ours)
+                                                  : controlled_at(i - ours - rivals);
     return way != NULL ? &way->stepper : NULL;
 }
 
@@ -75,13 +79,28 @@ const struct rival *method_rival(const vti_stepper *stepper)
     return NULL;
 }
 
+static const struct rival *controlled_of(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; controlled_at(i) != NULL; ++i)
+        if (stepper == &controlled_at(i)->stepper || stepper == controlled_at(i)->table)
+            return controlled_at(i);
+    return NULL;
+}
+
+const vti_stepper *method_controlled(const vti_stepper *stepper)
+{
+    const struct rival *way = controlled_of(stepper);
+    return way != NULL ? &way->stepper : NULL;
+}
+
 /** What takes a model along where that is no list of kicks and drifts; else NULL. */
 static const struct rival *way_of(const vti_stepper *stepper)
 {
     for (int64_t i = 0; multistep_at(i) != NULL; ++i)
         if (stepper == &multistep_at(i)->stepper)
             return multistep_at(i);
-    return method_rival(stepper);
+    const struct rival *way = controlled_of(stepper);
+    return way != NULL && stepper == &way->stepper ? way : method_rival(stepper);
 }
 
 const char *method_kind(const vti_stepper *stepper)
@@ -140,10 +159,10 @@ int travel_check(const vti_stepper *stepper, const struct model *model, struct m
     const vti_effect *e = model_dissipates(model);
     if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
-    const char *const why = way == NULL ? "it has negative coefficients"
-                            : method_rival(stepper) != NULL
-                                ? "rivals have forces alone"
-                                : "a multistep method takes smooth forces of positions alone";
+    const char *const why = way == NULL                     ? "it has negative coefficients"
+                            : method_rival(stepper) != NULL ? "rivals have forces alone"
+                            : way->table != NULL            ? "a step that is undone would have dissipated already"
+                                                 : "a multistep method takes smooth forces of positions alone";
     return message_set(message,
                        "%s: %s dissipates, which the stepper %s cannot do: %s; take vti2, vti1, exact or chin4",
                        model->scene->name, e->name, stepper->name, why);
@@ -152,8 +171,15 @@ int travel_check(const vti_stepper *stepper, const struct model *model, struct m
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message)
 {
-    const struct rival *way = way_of(stepper);
     memset(travel, 0, sizeof *travel);
+    if (model->scene->tolerance > 0.0 && method_controlled(stepper) == NULL)
+        return message_set(
+            message,
+            "%s: tolerance: the stepper %s has no estimate of its error to choose steps by; take srkn11, "
+            "srkn14 or srkn6, or leave the tolerance out",
+            model->scene->name, stepper->name);
+    stepper = model->scene->tolerance > 0.0 ? method_controlled(stepper) : stepper;
+    const struct rival *way = way_of(stepper);
     travel->stepper = stepper;
     travel->model = model;
     travel->h = h;
@@ -187,6 +213,14 @@ int64_t travel_force_evals(const struct travel *travel)
     if (travel->course != NULL)
         return travel->course->evals;
     return travel->steps > 0 ? 1 + travel->steps * travel->stepper->evals : 0;
+}
+
+int travel_tally(const struct travel *travel, struct travel_tally *tally)
+{
+    if (travel->course == NULL || controlled_of(travel->stepper) == NULL)
+        return 0;
+    course_tally(travel->course, tally);
+    return 1;
 }
 
 double *travel_state(struct travel *travel, int64_t *count)

@@ -22,6 +22,9 @@ const vti_stepper *method_at(int64_t i);
 const vti_stepper *method_find(const char *name);
 /** NULL for a method of the core. */
 const struct rival *method_rival(const vti_stepper *stepper);
+/** The stepper with steps by a tolerance, such as "srkn11-tol" of srkn11; itself if it is one; NULL if it has no
+ *  estimate of its error. */
+const vti_stepper *method_controlled(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */
 const char *method_kind(const vti_stepper *stepper);
 
@@ -48,7 +51,8 @@ struct travel {
  *  *message. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
 
-/** Prepares *stepper to take *model, at t = 0, by steps of h. The model must outlive the travel and be left alone by
+/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance, by steps that keep it, and
+ *  h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
  *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
@@ -75,6 +79,18 @@ void travel_resume(struct travel *travel, int64_t steps);
 /** Force evaluations of a run to here without a stop, the first at t = 0 included: what a stop costs (a stepper
  *  takes the forces again when it goes on) is not counted. */
 int64_t travel_force_evals(const struct travel *travel);
+
+/** What steps by a tolerance have come to. */
+struct travel_tally {
+    int64_t accepted, rejected; /* steps taken, and steps undone because their errors were too large */
+    int64_t cut;                /* steps tried to end where somebody looked, which are undone thereafter */
+    int64_t evals;              /* force evaluations of all of them */
+    double longest;             /* step since the look before; 0 at first */
+    double tolerance;
+};
+
+/** 1, and the tally, of steps by a tolerance; else 0. */
+int travel_tally(const struct travel *travel, struct travel_tally *tally);
 
 void travel_destroy(struct travel *travel);
 

@@ -54,6 +54,8 @@ static int open_scene(struct run *run, struct message *message)
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
     if (start_threads(run, message) != 0)
         return -1;
+    if (run->scene.tolerance > 0.0 && method_controlled(run->scene.stepper) != NULL)
+        run->scene.stepper = method_controlled(run->scene.stepper);
     return travel_create(&run->travel, run->scene.stepper, &run->model, run->scene.h, message);
 }
 
@@ -153,6 +155,13 @@ static int take_checkpoint(struct run *run, struct message *message)
     return taken ? 1 : keep_damaged(&run->journal.keep, "is damaged: its checkpoint is of other bodies", message);
 }
 
+/** How many rows a run has if nobody says: where steps have to be ended for them, as many as frames. */
+static int64_t about_rows(const struct run *run)
+{
+    struct travel_tally tally;
+    return travel_tally(&run->travel, &tally) ? 100 : 1000;
+}
+
 /** Where the run begins, and with what in its journal. */
 static int open_checkpoint(struct run *run, struct message *message)
 {
@@ -177,7 +186,7 @@ static int open_checkpoint(struct run *run, struct message *message)
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
                            (double)run->from * run->scene.h);
     if (choose_every("--record", run->request->record_every, c->record_every,
-                     interval_choose(run->scene.h, run->steps, 1000), &c->record_every, message) != 0 ||
+                     interval_choose(run->scene.h, run->steps, about_rows(run)), &c->record_every, message) != 0 ||
         choose_every("--frames", run->request->frames_every, c->frames_every,
                      interval_choose(run->scene.h, run->steps, 100), &c->frames_every, message) != 0 ||
         journal_start(&run->journal, run->restored || !found ? no_rows : c->rows,

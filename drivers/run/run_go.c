@@ -89,6 +89,9 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
     double row[COLUMNS];
+    struct travel_tally tally;
+    if (travel_tally(&run->travel, &tally))
+        run->verdict.h = tally.longest;
     verdict_row(&run->verdict, t, bodies, row);
     if (!isfinite(row[run->record.columns.total]))
         return broken(run, step, t, bodies, row);
@@ -151,19 +154,35 @@ static enum run_end write_files(struct run *run)
     return RUN_FAILED;
 }
 
+/** Steps between looks: each, or, where a look ends a step that would be longer, as many as rows and frames both need. */
+static int64_t look_every(const struct run *run)
+{
+    struct travel_tally tally;
+    int64_t every = run->checkpoint.record_every, other = run->checkpoint.frames_every;
+    if (!travel_tally(&run->travel, &tally))
+        return 1;
+    while (other != 0) {
+        const int64_t rest = every % other;
+        every = other;
+        other = rest;
+    }
+    return every;
+}
+
 enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
                     struct message *message)
 {
     enum { POLL_BODIES = 8192 };
     struct poll poller = {run, progress};
-    const struct observer observers[] = {{poll, &poller, 1, 1},
-                                         {see_step, run, 1, 1},
+    const int64_t every = look_every(run);
+    const struct observer observers[] = {{poll, &poller, every, 1},
+                                         {see_step, run, every, 1},
                                          {see_row, run, run->checkpoint.record_every, 0},
                                          {see_frame, run, run->checkpoint.frames_every, 0}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = keep_now();
-    run->poll_every = 1 + POLL_BODIES / (run->model.bodies.count + 1);
+    run->poll_every = every > 1 ? every : 1 + POLL_BODIES / (run->model.bodies.count + 1);
     if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {

@@ -95,6 +95,7 @@ struct scene {
 
     const vti_stepper *stepper; /* "vti2" if the file has none; moments are in space */
     double h, t_end;
+    double tolerance; /* of steps that keep it; 0 is none: steps of h */
 };
 
 /** Reads and checks the YAML file at path. overrides are n "path.to.key=value" strings, as they follow --set; they

@@ -75,6 +75,10 @@ static const struct scene_field tail[] = {
     {"stepper", SCENE_STEPPER, SCENE_MAY, SCENE_ANY, AT(stepper), "integrator",
      "vti2 without it; vti-run --list steppers names them all.", NULL},
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
+    {"tolerance", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(tolerance), "estimated error of a step",
+     "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it, and h is only "
+     "between rows.",
+     NULL},
     {"t_end", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(t_end), "time at which the run ends",
      "Time, counted from t = 0; the run ends at the last multiple of h that is not later.", NULL},
 };

@@ -8,7 +8,8 @@
 #define TIME "h: 1/64\nt_end: 1\n"
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define ROOT_KEYS                                                                                                      \
-    "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, h, t_end"
+    "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, h, "      \
+    "tolerance, t_end"
 #define BODY_KEYS "ring, chain, lattice, table, mass, inertia, diameter, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
 #define NOTHING "1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"

@@ -210,6 +210,10 @@ TEST(looking)
         assert_undisturbed(method_at(i), "pendulum", 1.0 / 16);
         assert_undisturbed(method_at(i), "chain", 1.0 / 512);
     }
+    for (int64_t i = 0; controlled_at(i) != NULL; ++i) {
+        assert_undisturbed(&controlled_at(i)->stepper, "pendulum", 1.0 / 16);
+        assert_undisturbed(&controlled_at(i)->stepper, "chain", 1.0 / 64);
+    }
 }
 
 /** When to keep the bodies, and where. */

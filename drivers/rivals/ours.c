@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What the library has beside lists of kicks and drifts at equal steps, as programs run it.
+ *
+ * Multistep methods (EQUATIONS 8.1): K - 1 steps by a stepper that is accurate enough, the accelerations remembered
+ * before each, then one force evaluation a step. What they remember is all that they keep beside the bodies, so that a
+ * checkpoint goes on with it.
+ *
+ * Steps by a tolerance (EQUATIONS 8.3), of the steppers that estimate their error: vti_control chooses them. The tolerance
+ * is the scene's, or, where it has none, SHARE (h f)^(q+1), f the fastest there is, so that steps are in proportion to h.
+ * The last step, cut to end where the caller wants to look, is undone before the next: so neither the path nor the number
+ * of evaluations depends on how often somebody looks. */
+#include "rival.h"
+
+#include <math.h>
+
+#include "plain.h"
+#include "travel.h"
+
+enum { MOST = 16, CONTROLLED = 3 };
+
+static struct rival ways[MOST]; /* in the order of the library's table, filled in as they are asked for */
+
+/* ---- multistep methods ------------------------------------------------------------------------------------------- */
+
+/** Steps of h that begin a run. For the order K + 1 their own has to be K: srkn11 has it up to 8 at the steps that are
+ *  stable, from 9 on kl8 at a quarter of the step. */
+static int start_step(struct course *c, int64_t depth)
+{
+    const vti_stepper *const by = vti_stepper_find(depth < 9 ? "srkn11" : "kl8");
+    const int parts = depth < 9 ? 1 : 4;
+    const double h = c->h / parts;
+    int status = VTI_OK;
+    for (int part = 0; part < parts && status == VTI_OK; ++part) {
+        for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
+            status = vti_step_stage(by, k, h, &c->bodies, &c->fault);
+            if (status == VTI_OK)
+                status = course_forces(c);
+        }
+        if (status == VTI_OK)
+            status = vti_step_finish(by, h, &c->bodies);
+    }
+    return status;
+}
+
+static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
+{
+    int status = vti_multistep_predict(m, c->h, past, &c->bodies, &c->fault);
+    if (status == VTI_OK)
+        status = course_forces(c);
+    return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
+}
+
+/** The numbers of the course: how many accelerations are known. */
+static int go_multistep(struct course *c, int64_t steps)
+{
+    const vti_multistep *const m = vti_multistep_at(c->rival - ways);
+    vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
+    int status = VTI_OK;
+    for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
+        if (past.known < m->depth)
+            status = vti_multistep_record(&past, &c->bodies);
+        if (status == VTI_OK)
+            status = past.known < m->depth ? start_step(c, m->depth) : multistep(c, m, &past);
+        c->number[0] = (double)past.known;
+        c->steps += status == VTI_OK;
+    }
+    return status;
+}
+
+const struct rival *multistep_at(int64_t i)
+{
+    const vti_multistep *m = i < MOST ? vti_multistep_at(i) : NULL;
+    if (m == NULL)
+        return NULL;
+    if (ways[i].go == NULL) {
+        /* evaluations of a step vary, for the first ones take more */
+        const struct rival way = {
+            .stepper = RIVAL_STEPPER(m->name, m->depth + 1, 0.0, 0, m->reach, m->about),
+            .own_width = 6 * m->depth,
+            .go = go_multistep,
+            .takes_forces = 1,
+        };
+        ways[i] = way;
+    }
+    return &ways[i];
+}
+
+/* ---- steps by a tolerance ---------------------------------------------------------------------------------------- */
+
+static const double share = 1e-6, shortest = 0x1p-40;
+
+/** Numbers of a course: the tolerance, where it is and what it would try next, what programs are told of it, and
+ *  whether the bodies are those of a step that was cut, with the evaluations that it took. */
+enum { TOLERANCE, TIME, STEP, HELD, LONGEST, ACCEPTED, REJECTED, CUT, IS_CUT, CUT_EVALS };
+
+/** Of own, a body's sums, its copy before the step, and its copy at the end of the last step that was not cut. */
+enum { ROWS = 3, SUMS = 6 * ROWS, KEEPS = 19 };
+
+static vti_kept kept_before(const struct course *c)
+{
+    const vti_kept kept = {c->own + SUMS * c->n, KEEPS};
+    return kept;
+}
+
+static vti_kept kept_free(const struct course *c)
+{
+    const vti_kept kept = {c->own + (SUMS + KEEPS) * c->n, KEEPS};
+    return kept;
+}
+
+static vti_control control_of(const struct course *c)
+{
+    vti_control control;
+    vti_control_start(c->rival->table, c->number[TOLERANCE], c->number[STEP], &control);
+    control.held = (int64_t)c->number[HELD];
+    control.least = shortest * c->h;
+    return control;
+}
+
+static int prepare_controlled(struct course *c, struct message *message)
+{
+    const vti_stepper *const by = c->rival->table;
+    double most;
+    c->number[STEP] = c->h;
+    c->number[TOLERANCE] = c->model->scene->tolerance;
+    if (c->number[TOLERANCE] > 0.0)
+        return 0;
+    if (course_fastest(c, &most, message) != 0)
+        return -1;
+    c->number[TOLERANCE] = share * plain_power(most, (int)by->estimate_order + 1);
+    return 0;
+}
+
+/** A step, and what it errs by in v and in Omega. */
+static int watched_step(struct course *c, double h, double error[2])
+{
+    const vti_stepper *const by = c->rival->table;
+    const vti_errors errors = {c->own, ROWS};
+    int status = vti_step_watch(by, 0, h, &c->bodies, &errors);
+    for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
+        status = vti_step_stage(by, k, h, &c->bodies, &c->fault);
+        if (status == VTI_OK)
+            status = course_forces(c);
+        if (status == VTI_OK)
+            status = vti_step_watch(by, k + 1, h, &c->bodies, &errors);
+    }
+    if (status == VTI_OK)
+        status = vti_step_finish(by, h, &c->bodies);
+    return status == VTI_OK ? vti_step_error(by, &c->bodies, &errors, &error[0], &error[1]) : status;
+}
+
+/** A step of h is tried, and undone if it is not accepted. One that fails is too long, until none is short enough. */
+static int try_step(struct course *c, vti_control *control, double h, int64_t *accepted)
+{
+    const vti_kept before = kept_before(c);
+    double error[2] = {NAN, NAN};
+    *accepted = 0;
+    int status = vti_step_keep(&c->bodies, &before);
+    if (status != VTI_OK)
+        return status;
+    status = watched_step(c, h, error);
+    if (status != VTI_OK)
+        error[0] = error[1] = NAN;
+    const int judged = vti_control_judge(control, h, error[0], error[1], accepted);
+    if (!*accepted)
+        vti_step_undo(&c->bodies, &before);
+    return judged == VTI_OK || status == VTI_OK ? judged : status;
+}
+
+/** All steps that end before the time end. */
+static int free_steps(struct course *c, double end)
+{
+    vti_control control = control_of(c);
+    int status = VTI_OK;
+    while (status == VTI_OK && c->number[TIME] + control.h < end) {
+        const double h = control.h;
+        int64_t accepted;
+        status = try_step(c, &control, h, &accepted);
+        if (accepted) {
+            c->number[TIME] += h;
+            c->number[LONGEST] = fmax(c->number[LONGEST], h);
+        }
+    }
+    c->number[STEP] = control.h;
+    c->number[HELD] = (double)control.held;
+    c->number[ACCEPTED] += (double)control.accepted;
+    c->number[REJECTED] += (double)control.rejected;
+    return status;
+}
+
+/** From there to the time end, where the bodies are shown. */
+static int cut_step(struct course *c, double end)
+{
+    vti_control control = control_of(c);
+    double t = c->number[TIME];
+    int status = VTI_OK;
+    while (status == VTI_OK && t < end) {
+        const double left = end - t, h = fmin(control.h, left);
+        int64_t accepted;
+        status = try_step(c, &control, h, &accepted);
+        if (accepted)
+            t = h < left ? t + h : end;
+    }
+    c->number[CUT] += (double)(control.accepted + control.rejected);
+    return status;
+}
+
+static int go_controlled(struct course *c, int64_t steps)
+{
+    const vti_kept kept = kept_free(c);
+    const double end = (double)(c->steps + steps) * c->h;
+    if (c->number[IS_CUT] != 0.0)
+        vti_step_undo(&c->bodies, &kept);
+    c->evals -= (int64_t)c->number[CUT_EVALS];
+    c->number[IS_CUT] = c->number[LONGEST] = 0.0;
+    int status = free_steps(c, end);
+    const int64_t evals = c->evals;
+    if (status == VTI_OK)
+        status = vti_step_keep(&c->bodies, &kept);
+    c->number[IS_CUT] = 1.0;
+    if (status == VTI_OK)
+        status = cut_step(c, end);
+    c->number[CUT_EVALS] = (double)(c->evals - evals);
+    c->number[LONGEST] = fmax(c->number[LONGEST], fmin(c->number[STEP], end));
+    c->steps += status == VTI_OK ? steps : 0;
+    return status;
+}
+
+const struct rival *controlled_at(int64_t i)
+{
+    static const char *const by[CONTROLLED] = {"srkn11", "srkn14", "srkn6"};
+    static const char *const names[CONTROLLED] = {"srkn11-tol", "srkn14-tol", "srkn6-tol"};
+    static const char *const about[CONTROLLED] = {
+        "srkn11 with steps chosen by their errors: by the tolerance, or without one in proportion to h",
+        "srkn14 with steps chosen by their errors: by the tolerance, or without one in proportion to h",
+        "srkn6 with steps chosen by their errors: by the tolerance, or without one in proportion to h"};
+    static struct rival controlled[CONTROLLED];
+    if (i < 0 || i >= CONTROLLED)
+        return NULL;
+    if (controlled[i].go == NULL) {
+        const vti_stepper *s = vti_stepper_find(by[i]);
+        const struct rival way = {
+            .stepper = RIVAL_STEPPER(names[i], s->order, 0.0, 0, NAN, about[i]),
+            .table = s,
+            .own_width = SUMS + 2 * KEEPS,
+            .prepare = prepare_controlled,
+            .go = go_controlled,
+            .takes_forces = 1,
+        };
+        controlled[i] = way;
+    }
+    return &controlled[i];
+}
+
+void course_tally(const struct course *c, struct travel_tally *tally)
+{
+    const vti_stepper *const by = c->rival->table;
+    const double *number = c->number;
+    tally->accepted = (int64_t)number[ACCEPTED];
+    tally->rejected = (int64_t)number[REJECTED];
+    tally->cut = (int64_t)number[CUT];
+    tally->evals = 1 + (tally->accepted + tally->rejected + tally->cut) * by->evals;
+    tally->longest = number[LONGEST];
+    tally->tolerance = number[TOLERANCE];
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Steps by a tolerance through the seam of the programs: where they lead does not depend on who looks, errors go with the
+ * tolerance, touches make steps short, momenta stay, and what cannot be served is refused. */
+#include "journey.h"
+
+/** A journey of the scene with that tolerance to step steps of h. */
+static struct travel_tally arrive(struct journey *j, const char *where, const char *name, double tolerance, double h,
+                                  int64_t steps)
+{
+    struct scene scene;
+    struct travel_tally tally;
+    read_scene(where, &scene);
+    scene.tolerance = tolerance;
+    begin(j, &scene, method_of(name), h);
+    go(j, steps);
+    assert_int_equal(travel_tally(&j->travel, &tally), 1);
+    return tally;
+}
+
+TEST(names)
+{
+    static const char *const base[] = {"srkn11", "srkn14", "srkn6"};
+    for (int64_t i = 0; i < 3; ++i) {
+        const vti_stepper *way = &controlled_at(i)->stepper;
+        assert_ptr_equal(method_controlled(method_of(base[i])), way);
+        assert_ptr_equal(method_controlled(way), way);
+        assert_ptr_equal(method_of(way->name), way);
+        assert_string_equal(method_kind(way), "ours");
+        assert_int_equal(way->order, method_of(base[i])->order);
+    }
+    assert_null(controlled_at(-1));
+    assert_null(controlled_at(3));
+    assert_null(method_controlled(method_of("vti2")));
+    assert_null(method_controlled(method_of("an8")));
+}
+
+/** The chain at t = 4 against the reference of studies: a factor of 1000 in the tolerance is more than 30 in errors, and
+ *  the estimate is above the true error of a step. */
+TEST(errors_go_with_the_tolerance)
+{
+    for (int64_t i = 0; i < 3; ++i) {
+        double error[2][2], *truth = NULL;
+        vti_bodies reference;
+        for (int level = 0; level < 2; ++level) {
+            struct journey j;
+            const double tolerance = level == 0 ? 1e-5 : 1e-8;
+            const struct travel_tally tally =
+                arrive(&j, "chain", controlled_at(i)->stepper.name, tolerance, 1.0 / 4, 16);
+            if (truth == NULL)
+                reference = reference_of(&j.scene, 4.0, &truth);
+            const vti_bodies b = travel_bodies(&j.travel);
+            error[level][0] = attitude_distance(&b, &reference);
+            error[level][1] = velocity_distance(&b, &reference);
+            print_message("%s, tolerance %g: %d steps, %d undone: attitudes to %.2e, velocities to %.2e\n",
+                          controlled_at(i)->stepper.name, tolerance, (int)tally.accepted, (int)tally.rejected,
+                          error[level][0], error[level][1]);
+            assert_true(error[level][0] < 4.0 * tolerance && error[level][1] < 40.0 * tolerance);
+            end(&j);
+        }
+        free(truth);
+        assert_true(error[1][0] < error[0][0] / 30 && error[1][1] < error[0][1] / 30);
+    }
+}
+
+/** Evaluations are those of all steps that were tried, and of the last look. */
+TEST(tally)
+{
+    struct journey one, many;
+    const struct travel_tally a = arrive(&one, "chain", "srkn11", 1e-6, 1.0 / 16, 64);
+    assert_close(a.tolerance, 1e-6, 0);
+    assert_true(a.accepted > 10 && a.cut >= 1 && a.longest > 0.0);
+    assert_int_equal(a.evals, 1 + 11 * (a.accepted + a.rejected + a.cut));
+    assert_int_equal(travel_force_evals(&one.travel), a.evals);
+    struct travel_tally b = arrive(&many, "chain", "srkn11-tol", 1e-6, 1.0 / 16, 1);
+    for (int k = 1; k < 64; ++k)
+        go(&many, 1);
+    travel_tally(&many.travel, &b);
+    assert_int_equal(b.accepted, a.accepted);
+    assert_int_equal(b.rejected, a.rejected);
+    assert_true(b.cut >= 64);
+    assert_int_equal(travel_force_evals(&many.travel), a.evals); /* what looking costs is not counted there */
+    end(&one);
+    struct travel_tally none;
+    begin(&one, &one.scene, method_of("srkn11-tol"), 1.0 / 16);
+    assert_int_equal(travel_tally(&one.travel, &none), 1);
+    end(&one);
+    one.scene.tolerance = 0.0;
+    begin(&one, &one.scene, method_of("exact"), 1.0 / 16);
+    assert_int_equal(travel_tally(&one.travel, &none), 0);
+    end(&one);
+    end(&many);
+}
+
+/** What an observer of each look finds. */
+struct watch {
+    double p[3], l[3], off;
+    int64_t looks;
+};
+
+static int see(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    struct watch *w = self;
+    static const double origin[3] = {0, 0, 0};
+    double p[3], l[3];
+    (void)t;
+    vti_momentum(b, p);
+    vti_angular_momentum(b, origin, l);
+    for (int k = 0; k < 3; ++k) {
+        w->p[k] = step == 0 ? p[k] : w->p[k];
+        w->l[k] = step == 0 ? l[k] : w->l[k];
+        w->off = fmax(w->off, fmax(fabs(p[k] - w->p[k]), fabs(l[k] - w->l[k])));
+    }
+    ++w->looks;
+    return 0;
+}
+
+TEST(momenta)
+{
+    struct scene scene;
+    struct journey j;
+    struct watch w = {.looks = 0};
+    const struct observer observer = {see, &w, 1, 0};
+    read_scene("chain", &scene);
+    scene.tolerance = 1e-8;
+    begin(&j, &scene, method_of("srkn11"), 1.0 / 8);
+    assert_int_equal(travel_show(&j.travel, 80, &observer, 1, &j.message), 0);
+    assert_int_equal(w.looks, 81);
+    assert_close(w.off, 0, 1e-12); /* rounding of some thousand stages */
+    end(&j);
+}
+
+/** On the torus bodies meet: steps are undone there, and are made shorter. */
+TEST(touches)
+{
+    struct journey j;
+    const struct travel_tally tally = arrive(&j, "torus", "srkn11", 1e-6, 1.0 / 8, 4);
+    print_message("torus: %d steps, %d undone, the longest %.3g\n", (int)tally.accepted, (int)tally.rejected,
+                  tally.longest);
+    assert_true(tally.rejected > 10 && tally.accepted > tally.rejected);
+    end(&j);
+}
+
+static void assert_refused(const char *where, const char *name, double tolerance, const char *words)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene(where, &scene);
+    scene.tolerance = tolerance;
+    j.scene = scene;
+    make_model(&j.scene, &j.model);
+    assert_int_equal(travel_create(&j.travel, method_of(name), &j.model, scene.h, &j.message), -1);
+    if (strstr(j.message.text, words) == NULL)
+        fail_msg("'%s' does not say '%s'", j.message.text, words);
+    model_destroy(&j.model);
+}
+
+TEST(refused)
+{
+    assert_refused("chain", "vti2", 1e-6, "vti2 has no estimate of its error");
+    assert_refused("chain", "an8", 1e-6, "take srkn11");
+    assert_refused("chain", "rk8pd-adaptive", 1e-6, "no estimate");
+    assert_refused("drum", "srkn11", 1e-6, "a step that is undone would have dissipated already");
+    assert_refused("drum", "srkn11-tol", 0.0, "take vti2, vti1, exact or chin4");
+}
+
+/** A tolerance below rounding is not met by any step. */
+TEST(no_step_is_short_enough)
+{
+    struct scene scene;
+    struct journey j;
+    read_scene("chain", &scene);
+    scene.tolerance = 1e-300;
+    begin(&j, &scene, method_of("srkn11"), 1.0 / 4);
+    assert_int_equal(travel_go(&j.travel, 1, &j.message), -1);
+    assert_non_null(strstr(j.message.text, "ask for less accuracy"));
+    end(&j);
+}
+
+RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
+                    cmocka_unit_test(momenta), cmocka_unit_test(touches), cmocka_unit_test(refused),
+                    cmocka_unit_test(no_step_is_short_enough))
