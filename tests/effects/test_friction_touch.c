@@ -194,6 +194,21 @@ TEST(turned_over)
     assert_close(vti_booked(&effect, 1), before, 4 * EPS);
 }
 
+/** A host's table may hold a load of bodies that are apart: it goes, and as nothing moves nothing is booked. */
+TEST(held_but_apart)
+{
+    for (int mindlin = 0; mindlin < 2; ++mindlin) {
+        touch(0, 0.3, 0, 0);
+        friction.stiffness = mindlin ? 0 : 100;
+        friction.mindlin = mindlin ? 0.8 : 0;
+        m.c.x[0][2] = 1.2;
+        const vti_held load = {1, 2, {1, 0, 0}, {0, 0, 0}, 0};
+        assert_int_equal(vti_history_add(&history, &load), VTI_OK);
+        carried(1);
+        assert_true(history.used == 0 && vti_booked(&effect, 1) == 0);
+    }
+}
+
 /** Bodies that keep forces only, or moments only, get the same ones. */
 TEST(part_of_the_loads)
 {
@@ -302,7 +317,7 @@ TEST(a_length_of_no_pair)
     assert_int_equal(vti_stable_step(&effect, 1, &m.b, &any, scratch, &found), VTI_E_BOND);
 }
 
-RUN_TESTS(cmocka_unit_test(a_length_of_no_pair), cmocka_unit_test(rolling_or_twisting_alone),
-          cmocka_unit_test(sliding_alone), cmocka_unit_test(reach), cmocka_unit_test(touches_without_a_spring),
-          cmocka_unit_test(no_direction), cmocka_unit_test(turned_over), cmocka_unit_test(part_of_the_loads),
-          cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))
+RUN_TESTS(cmocka_unit_test(a_length_of_no_pair), cmocka_unit_test(held_but_apart),
+          cmocka_unit_test(rolling_or_twisting_alone), cmocka_unit_test(sliding_alone), cmocka_unit_test(reach),
+          cmocka_unit_test(touches_without_a_spring), cmocka_unit_test(no_direction), cmocka_unit_test(turned_over),
+          cmocka_unit_test(part_of_the_loads), cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The ledger of dissipating motions by the library, of second order in h, and beside it as most codes step and book them
- * (usual.h), of first. */
+ * The ledger of dissipating motions by the library, of second order in h, and beside it as most codes step and
+ * book them (usual.h), of first. */
 #include "usual.h"
 
 enum { SLOTS = 1024, LEVELS = 4 };

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Contacts as most codes step them, for comparison with the library: velocity Verlet, forces of dashpots and friction from
- * the velocities of half a step, what they take booked as F.v h, the spring of friction turned into the plane of contact
- * by projection and returned to mu F_n along itself. Spheres against each other and against planes at rest. */
+ * Contacts as most codes step them, for comparison with the library: velocity Verlet, forces of dashpots and
+ * friction from the velocities of half a step, what they take booked as F.v h, the spring of friction turned into
+ * the plane of contact by projection and returned to mu F_n along itself. Spheres against each other and against
+ * planes at rest. */
 #ifndef VTI_TESTS_USUAL_H
 #define VTI_TESTS_USUAL_H
 
