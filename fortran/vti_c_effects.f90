@@ -137,6 +137,17 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
+        function c_clump_solid(n, centre, diameter, density, lines, solid, fault) result(status) &
+            bind(c, name='vti_clump_solid')
+            import :: c_double, c_int, c_int64_t, vti_fault, vti_solid
+            integer(c_int64_t), value :: n, lines
+            real(c_double), intent(in) :: centre(3, *), diameter(*)
+            real(c_double), value :: density
+            type(vti_solid), intent(inout) :: solid
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
         function c_clumped_effect(clumped) result(effect) bind(c, name='vti_clumped_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: clumped

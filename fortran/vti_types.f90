@@ -273,6 +273,11 @@ module vti_types
         type(vti_bodies) :: spheres
     end type
 
+    !> The solid that spheres make: moments ascend, principal is x, y, z, w.
+    type, bind(c) :: vti_solid
+        real(c_double) :: mass = 0, centre(3) = 0, moments(3) = 0, principal(4) = 0
+    end type
+
     !> An effect on the spheres of clumps: the addresses of a vti_clumps and of a vti_effect.
     type, bind(c) :: vti_clumped
         type(c_ptr) :: clumps = c_null_ptr, effect = c_null_ptr

@@ -10,6 +10,23 @@
 extern "C" {
 #endif
 
+/** The solid that spheres make: what a body of it weighs. */
+typedef struct vti_solid {
+    double mass;
+    double centre[3];    /**< of mass, where offsets of the spheres begin */
+    double moments[3];   /**< A <= B <= C about it: vti_bodies.moments */
+    double principal[4]; /**< xyzw, w >= 0: takes the principal axes, right-handed, the largest components of the first
+                              two positive, to those of the centres: vti_bodies.principal */
+} vti_solid;
+
+/** Mass, centre and moments of n spheres centre[n][3], diameter[n], of one density, counted once where they overlap
+ *  (EQUATIONS 7.5). Spheres that do not overlap: exactly. Others: along lines parallel to z, exact on each, lines by
+ *  lines of them over the box of the spheres; 256 are good for 1e-4. Time grows with lines^2 n^2. VTI_E_CLUMP, with
+ *  fault->body the sphere, for a diameter that is not positive or a number that is not finite, VTI_E_MASS for such a
+ *  density, VTI_E_COUNT for no spheres or no lines. */
+VTI_API int vti_clump_solid(int64_t n, const double *centre, const double *diameter, double density, int64_t lines,
+                            vti_solid *solid, vti_fault *fault);
+
 /** The spheres of clumps. Sphere s belongs to body i = body[s] - base and sits at rho = offset[s] in it. To effects the
  *  spheres are bodies of their own, numbered as in this list: contacts, walls, friction, bonds and a host's own effects
  *  act on them as they are. All memory is the caller's. */

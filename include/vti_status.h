@@ -85,9 +85,9 @@ extern "C" {
         "has no moments, or they stand beside inertia, omega_low or a multistep method, or omega alone without an "    \
         "attitude; give spin and three moments for each body, or three for all")                                       \
     ROW(VTI_E_CLUMP, -25,                                                                                              \
-        "a sphere of a clump belongs to no body that exists or to one before that of the last sphere, or its offset "  \
-        "is not finite, or an effect on the spheres damps by a flow, which acts on whole bodies only; sort the "       \
-        "spheres by body, or damp by drag on the bodies")
+        "a sphere of a clump belongs to no body that exists or to one before that of the last sphere, or its place is "\
+        "not finite or its diameter not positive, or an effect on the spheres damps by a flow, which acts on whole "   \
+        "bodies only; sort the spheres by body, or damp by drag on the bodies")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

@@ -166,6 +166,7 @@ contains
         type(vti_clumps), target :: of_all
         type(vti_clumped), target :: clumped
         type(vti_clumped), pointer :: at
+        type(vti_solid) :: solid
         type(vti_gravity), target :: field = vti_gravity([0.0_c_double, 0.0_c_double, 2.0_c_double])
         type(vti_gravity), pointer :: g
         type(vti_effect), target :: inner
@@ -215,6 +216,14 @@ contains
         effect(1) = vti_clumped_effect(at)
         call expect_status(vti_apply(effect, b), VTI_OK, 'an effect on clumps')
         call expect(all(abs(force(3, :) - 4) <= 0), 'the weight of two spheres')
+        call expect_status(vti_clump_solid(offset(:, 1:1), [2.0_c_double], 3.0_c_double, 1_c_int64_t, solid), VTI_OK, &
+            'a sphere')
+        call expect(abs(solid%moments(3) - 0.4_c_double*solid%mass) < 1e-14_c_double*solid%mass, 'its moments')
+        call expect_status(vti_clump_solid(offset(:, 1:2), [1.0_c_double, -1.0_c_double], 3.0_c_double, 8_c_int64_t, &
+            solid, fault), VTI_E_CLUMP, 'a diameter below 0')
+        call expect(fault%body == 2, 'of the second sphere')
+        call expect_status(vti_clump_solid(offset(1:2, :), [1.0_c_double], 3.0_c_double, 8_c_int64_t, solid, fault), &
+            VTI_E_COUNT, 'places in a plane')
         nullify (offsets)
         of_all = vti_clumps_of(bodies, offsets, spheres)
         call expect_status(vti_clumps_check(of_all, n), VTI_E_COUNT, 'no offsets')

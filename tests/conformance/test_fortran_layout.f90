@@ -87,6 +87,7 @@ contains
         type(vti_spring), target :: spring
         type(vti_clumps), target :: clumps
         type(vti_clumped), target :: clumped
+        type(vti_solid), target :: solid
         type(vti_deformation), target :: deformation
         type(vti_stable), target :: stable
         type(vti_sum), target :: sum
@@ -165,6 +166,8 @@ contains
             c_loc(spring%lever_i), c_loc(spring%lever_j)])
         call add(c_sizeof(clumps), c_loc(clumps), [c_loc(clumps%count), c_loc(clumps%body), c_loc(clumps%base), &
             c_loc(clumps%offset), c_loc(clumps%spheres)])
+        call add(c_sizeof(solid), c_loc(solid), [c_loc(solid%mass), c_loc(solid%centre), c_loc(solid%moments), &
+            c_loc(solid%principal)])
         call add(c_sizeof(clumped), c_loc(clumped), [c_loc(clumped%clumps), c_loc(clumped%effect)])
         call add(c_sizeof(deformation), c_loc(deformation), [c_loc(deformation%overlap), &
             c_loc(deformation%strain), c_loc(deformation%meet)])

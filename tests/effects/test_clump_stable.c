@@ -82,8 +82,8 @@ TEST(bonds_at_rest)
     assert_true(nearest > 0.7);
 }
 
-/** One bond of shear and moment between spheres far from the centres of bodies of any inertia: there bodies turn as they
- *  shear, which the bound takes by halves. */
+/** One bond of shear and moment between spheres far from the centres of bodies of any inertia: there bodies turn as
+ *  they shear, which the bound takes by halves. */
 TEST(levers_that_shear)
 {
     rng g = rng_seed(4125);
