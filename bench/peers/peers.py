@@ -109,6 +109,14 @@ def main():
     falls(heap, folder)
     breaks(agglomerate, folder)
     bursts(scenes.Torus(lammps, vti_run, folder), folder)
+    one = scenes.Bonded(lammps, vti_run, folder)
+    turns = [
+        (who, h, spins, gain)
+        for spins in one.spins
+        for h in (1e-4, 2.5e-5)
+        for who, gain in zip(("LAMMPS", "vti"), one.largest(one.spins[spins], h))
+    ]
+    write(folder, "bonded", ["who", "h", "spins", "gain"], turns)
     ring = scenes.Flight(lammps, vti_run, folder)
     times = [(case.scene, *case.times(rounds)) for case in (pile, heap, agglomerate, ring)]
     write(folder, "times", ["scene", "vti_s", "lammps_s", "ratio", "least", "most"], times)

@@ -12,7 +12,19 @@ import sys
 
 import numpy
 
-from lammps import SCENES, frames, thermo, tsuji_of, vti, vti_columns, vti_command, vti_frames, write_data, zeta_of
+from lammps import (
+    HERE,
+    SCENES,
+    frames,
+    thermo,
+    tsuji_of,
+    vti,
+    vti_columns,
+    vti_command,
+    vti_frames,
+    write_data,
+    zeta_of,
+)
 
 G = 9.81
 
@@ -297,3 +309,48 @@ class Flight(Torus):
         Torus.settings,
         **{"bodies.v": "[1, 0, 0]", "bodies.random.seed": 1, "bodies.random.v": 0.1, "bodies.random.omega": 0.1},
     )
+
+
+class Bonded(Torus):
+    """Two spheres with a bond of the ring that spin against each other, far from the plane."""
+
+    t_end = 2.0
+    spins = {
+        "about the same line, (0, 30, 0) and (0, -30, 0)": ((0.0, 30, 0), (0.0, -30, 0)),
+        "about two, (5, 30, 0) and (-5, 10, 20)": ((5.0, 30, 0), (-5.0, 10, 20)),
+        "about two, (0, 60, 0) and (10, -60, 30)": ((0.0, 60, 0), (10.0, -60, 30)),
+    }
+
+    def largest(self, spins, h):
+        """Largest kinetic energy over that at the start, which is all energy that there is: LAMMPS', ours."""
+        x, v, omega = numpy.array([[2.0, 0, 0], [2.0 + self.diameter, 0, 0]]), numpy.zeros((2, 3)), numpy.array(spins)
+        density = numpy.full(2, self.mass / (math.pi / 6 * self.diameter**3))
+        atoms = os.path.join(self.folder, "pair.data")
+        write_data(atoms, x, v, omega, numpy.full(2, self.diameter), density, [(0, 1)], self.room)
+        rows = thermo(self.lammps.run(self.script, **dict(self.variables(h, atoms), every=1)))
+        tables = {name: os.path.join(self.folder, name + ".csv") for name in ("bodies", "bonds")}
+        with open(tables["bodies"], "w", encoding="ascii") as file:
+            print("x,y,z,omega_x,omega_y,omega_z,mass,inertia,diameter", file=file)
+            for place, spin in zip(x, omega):
+                numbers = (*place, *spin, self.mass, self.settings["bodies.inertia"], self.diameter)
+                print(*(repr(float(number)) for number in numbers), sep=",", file=file)
+        with open(tables["bonds"], "w", encoding="ascii") as file:
+            print("i,j\n0,1", file=file)
+        given = {"bodies.table": os.path.abspath(tables["bodies"]), "binder.table": os.path.abspath(tables["bonds"])}
+        out = os.path.join(self.folder, "pair.h5")
+        steps = self.steps(h)
+        vti(
+            self.vti_run,
+            os.path.join(HERE, "bonded.yaml"),
+            out,
+            dict(given, h=h, t_end=steps * h * (1 + 1e-9)),
+            "--record",
+            "1",
+            "--frames",
+            str(steps),
+            "--threads",
+            "1",
+        )
+        columns = vti_columns(out[:-3] + ".csv")
+        ours = columns["kinetic_translation"] + columns["kinetic_rotation"]
+        return (rows[:, 1] + rows[:, 2]).max() / (rows[0, 1] + rows[0, 2]), ours.max() / ours[0]

@@ -40,6 +40,7 @@ FILES = {
     + "".join(f"{who},0.25,{t},{10.0 ** -t},0.725\n" for who in ("vti", "LAMMPS") for t in range(13)),
     "agglomerate": "who,h,t,kinetic,bonds\n"
     + "".join(f"{who},1e-7,{t},{8 - t},{540 - t}\n" for who in ("vti", '"LAMMPS, smooth no"') for t in range(6)),
+    "bonded": "who,h,spins,gain\nvti,1e-4,fast,1\nLAMMPS,1e-4,fast,6.3664\n",
     "torus": "who,h,t,kinetic\n"
     + "".join(f"{who},1e-3,{t},{40 + t}\n" for who in ("vti", "LAMMPS") for t in (0, 2, 3, 3.5, 4, 4.25)),
     "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\nheap,4,1,0.25,0.2,0.3\n",
@@ -82,6 +83,7 @@ def test_page(folder):
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
         "**LAMMPS is the faster one on heap.**",
         "| 3.5 | 43.5 | 43.5 |",
+        "| fast | 1.000 | 6.366 |",
     ):
         check(row in made, f"row {row}")
     for name in ("impact", "heap", "agglomerate"):
