@@ -148,6 +148,15 @@ static void rotate_all(const struct vti_move *move, const vti_bodies *b, int64_t
     turn_of(move, b)(move, b, begin, end);
 }
 
+static void rotate_generally(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const int carry = vti_has(&b->alpha_low) || vti_has(&b->spin_low),
+              rotates = vti_has(&b->spin) || vti_has(&b->omega);
+    for (const struct vti_move_kernels *const *k = kernels(end - begin, carry || !rotates); *k != NULL; ++k)
+        begin = (*k)->general(move, b, begin, end);
+    vti_rotor_move(move, b, begin, end);
+}
+
 /** Bodies of one block stay in the first-level cache from their translation to their turn. */
 enum { BLOCK = 256 };
 
@@ -156,8 +165,8 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
     const int kicks = move->before != 0.0 || move->kick != 0.0;
     const int translates = vti_has(&b->v) && ((move->drifts && vti_has(&b->x)) || (kicks && vti_has(&b->force)));
     const int general = vti_has(&b->moments);
-    const int rotates = !general && vti_has(&b->omega) &&
-                        ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
+    const int rotates =
+        !general && vti_has(&b->omega) && ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
     const int64_t last = b->first + b->count;
     for (int64_t begin = b->first; begin < last; begin += BLOCK) {
         const int64_t end = last - begin < BLOCK ? last : begin + BLOCK;
@@ -166,7 +175,7 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b)
         if (rotates)
             rotate_all(move, b, begin, end);
         else if (general)
-            vti_rotor_move(move, b, begin, end);
+            rotate_generally(move, b, begin, end);
     }
 }
 
@@ -224,6 +233,15 @@ int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *
     if (refused && fault != NULL)
         name_worst(move, b, fault);
     return refused ? VTI_E_TOO_LARGE : VTI_OK;
+}
+
+int64_t vti_move_below(const struct vti_move *move, const vti_bodies *b)
+{
+    int64_t i = b->first;
+    int refused = 0;
+    for (const struct vti_move_kernels *const *k = kernels(b->count, vti_has(&b->spin_low)); *k != NULL; ++k)
+        refused |= (*k)->general_reaches(move, b, i, b->first + b->count, &i);
+    return refused ? b->first : i;
 }
 
 /* ---- the public primitives --------------------------------------------------------------------------------------- */

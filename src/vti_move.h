@@ -39,6 +39,9 @@ void vti_rotor_move(const struct vti_move *move, const vti_bodies *b, int64_t be
  *  which the worst is what fault then names. */
 int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault);
 
+/** The first of the bodies of which the kernels do not know that all turns of the closed form are below 1. */
+int64_t vti_move_below(const struct vti_move *move, const vti_bodies *b);
+
 /* ---- many at once ------------------------------------------------------------------------------------------------ */
 
 /** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the
@@ -49,6 +52,10 @@ struct vti_move_kernels {
     int64_t (*rotate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     /** Whether a body's turn of the drift is 1 or more, or NaN; for the bodies up to *stopped. */
     int (*reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped);
+    /** The same two of bodies with moments. */
+    int64_t (*general)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+    int (*general_reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end,
+                           int64_t *stopped);
     /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by turn[][3]: all of
      *  the bodies, whatever the layout (vti_adams_kernels.h). */
     void (*predict)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,

@@ -7,10 +7,16 @@
 
 #if VTI_WIDTH > 1
 
-#include "vti_turn_kernels.h"
+#include "vti_rotor_kernels.h"
 
-const struct vti_move_kernels MOVE_KERNELS = {
-    WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH, translate, rotate, reaches, adams_predict, adams_correct};
+const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
+                                              translate,
+                                              rotate,
+                                              reaches,
+                                              rotate_general,
+                                              reaches_general,
+                                              adams_predict,
+                                              adams_correct};
 
 #else
 
@@ -28,6 +34,7 @@ static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_
     return 0;
 }
 
-const struct vti_move_kernels MOVE_KERNELS = {0, none, none, reaches_none, adams_predict, adams_correct};
+const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          reaches_none,
+                                              none, reaches_none, adams_predict, adams_correct};
 
 #endif

@@ -228,7 +228,7 @@ int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault 
         return VTI_OK;
     int status = VTI_OK;
     double worst = -1.0;
-    for (int64_t i = b->first; i < b->first + b->count && !isnan(worst); ++i) {
+    for (int64_t i = vti_move_below(move, b); i < b->first + b->count && !isnan(worst); ++i) {
         const double most = most_of(move, b, i);
         if (!(most < 1.0) && !(most <= worst)) {
             worst = most;
