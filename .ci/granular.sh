@@ -20,12 +20,14 @@ pour() {
     python3 bench/granular/packing.py settled "$1/out.h5" "$1/beads.csv"
 }
 
-# columns FOLDER: run-out against height; high ones take longer.
+# columns FOLDER: run-out against height, of two packings each; high ones take longer.
 columns() {
-    for count in 50 75 100 150 200 300 450 700 1000; do
-        pour "$1/poured-$count" 10 $count 1
-        beads "$1/column-$count" --set bodies.table="$(realpath "$1/poured-$count/beads.csv")" --h 2e-5 \
-            --t-end $([ $count -gt 300 ] && echo 1 || echo 0.7)
+    for seed in 1 2; do
+        for count in 50 75 100 150 200 300 450 700 1000; do
+            pour "$1/poured-$count-$seed" 10 $count $seed
+            beads "$1/column-$count-$seed" --set bodies.table="$(realpath "$1/poured-$count-$seed/beads.csv")" --h 2e-5 \
+                --t-end "$([ $count -gt 300 ] && echo 1 || echo 0.7)"
+        done
     done
 }
 

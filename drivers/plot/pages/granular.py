@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev granular`:  python3 -m plot.pages.granular FOLDER [--into DIR].  Beads that flow and come to rest: run-out of
-columns, angles of repose, the drum's surface, rebounds. FOLDER holds column-BEADS/out.h5, repose-MU-LENGTH-SEED/out.h5, drum/out.h5 and
+columns, angles of repose, the drum's surface, rebounds. FOLDER holds column-BEADS-SEED/out.h5, repose-MU-LENGTH-SEED/out.h5, drum/out.h5 and
 billiards/out.h5; page and picture go beside them, or with --into as DIR/granular.md and DIR/granular/granular.png."""
 import glob
 import os
@@ -25,16 +25,17 @@ LAWS = "Lajeunesse, Monnier and Homsy (Phys. Fluids 17, 2005) and Lube, Huppert,
 # ---- what a run shows -----------------------------------------------------------------------------------------------
 
 def heap(x, radius):
-    """Which beads are one heap with the lowest beside the wall, by touching; those that roll away alone are not."""
+    """Which beads are one heap, the largest, by touching; those that roll away alone are not."""
     distance = np.linalg.norm(x[:, None] - x[None], axis=2)
     near = distance < NEAR * (radius[:, None] + radius[None])
-    found = np.zeros(len(x), bool)
-    found[np.argmin(x[:, 0] + x[:, 2])] = True
-    while True:
-        grown = np.any(near[found], axis=0)
-        if np.array_equal(grown, found):
-            return found
-        found = grown
+    left, largest = np.ones(len(x), bool), np.zeros(len(x), bool)
+    while np.any(left):
+        found = np.arange(len(x)) == np.argmax(left)
+        while not np.array_equal(grown := np.any(near[found], axis=0), found):
+            found = grown
+        largest = max(largest, found, key=np.sum)
+        left &= ~found
+    return largest
 
 
 def front(x, radius):
@@ -187,7 +188,7 @@ def columns_part(page, some):
         (low, first), (high, second) = power(squat), power(tall)
         page.text(f"Two regimes: {first:.2f} a^{low:.2f} up to a = {SQUAT:g}, {second:.2f} a^{high:.2f} from a = {TALL:g} on; of the furthest bead "
                   f"a^{power(squat, 'furthest')[0]:.2f} and a^{power(tall, 'furthest')[0]:.2f}. In channels {LAWS} found a^1 below 2 to 3 and "
-                  "a^(2/3) above; the factors depend on friction. One run of each height, ten beads wide: points scatter by a bead or two.")
+                  "a^(2/3) above; the factors depend on friction. Columns are ten beads wide, and packings differ: points scatter.")
 
 
 def repose_part(page, found):
