@@ -242,6 +242,13 @@ module vti_c_effects
             real(c_double) :: gap
         end function
 
+        function c_walls_stiffness(walls, w, i) result(stiffness) bind(c, name='vti_walls_stiffness')
+            import :: c_double, c_int64_t, c_ptr
+            type(c_ptr), value :: walls
+            integer(c_int64_t), value :: w, i
+            real(c_double) :: stiffness
+        end function
+
         function c_walls_effect(walls) result(effect) bind(c, name='vti_walls_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: walls

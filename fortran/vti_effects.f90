@@ -26,7 +26,7 @@ module vti_effects
     public :: vti_bonds_between, vti_bonds_rest, vti_bonds_check, vti_bonds_effect, vti_bonds_loads, vti_bonds_sum
     public :: vti_bonds_measure, vti_rupture_effect, vti_rupture_check, vti_rupture_take_out
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
-    public :: vti_walls_at, vti_walls_effect, vti_walls_gap
+    public :: vti_walls_at, vti_walls_effect, vti_walls_gap, vti_walls_stiffness
     public :: vti_clumps_of, vti_clumps_check, vti_clumps_spheres, vti_clumps_spread, vti_clumps_gather
     public :: vti_clumped_effect, vti_clump_solid
 
@@ -479,6 +479,17 @@ contains
         type(vti_effect) :: effect
         if (.not. associated(walls)) return
         if (walls%count >= 0 .and. c_associated(walls%diameter%p)) effect = c_walls_effect(c_loc(walls))
+    end function
+
+    !> K of body i at wall w, both from 1; NaN if there is no such wall.
+    function vti_walls_stiffness(walls, w, i) result(stiffness)
+        type(vti_walls), pointer, intent(in) :: walls
+        integer(c_int64_t), intent(in) :: w, i
+        real(c_double) :: stiffness
+        type(c_ptr) :: p
+        p = c_null_ptr
+        if (associated(walls)) p = c_loc(walls)
+        stiffness = c_walls_stiffness(p, w - 1_c_int64_t, i - 1_c_int64_t)
     end function
 
     !> The distance of the place x from wall w, from 1, where it is now, and in n the unit normal there; NaN, and n = 0,

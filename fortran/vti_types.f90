@@ -252,7 +252,8 @@ module vti_types
 
     !> Rigid walls: planes n.x = offset, which vti_walls_at makes from an array, and cylinders from inside. each,
     !> cylinder and motion are the addresses of arrays, (walls), (7,cylinders) and type(vti_wall_motion) (walls), or
-    !> null; work that of a type(vti_sum), zeros at the start.
+    !> null; work that of a type(vti_sum), zeros at the start. With modulus, E/(1 - nu^2) of the bodies, K follows from
+    !> the materials; moduli is the address of those of the walls, or null: they are rigid.
     type, bind(c) :: vti_walls
         integer(c_int64_t) :: count = 0
         type(c_ptr) :: plane = c_null_ptr
@@ -261,6 +262,8 @@ module vti_types
         type(c_ptr) :: each = c_null_ptr
         integer(c_int64_t) :: cylinders = 0
         type(c_ptr) :: cylinder = c_null_ptr, motion = c_null_ptr, work = c_null_ptr
+        type(vti_scalars) :: modulus
+        type(c_ptr) :: moduli = c_null_ptr
     end type
 
     !> The spheres of clumps; vti_clumps_of makes it from arrays. spheres are the spheres as bodies of their own, views

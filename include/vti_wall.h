@@ -35,11 +35,18 @@ typedef struct vti_walls {
     vti_sum *work;           /**< one, memory of the caller's, {0, 0} at the start, needed where there is motion: the
                                   energy that the moving walls have taken, negative what they have put in, by their
                                   normal forces and by the friction and dashpots on them (EQUATIONS 6.1) */
+    vti_scalars modulus;     /**< E/(1 - nu^2) of the bodies, force/area: K of a body at a wall then follows from the
+                                  material of both, K = (4/3) E* R^3, 1/E* = 1/M_body + 1/M_wall, and stiffness and each
+                                  are 0 and NULL (EQUATIONS 6.6) */
+    const double *moduli;    /**< [count + cylinders], the same of each wall; NULL: they are rigid, 1/M_wall = 0 */
 } vti_walls;
 
 /** The distance of the place x from wall w where it is now, and in n the unit normal there, from the wall to x; on a
  *  cylinder's axis n = 0. NaN, and n as it was, if there is no such wall. */
 VTI_API double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3]);
+
+/** K of body i at wall w, both from 0; NaN if there is no such wall. */
+VTI_API double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i);
 
 /** The effect of *walls, which must outlive it. Energy term: "wall". Where walls move it needs v, carries them along
  *  with each drift, so that its steps are those of vti_effects_begin, and books their work: "work_wall". It stands

@@ -9,17 +9,20 @@
 #ifndef VTI_FACE_H
 #define VTI_FACE_H
 
-#include "vti_internal.h"
+#include "vti_hertz.h"
 
 static inline int64_t vti_faces(const vti_walls *p)
 {
     return p != NULL && p->count >= 0 && p->cylinders >= 0 ? p->count + p->cylinders : 0;
 }
 
-/** K^pw of wall w. */
-static inline double vti_face_stiffness(const vti_walls *p, int64_t w)
+/** K of body i, of that radius, at wall w. */
+static inline double vti_face_stiffness(const vti_walls *p, int64_t w, int64_t i, double radius)
 {
-    return p->each != NULL ? p->each[w] : p->stiffness;
+    if (p->modulus.p == NULL)
+        return p->each != NULL ? p->each[w] : p->stiffness;
+    const double modulus = vti_scalar(&p->modulus, i);
+    return vti_hertz_material(p->moduli != NULL ? vti_hertz_reduced(modulus, p->moduli[w]) : modulus, radius, radius);
 }
 
 /** How wall w moves, NULL if none does. */

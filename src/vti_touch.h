@@ -88,7 +88,7 @@ static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const
     at->delta = at->length - at->r;
     if (!(at->delta >= -reach) || (w >= p->count && !(vti_dot(at->n, at->n) > 0.0)))
         return 0;
-    at->stiffness = vti_face_stiffness(p, w);
+    at->stiffness = vti_face_stiffness(p, w, i, at->length);
     at->s_i = 1.0;
     at->s_j = 0.0;
     at->moves = p->motion != NULL;

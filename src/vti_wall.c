@@ -6,7 +6,6 @@
  * A wall that moves at V puts in the work F.V t: at the ends of a drift half of it each, which is what the kicks there
  * give (EQUATIONS 6.1), so that the ledger is as good as that of a wall at rest. */
 #include "vti_face.h"
-#include "vti_hertz.h"
 
 /* ---- checks ------------------------------------------------------------------------------------------------------ */
 
@@ -34,10 +33,11 @@ static int are_good(const vti_walls *p)
 {
     int good = 1;
     for (int64_t w = 0; w < vti_faces(p); ++w) {
-        const double stiffness = vti_face_stiffness(p, w);
+        const double stiffness = p->each != NULL ? p->each[w] : p->stiffness;
+        const double modulus = p->moduli != NULL ? p->moduli[w] : 1.0;
         const vti_wall_motion *const m = vti_face_motion(p, w);
         const int is_plane = w < p->count;
-        good &= isfinite(stiffness) && stiffness >= 0.0;
+        good &= isfinite(stiffness) && stiffness >= 0.0 && isfinite(modulus) && modulus > 0.0;
         good &= is_unit(vti_face_axis(p, w)) && are_finite(vti_face_axis(p, w), is_plane ? 4 : 7);
         good &= is_plane || vti_face_axis(p, w)[6] > 0.0;
         good &= m == NULL || (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) &&
@@ -46,15 +46,17 @@ static int are_good(const vti_walls *p)
     return good;
 }
 
-/** VTI_E_CONTACT unless walls are good, and diameters positive. */
+/** VTI_E_CONTACT unless walls are good, diameters and moduli positive, and K has one source. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
     if (!is_list(p))
         return VTI_E_NULL;
-    int good = are_good(p);
+    const int material = p->modulus.p != NULL;
+    int good = are_good(p) && !(material && (p->each != NULL || p->stiffness != 0.0));
     for (int64_t i = b->first; vti_faces(p) > 0 && i < b->first + b->count; ++i)
-        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0;
+        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0 &&
+                (!material || (isfinite(vti_scalar(&p->modulus, i)) && vti_scalar(&p->modulus, i) > 0.0));
     return good ? VTI_OK : VTI_E_CONTACT;
 }
 
@@ -77,7 +79,7 @@ static void press(const vti_walls *walls, int64_t w, const vti_bodies *b, int64_
         const double o = overlap(&p, w, x, radius, n);
         if (o <= 0.0)
             continue;
-        const double f = vti_hertz_force(vti_face_stiffness(&p, w), radius, o),
+        const double f = vti_hertz_force(vti_face_stiffness(&p, w, i, radius), radius, o),
                      force[3] = {f * n[0], f * n[1], f * n[2]};
         vti_add(&b->force, i, force);
     }
@@ -101,11 +103,12 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     vti_sum sum = {0.0, 0.0};
     for (int64_t w = 0; w < vti_faces(p); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            const double radius = 0.5 * vti_scalar(&p->diameter, i);
             double x[3], n[3];
             vti_load(&b->x, i, x);
-            const double o = overlap(p, w, x, 0.5 * vti_scalar(&p->diameter, i), n);
+            const double o = overlap(p, w, x, radius, n);
             if (!(o <= 0.0))
-                vti_sum_add(&sum, vti_hertz_energy(vti_face_stiffness(p, w), o));
+                vti_sum_add(&sum, vti_hertz_energy(vti_face_stiffness(p, w, i, radius), o));
         }
     energies[0] = vti_sum_value(&sum);
 }
@@ -125,7 +128,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
                                   .i = i,
                                   .j = -1,
                                   .length = radius,
-                                  .axial = vti_hertz_stiffness(vti_face_stiffness(p, w), o)};
+                                  .axial = vti_hertz_stiffness(vti_face_stiffness(p, w, i, radius), o)};
             if (at != NULL || !(o <= 0.0))
                 visit(context, &s);
         }
@@ -134,12 +137,13 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 
 /* ---- walls that move --------------------------------------------------------------------------------------------- */
 
-/** F.V of wall w on a body at x. */
-static double power(const vti_walls *p, int64_t w, const double x[3], double radius)
+/** F.V of wall w on body i at x. */
+static double power(const vti_walls *p, int64_t w, const double x[3], int64_t i)
 {
     double n[3];
-    const double o = overlap(p, w, x, radius, n);
-    return o > 0.0 ? vti_hertz_force(vti_face_stiffness(p, w), radius, o) * vti_dot(n, p->motion[w].velocity) : 0.0;
+    const double radius = 0.5 * vti_scalar(&p->diameter, i), o = overlap(p, w, x, radius, n);
+    return o > 0.0 ? vti_hertz_force(vti_face_stiffness(p, w, i, radius), radius, o) * vti_dot(n, p->motion[w].velocity)
+                   : 0.0;
 }
 
 /** What wall w puts into all bodies over a drift of time t, by whose beginning (at = 0) or end (1) the bodies and the
@@ -152,7 +156,7 @@ static void book(const vti_walls *p, int64_t w, const vti_bodies *b, double t, i
         vti_load(&b->v, i, v);
         for (int k = 0; k < 3 && !at_end; ++k)
             x[k] -= t * v[k];
-        const double put_in = power(p, w, x, 0.5 * vti_scalar(&p->diameter, i));
+        const double put_in = power(p, w, x, i);
         if (put_in != 0.0)
             vti_sum_add(p->work, -0.5 * t * put_in);
     }
@@ -230,6 +234,13 @@ vti_effect vti_walls_effect(const vti_walls *walls)
                                .book = entry,
                                .booked = walls->work};
     return effect;
+}
+
+double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i)
+{
+    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls) || i < 0)
+        return NAN;
+    return vti_face_stiffness(walls, w, i, 0.5 * vti_scalar(&walls->diameter, i));
 }
 
 double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3])

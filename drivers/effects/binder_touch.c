@@ -120,7 +120,8 @@ static int make_bond(struct binder_self *self, const vti_bodies *bodies, const i
     const int64_t place = self->bonds.count, number = self->all;
     vti_fault fault;
     if (number == self->touch.room && grow(self, 2 * number) != 0)
-        return message_set(message, "binder: out of memory for more than %lld bonds; use fewer bodies", (long long)number);
+        return message_set(message, "binder: out of memory for more than %lld bonds; use fewer bodies",
+                           (long long)number);
     move_to_end(self);
     memcpy(self->pair + 2 * place, pair, 2 * sizeof *pair);
     const int status =

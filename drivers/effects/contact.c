@@ -11,6 +11,7 @@
 #include "partings.h"
 #include "scene_reader.h"
 #include "shape.h"
+#include "table.h"
 
 struct contact_settings {
     double stiffness;      /* 0: that of a material */
@@ -41,7 +42,8 @@ static const struct scene_field fields[] = {
     {"contact.young", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct contact_settings, young),
      "Young's modulus E",
      "Force per area, 70e9 of glass in SI units; with contact.poisson in place of contact.stiffness: K^pp of a pair "
-     "follows from its radii, 2/3 E/(1 - nu^2) sqrt(R) D^(5/2), 1/R = 1/R_i + 1/R_j.",
+     "follows from its radii, 2/3 E/(1 - nu^2) sqrt(R) D^(5/2), 1/R = 1/R_i + 1/R_j. Bodies of several materials have "
+     "columns young and poisson in their table, and contact gives none: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j.",
      NULL},
     {"contact.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct contact_settings, poisson),
      "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
@@ -52,19 +54,37 @@ static const struct scene_field fields[] = {
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const int young = scene_reader_has(reader, "contact.young"), poisson = scene_reader_has(reader, "contact.poisson");
-    (void)scene;
     if (scene_reader_has(reader, "contact.stiffness")) {
         if (young || poisson)
             return scene_reader_fail(reader, young ? "contact.young" : "contact.poisson",
                                      "given with contact.stiffness; keep one of them");
         return 0;
     }
+    if (!young && !poisson && scene->arrangement == SCENE_IN_TABLE) /* which may have the bodies' own */
+        return 0;
     if (!young || !poisson)
         return scene_reader_fail(reader, "contact",
                                  "no stiffness; give contact.stiffness, or contact.young and contact.poisson");
     if (((const struct contact_settings *)settings)->poisson > 0.5)
         return scene_reader_fail(reader, "contact.poisson", "'%s' is above 0.5; no material has that",
                                  scene_reader_value(reader, "contact.poisson"));
+    return 0;
+}
+
+/** Stiffness has one source: the scene or the material of the bodies. */
+static int check_tables(const struct model *model, const void *settings, const struct tables *tables,
+                        struct message *message)
+{
+    const struct contact_settings *contact = settings;
+    const struct table *bodies = &tables->bodies;
+    (void)model;
+    if (contact->young > 0.0 && table_has(bodies, BODY_YOUNG))
+        return table_fail_whole(bodies, message,
+                                "gives young, which the scene gives as contact.young too; keep one of them");
+    if (contact->stiffness == 0.0 && contact->young == 0.0 && !table_has(bodies, BODY_YOUNG))
+        return table_fail_whole(bodies, message,
+                                "no columns young and poisson; contact needs them, or contact.stiffness, or "
+                                "contact.young and contact.poisson");
     return 0;
 }
 
@@ -78,7 +98,7 @@ static vti_effect draft(const void *settings, const struct table *table)
     return vti_contacts_effect(&none);
 }
 
-/** K of two bodies of the smallest size. */
+/** K of two bodies of the smallest size, and of the softest material. */
 static double least_stiffness(const struct contact_self *self, int64_t bodies)
 {
     static const int64_t pair[2] = {0, 1};
@@ -89,6 +109,11 @@ static double least_stiffness(const struct contact_self *self, int64_t bodies)
     two.count = 1;
     two.pair = pair;
     two.diameter = vti_scalars_one(&least);
+    double softest = INFINITY;
+    for (int64_t i = 0; two.modulus.p != NULL && i < bodies; ++i)
+        softest = fmin(softest, self->contacts.modulus.p[i * self->contacts.modulus.stride]);
+    if (two.modulus.p != NULL)
+        two.modulus = vti_scalars_one(&softest);
     return vti_contacts_stiffness(&two, 0);
 }
 
@@ -109,9 +134,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->contacts.diameter = model->diameter;
     self->contacts.stiffness = contact->stiffness;
     self->parts = !contact->bonded && shape_breaking(model) != NULL;
-    self->modulus = contact->young / (1.0 - contact->poisson * contact->poisson);
+    self->modulus = hertz_modulus(contact->young, contact->poisson);
     if (contact->young > 0.0)
         self->contacts.modulus = vti_scalars_one(&self->modulus);
+    else if (contact->stiffness == 0.0)
+        self->contacts.modulus = model->modulus;
     self->stiffness = least_stiffness(self, model->bodies.count);
     made->self = &self->contacts;
     const int result =
@@ -269,6 +296,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .settings = sizeof(struct contact_settings),
                                            .check = check,
                                            .draft = draft,
+                                           .check_tables = check_tables,
                                            .spheres = 1,
                                            .make = make,
                                            .destroy = destroy,

@@ -14,4 +14,10 @@ static inline void hertz_deform(double stiffness, double energy, vti_deformation
     at->overlap = fmax(at->overlap, fmin(plain_power(2.5 * energy / stiffness, 0.4), 1.0));
 }
 
+/** E/(1 - nu^2) of a material. */
+static inline double hertz_modulus(double young, double poisson)
+{
+    return young / (1.0 - poisson * poisson);
+}
+
 #endif

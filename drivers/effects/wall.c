@@ -9,7 +9,8 @@
 #include "scene_reader.h"
 
 struct wall_settings {
-    double stiffness;
+    double stiffness;      /* 0: each its own, or that of materials */
+    double young, poisson; /* of the walls, if they have a material */
     struct scene_planes planes;
     struct scene_cylinders cylinders;
     struct scene_numbers each, spins;
@@ -19,6 +20,7 @@ struct wall_settings {
 struct wall_self {
     vti_walls walls;
     vti_wall_motion motion[SCENE_WALLS_MAX];
+    double moduli[SCENE_WALLS_MAX];
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -29,6 +31,13 @@ static const struct scene_field fields[] = {
     {"wall.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, stiffness),
      "stiffness K^pw", "Energy: an overlap costs 2/5 K^pw (1 - g/(D/2))^(5/2), g being the distance of the centre.",
      NULL},
+    {"wall.young", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, young), "Young's modulus E",
+     "Of all walls, with wall.poisson in place of wall.stiffness: K^pw of a body follows from its radius and both "
+     "materials, 4/3 E* R^3, 1/E* = (1 - nu_i^2)/E_i + (1 - nu^2)/E; that of the bodies is contact.young, or columns "
+     "young and poisson of their table.",
+     NULL},
+    {"wall.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct wall_settings, poisson),
+     "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
     {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, planes),
      "planes nx x + ny y + nz z = d", "Rows nx, ny, nz, d; bodies stay where n.x > d; n need not be of unit length.",
      NULL},
@@ -68,8 +77,18 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     const struct wall_settings *wall = settings;
     const int64_t walls = count_of(wall);
     const int one = scene_reader_has(reader, "wall.stiffness"), each = scene_reader_has(reader, "wall.stiffnesses");
+    const int young = scene_reader_has(reader, "wall.young"), poisson = scene_reader_has(reader, "wall.poisson");
     (void)scene;
-    if (!one && !each)
+    if ((young || poisson) && (one || each))
+        return scene_reader_fail(reader, young ? "wall.young" : "wall.poisson", "given with wall.%s; keep one of them",
+                                 one ? "stiffness" : "stiffnesses");
+    if (young != poisson)
+        return scene_reader_fail(reader, young ? "wall.young" : "wall.poisson", "needs wall.%s; give both",
+                                 young ? "poisson" : "young");
+    if (wall->poisson > 0.5)
+        return scene_reader_fail(reader, "wall.poisson", "'%s' is above 0.5; no material has that",
+                                 scene_reader_value(reader, "wall.poisson"));
+    if (!young && !one && !each)
         return scene_reader_fail(reader, "wall.stiffness", "missing; add 'stiffness:', the stiffness K^pw");
     if (one && each)
         return scene_reader_fail(reader, "wall.stiffnesses", "given with wall.stiffness; keep one of them");
@@ -116,6 +135,17 @@ static vti_effect draft(const void *settings, const struct table *table)
     return effect;
 }
 
+/** E/(1 - nu^2) of the bodies: what their contact has, or their table. */
+static vti_scalars modulus_of_bodies(const struct model *model)
+{
+    struct effect_surfaces surfaces = {.contacts = NULL};
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->surfaces != NULL && model->rooms[k].kind->number != EFFECT_wall)
+            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    return surfaces.contacts != NULL && surfaces.contacts->modulus.p != NULL ? surfaces.contacts->modulus
+                                                                             : model->modulus;
+}
+
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
@@ -127,6 +157,17 @@ static int make(struct effect *e, const struct model *model, const struct table 
     fill(&self->walls, wall);
     self->walls.diameter = model->diameter;
     self->walls.work = e->booked;
+    if (wall->young > 0.0) {
+        self->walls.modulus = modulus_of_bodies(model);
+        self->walls.moduli = self->moduli;
+        for (int64_t w = 0; w < count_of(wall); ++w)
+            self->moduli[w] = hertz_modulus(wall->young, wall->poisson);
+        if (self->walls.modulus.p == NULL)
+            return message_set(message,
+                               "%s: wall.young: bodies have no material; give contact.young and contact.poisson, or "
+                               "columns young and poisson of bodies.table",
+                               model->scene->name);
+    }
     for (int64_t w = 0; w < wall->spins.count; ++w)
         self->motion[w].spin = wall->spins.number[w];
     for (int64_t w = 0; w < wall->velocities.count; ++w)
@@ -222,10 +263,11 @@ static double fastest(const vti_walls *walls, const vti_bodies *b)
 /** A wall that moves brings m V^2 on top. */
 static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
 {
-    const struct wall_settings *wall = e->settings;
-    double least = wall->each.count > 0 ? wall->each.number[0] : wall->stiffness, heaviest = 0.0;
-    for (int64_t w = 0; w < wall->each.count; ++w)
-        least = fmin(least, wall->each.number[w]);
+    const int64_t walls = count_of(e->settings), alike = walls_of(e)->modulus.p == NULL;
+    double least = INFINITY, heaviest = 0.0;
+    for (int64_t w = 0; w < walls; ++w)
+        for (int64_t i = 0; i < (alike ? 1 : bodies->count); ++i)
+            least = fmin(least, vti_walls_stiffness(walls_of(e), w, i));
     for (int64_t i = 0; i < bodies->count && walls_of(e)->motion != NULL; ++i)
         heaviest = fmax(heaviest, bodies->mass.p[i * bodies->mass.stride]);
     hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);

@@ -24,6 +24,7 @@ struct model {
     int translates, turns;     /* as views say: x and v, alpha and omega */
     vti_bodies bodies;
     vti_scalars diameter; /* p = NULL if neither scene nor table gives any */
+    vti_scalars modulus;  /* E/(1 - nu^2) of each body; p = NULL if the table gives none */
     vti_effect effects[MODEL_EFFECTS];
     int64_t effects_count;
     struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "arrange.h"
+#include "hertz.h"
 #include "model_parts.h"
 #include "random.h"
 
@@ -37,7 +38,7 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     int64_t width = derives_inertia(model, &tables->bodies);
     width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
     width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
-    for (int k = BODY_MASS; k <= BODY_DIAMETER; ++k)
+    for (int k = BODY_MASS; k <= BODY_YOUNG; ++k)
         width += table_has(&tables->bodies, k);
     return width;
 }
@@ -119,6 +120,12 @@ static void place_properties(struct model *model, const struct tables *tables, d
     model->inertia = s->inertia != 0.0 ? s->inertia : solid_sphere(model->mass, model->sphere);
     const vti_scalars mass = property(block, b->count, t, BODY_MASS, &model->mass);
     model->diameter = property(block, b->count, t, BODY_DIAMETER, &model->sphere);
+    if (table_has(t, BODY_YOUNG)) {
+        double *modulus = take(block, b->count);
+        for (int64_t i = 0; i < b->count; ++i)
+            modulus[i] = hertz_modulus(t->column[BODY_YOUNG][i], t->column[BODY_POISSON][i]);
+        model->modulus = vti_scalars_array(modulus);
+    }
     if (model->translates)
         b->mass = mass;
     if (!model->turns)

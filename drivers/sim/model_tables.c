@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "model_parts.h"
+#include "number.h"
 #include "quote.h"
 #include "table_csv.h"
 
@@ -95,6 +96,16 @@ static int check_turned(const struct scene *s, const struct tables *t, struct me
     return 0;
 }
 
+/** No material has a larger Poisson's ratio. */
+static int check_material(const struct table *bodies, struct message *message)
+{
+    for (int64_t k = 0; table_has(bodies, BODY_POISSON) && k < bodies->rows; ++k)
+        if (bodies->column[BODY_POISSON][k] > 0.5)
+            return table_fail(bodies, k, message, "poisson: '%s' is above 0.5; no material has that",
+                              NUMBER(bodies->column[BODY_POISSON][k]));
+    return 0;
+}
+
 int model_check_tables(struct model *model, const struct tables *tables, struct message *message)
 {
     const struct scene *s = model->scene;
@@ -102,7 +113,8 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
     model->translates = s->translates || table_has(bodies, BODY_X);
     model->turns = s->turns || table_has(bodies, BODY_ALPHA) || table_has(bodies, BODY_OMEGA) ||
                    (model_loads(s, tables) & EFFECT_MOMENT) != 0;
-    if (check_twice(s, tables, message) != 0 || check_effects(model, tables, message) != 0)
+    if (check_twice(s, tables, message) != 0 || check_material(bodies, message) != 0 ||
+        check_effects(model, tables, message) != 0)
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);

@@ -26,7 +26,9 @@ static const struct table_column bodies[] = {{"x", TABLE_ANY},
                                              {"omega_z", TABLE_ANY},
                                              {"mass", TABLE_POSITIVE},
                                              {"inertia", TABLE_POSITIVE},
-                                             {"diameter", TABLE_POSITIVE}};
+                                             {"diameter", TABLE_POSITIVE},
+                                             {"young", TABLE_POSITIVE},
+                                             {"poisson", TABLE_NOT_NEGATIVE}};
 
 const struct table_kind table_bodies = {"bodies", "the scene's table of bodies", bodies,
                                         sizeof bodies / sizeof bodies[0], check_bodies};
@@ -195,6 +197,8 @@ static int check_bodies(const struct table *t, struct message *message)
         }
     if (table_has(t, BODY_V) && !table_has(t, BODY_X))
         return table_fail_columns(t, message, "no columns x, y, z; bodies with vx, vy, vz need them");
+    if (table_has(t, BODY_YOUNG) != table_has(t, BODY_POISSON))
+        return table_fail_columns(t, message, "young and poisson come together; give both");
     return 0;
 }
 

@@ -32,7 +32,8 @@ struct table_kind {
 
 extern const struct table_kind table_bodies;
 
-/** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, mass, inertia, diameter. */
+/** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, mass, inertia, diameter,
+ *  young poisson. */
 enum {
     BODY_X = 0,
     BODY_V = 3,
@@ -41,7 +42,9 @@ enum {
     BODY_VECTORS = 12, /* columns that belong together by threes end here */
     BODY_MASS = 12,
     BODY_INERTIA,
-    BODY_DIAMETER
+    BODY_DIAMETER,
+    BODY_YOUNG,
+    BODY_POISSON
 };
 
 /** No table has more columns. */

@@ -210,6 +210,8 @@ static const int64_t layout[] = {
     AT(vti_walls, cylinder),
     AT(vti_walls, motion),
     AT(vti_walls, work),
+    AT(vti_walls, modulus),
+    AT(vti_walls, moduli),
     SIZE(vti_spring),
     AT(vti_spring, element),
     AT(vti_spring, i),

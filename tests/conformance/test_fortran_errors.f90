@@ -414,6 +414,9 @@ contains
         call expect(abs(vti_walls_gap(gap_of, 1_c_int64_t, place, normal) - 3) < tiny(one), 'gap of a wall')
         call expect(norm2(normal - [0, 0, 1]) < tiny(one), 'normal of a wall')
         call expect(ieee_is_nan(vti_walls_gap(gap_of, 2_c_int64_t, place, normal)), 'gap of a wall that there is not')
+        call expect(abs(vti_walls_stiffness(gap_of, 1_c_int64_t, 1_c_int64_t) - 1) <= 0, 'stiffness of a wall')
+        call expect(ieee_is_nan(vti_walls_stiffness(gap_of, 2_c_int64_t, 1_c_int64_t)), 'stiffness of a wall there is not')
+        call expect(ieee_is_nan(vti_walls_stiffness(no_walls, 1_c_int64_t, 1_c_int64_t)), 'no walls, no stiffness')
         b = good
         b%alpha = vti_view()
         call expect_status(vti_apply(effects(:1), b), VTI_E_NEEDS, 'bonds without attitudes')

@@ -159,7 +159,7 @@ contains
             c_loc(motion%moved)])
         call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &
             c_loc(walls%stiffness), c_loc(walls%each), c_loc(walls%cylinders), c_loc(walls%cylinder), &
-            c_loc(walls%motion), c_loc(walls%work)])
+            c_loc(walls%motion), c_loc(walls%work), c_loc(walls%modulus), c_loc(walls%moduli)])
         call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &
             c_loc(spring%length), c_loc(spring%axial), c_loc(spring%across), c_loc(spring%shear), &
             c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist), &

@@ -68,9 +68,9 @@ static void rows(void **state)
     fields[1].about = "";
     refused("effects/wall.c: wall.stiffness: does not say what it is (about)");
     fields[2].says = NULL;
-    refused("effects/wall.c: wall.planes: has no sentence that documents it (says)");
+    refused("effects/wall.c: wall.young: has no sentence that documents it (says)");
     fields[2].says = "no full stop";
-    refused("effects/wall.c: wall.planes: has no sentence that documents it (says)");
+    refused("effects/wall.c: wall.young: has no sentence that documents it (says)");
     fields[1].kind = SCENE_WORD;
     refused("effects/wall.c: wall.stiffness: has no words");
     fields[1].offset = SCENE_NOWHERE;

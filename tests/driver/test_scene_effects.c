@@ -201,6 +201,14 @@ static const struct refusal refused[] = {
      "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or "
      "too "
      "large"},
+    {POINT WALL(", young: 1") TIME, "2:53: wall.young: given with wall.stiffness; keep one of them"},
+    {POINT WALL(", poisson: 0") TIME, "2:55: wall.poisson: given with wall.stiffness; keep one of them"},
+    {POINT "wall: {stiffnesses: [1], young: 1, planes: [[1, 0, 0, 0]]}\n" TIME,
+     "2:33: wall.young: given with wall.stiffnesses; keep one of them"},
+    {POINT "wall: {young: 1, planes: [[1, 0, 0, 0]]}\n" TIME, "2:15: wall.young: needs wall.poisson; give both"},
+    {POINT "wall: {poisson: 0, planes: [[1, 0, 0, 0]]}\n" TIME, "2:17: wall.poisson: needs wall.young; give both"},
+    {POINT "wall: {young: 1, poisson: 0.6, planes: [[1, 0, 0, 0]]}\n" TIME,
+     "2:27: wall.poisson: '0.6' is above 0.5; no material has that"},
     {POINT WALL(", stiffnesses: [1]") TIME, "2:59: wall.stiffnesses: given with wall.stiffness; keep one of them"},
     {POINT "wall: {stiffnesses: [1, 2], planes: [[1, 0, 0, 0]]}\n" TIME, "2:21: wall.stiffnesses: 2 rows" WALLS},
     {POINT "wall: {stiffnesses: [0], planes: [[1, 0, 0, 0]]}\n" TIME,

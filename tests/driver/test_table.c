@@ -8,7 +8,9 @@
 #include "table_csv.h"
 
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
-#define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
+#define BODY_NAMES                                                                                                     \
+    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, "             \
+    "young, poisson"
 #define BOND_NAMES                                                                                                     \
     "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, "             \
     "break_energy, "                                                                                                   \
@@ -158,6 +160,18 @@ static const struct {
      "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
     {"bodies: {table: b.csv}\n", "mass\n1\n", "",
      "b.csv: nothing moves; give columns x, y, z or omega_x, omega_y, omega_z"},
+    {BODIES "contact: {}\n", "x,y,z,diameter\n0,0,0,1\n", "",
+     "b.csv: no columns young and poisson; contact needs them, or contact.stiffness, or contact.young and "
+     "contact.poisson"},
+    {BODIES "contact: {young: 1, poisson: 0}\n", "x,y,z,diameter,young,poisson\n0,0,0,1,1,0\n", "",
+     "b.csv: gives young, which the scene gives as contact.young too; keep one of them"},
+    {BODIES "contact: {}\n", "x,y,z,diameter,young\n0,0,0,1,1\n", "",
+     "b.csv:1: young and poisson come together; give both"},
+    {BODIES "contact: {}\n", "x,y,z,diameter,young,poisson\n0,0,0,1,1,0.3\n1,0,0,1,1,0.6\n", "",
+     "b.csv:3: poisson: '0.6' is above 0.5; no material has that"},
+    {BODIES "wall: {young: 1, poisson: 0, planes: [[0, 0, 1, 0]]}\n", "x,y,z,diameter\n0,0,1,1\n", "",
+     "t: wall.young: bodies have no material; give contact.young and contact.poisson, or columns young and poisson of "
+     "bodies.table"},
     {BODIES "contact: {stiffness: 1}\n", THREE, "", "b.csv: no column diameter; contact needs it, or bodies.diameter"},
     {"bodies: {table: b.csv, inertia: 1}\ngravity: [0, 0, 1]\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
      "b.csv: no columns x, y, z; gravity needs them"},
@@ -277,6 +291,33 @@ TEST(limits_name_the_bond)
     model_destroy(&model);
 }
 
+/** Bodies of two materials on a wall of a third: U = 2/5 k_H delta^{5/2}, k_H = (4/3) E* sqrt(R*), of a pair and at the
+ *  wall, which alone serves as well. */
+TEST(materials_of_bodies)
+{
+    struct scene scene;
+    struct model model;
+    const double first = 1000 / (1 - 0.09), other = 4000 / (1 - 0.04), plane = 8000 / (1 - 0.0625);
+    const double pair = 1 / (1 / first + 1 / other), low = 1 / (1 / first + 1 / plane);
+    const double in_pair = 0.4 * 4 / 3 * pair * sqrt(1 / (1 / 0.5 + 1 / 1.0)) * pow(0.1, 2.5);
+    const double at_wall = 0.4 * 4 / 3 * low * sqrt(0.5) * pow(0.05, 2.5);
+    write_text("b.csv", "x,y,z,diameter,young,poisson\n0,0,0.45,1,1000,0.3\n1.4,0,0.45,2,4000,0.2\n");
+    for (int k = 0; k < 4; ++k) {
+        char text[256];
+        snprintf(text, sizeof text, "bodies: {table: b.csv, mass: 1}\n%s%s" TIME, k % 2 == 0 ? "contact: {}\n" : "",
+                 k > 0 ? "wall: {young: 8000, poisson: 0.25, planes: [[0, 0, 1, 0], [1, 0, 0, -9]]}\n" : "");
+        if (k == 3)
+            write_text("b.csv", "x,y,z,diameter,young,poisson\n0,0,0.45,1,1000,0.3\n1.6,0,2.45,2,4000,0.2\n");
+        make_model(text, &scene, &model);
+        /* the second sphere is pressed into the wall by 0.55, at first */
+        const double deep = k == 3 ? 0 : 0.4 * 4 / 3 / (1 / other + 1 / plane) * pow(0.55, 2.5);
+        const double expected = (k % 2 == 0 ? in_pair : 0) + (k > 0 ? at_wall + deep : 0);
+        assert_close(model_energy(&model, &model.bodies), expected, 1e-13 * (1 + expected));
+        assert_true(isfinite(model_deformation(&model, &model.bodies).overlap));
+        model_destroy(&model);
+    }
+}
+
 /** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
 TEST(what_tables_add)
 {
@@ -318,5 +359,5 @@ TEST(given_tables)
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
                     cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
                     cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
-                    cmocka_unit_test(limits_name_the_bond), cmocka_unit_test(what_tables_add),
-                    cmocka_unit_test(given_tables))
+                    cmocka_unit_test(materials_of_bodies), cmocka_unit_test(limits_name_the_bond),
+                    cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))

@@ -11,7 +11,8 @@
 #include "table_csv.h"
 #include "table_hdf5.h"
 
-#define BODY_NAMES "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter"
+#define BODY_NAMES                                                                                                     \
+    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, young, poisson"
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 

@@ -64,6 +64,54 @@ static void move(void)
     m.walls.work = &work;
 }
 
+/* ---- walls of a material ----------------------------------------------------------------------------------------- */
+
+/** K = (4/3) E* R^3, 1/E* = 1/M_i + 1/M_w, of bodies and walls of their own materials: forces are (4/3) E* sqrt(R)
+ *  delta^{3/2}, and loads, energies and springs those of a wall of that stiffness, to rounding. */
+TEST(materials)
+{
+    rng g = rng_seed(1421);
+    for (int trial = 0; trial < 200; ++trial) {
+        double bodies[4], walls[3], d[3];
+        begin(4, 3, 0);
+        for (int i = 0; i < 4; ++i) {
+            m.diameter[i] = uniform(&g, 0.5, 2);
+            bodies[i] = uniform(&g, 1e3, 1e5);
+            for (int w = 0; w < 3; ++w)
+                m.c.x[i][w] = m.diameter[i] * uniform(&g, 0.4, 0.6);
+        }
+        for (int w = 0; w < 3; ++w) {
+            for (int k = 0; k < 4; ++k)
+                m.plane[w][k] = k == w;
+            walls[w] = uniform(&g, 1e3, 1e5);
+        }
+        m.walls.modulus = vti_scalars_array(bodies);
+        m.walls.moduli = trial & 1 ? walls : NULL;
+        const vti_effect effect = vti_walls_effect(&m.walls);
+        const vti_bodies b = m.b;
+        long double energy = 0;
+        assert_int_equal(vti_apply(&effect, 1, &b), VTI_OK);
+        for (int i = 0; i < 4; ++i)
+            for (int w = 0; w < 3; ++w) {
+                const long double radius = 0.5L * m.diameter[i], delta = fmaxl(radius - m.c.x[i][w], 0);
+                const long double stiff = 1 / (1.0L / bodies[i] + (trial & 1 ? 1.0L / walls[w] : 0));
+                const long double k_h = 4 * stiff * sqrtl(radius) / 3, force = k_h * delta * sqrtl(delta);
+                d[w] = m.c.force[i][w];
+                /* delta is the difference of what rounds by an eps of the radius */
+                assert_close(d[w], force, 16 * EPS * (force + k_h * sqrtl(delta) * radius));
+                assert_close(vti_walls_stiffness(&m.walls, w, i), k_h * powl(radius, 2.5L),
+                             16 * EPS * k_h * powl(radius, 2.5L));
+                energy += 0.4L * k_h * delta * delta * sqrtl(delta);
+            }
+        assert_close(vti_energy(&effect, 1, &b), energy, 1e3 * EPS * (energy + 1e5));
+    }
+    assert_true(isnan(vti_walls_stiffness(NULL, 0, 0)) && isnan(vti_walls_stiffness(&m.walls, 3, 0)));
+    assert_true(isnan(vti_walls_stiffness(&m.walls, -1, 0)) && isnan(vti_walls_stiffness(&m.walls, 0, -1)));
+    m.walls.modulus.p = NULL;
+    m.walls.stiffness = 7;
+    assert_true(vti_walls_stiffness(&m.walls, 2, 1) == 7);
+}
+
 /* ---- walls of their own ------------------------------------------------------------------------------------------ */
 
 /** Planes of their own stiffness are as many walls of one plane, to the bit; their springs and energies too. */
@@ -557,8 +605,9 @@ TEST(what_cylinders_break)
     assert_int_equal(vti_walls_effect(&m.walls).breaks, 077);
 }
 
-RUN_TESTS(cmocka_unit_test(each_its_own), cmocka_unit_test(friction_and_restitution_of_each),
-          cmocka_unit_test(cylinders), cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(ledger_of_moving_walls),
+RUN_TESTS(cmocka_unit_test(materials), cmocka_unit_test(each_its_own),
+          cmocka_unit_test(friction_and_restitution_of_each), cmocka_unit_test(cylinders),
+          cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(ledger_of_moving_walls),
           cmocka_unit_test(moving_along), cmocka_unit_test(goes_with_the_wall),
           cmocka_unit_test(dashpots_of_moving_walls), cmocka_unit_test(backward_is_reversed), cmocka_unit_test(piston),
           cmocka_unit_test(refused), cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))

@@ -140,6 +140,25 @@ TEST(planes_after_their_check)
         list_refused(&wall, VTI_E_CONTACT);
     }
     walls = all;
+    static double moduli[1] = {2};
+    static const double soft = 3, none[] = {0, NAN, INFINITY};
+    walls.modulus = vti_scalars_one(&soft); /* and a stiffness */
+    list_refused(&wall, VTI_E_CONTACT);
+    walls.stiffness = 0;
+    walls.moduli = moduli;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    walls.each = moduli;
+    list_refused(&wall, VTI_E_CONTACT);
+    walls.each = NULL;
+    for (int k = 0; k < 3; ++k) {
+        moduli[0] = none[k];
+        list_refused(&wall, VTI_E_CONTACT);
+        moduli[0] = 2;
+        walls.modulus = vti_scalars_one(&none[k]);
+        list_refused(&wall, VTI_E_CONTACT);
+        walls.modulus = vti_scalars_one(&soft);
+    }
+    walls = all;
     walls.plane = NULL;
     list_refused(&wall, VTI_E_NULL);
     walls.plane = good;
