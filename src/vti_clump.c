@@ -344,7 +344,7 @@ vti_effect vti_clumped_effect(const vti_clumped *clumped)
     effect.rupture = e->rupture != NULL ? rupture : NULL;
     effect.self = clumped;
     effect.needs = 1 << VTI_QUANTITY_ALPHA;
-    effect.gives = e->gives & force ? force | moment : e->gives;
+    effect.gives = (e->gives & force) != 0 ? force | moment : e->gives;
     effect.breaks |= 7 << 6;
     return effect;
 }

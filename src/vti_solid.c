@@ -9,7 +9,7 @@ struct integrals {
     vti_sum volume, first[3], second[6];
 };
 
-static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+static const int row_of[6] = {0, 1, 2, 0, 0, 1}, column_of[6] = {0, 1, 2, 1, 2, 2};
 
 /* ---- spheres ----------------------------------------------------------------------------------------------------- */
 
@@ -61,7 +61,7 @@ static void add_spheres(int64_t n, const double *centre, const double *diameter,
         for (int k = 0; k < 3; ++k)
             vti_sum_add(&sum->first[k], volume * c[k]);
         for (int k = 0; k < 6; ++k)
-            vti_sum_add(&sum->second[k], volume * (c[row[k]] * c[column[k]] + (k < 3 ? d * d / 20.0 : 0.0)));
+            vti_sum_add(&sum->second[k], volume * (c[row_of[k]] * c[column_of[k]] + (k < 3 ? d * d / 20.0 : 0.0)));
     }
 }
 
@@ -110,7 +110,7 @@ static void add_piece(double x, double y, double area, const double piece[2], st
     for (int k = 0; k < 3; ++k)
         vti_sum_add(&sum->first[k], length * first[k]);
     for (int k = 0; k < 6; ++k)
-        vti_sum_add(&sum->second[k], length * (k == 2 ? z2 : first[row[k]] * first[column[k]]));
+        vti_sum_add(&sum->second[k], length * (k == 2 ? z2 : first[row_of[k]] * first[column_of[k]]));
 }
 
 static void add_lines(int64_t n, const double *centre, const double *diameter, int64_t lines, const double about[3],
@@ -172,7 +172,7 @@ static void principal_of(double J[3][3], vti_solid *solid)
     int order[3] = {0, 1, 2};
     for (int sweep = 0; sweep < 32; ++sweep)
         for (int pair = 3; pair < 6; ++pair)
-            annul(J, V, row[pair], column[pair]);
+            annul(J, V, row_of[pair], column_of[pair]);
     for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 2; ++j)
             if (J[order[j]][order[j]] > J[order[j + 1]][order[j + 1]]) {
@@ -201,9 +201,9 @@ static void weigh(const struct integrals *sum, double density, const double abou
     for (int k = 0; k < 3; ++k)
         c[k] = vti_sum_value(&sum->first[k]) / volume;
     for (int k = 0; k < 6; ++k)
-        C[k] = density * (vti_sum_value(&sum->second[k]) - volume * c[row[k]] * c[column[k]]);
+        C[k] = density * (vti_sum_value(&sum->second[k]) - volume * c[row_of[k]] * c[column_of[k]]);
     for (int k = 0; k < 6; ++k)
-        J[row[k]][column[k]] = J[column[k]][row[k]] = (k < 3 ? C[0] + C[1] + C[2] : 0.0) - C[k];
+        J[row_of[k]][column_of[k]] = J[column_of[k]][row_of[k]] = (k < 3 ? C[0] + C[1] + C[2] : 0.0) - C[k];
     solid->mass = density * volume;
     for (int k = 0; k < 3; ++k)
         solid->centre[k] = about[k] + c[k];
