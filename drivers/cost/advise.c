@@ -90,7 +90,8 @@ static int look_at(struct stages *g)
     s->bodies = model.bodies.count;
     s->omega0 = vti_max_turn(1.0, &model.bodies);
     s->kinked = scene_first_with(s->scene, EFFECT_KINKED) != NULL;
-    s->doubt = any_breaks(&model) ? 30.0 : s->kinked ? 10.0 : 3.0;
+    s->breaks = any_breaks(&model);
+    s->doubt = s->breaks ? 30.0 : s->kinked ? 10.0 : 3.0;
     int failed = model_find_limits(&model, &s->advice->limits, s->message);
     const vti_deformation at = {s->advice->limits.at.overlap, 0.0, 0};
     if (failed == 0)
@@ -128,6 +129,12 @@ static int64_t by_stability(struct stages *g)
     return best;
 }
 
+static int by_seconds(const void *a, const void *b)
+{
+    const double p = ((const struct offer *)a)->seconds, q = ((const struct offer *)b)->seconds;
+    return (p > q) - (p < q);
+}
+
 /** The advice first, then ours, then rivals, by rising seconds. */
 static void sort_offers(struct stages *g)
 {
@@ -150,8 +157,8 @@ static void sort_offers(struct stages *g)
             a->offers[0] = first;
             break;
         }
-    qsort(a->offers + 1, (size_t)ours, sizeof first, offers_by_seconds);
-    qsort(a->offers + 1 + ours, (size_t)(a->count - 1 - ours), sizeof first, offers_by_seconds);
+    qsort(a->offers + 1, (size_t)ours, sizeof first, by_seconds);
+    qsort(a->offers + 1 + ours, (size_t)(a->count - 1 - ours), sizeof first, by_seconds);
 }
 
 int advise(const struct advise_request *request, struct advice *advice, struct message *message)

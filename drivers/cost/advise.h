@@ -135,8 +135,8 @@ struct search {
     double limit;    /* force evaluations beyond which runs are too dear */
     int64_t bodies;
     int kinked;   /* the forces are */
-    double doubt; /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5), 30 where
-                   * something breaks, sooner or later by a step */
+    int breaks;   /* something may break: sooner or later by a step, and errors follow no order for long */
+    double doubt; /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5) */
     void (*say)(const char *stepper, int64_t steps);
     struct message *message;
 };

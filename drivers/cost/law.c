@@ -77,7 +77,7 @@ void search_law_follow(const struct search *s, struct offer *o)
     o->source = OFFER_FOLLOWED;
     search_doubt(s, o, o->order, finer);
     if (s->measure == COST_ENERGY)
-        o->doubt = fmin(o->doubt, 3.0 * sqrt(fmax(finer, 1.0)));
+        o->doubt = fmin(o->doubt, 5.0 * sqrt(fmax(finer, 1.0)));
 }
 
 int search_law(struct search *s, struct offer *o, int64_t steps)

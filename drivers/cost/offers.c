@@ -65,9 +65,3 @@ int64_t offers_best(const struct stages *g)
             best = k;
     return best;
 }
-
-int offers_by_seconds(const void *a, const void *b)
-{
-    const double p = ((const struct offer *)a)->seconds, q = ((const struct offer *)b)->seconds;
-    return (p > q) - (p < q);
-}

@@ -254,8 +254,10 @@ static void follow(const struct search *s, struct offer *o, const struct point *
 
 void search_doubt(const struct search *s, struct offer *o, double order, double finer)
 {
-    const double most = 2.0, higher = fmin(fmax((double)o->stepper->order - order, 0.0), most);
+    const double far = 2.0, most = 2.0, higher = fmin(fmax((double)o->stepper->order - order, 0.0), most);
     o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
+    if (s->breaks && finer > far)
+        o->doubt = INFINITY;
     o->below = o->doubt * (s->kinked ? plain_power(fmax(finer, 1.0), higher) : 1.0);
 }
 

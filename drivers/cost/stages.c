@@ -2,7 +2,6 @@
 #include "stages.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* force evaluations times bodies, about a tenth of a second of them, that pilots may always take */
@@ -152,22 +151,27 @@ static int run_stage(struct stages *g, double t_end, double target)
 
 /* ---- what the next stage is -------------------------------------------------------------------------------------- */
 
-/** Leaves the fastest half of the active offers, the best among them. */
+/** Active offers that are faster than offer k, or as fast and before it in the list. */
+static int64_t faster_than(const struct stages *g, const int before[ADVICE_MOST], int64_t k)
+{
+    const struct advice *a = g->search.advice;
+    int64_t faster = 0;
+    for (int64_t j = 0; j < a->count; ++j)
+        faster += before[j] && (a->offers[j].seconds < a->offers[k].seconds ||
+                                (!(a->offers[j].seconds > a->offers[k].seconds) && j < k));
+    return faster;
+}
+
+/** Leaves the fastest half of the active offers, and no more than four, the best among them. */
 static void prune(struct stages *g)
 {
-    struct offer by_time[ADVICE_MOST];
-    const struct advice *a = g->search.advice;
-    int64_t n = 0;
-    for (int64_t k = 0; k < a->count; ++k)
-        if (g->active[k])
-            by_time[n++] = a->offers[k];
-    qsort(by_time, (size_t)n, sizeof *by_time, offers_by_seconds);
-    const int64_t most = n > 8 ? 4 : n / 2;
-    const double slowest = most > 0 ? by_time[most - 1].seconds : 0.0;
-    const int64_t best = offers_best(g);
+    enum { MOST = 4 };
+    const int64_t best = offers_best(g), half = g->active_count / 2, most = half < MOST ? half : MOST;
+    int before[ADVICE_MOST];
+    memcpy(before, g->active, sizeof before);
     g->active_count = 0;
-    for (int64_t k = 0; k < a->count; ++k) {
-        g->active[k] = g->active[k] && (k == best || a->offers[k].seconds <= slowest);
+    for (int64_t k = 0; k < g->search.advice->count; ++k) {
+        g->active[k] = before[k] && (k == best || faster_than(g, before, k) < most);
         g->active_count += g->active[k];
     }
 }
@@ -267,6 +271,8 @@ int stages_go(struct stages *g)
             continue;
         }
         const int64_t best = offers_best(g);
+        if (result == ADVISE_SPENT && best < 0 && !a->parted)
+            return laws_go(g) < 0 ? -1 : 0; /* the solution was too dear: two runs tell less, for less */
         if (best >= 0)
             stages_open_purse(g, (double)a->offers[best].force_evals);
         if (result == ADVISE_SPENT || g->complete || !plan_next(g, spent(g) - before, &t_end, &target))

@@ -29,7 +29,6 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
 /** The number of the offer that is the advice so far, or -1: the fastest that the last stage has shown, ours before
  *  rivals. */
 int64_t offers_best(const struct stages *g);
-int offers_by_seconds(const void *a, const void *b);
 
 /* ---- stages ------------------------------------------------------------------------------------------------------ */
 

@@ -38,7 +38,8 @@ static const struct option_row rows[] = {
      "tenth of a second or so at least)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
-     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, interval, errors, "
+     "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, "
+     "interval, errors, "
      "stable_h, "
      "h_max_omega, measure, trajectories_until, pilots, alternatives; warnings go to stderr"},
     {0}};
@@ -103,7 +104,9 @@ static void say_best(const struct scene *scene, const struct advice *a, FILE *fi
             best->source == OFFER_MEASURED ? "" : " or so", a->target);
     say_seconds(best->seconds, file);
     if (best->source != OFFER_MEASURED && !isfinite(best->doubt))
-        fputs(";\nit is told from the first part of the time, before whatever may happen later, and may be any", file);
+        fprintf(file, ";\nit is told %s: nothing is known of how far off that is",
+                best->source == OFFER_SHORTER ? "from the first part of the time, before what may happen later"
+                                              : "from coarser runs, and what breaks may break at another step");
     else if (best->source != OFFER_MEASURED)
         fprintf(file, ";\nit lies between %.1e and %.1e, told %s", best->error / best->below, best->error * best->doubt,
                 best->source == OFFER_SHORTER ? "from the first part of the time" : "from coarser runs");
