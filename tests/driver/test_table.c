@@ -316,6 +316,13 @@ TEST(materials_of_bodies)
         assert_true(isfinite(model_deformation(&model, &model.bodies).overlap));
         model_destroy(&model);
     }
+    /* a wall takes that of the contact, too */
+    write_text("b.csv", "x,y,z,diameter\n0,0,0.45,1\n");
+    make_model("bodies: {table: b.csv, mass: 1}\ncontact: {young: 1000, poisson: 0.3}\n"
+               "wall: {young: 8000, poisson: 0.25, planes: [[0, 0, 1, 0]]}\n" TIME,
+               &scene, &model);
+    assert_close(model_energy(&model, &model.bodies), at_wall, 1e-13);
+    model_destroy(&model);
 }
 
 /** A table of bonds turns bodies that nothing in the scene turns; bodies of a table may also turn and stay. */
