@@ -12,12 +12,12 @@ extern "C" {
 
 /** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
  *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1. Linear momentum is kept to rounding, angular
- *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces; for long times, and
- *  for contacts, the steppers of vti_step.h.
+ *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces; for long times,
+ *  and for contacts, the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
- *  the rate of damping or gyration stays below 0.16, 0.046, 0.013 and 0.006 for K = 4, 6, 8 and 9: little of it, then, or
- *  steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such forces,
+ *  the rate of damping or gyration stays below 0.16, 0.046, 0.013 and 0.006 for K = 4, 6, 8 and 9: little of it, then,
+ *  or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such forces,
  *  and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
 typedef struct vti_multistep {
     const char *name;  /**< what vti_multistep_find knows it by */

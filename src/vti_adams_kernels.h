@@ -66,9 +66,9 @@ VTI_INLINE void adams_move(int64_t depth, double h, const double *n, const vti_v
     quad_into_view(v, 0, i, speed);
 }
 
-/** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its values
- *  O1, O2, O3 at Gauss' nodes A1 = h O2, A2 = (r/3) h (O3 - O1), A3 = (10/3) h (O3 - 2 O2 + O1), r = sqrt(15), C1 = A1 x A2,
- *  C2 = -(1/60) A1 x (2 A3 + C1), and theta = A1 + A3/12 + (1/240)(-20 A1 - A3 + C1) x (A2 + C2). */
+/** The rotation vector of a turn under w(s), 0 <= s <= 1 of h (Magnus, order 6; Blanes, Casas and Ros 2000): of its
+ *  values O1, O2, O3 at Gauss' nodes A1 = h O2, A2 = (r/3) h (O3 - O1), A3 = (10/3) h (O3 - 2 O2 + O1), r = sqrt(15),
+ *  C1 = A1 x A2, C2 = -(1/60) A1 x (2 A3 + C1), and theta = A1 + A3/12 + (1/240)(-20 A1 - A3 + C1) x (A2 + C2). */
 VTI_INLINE void adams_magnus(double h, part o[3][PARTS], part theta[PARTS])
 {
     const double r3 = 1.2909944487358056; /* sqrt(15)/3 */
@@ -159,8 +159,8 @@ VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const
     quad_and_three(a, b, f->high);
 }
 
-/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: of the levels differences
- *  of the last f, which are at least those, become those of this one. */
+/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: the levels differences
+ *  of the last f, at least depth, become those of this one. */
 VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, struct adams_felt f,
                               struct adams_felt *off)
 {
