@@ -298,6 +298,8 @@ int main(int argc, char **argv)
         failed = message_set(&message, "no scene is named; see vti-advise --help");
     if (failed == 0)
         failed = scene_read(scenes[0], sets.text, sets.count, &scene, &message);
+    if (failed == 0 && scene.tolerance > 0.0)
+        failed = message_set(&message, "%s: tolerance: advice is on steps of one length; leave it out", scene.name);
     if (failed == 0)
         failed = tables_read(&scene, &tables, &message);
     if (failed == 0)

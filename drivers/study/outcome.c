@@ -9,6 +9,7 @@
 /** Everything that is summed up along a run. */
 struct measures {
     struct model *model;
+    const struct travel *travel;
     struct reference *reference;
     struct outcome *outcome;
     struct columns columns;
@@ -96,6 +97,9 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
     }
     if (sampled || step == m->outcome->steps) {
         double row[COLUMNS];
+        struct travel_tally tally;
+        if (travel_tally(m->travel, &tally))
+            m->verdict.h = tally.longest;
         verdict_row(&m->verdict, t, bodies, row);
     }
     verdict_step(&m->verdict, bodies);
@@ -152,7 +156,10 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     outcome->failed = trial_begin(&run, scene, trial, &outcome->message) != 0;
     if (outcome->failed)
         return;
-    outcome->failed = measures_begin(&measures, &run.model, reference, trial, compare_every, outcome) != 0;
+    struct trial taken = *trial; /* where the scene has a tolerance, the stepper that keeps it */
+    taken.stepper = run.travel.stepper;
+    outcome->failed = measures_begin(&measures, &run.model, reference, &taken, compare_every, outcome) != 0;
+    measures.travel = &run.travel;
     measures.watch = (struct watch){poll_on_the_way, &poller};
     if (!outcome->failed)
         outcome->failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
@@ -160,7 +167,7 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
         measures_end(&measures);
     outcome->seconds = run.seconds;
     outcome->force_evals =
-        trial->stepper->evals > 0 ? trial->steps * trial->stepper->evals : travel_force_evals(&run.travel);
+        taken.stepper->evals > 0 ? trial->steps * taken.stepper->evals : travel_force_evals(&run.travel);
     verdict_destroy(&measures.verdict);
     trial_end(&run);
 }
