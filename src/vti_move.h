@@ -56,8 +56,8 @@ struct vti_move_kernels {
     int64_t (*general)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     int (*general_reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end,
                            int64_t *stopped);
-    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by turn[][3]: all of
-     *  the bodies, whatever the layout (vti_adams_kernels.h). */
+    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by turn[][3]: all
+     *  of the bodies, whatever the layout (vti_adams_kernels.h). */
     void (*predict)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
                     int64_t end, double *turn);
     void (*correct)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,

@@ -9,7 +9,7 @@
 #include "vti_rotor.h"
 #include "vti_turn_kernels.h"
 
-/* ---- vectors of any layout ---------------------------------------------------------------------------------------- */
+/* ---- vectors of any layout --------------------------------------------------------------------------------------- */
 
 VTI_INLINE void load_any(struct stream s, int64_t i, lanes r[3])
 {
