@@ -12,7 +12,8 @@
 #include "table_hdf5.h"
 
 #define BODY_NAMES                                                                                                     \
-    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, young, poisson"
+    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, young, "      \
+    "poisson"
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
@@ -115,7 +116,8 @@ TEST(values)
     refused_set(&table_bodies, "radius", 1, 1, 1, "b.h5: /bodies/radius: unknown column; known are " BODY_NAMES);
     refused_set(&binder_table, "mass", 1, 1, 1,
                 "b.h5: /bonds/mass: unknown column; known are i, j, moment, axial, shear, break_stretch, "
-                "break_normal, break_shear, break_bending, break_torsion, break_energy, length, nx, ny, nz, turn_x, turn_y, turn_z, turn_w");
+                "break_normal, break_shear, break_bending, break_torsion, break_energy, length, nx, ny, nz, turn_x, "
+                "turn_y, turn_z, turn_w");
     refused_set(&table_bodies, "x", 2, 1, 1,
                 "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
     refused_set(&table_bodies, "x", 1, 1, NAN, "b.h5: row 1: x: 'nan' is not finite; give a number");
