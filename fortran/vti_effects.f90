@@ -252,8 +252,8 @@ contains
         if (associated(rupture)) effect = c_rupture_effect(c_loc(rupture))
     end function
 
-    !> Once before use, after vti_bonds_check: numbers ascend from 1, every limit is > 0. VTI_E_BOND, with fault%body the
-    !> place of the bond (from 1) and fault%value what is wrong.
+    !> Once before use, after vti_bonds_check: numbers ascend from 1, every limit is > 0. VTI_E_BOND, with fault%body
+    !> the place of the bond (from 1) and fault%value what is wrong.
     function vti_rupture_check(rupture, fault) result(status)
         type(vti_rupture), intent(in) :: rupture
         type(vti_fault), intent(out), optional :: fault
@@ -388,8 +388,8 @@ contains
     end function
 
     !> What the springs of the bonds first to last (from 1) hold: measures(VTI_BOND_MEASURES, last - first + 1), with N
-    !> in row VTI_BOND_NORMAL + 1, and so on for VTI_BOND_ACROSS, VTI_BOND_BENDING, VTI_BOND_TORSION, VTI_BOND_ENERGY and
-    !> VTI_BOND_STRETCH. VTI_E_COUNT for another shape.
+    !> in row VTI_BOND_NORMAL + 1, and so on for VTI_BOND_ACROSS, VTI_BOND_BENDING, VTI_BOND_TORSION, VTI_BOND_ENERGY
+    !> and VTI_BOND_STRETCH. VTI_E_COUNT for another shape.
     function vti_bonds_measure(bonds, bodies, first, last, measures) result(status)
         type(vti_bonds), intent(in) :: bonds
         type(vti_bodies), intent(in) :: bodies
@@ -537,9 +537,9 @@ contains
         if (present(fault)) fault = from_one(found)
     end function
 
-    !> Mass, centre and moments of spheres centre(3,s), diameter(s) of one density, counted once where they overlap: exact
-    !> if none do, else along lines x lines lines. Errors as in C, VTI_E_COUNT also for another shape; fault%body is the
-    !> sphere, from 1.
+    !> Mass, centre and moments of spheres centre(3,s), diameter(s) of one density, counted once where they overlap:
+    !> exact if none do, else along lines x lines lines. Errors as in C, VTI_E_COUNT also for another shape; fault%body
+    !> is the sphere, from 1.
     function vti_clump_solid(centre, diameter, density, lines, solid, fault) result(status)
         real(c_double), contiguous, intent(in) :: centre(:, :), diameter(:)
         real(c_double), intent(in) :: density

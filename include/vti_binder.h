@@ -44,9 +44,9 @@ typedef struct vti_bonds {
  *  of the bond (from 0), if its bodies coincide or one comes before the first; how many there are is not known here. */
 VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest,
                            vti_fault *fault);
-/** rest[count][4] and turn[count][4] of pairs that are to be at rest where the bodies are now, turned as they are: those
- *  bonds have neither force nor moment nor energy, to rounding. Bodies without attitudes have not turned. Errors as
- *  those of vti_bonds_rest, VTI_E_NEEDS without positions, VTI_E_BOND also for a body that does not exist and for an
+/** rest[count][4] and turn[count][4] of pairs that are to be at rest where the bodies are now, turned as they are:
+ *  those bonds have neither force nor moment nor energy, to rounding. Bodies without attitudes have not turned. Errors
+ *  as those of vti_bonds_rest, VTI_E_NEEDS without positions, VTI_E_BOND also for a body that does not exist and for an
  *  attitude that is none, or what is wrong with the bodies; nothing has been written then. */
 VTI_API int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
                                double *turn, vti_fault *fault);

@@ -17,8 +17,8 @@ extern "C" {
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
  *  the rate of damping or gyration stays below 0.16, 0.046, 0.013 and 0.006 for K = 4, 6, 8 and 9: little of it, then,
- *  or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such forces,
- *  and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
+ *  or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such
+ *  forces, and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
 typedef struct vti_multistep {
     const char *name;  /**< what vti_multistep_find knows it by */
     int64_t depth;     /**< K, accelerations that it remembers, 1 to 10 */
@@ -35,8 +35,8 @@ VTI_API int64_t vti_multistep_count(void);
 /** Each of them by number; NULL outside 0 <= index < vti_multistep_count(). */
 VTI_API const vti_multistep *vti_multistep_at(int64_t index);
 
-/** What bodies have felt, in memory of the caller's: backward differences of F/m and RM/J. Copied with the bodies, a run
- *  goes on with its bits. Slices that are stepped apart each have one of their own, on the same memory. */
+/** What bodies have felt, in memory of the caller's: backward differences of F/m and RM/J. Copied with the bodies, a
+ *  run goes on with its bits. Slices that are stepped apart each have one of their own, on the same memory. */
 typedef struct vti_past {
     double *memory; /**< [count of bodies][depth][6], from body 0 of the views, not of the slice */
     int64_t depth;  /**< differences that it holds; at least the K of the method */
@@ -62,8 +62,8 @@ VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                   vti_fault *fault);
 /** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g_K D| of a body of the
- *  slice, by which v (*velocity) and Omega (*spin) are about to be corrected; 0 where there are none, NaN if one is not a
- *  number. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
+ *  slice, by which v (*velocity) and Omega (*spin) are about to be corrected; 0 where there are none, NaN if one is not
+ *  a number. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
  *  a touch or a jump. Changes nothing. */
 VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                 double *velocity, double *spin);

@@ -432,8 +432,8 @@ static inline void vti_rrv_to_matrix(const double a[3], double R[9])
     R[8] = 1.0 - 2.0 * (x * x + y * y);
 }
 
-/** The pair of a rotation matrix (row by row), up to a factor: of the four columns of 4 q q^T the one with the largest diagonal
- *  entry, so that no digits cancel at any angle. */
+/** The pair of a rotation matrix (row by row), up to a factor: of the four columns of 4 q q^T the one with the largest
+ *  diagonal entry, so that no digits cancel at any angle. */
 static inline void vti_rrv_pair_from_matrix(const double R[9], double q[4])
 {
     const double d[4] = {1.0 + R[0] - R[4] - R[8], 1.0 - R[0] + R[4] - R[8], 1.0 - R[0] - R[4] + R[8],

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a multistep method does to one body after the other (EQUATIONS 8.1), its numbers in quads: of the six differences
- * of a body, translation first, the first four (a quad whose last number is the turn's) and the last four (whose first
- * is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by vti_multistep.c. */
+ * What a multistep method does to one body after the other (EQUATIONS 8.1), its numbers in quads: of the six
+ * differences of a body, translation first, the first four (a quad whose last number is the turn's) and the last four
+ * (whose first is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by
+ * vti_multistep.c. */
 #ifndef VTI_ADAMS_KERNELS_H
 #define VTI_ADAMS_KERNELS_H
 
@@ -159,8 +160,8 @@ VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const
     quad_and_three(a, b, f->high);
 }
 
-/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: the levels differences
- *  of the last f, at least depth, become those of this one. */
+/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: the levels
+ *  differences of the last f, at least depth, become those of this one. */
 VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, struct adams_felt f,
                               struct adams_felt *off)
 {

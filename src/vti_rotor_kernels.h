@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Kicks and drifts of many bodies with three moments at once, a body to a lane, by the formulas of vti_rotor.h, which
- * are those of one body. Where a body is near a half turn, or turns too far for its squares, the bodies of all lanes are
- * moved one by one. Included by vti_move_kernels.h only. */
+ * are those of one body. Where a body is near a half turn, or turns too far for its squares, the bodies of all lanes
+ * are moved one by one. Included by vti_move_kernels.h only. */
 #ifndef VTI_ROTOR_KERNELS_H
 #define VTI_ROTOR_KERNELS_H
 

@@ -48,8 +48,9 @@ struct bond_turns {
                         turned */
 };
 
-/** Bonds that break (binder_break.c), or are made as a run goes on; all zeros where none does. Bonds have the numbers that they have in the scene, and
- *  their arrays keep all of them: those that hold, in their order, and behind them those that have broken. */
+/** Bonds that break (binder_break.c), or are made as a run goes on; all zeros where none does. Bonds have the numbers
+ *  that they have in the scene, and their arrays keep all of them: those that hold, in their order, and behind them
+ *  those that have broken. */
 struct bond_break {
     vti_rupture rupture;
     double *memory; /* limits, and broke */

@@ -6,10 +6,10 @@
  * before each, then one force evaluation a step. What they remember is all that they keep beside the bodies, so that a
  * checkpoint goes on with it.
  *
- * Steps by a tolerance (EQUATIONS 8.3), of the steppers that estimate their error: vti_control chooses them. The tolerance
- * is the scene's, or, where it has none, SHARE (h f)^(q+1), f the fastest there is, so that steps are in proportion to h.
- * The last step, cut to end where the caller wants to look, is undone before the next: so neither the path nor the number
- * of evaluations depends on how often somebody looks. */
+ * Steps by a tolerance (EQUATIONS 8.3), of the steppers that estimate their error: vti_control chooses them. The
+ * tolerance is the scene's, or, where it has none, SHARE (h f)^(q+1), f the fastest there is, so that steps are in
+ * proportion to h. The last step, cut to end where the caller wants to look, is undone before the next: so neither the
+ * path nor the number of evaluations depends on how often somebody looks. */
 #include "rival.h"
 
 #include <math.h>

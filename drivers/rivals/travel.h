@@ -51,15 +51,15 @@ struct travel {
  *  *message. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
 
-/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance, by steps that keep it, and
- *  h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
+/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance, by steps that keep it,
+ *  and h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
  *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
 
 /** So many steps further, shown to observers as loop_run shows them; the first call also takes the forces at t = 0. Of
- *  a course observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message (such
- *  as: step too large), after which there is nothing left to do but travel_destroy. */
+ *  a course observers see attitudes as alpha. Returns 0; 1 if an observer stopped it; -1 with one line in *message
+ *  (such as: step too large), after which there is nothing left to do but travel_destroy. */
 int travel_show(struct travel *travel, int64_t steps, const struct observer *observers, int observers_count,
                 struct message *message);
 /** The same without observers, in a tight loop. */
@@ -69,8 +69,8 @@ int travel_go(struct travel *travel, int64_t steps, struct message *message);
  *  lagging stepper are brought there on copies. The views hold until the next travel_go. */
 vti_bodies travel_bodies(struct travel *travel);
 
-/** What a course keeps beside the model's bodies, *count doubles that belong into a checkpoint and are put back from it;
- *  NULL and 0 for a list of kicks and drifts. */
+/** What a course keeps beside the model's bodies, *count doubles that belong into a checkpoint and are put back from
+ *  it; NULL and 0 for a list of kicks and drifts. */
 double *travel_state(struct travel *travel, int64_t *count);
 /** After the model's bodies, as a raw observer saw them, and travel_state are what they were after so many steps: a
  *  fresh travel goes on from there with the same bits. Force evaluations of a course are counted anew. */

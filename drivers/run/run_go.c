@@ -154,7 +154,7 @@ static enum run_end write_files(struct run *run)
     return RUN_FAILED;
 }
 
-/** Steps between looks: each, or, where a look ends a step that would be longer, as many as rows and frames both need. */
+/** Steps between looks: each, or, where a look ends a step that would be longer, what rows and frames both need. */
 static int64_t look_every(const struct run *run)
 {
     struct travel_tally tally;

@@ -53,8 +53,8 @@ double model_energy(struct model *model, const vti_bodies *bodies);
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
 
-/** What breaks at the end of the step, and what bonds are made then; where something is, forces are evaluated anew. Returns VTI_OK or a status that
- *  model_text explains. */
+/** What breaks at the end of the step, and what bonds are made then; where something is, forces are evaluated anew.
+ *  Returns VTI_OK or a status that model_text explains. */
 int model_rupture(struct model *model, int64_t step);
 
 /** What the effects keep beside the bodies, booked energies and what they remember, for a run that goes on with the

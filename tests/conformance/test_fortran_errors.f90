@@ -278,7 +278,8 @@ contains
         call lists_are_good()
     end subroutine
 
-    !> A bond that is made of bodies that have turned is at rest, to rounding; its rotation is that of alpha = (0, 0, 1.5).
+    !> A bond that is made of bodies that have turned is at rest, to rounding; its rotation is that of
+    !> alpha = (0, 0, 1.5).
     subroutine bond_made_now()
         real(c_double), target :: x(3, 2), alpha(3, 2), rest(4, 1), turn(4, 1), stiffness
         real(c_double) :: measures(VTI_BOND_MEASURES, 1)
@@ -415,7 +416,8 @@ contains
         call expect(norm2(normal - [0, 0, 1]) < tiny(one), 'normal of a wall')
         call expect(ieee_is_nan(vti_walls_gap(gap_of, 2_c_int64_t, place, normal)), 'gap of a wall that there is not')
         call expect(abs(vti_walls_stiffness(gap_of, 1_c_int64_t, 1_c_int64_t) - 1) <= 0, 'stiffness of a wall')
-        call expect(ieee_is_nan(vti_walls_stiffness(gap_of, 2_c_int64_t, 1_c_int64_t)), 'stiffness of a wall there is not')
+        call expect(ieee_is_nan(vti_walls_stiffness(gap_of, 2_c_int64_t, 1_c_int64_t)), &
+            'stiffness of a wall there is not')
         call expect(ieee_is_nan(vti_walls_stiffness(no_walls, 1_c_int64_t, 1_c_int64_t)), 'no walls, no stiffness')
         b = good
         b%alpha = vti_view()

@@ -197,7 +197,8 @@ TEST(one_centred_sphere)
 }
 
 /** The pendulum is the clump of one sphere at rho0 with its weight. The effect has m g R rho0 as R (m g rho0), the
- *  clump as (R rho0) x (m g e3): one product is rounded before and one after the turn, which is some 20 operations long. */
+ *  clump as (R rho0) x (m g e3): one product is rounded before and one after the turn, which is some 20 operations
+ *  long. */
 TEST(pendulum_is_a_clump)
 {
     rng g = rng_seed(4106);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Forces that depend on velocities: AN(K, c) takes them at the velocities that it foresees, and keeps its order K + 1. A
- * charged, damped sphere in a field B along z has a closed form. With z' = (v_x + i v_y)' = (-c + i b) z and v_z' = -c v_z,
+ * Forces that depend on velocities: AN(K, c) takes them at the velocities that it foresees, and keeps its order K + 1.
+ * A charged, damped sphere in a field B along z has a closed form. With z' = (v_x + i v_y)' = (-c + i b) z and
+ * v_z' = -c v_z,
  *
  *     F/m = -c v + b e_z x v,        v(t) = exp(-c t) R(b t e_z) v_0,  x(t) = x_0 + integral of v
  *     RM/J = b e_z x Omega,          Omega(t) = R(b t e_z) Omega_0,  R(t) = R(b t e_z) R(t (Omega_0 - b e_z)) */
@@ -65,7 +66,7 @@ static void put_exact(sphere *s, double t)
     vti_rrv_compose(inner, outer, s->alpha);
 }
 
-/** At t = 4 in steps of h, the first K - 1 of which are exact: how far from the closed form, of motion and of turning. */
+/** At t = 4 in steps of h, the first K - 1 of which are exact: how far from the closed form, of motion and turning. */
 static void fly(const vti_multistep *m, double h, double error[2])
 {
     sphere s = {.past = {NULL, m->depth, 0}}, exact;

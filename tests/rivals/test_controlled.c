@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Steps by a tolerance through the seam of the programs: where they lead does not depend on who looks, errors go with the
- * tolerance, touches make steps short, momenta stay, and what cannot be served is refused. */
+ * Steps by a tolerance through the seam of the programs: where they lead does not depend on who looks, errors go with
+ * the tolerance, touches make steps short, momenta stay, and what cannot be served is refused. */
 #include "journey.h"
 
 /** A journey of the scene with that tolerance to step steps of h. */
@@ -35,8 +35,8 @@ TEST(names)
     assert_null(method_controlled(method_of("an8")));
 }
 
-/** The chain at t = 4 against the reference of studies: a factor of 1000 in the tolerance is more than 30 in errors, and
- *  the estimate is above the true error of a step. */
+/** The chain at t = 4 against the reference of studies: a factor of 1000 in the tolerance is more than 30 in errors,
+ *  and the estimate is above the true error of a step. */
 TEST(errors_go_with_the_tolerance)
 {
     for (int64_t i = 0; i < 3; ++i) {

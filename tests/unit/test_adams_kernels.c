@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The two halves of a step of a multistep method by the kernels of every vector width, in every layout, against
- * the equations (EQUATIONS 8.1) written out here number by number, to the bit; and that nothing beside a slice is touched. */
+ * the equations (EQUATIONS 8.1) written out here number by number, to the bit; and that nothing beside a slice is
+ * touched. */
 #include "../../src/vti_adams.h"
 #include "../../src/vti_move.h"
 #include "support.h"
