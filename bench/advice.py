@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What advice is worth: on twenty scenes, ten with contacts and four that dissipate, and errors from 1e-2 to 1e-8, how often the
-error of the advised run lies in the interval that vti-advise prints, and what its pilots took of that run.
+"""What advice is worth: on twenty scenes, ten with contacts and four that dissipate, and errors from 1e-2 to 1e-8, how
+often the error of the advised run lies in the interval that vti-advise prints, and what its pilots took of that run.
 
 usage: advice.py BUILD SCENES [NAME...]      all cases, or those whose names begin so
 
-The error is that of vti-study against GSL's solution, where something dissipates against chin4 by a fourth of the step; where
-trajectories part it is the largest change of the energy in vti-run, booked energies counted in. Prints a Markdown table."""
+The error is that of vti-study against GSL's solution, where something dissipates against chin4 by a fourth of the step;
+where trajectories part it is the largest change of the energy in vti-run, booked energies counted in. Prints a Markdown
+table."""
 import csv
 import json
 import math
@@ -37,14 +38,16 @@ t_end: 4
 """
 SNAP = """name: snap
 bodies: {chain: {count: 8, spacing: 0.98}, mass: 1, inertia: 0.1, diameter: 1, random: {seed: 5, v: 1.5, omega: 1}}
-binder: {moment: 5, axial: 100, shear: {stiffness: 50}, break: {stretch: 0.12, normal: 25, shear: 12, bending: 8, torsion: 8, energy: 4}}
+binder: {moment: 5, axial: 100, shear: {stiffness: 50},
+         break: {stretch: 0.12, normal: 25, shear: 12, bending: 8, torsion: 8, energy: 4}}
 bond_dashpot: {zeta: 0.02}
 contact: {stiffness: 500}
 h: 1/512
 t_end: 1
 """
 MEET = """name: meet
-bodies: {lattice: {counts: [2, 2, 2], spacing: 1.0625, corner: [0, 0, 0]}, diameter: 1, mass: 1, random: {seed: 4, v: 0.5}}
+bodies: {lattice: {counts: [2, 2, 2], spacing: 1.0625, corner: [0, 0, 0]},
+         diameter: 1, mass: 1, random: {seed: 4, v: 0.5}}
 contact: {stiffness: 1000}
 gravity: [0, 0, -1]
 wall: {stiffness: 1000, planes: [[0, 0, 1, -0.75]]}
@@ -54,14 +57,16 @@ t_end: 2
 
 # name, scene file or text, end, other settings, number of bodies
 CASES = [
-    ("pendulum", "pendulum.yaml", 10, [], 1), ("pendulum", "pendulum.yaml", 1000, [], 1), ("spin", "spin.yaml", 100, [], 1),
-    ("pair", "pair.yaml", 100, [], 2), ("chain", "chain.yaml", 10, [], 10),
+    ("pendulum", "pendulum.yaml", 10, [], 1), ("pendulum", "pendulum.yaml", 1000, [], 1),
+    ("spin", "spin.yaml", 100, [], 1), ("pair", "pair.yaml", 100, [], 2), ("chain", "chain.yaml", 10, [], 10),
     ("chain-of-40", "chain.yaml", 5, ["bodies.chain.count=40"], 40),
-    ("long-pendulum", "pendulum.yaml", 20000, [], 1), ("block", "block.yaml", 4, [], 96), ("block", "block.yaml", 8, [], 96), ("block-of-12", "block.yaml", 4, ["bodies.lattice.counts=[3,2,2]"], 12),
+    ("long-pendulum", "pendulum.yaml", 20000, [], 1), ("block", "block.yaml", 4, [], 96),
+    ("block", "block.yaml", 8, [], 96), ("block-of-12", "block.yaml", 4, ["bodies.lattice.counts=[3,2,2]"], 12),
     ("pile", "pile.yaml", 0.25, [], 128), ("pile", "pile.yaml", 0.5, [], 128), ("pile", "pile.yaml", 2, [], 128),
     ("torus", "torus.yaml", 1, [], 80), ("torus", "torus.yaml", 2, [], 80), ("torus", "torus.yaml", 35, [], 80),
     ("meet", MEET, 2, [], 8),
-    ("fall", FALL, 4, [], 1), ("swing", SWING, 4, [], 6), ("snap", SNAP, 1, [], 8), ("incline", "incline.yaml", 0.1, [], 1),
+    ("fall", FALL, 4, [], 1), ("swing", SWING, 4, [], 6), ("snap", SNAP, 1, [], 8),
+    ("incline", "incline.yaml", 0.1, [], 1),
 ]
 KINKED = {"block", "block-of-12", "pile", "torus", "meet", "snap", "incline"}
 DISSIPATE = {"fall", "swing", "snap", "incline"}
@@ -81,14 +86,15 @@ def error_of(folder, case, told):
     path = os.path.join(folder, "scene.yaml")
     try:
         if told["measure"] == "energy":
-            run(program("vti-run"), path, *settings(sets), "--stepper", told["stepper"], "--h", repr(told["h"]), "--t-end", str(t_end),
-                "-o", f"{folder}/run.h5")
+            run(program("vti-run"), path, *settings(sets), "--stepper", told["stepper"], "--h", repr(told["h"]),
+                "--t-end", str(t_end), "-o", f"{folder}/run.h5")
             with open(f"{folder}/run.csv", encoding="ascii", newline="") as file:
                 total = [float(row["total"]) for row in csv.DictReader(file)]
             return max(abs(e - total[0]) for e in total) / (abs(total[0]) or 1.0)
         kind = [] if name in DISSIPATE else ["--cost"]
-        done = run("mpirun", "-n", "1", program("vti-study"), *kind, path, *settings(sets), "--steppers", told["stepper"], "--h",
-                   repr(told["h"]), "--t-end", str(t_end), "--no-plot", "--force", "-o", f"{folder}/study", timeout=100)
+        done = run("mpirun", "-n", "1", program("vti-study"), *kind, path, *settings(sets),
+                   "--steppers", told["stepper"], "--h", repr(told["h"]),
+                   "--t-end", str(t_end), "--no-plot", "--force", "-o", f"{folder}/study", timeout=100)
         with open(f"{folder}/study/{'study' if not kind else 'cost'}.csv", encoding="ascii", newline="") as file:
             return float(next(csv.DictReader(file))[told["measure"] + "_error"])
     except Exception as problem:  # noqa: BLE001  a row without an error is a row of the table
@@ -113,8 +119,9 @@ def one(folder, case, target):
     low, high = (other if limit is None else limit for limit, other in zip(told["interval"], (0.0, math.inf)))
     took, runs = told["pilots"]["force_evals"] * bodies, told["predicted_force_evals"] * bodies
     held = None if true is None else low <= true <= high or (true < 1e-12 and low < 1e-12)
-    print(f"| {name} {t_end:g} | {target:.0e} | {told['stepper']} | {told['source']} | {told['measure']} | {told['predicted_error'] or math.nan:.1e} | "
-          f"{low:.1e} | {high:.1e} | {math.nan if true is None else true:.1e} | {'-' if held is None else 'yes' if held else 'NO'} | "
+    print(f"| {name} {t_end:g} | {target:.0e} | {told['stepper']} | {told['source']} | {told['measure']} | "
+          f"{told['predicted_error'] or math.nan:.1e} | {low:.1e} | {high:.1e} | "
+          f"{math.nan if true is None else true:.1e} | {'-' if held is None else 'yes' if held else 'NO'} | "
           f"{took / runs:.2g} | {took:.1e} |", flush=True)
     return held, took, runs, told["source"], name in KINKED, high / low if low > 0 else math.inf
 
@@ -122,7 +129,8 @@ def one(folder, case, target):
 def main():
     wanted = sys.argv[3:]
     rows = []
-    print("| scene, end | asked for | advice | told from | of | error | from | to | true | within | pilots/run | work |\n|" + "---|" * 12)
+    print("| scene, end | asked for | advice | told from | of | error | from | to | true | within | pilots/run "
+          "| work |\n|" + "---|" * 12)
     for case in CASES:
         if wanted and not any(case[0].startswith(name) for name in wanted):
             continue
@@ -131,11 +139,13 @@ def main():
                 rows.append(one(folder, case, target))
     answers = [row for row in rows if row is not None]
     known = [row for row in answers if row[0] is not None]
-    print(f"\nanswers: {len(answers)} of {len(rows)}; within the interval: {sum(row[0] for row in known)} of {len(known)}")
+    print(f"\nanswers: {len(answers)} of {len(rows)}; within the interval: {sum(row[0] for row in known)} of "
+          f"{len(known)}")
     for kinked, share in ((False, 0.3), (True, 1.0)):
         part = [row for row in answers if row[4] == kinked]
         dear = [row for row in part if row[1] > 1.05 * max(LEAST, share * row[2])]
-        print(f"{'with' if kinked else 'without'} kinks: {len(part)}; pilots 5 % and more above {share} of the run and above {LEAST:g}: {len(dear)}")
+        print(f"{'with' if kinked else 'without'} kinks: {len(part)}; pilots 5 % and more above {share} of the run and "
+              f"above {LEAST:g}: {len(dear)}")
 
 
 main()

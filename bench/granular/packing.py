@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of beads for scenes/column.yaml, one bead deep in the plane y = 0.
 
-    packing.py loose WIDTH BEADS SEED FILE      rows of beads that do not touch, in a box of so many diameters from x = 0
-    packing.py settled RUN.h5 FILE              the beads of the last frame of a run, at rest
+    packing.py loose WIDTH BEADS SEED FILE  rows of beads that do not touch, in a box of so many diameters from x = 0
+    packing.py settled RUN.h5 FILE          the beads of the last frame of a run, at rest
 
 Diameters are uniform within 15 % of 3 mm, so that beads do not crystallise; masses are those of glass."""
 import csv
@@ -21,7 +21,8 @@ def write(path, x, z, diameter):
     with open(path, "w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["x", "y", "z", "diameter", "mass"])
-        rows.writerows([f"{x[k]:.7g}", 0, f"{z[k]:.7g}", f"{diameter[k]:.7g}", f"{DENSITY * np.pi / 6 * diameter[k] ** 3:.7g}"]
+        rows.writerows([f"{x[k]:.7g}", 0, f"{z[k]:.7g}", f"{diameter[k]:.7g}",
+                        f"{DENSITY * np.pi / 6 * diameter[k] ** 3:.7g}"]
                        for k in range(len(x)))
 
 

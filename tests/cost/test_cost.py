@@ -46,8 +46,10 @@ for name, letters in {"binder: moment": "m", "binder: axial": "a", "binder: shea
                       "gravity": "g"}.items():
     cost[name] = per_body("trl" + letters)[0] - base
 # What loses energy, beside what it acts on.
-for name, base_letters, letters in (("dashpot of a touching pair: normal, tangential", "c", "cd"), ("friction of a touching pair: sliding", "c", "cf"),
-                                    ("friction and dashpot together", "c", "cfd"), ("limits of a bond (rupture)", "mas", "mask"),
+for name, base_letters, letters in (("dashpot of a touching pair: normal, tangential", "c", "cd"),
+                                    ("friction of a touching pair: sliding", "c", "cf"),
+                                    ("friction and dashpot together", "c", "cfd"),
+                                    ("limits of a bond (rupture)", "mas", "mask"),
                                     ("dashpots of a bond: four terms", "mas", "masb"), ("drag: linear", "", "x")):
     cost[name] = per_body("trl" + letters)[0] - per_body("trl" + base_letters)[0]
 pendulum, _ = per_body("rlp")
@@ -72,7 +74,8 @@ check(pendulum < 1.10 * hand, f"a pendulum scene costs {pendulum / hand:.3f} tim
 
 _, names = per_body("trlma")
 elastic = cost["contact (touching pair)"]
-print(f"a touching pair with dashpot and friction costs {(elastic + cost['friction and dashpot together']) / elastic:.2f} elastic ones\n")
+print("a touching pair with dashpot and friction costs "
+      f"{(elastic + cost['friction and dashpot together']) / elastic:.2f} elastic ones\n")
 losing = re.compile("^flow|carry|history|dashpot|friction|drag|rupture|decay|booked")
 check(not any(map(losing.search, names_whole)), "a scene without dissipation calls no function of it")
 shear = re.compile("objective|quartic|printed|shear")

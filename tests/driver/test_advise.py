@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vti-advise: what it promises holds in the run that follows, measured by vti-study --cost against GSL's solution, on six
-scenes of which two have contacts; that it always answers, for no more than it may take, and errors lie in the intervals that it
-tells; its JSON; what it refuses.
+scenes of which two have contacts; that it always answers, for no more than it may take, and errors lie in the intervals
+that it tells; its JSON; what it refuses.
 
 usage: test_advise.py VTI_ADVISE VTI_STUDY MPIRUN SCENES"""
 import csv
@@ -14,8 +14,8 @@ import tempfile
 from programs import run
 from tally import check, conclude
 
-KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "predicted_force_evals", "source", "interval", "errors", "stable_h",
-        "h_max_omega", "measure", "trajectories_until", "pilots", "alternatives"]
+KEYS = ["stepper", "h", "predicted_error", "predicted_seconds", "predicted_force_evals", "source", "interval", "errors",
+        "stable_h", "h_max_omega", "measure", "trajectories_until", "pilots", "alternatives"]
 MEASURES = ["attitude", "position", "velocity", "energy"]
 # with so long, all pilots go over the whole time
 LONG = ["--budget", "600"]
@@ -68,10 +68,12 @@ def promise(name, t_end, error):
     bound = advice["stable_h"]
     at_bound = bound is not None and advice["h"] > 0.4 * bound  # stability may ask for less than the error does
     check(found >= error / 3 or at_bound, what + ": nor below a third of it, unless stability sets the step")
-    check(advice["source"] == "measured" and advice["interval"][0] <= found <= advice["interval"][1], what + ": it is as predicted")
+    check(advice["source"] == "measured" and advice["interval"][0] <= found <= advice["interval"][1],
+          what + ": it is as predicted")
     for measure, told in advice["errors"].items():
         true = float(row[measure + "_error"])
-        check(told is None or told / 1.5 <= true <= 1.5 * told + 1e-12, f"{what}: its {measure} errs by {told} and {true}")
+        check(told is None or told / 1.5 <= true <= 1.5 * told + 1e-12,
+              f"{what}: its {measure} errs by {told} and {true}")
     check(list(advice["errors"]) == MEASURES, what + ": all measures are told")
 
 
@@ -130,7 +132,8 @@ def known_to_its_share():
     """The solution is known to 3 % of the error asked for: at these errors a laxer bound is met by a coarser run. The page prints
     one digit."""
     for name, t_end, error in (("pile", 0.25, 1e-4), ("chain", 10, 3e-8), ("pendulum", 10, 1e-8)):
-        said = run(advise, *LONG, "--error", repr(error), "--steppers", "srkn11", "--t-end", str(t_end), scene(name)).stdout
+        said = run(advise, *LONG, "--error", repr(error), "--steppers", "srkn11", "--t-end", str(t_end),
+                   scene(name)).stdout
         known = float((said.split("the solution is known to ") + ["nan"])[1].split()[0])
         check(0 <= known <= 1.2 * 0.03 * error, f"{name}: asked for {error:g}, the solution is known to {known:g}")
 
@@ -146,9 +149,11 @@ def rivals():
 
 
 def always():
-    """An answer, whatever the budget, by no more than the evaluations that it stands for: 1e6 of a body, or as many as the
-    predicted run takes where forces have kinks, 0.3 of it elsewhere, and a part of the run that shows what that is."""
-    for name, t_end, error, bodies in (("torus", 35, 1e-3, 80), ("pile", 10, 1e-3, 128), ("block", 4, 1e-4, 96), ("chain", 10, 1e-5, 10)):
+    """An answer, whatever the budget, by no more than the evaluations that it stands for: 1e6 of a body, or as many as
+    the predicted run takes where forces have kinks, 0.3 of it elsewhere, and a part of the run that shows what that
+    is."""
+    for name, t_end, error, bodies in (("torus", 35, 1e-3, 80), ("pile", 10, 1e-3, 128), ("block", 4, 1e-4, 96),
+                                       ("chain", 10, 1e-5, 10)):
         done = run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name))
         check(done.returncode == 0, f"{name}: always an answer {done.stderr.strip()}")
         advice = json.loads(done.stdout or "{}")
@@ -158,14 +163,16 @@ def always():
         least = 4 * bodies * t_end / (0.9 * 0.5 * 2 * (advice["stable_h"] or 1e-3))
         took = bodies * advice["pilots"]["force_evals"]
         check(took <= 1.1 * max(may, least), f"{name}: by {took:.3g} evaluations of a body of {may:.3g}")
-        check(advice["predicted_error"] <= error and advice["interval"][0] < advice["predicted_error"] < advice["interval"][1],
+        check(advice["predicted_error"] <= error
+              and advice["interval"][0] < advice["predicted_error"] < advice["interval"][1],
               f"{name}: {advice['predicted_error']:.2g} in {advice['interval']}")
         parted = name in ("torus", "pile")
         check((advice["measure"] == "energy") == parted and (advice["trajectories_until"] is not None) == parted,
               f"{name}: trajectories that part, and only these, are advised on by energy")
         row = follow(name, t_end, advice["stepper"], advice["h"]) if not parted else None
         found = float(row["attitude_error"]) if row else None
-        check(not row or advice["interval"][0] <= found <= advice["interval"][1], f"{name}: {found} is in {advice['interval']}")
+        check(not row or advice["interval"][0] <= found <= advice["interval"][1],
+              f"{name}: {found} is in {advice['interval']}")
     done = run(advise, "--json", "--error", "1e-6", "--budget", "1e-9", scene("block"))
     advice = json.loads(done.stdout)
     check(done.returncode == 0 and advice["source"] == "stability" and advice["predicted_error"] is None
@@ -175,10 +182,12 @@ def always():
 def measures():
     """The error of any of them can be asked for."""
     for measure in MEASURES:
-        advice = json.loads(run(advise, "--json", *LONG, "--error", "1e-4", "--measure", measure, "--t-end", "2", scene("chain")).stdout)
+        advice = json.loads(run(advise, "--json", *LONG, "--error", "1e-4", "--measure", measure, "--t-end", "2",
+                                scene("chain")).stdout)
         found = float(follow("chain", 2, advice["stepper"], advice["h"])[measure + "_error"])
-        check(advice["measure"] == measure and advice["predicted_error"] == advice["errors"][measure] and found <= 1.5e-4
-              and advice["predicted_error"] / 1.3 <= found <= 1.3 * advice["predicted_error"], f"by {measure}: {found:.2e}")
+        check(advice["measure"] == measure and advice["predicted_error"] == advice["errors"][measure]
+              and found <= 1.5e-4 and advice["predicted_error"] / 1.3 <= found <= 1.3 * advice["predicted_error"],
+              f"by {measure}: {found:.2e}")
 
 
 def refusals():

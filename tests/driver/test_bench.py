@@ -59,9 +59,10 @@ def test_page(vti_plot, folder, rows):
     check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
     check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
-    check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | 1.00 (0.90 to 1.10) |" in made,
-          "LAMMPS beside two builds")
-    check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made, "and beside one")
+    check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | "
+          "1.00 (0.90 to 1.10) |" in made, "LAMMPS beside two builds")
+    check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made,
+          "and beside one")
     os.remove(os.path.join(folder, "lammps.csv"))
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:

@@ -150,18 +150,20 @@ def refusals(base):
         result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/{stepper}.h5")
         check(result.returncode == 0 and "verdict: good" in result.stdout, f"{stepper} may {result.stderr}")
     cost = run(MPIRUN, "-n", "1", STUDY, path, "--cost", "--no-plot", "-o", f"{base}/cost")
-    check(cost.returncode != 0 and "drag dissipates, and price lists compare" in cost.stderr, f"--cost: {cost.stderr.strip()}")
+    check(cost.returncode != 0 and "drag dissipates, and price lists compare" in cost.stderr,
+          f"--cost: {cost.stderr.strip()}")
     advise = run(ADVISE, path, "--error", "1e-3", "--steppers", "exact,srkn6")
-    check(advise.returncode == 1 and "drag dissipates, which the stepper srkn6 cannot" in advise.stderr, f"vti-advise: {advise.stderr}")
+    check(advise.returncode == 1 and "drag dissipates, which the stepper srkn6 cannot" in advise.stderr,
+          f"vti-advise: {advise.stderr}")
 
 
 def follow_study(base):
-    """vti-study's errors of a fall under linear drag against the closed form, v = V + (v0 - V) exp(-c t/m), Omega and its angle
-    alike; and on scenes that rub and break its orders, with the same bytes from two ranks."""
+    """vti-study's errors of a fall under linear drag against the closed form, v = V + (v0 - V) exp(-c t/m), Omega and
+    its angle alike; and on scenes that rub and break its orders, with the same bytes from two ranks."""
     tables = []
     for ranks in ("1", "2"):
-        done = run(MPIRUN, "-n", ranks, STUDY, f"{base}/fall.yaml", "--set", "drag.quadratic=0", "--steppers", "vti2,exact", "--h",
-                   "1/64:1/512", "--t-end", "2", "--no-plot", "-o", f"{base}/study{ranks}")
+        done = run(MPIRUN, "-n", ranks, STUDY, f"{base}/fall.yaml", "--set", "drag.quadratic=0", "--steppers",
+                   "vti2,exact", "--h", "1/64:1/512", "--t-end", "2", "--no-plot", "-o", f"{base}/study{ranks}")
         check(done.returncode == 0 and "reference: chin4" in done.stdout, f"vti-study of a fall {done.stderr.strip()}")
         with open(f"{base}/study{ranks}/study.csv", "rb") as file:
             tables.append(file.read())
@@ -175,34 +177,38 @@ def follow_study(base):
             h = float(row["h"])
             middle = turn * numpy.exp(-rate * h * (numpy.arange(round(2.0 / h)) + 0.5))
             off = abs(numpy.sum(2 * numpy.arctan(h * middle / 2)) - angle)
-            check(abs(float(row["attitude_error"]) - off) < 0.01 * off, f"... errors against the closed form at h = {h:g}")
+            check(abs(float(row["attitude_error"]) - off) < 0.01 * off,
+                  f"... errors against the closed form at h = {h:g}")
     for name, h, least in (("snap", "1/512:1/4096", 1.9), ("heap", "1/1024:1/8192", 1.3)):
-        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", "exact", "--h", h, "--t-end", "0.5", "--no-plot",
-                   "-o", f"{base}/study-{name}")
+        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", "exact", "--h", h, "--t-end", "0.5",
+                   "--no-plot", "-o", f"{base}/study-{name}")
         line = [row for row in done.stdout.splitlines() if row.startswith("exact ") and "+-" in row]
-        orders = [float(order) for order in re.findall(r"([0-9.]+) \+-", (line or [""])[0])]  # E, q if it has one, H1, attitude
+        # E, q if it has one, H1, attitude
+        orders = [float(order) for order in re.findall(r"([0-9.]+) \+-", (line or [""])[0])]
         check(done.returncode == 0 and len(orders) > 2 and 1.9 < orders[0] < 2.1 and min(orders[-2:]) > least,
               f"vti-study of {name}: {line} {done.stderr.strip()}")
 
 
 def advice(base):
-    """vti-advise ends, with steppers that may be used, and the run that it advises errs as it says, against a finer one of
-    another kind."""
+    """vti-advise ends, with steppers that may be used, and the run that it advises errs as it says, against a finer one
+    of another kind."""
     for name, t_end in (("fall", "2"), ("swing", "2"), ("snap", "1"), ("heap", "0.5"), ("mill", "4")):
         done = run(ADVISE, "--json", "--error", "1e-3", "--t-end", t_end, f"{base}/{name}.yaml")
         check(done.returncode == 0, f"advice on {name} {done.stderr.strip()}")
         told = json.loads(done.stdout)
         may = {"vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "chin4"}
-        check({told["stepper"]} | {other["stepper"] for other in told["alternatives"]} == may, "... among those that may be used")
+        check({told["stepper"]} | {other["stepper"] for other in told["alternatives"]} == may,
+              "... among those that may be used")
         check(told["pilots"]["force_evals"] < 3e5, f"... after {told['pilots']['force_evals']} evaluations")
         if told["trajectories_until"] is not None:
             continue
-        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", told["stepper"], "--h", repr(told["h"]), "--t-end",
-                   t_end, "--no-plot", "-o", f"{base}/advised-{name}")
+        done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", told["stepper"], "--h",
+                   repr(told["h"]), "--t-end", t_end, "--no-plot", "-o", f"{base}/advised-{name}")
         with open(f"{base}/advised-{name}/study.csv", encoding="ascii", newline="") as file:
             found = float(next(csv.DictReader(file))["attitude_error"])
         low, high = told["interval"]
-        check(low <= found <= high, f"... {told['stepper']} at h = {told['h']:.3g}: error {found:.2e} in {low:.1e} to {high:.1e}")
+        check(low <= found <= high,
+              f"... {told['stepper']} at h = {told['h']:.3g}: error {found:.2e} in {low:.1e} to {high:.1e}")
 
 
 with tempfile.TemporaryDirectory() as base:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the page of ./dev granular measures, on heaps whose slope, front and law are known; and the tables of beads that it
-pours.      test_granular.py PROJECT"""
+"""What the page of ./dev granular measures, on heaps whose slope, front and law are known; and the tables of beads that
+it pours.      test_granular.py PROJECT"""
 import csv
 import math
 import os
@@ -50,16 +50,21 @@ normal = np.array([0.6, 0.0, 0.8])
 velocity = granular.struck(normal, 1.0)
 tangent = np.array([0.8, 0.0, -0.6])
 along, across = velocity @ normal, velocity @ tangent
-check(abs(along + 0.5 * (1 + granular.RESTITUTION) * 0.8) < 1e-15, f"a bead struck at 37 degrees has {along:.4g} along the normal")
+check(abs(along + 0.5 * (1 + granular.RESTITUTION) * 0.8) < 1e-15,
+      f"a bead struck at 37 degrees has {along:.4g} along the normal")
 check(abs(across - granular.MU * -along) < 1e-15, f"... and {across:.4g} across, towards where it is pushed")
 
 with tempfile.TemporaryDirectory() as folder:
     table = os.path.join(folder, "beads.csv")
-    subprocess.run([sys.executable, os.path.join(project, "bench", "granular", "packing.py"), "loose", "10", "60", "1", table], check=True)
+    subprocess.run([sys.executable, os.path.join(project, "bench", "granular", "packing.py"), "loose", "10", "60", "1",
+                    table], check=True)
     with open(table, encoding="utf-8", newline="") as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-gaps = [math.hypot(a["x"] - b["x"], a["z"] - b["z"]) - (a["diameter"] + b["diameter"]) / 2 for k, a in enumerate(rows) for b in rows[:k]]
+gaps = [math.hypot(a["x"] - b["x"], a["z"] - b["z"]) - (a["diameter"] + b["diameter"]) / 2 for k, a in enumerate(rows)
+        for b in rows[:k]]
 check(len(rows) == 60 and min(gaps) > 0, f"60 loose beads do not touch: {min(gaps):.2g}")
-check(all(abs(row["mass"] / (2500 * math.pi / 6 * row["diameter"]**3) - 1) < 1e-6 for row in rows), "... and have the mass of glass")
-check(all(0 < row["x"] - row["diameter"] / 2 and row["x"] + row["diameter"] / 2 < 0.0303 and row["y"] == 0 for row in rows), "... in their box")
+check(all(abs(row["mass"] / (2500 * math.pi / 6 * row["diameter"]**3) - 1) < 1e-6 for row in rows),
+      "... and have the mass of glass")
+check(all(0 < row["x"] - row["diameter"] / 2 and row["x"] + row["diameter"] / 2 < 0.0303 and row["y"] == 0
+          for row in rows), "... in their box")
 conclude()

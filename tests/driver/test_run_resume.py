@@ -433,7 +433,8 @@ def refused(base):
 
 random.seed(20240117)
 TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h", "1/64", "--t-end", "20"),
-          lambda base: kills(base, "chain", "--stepper", "srkn11", "--tolerance", "1e-9", "--h", "1/16", "--t-end", "80"),
+          lambda base: kills(base, "chain", "--stepper", "srkn11", "--tolerance", "1e-9", "--h", "1/16", "--t-end",
+                             "80"),
           lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),

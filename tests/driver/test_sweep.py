@@ -137,18 +137,23 @@ def pictures(base):
 
 
 def tolerances(base):
-    """Steps by a tolerance: errors fall with it, evaluations grow, momenta stay, and the step of a row is between looks only."""
-    result = run(STUDY, "--no-plot", CHAIN, "--t-end", "1", "--sweep", "tolerance=1e-3,1e-5,1e-7", "--steppers", "srkn11", "--h", "1/4",
-                 "-o", f"{base}/tolerances")
+    """Steps by a tolerance: errors fall with it, evaluations grow, momenta stay, and the step of a row is between looks
+    only."""
+    result = run(STUDY, "--no-plot", CHAIN, "--t-end", "1", "--sweep", "tolerance=1e-3,1e-5,1e-7", "--steppers",
+                 "srkn11", "--h", "1/4", "-o", f"{base}/tolerances")
     check(result.returncode == 0, f"a sweep over tolerances {result.stderr}")
     of = rows(f"{base}/tolerances")
     errors, evals = ([float(row[key]) for row in of] for key in ("attitude_error", "force_evals"))
-    check(len(of) == 3 and errors[0] > 20 * errors[1] > 400 * errors[2] > 0, f"errors fall with the tolerance: {errors}")
+    check(len(of) == 3 and errors[0] > 20 * errors[1] > 400 * errors[2] > 0,
+          f"errors fall with the tolerance: {errors}")
     check(4 * 11 < evals[0] < evals[1] < evals[2], f"... and take evaluations: {evals}")
-    check(all(float(row["momentum_error"]) < 1e-13 and row["verdict"] == "good" for row in of), "... momenta stay, and verdicts are good")
-    for arguments, words in ((["--steppers", "vti2"], ["vti2 has no estimate", "srkn11"]), (["--cost"], ["tolerance", "srkn11-tol"])):
+    check(all(float(row["momentum_error"]) < 1e-13 and row["verdict"] == "good" for row in of),
+          "... momenta stay, and verdicts are good")
+    for arguments, words in ((["--steppers", "vti2"], ["vti2 has no estimate", "srkn11"]),
+                             (["--cost"], ["tolerance", "srkn11-tol"])):
         result = run(STUDY, "--no-plot", CHAIN, "--tolerance", "1e-6", "--t-end", "1", *arguments, "-o", f"{base}/no")
-        check(result.returncode != 0 and all(word in result.stderr for word in words), f"{arguments}: {result.stderr.strip()[-160:]}")
+        check(result.returncode != 0 and all(word in result.stderr for word in words),
+              f"{arguments}: {result.stderr.strip()[-160:]}")
 
 
 def refused(base):

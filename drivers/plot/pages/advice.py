@@ -43,9 +43,10 @@ def write(page, cost):
     page.text(f"- **Smooth forces, accuracy wanted** (bonds, joints, gravity; no contacts): `srkn11` or `srkn14`, below 1e-8 "
               f"`kl8` as well. {_gain(cost, False)}")
     page.text("- **Trajectories, and forces that are dear**: `an8`, below 1e-8 `an9`, with contacts `an4` or `an6`. They need the fewest "
-              "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a force, the more they "
-              "gain (the table above has forces that are cheap). They are not symplectic: energy drifts linearly and angular "
-              "momentum is kept to their order alone; over long times take the symplectic lists.")
+              "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a "
+              "force, the more they gain (the table above has forces that are cheap). They are not symplectic: energy "
+              "drifts linearly and angular momentum is kept to their order alone; over long times take the symplectic "
+              "lists.")
     page.text("- **Contacts or walls**: begin with `exact` (or `vti2`): a step costs one force evaluation, and there is no "
               f"order to lose. What a longer list of stages still gains depends on the scene. {_gain(cost, True)}")
     page.text("- **Dissipation** (damping, friction): `exact`, `vti2` or `chin4`. Their coefficients are positive; the others "

@@ -214,14 +214,16 @@ DISSIPATING = {
 
 def dissipating(page, folder):
     page.heading("Beyond the paper: scenes that lose energy")
-    page.text("Not in the paper: drag, dashpots, friction and rupture, which `docs/dissipation.md` explains. What is lost is booked, and "
-              "the sum with it stays to second order in h.")
+    page.text("Not in the paper: drag, dashpots, friction and rupture, which `docs/dissipation.md` explains. What is "
+              "lost is booked, and the sum with it stays to second order in h.")
     for name, about in DISSIPATING.items():
         run = read_run(os.path.join(folder, name, "out.h5"))
         total = run.columns["total"]
         scale = np.max(np.abs(total)) + max(np.max(np.abs(values)) for values in run.energies().values())
-        film = next((f"{name}/{film}" for film in ("film.mp4", "film.gif") if os.path.isfile(os.path.join(folder, name, film))), None)
-        page.text(f"**{name}.** {about} The sum stays to {number(np.max(np.abs(total - total[0])) / scale)} of the largest energy."
+        film = next((f"{name}/{film}" for film in ("film.mp4", "film.gif")
+                     if os.path.isfile(os.path.join(folder, name, film))), None)
+        page.text(f"**{name}.** {about} The sum stays to {number(np.max(np.abs(total - total[0])) / scale)} of the "
+                  "largest energy."
                   + (f" The film is `{film}`." if film else ""))
         page.picture(name, "shapes.png")
         page.picture(name, "energy.png")

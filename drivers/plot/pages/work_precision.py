@@ -127,8 +127,8 @@ def _band(axes, lines):
 
 
 def _names(axes, ends):
-    """In one column right of the panel, by the height of the lines' ends. Those that would cover each other are moved apart, up from
-    the lowest and back from the top."""
+    """In one column right of the panel, by the height of the lines' ends. Those that would cover each other are moved
+    apart, up from the lowest and back from the top."""
     low, high = axes.get_ylim()
     ends = sorted(ends, key=lambda end: end[1])
     heights = [np.log(end[1] / low) / np.log(high / low) for end in ends]
@@ -139,7 +139,7 @@ def _names(axes, ends):
         heights[k] = min(heights[k], ceiling)
         ceiling = heights[k] - APART
     for (error, value, name, colour, is_best), height in zip(ends, heights):
-        axes.annotate(name, (error, value), (1.02, height), textcoords="axes fraction", color=colour, fontsize=8.5, va="center",
-                      fontweight="bold" if is_best else "normal", annotation_clip=False,
-                      arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.6, "relpos": (0, 0.5), "shrinkA": 0,
-                                  "shrinkB": 0})
+        axes.annotate(name, (error, value), (1.02, height), textcoords="axes fraction", color=colour, fontsize=8.5,
+                      va="center", fontweight="bold" if is_best else "normal", annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.6,
+                                  "relpos": (0, 0.5), "shrinkA": 0, "shrinkB": 0})
