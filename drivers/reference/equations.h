@@ -32,7 +32,7 @@ int64_t equations_width(const struct model *model);
 /** The model's bodies at t = 0 as a state. */
 void equations_start(const struct model *model, double *state);
 /** Bodies with attitudes as alpha, of the model's own views, as a state; its last number is left alone. */
-void equations_take(const struct model *model, const vti_bodies *bodies, double *state);
+void equations_take(const struct model *model, const vti_bodies *from, double *state);
 /** A state seen as bodies: nothing is copied. */
 vti_bodies equations_bodies(const struct model *model, double *state);
 /** Lets *bodies, which equations_bodies has made of another state, see this one. A seal stays good: only the addresses
