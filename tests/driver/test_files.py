@@ -22,7 +22,8 @@ INPUTS = "Tables that a scene reads"
 
 
 def system(kg, m, s):
-    return {"1": 1.0, "kg": kg, "m": m, "s": s, "N": kg * m / s ** 2, "J": kg * m ** 2 / s ** 2, "kg m^2": kg * m ** 2}
+    return {"1": 1.0, "kg": kg, "m": m, "s": s, "N": kg * m / s ** 2, "J": kg * m ** 2 / s ** 2, "kg m^2": kg * m ** 2,
+            "Pa": kg / m / s ** 2}
 
 
 USUAL, OTHER = system(1.0, 1.0, 1.0), system(2.0 ** 2, 2.0 ** 6, 2.0 ** -4)
