@@ -12,7 +12,7 @@ extern "C" {
 
 /** The solid that spheres make: what a body of it weighs. */
 typedef struct vti_solid {
-    double mass;
+    double mass;         /**< density times volume */
     double centre[3];    /**< of mass, where offsets of the spheres begin */
     double moments[3];   /**< A <= B <= C about it: vti_bodies.moments */
     double principal[4]; /**< xyzw, w >= 0: takes the principal axes, right-handed, the largest components of the first
@@ -70,7 +70,7 @@ VTI_API int vti_clumps_gather(const vti_clumps *clumps, const vti_bodies *bodies
 
 /** An effect on the spheres of clumps. */
 typedef struct vti_clumped {
-    const vti_clumps *clumps;
+    const vti_clumps *clumps; /**< whose spheres it acts on, and whose bodies bear it */
     const vti_effect *effect; /**< acts on clumps->spheres */
 } vti_clumped;
 
