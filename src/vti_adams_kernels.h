@@ -176,6 +176,7 @@ VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double 
             quad_store(n + 2, now.high); /* the two numbers that are in both are the same */
         }
         for (int k = 0; k < PARTS; ++k) {
+            /* cppcheck-suppress uninitvar ; quad_load writes it */
             now.low[k] -= was.low[k];
             now.high[k] -= was.high[k];
         }
@@ -185,6 +186,7 @@ VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double 
         }
     }
     for (int k = 0; k < PARTS; ++k) {
+        /* cppcheck-suppress uninitvar ; quad_zero writes it */
         off->low[k] = f.low[k] - sum.low[k];
         off->high[k] = f.high[k] - sum.high[k];
     }

@@ -268,6 +268,7 @@ VTI_INLINE void loads_turned(int terms, int form, const vti_bonds *bonds, const 
             gather(terms, ANY, &block, &b, &state);
         gather_turns(&block, &state);
         bond_evaluate(terms, form, &state, &loads);
+        /* cppcheck-suppress legacyUninitvar ; it is written */
         write_rows(&loads, whole ? rows : row);
         for (int64_t k = 0; !whole && k < (last - first) * VTI_BOND_LOADS; ++k)
             rows[k] = row[k];

@@ -207,6 +207,8 @@ int vti_bodies_values_fault(const vti_bodies *b, vti_fault *fault)
         status = values_check(&b->mass, b, VTI_E_MASS, VTI_QUANTITY_MASS, fault);
     if (status == VTI_OK)
         status = values_check(&b->inertia, b, VTI_E_INERTIA, VTI_QUANTITY_INERTIA, fault);
+    if (status != VTI_OK) /* there may be no bodies to look at */
+        return status;
     for (int64_t i = b->first; vti_has(&b->moments) && i < b->first + b->count && status == VTI_OK; ++i)
         status = moments_check(&b->moments, i, i, fault);
     return status == VTI_OK ? states_check(b, fault) : status;

@@ -161,7 +161,7 @@ int vti_step_undo(const vti_bodies *b, const vti_kept *kept)
 
 static int set_density(vti_density *density, double epsilon, double rho)
 {
-    const double h = epsilon / rho;
+    const double h = is_positive(rho) ? epsilon / rho : 0.0;
     const vti_density next = {epsilon, rho, h};
     if (!is_positive(h))
         return VTI_E_TIME;

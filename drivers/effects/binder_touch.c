@@ -24,7 +24,7 @@ static int resize(void *p, int64_t n, size_t size)
     moved = realloc(old, (size_t)n * size);
     if (moved != NULL)
         memcpy(p, &moved, sizeof moved);
-    return moved != NULL;
+    return moved != NULL; /* cppcheck-suppress memleak ; *p has it */
 }
 
 /** Room for so many bonds in all of their arrays. Returns 0, or -1: there is none, and all are as they were. */

@@ -100,7 +100,7 @@ static inline double hessian_limit(const vti_bodies *b, const vti_effect *effect
     const double omega2 = hessian_largest(m);
     gsl_matrix_free(m);
     vti_apply(effects, n, b);
-    return 2 / sqrt(omega2);
+    return omega2 > 0 ? 2 / sqrt(omega2) : INFINITY;
 }
 
 static inline double crowd_limit(crowd *c, const vti_effect *effects, int64_t n)
