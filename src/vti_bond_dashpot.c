@@ -40,41 +40,48 @@ static double coefficient(double constant, double zeta, double mass, const vti_s
     return constant + (energy > 0.0 ? 2.0 * zeta * sqrt(mass * energy) / length : 0.0);
 }
 
-static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, const vti_bodies *b, double t, int64_t k,
-                     int motion)
+static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, struct vti_touch_motion *m, double t,
+                     int64_t k, int motion)
 {
     const vti_bonds *bonds = p->bonds;
     const int turns = motion == BENDING || motion == TWISTING;
     const double constants[MOTIONS] = {p->axial, p->shear, p->bending, p->twisting};
     const vti_scalars *stiffness = motion == AXIAL ? &bonds->axial : motion == SHEAR ? &bonds->shear : &bonds->moment;
-    if (turns && !vti_has(&b->omega))
+    if (turns && !m->turns)
         return;
     const double mass = turns             ? vti_touch_rolling_inertia(at)
                         : motion == AXIAL ? vti_touch_normal_mass(at)
                                           : vti_touch_tangential_mass(at);
     const double c = coefficient(constants[motion], p->zeta, mass, stiffness, k, turns ? 1.0 : bonds->rest[4 * k + 3]);
-    double u[3], w[3], along[3];
+    double a[3], along[3];
     if (!(c > 0.0))
         return;
-    vti_touch_velocities(at, b, u, w);
-    double *const a = turns ? w : u;
+    if (turns)
+        vti_touch_roll(m, a);
+    else
+        vti_touch_slip(at, m, a);
     vti_touch_split(at, a, along);
     double *const damped = motion == AXIAL || motion == TWISTING ? along : a;
     vti_sum_add(&p->lost[motion], vti_touch_decay(mass, vti_decay(c * t / mass).gone, damped));
     if (turns)
-        vti_touch_turn(at, b, damped);
+        vti_touch_turn(at, damped, m);
     else
-        vti_touch_push(at, b, damped);
+        vti_touch_push(at, damped, m);
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_bond_dashpots *p = self;
     struct vti_touch at;
+    struct vti_touch_motion motion;
     for (int64_t k = 0; k < p->bonds->count; ++k) {
         const int64_t bond = drift < 0.0 ? p->bonds->count - 1 - k : k;
-        for (int m = 0; find_bond(&at, p->bonds, b, bond) && m < MOTIONS; ++m)
-            flow_one(p, &at, b, t, bond, drift < 0.0 ? MOTIONS - 1 - m : m);
+        if (!find_bond(&at, p->bonds, b, bond))
+            continue;
+        vti_touch_load(&at, b, &motion);
+        for (int m = 0; m < MOTIONS; ++m)
+            flow_one(p, &at, &motion, t, bond, drift < 0.0 ? MOTIONS - 1 - m : m);
+        vti_touch_store(&at, b, &motion);
     }
 }
 

@@ -12,7 +12,7 @@
 #include "vti_history.h"
 #include "vti_touch.h"
 
-enum { NORMAL, TANGENTIAL, ROLLING, TWISTING };
+enum { NORMAL, TANGENTIAL, ROLLING, TWISTING, MOTIONS };
 
 /* ---- coefficients, as their mean over the drift ------------------------------------------------------------------ */
 
@@ -42,36 +42,75 @@ static double mean_power(double delta, double other)
 /** What the touch is between here and the other end of the drift. */
 struct place {
     struct vti_touch touch;
-    double k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
-    double other;   /* overlap at the other end */
-    double touched; /* share of the drift */
+    struct vti_touch_motion motion;
+    double approach; /* u.n, which the flow of no other motion changes */
+    double spin;     /* w.n, likewise */
+    double k_h;      /* F = k_h delta^{3/2}, K/length^{5/2} */
+    double root;     /* of delta, 0 apart */
+    double other;    /* overlap at the other end */
+    double touched;  /* share of the drift */
     double zeta;
+    double mass[MOTIONS]; /* what resists */
+    double gone[MOTIONS]; /* the share of the velocity that goes, where nothing limits it */
+    const vti_held *held; /* by the springs of friction */
 };
 
 /** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4} */
 static double normal_coefficient(const vti_dashpots *p, const struct place *at)
 {
-    const double m = vti_touch_normal_mass(&at->touch);
     double c = p->normal * at->touched;
     if (at->zeta > 0.0)
-        c += sqrt(5.0) * at->zeta * sqrt(m * at->k_h) * mean_power(at->touch.delta, at->other);
+        c += sqrt(5.0) * at->zeta * sqrt(at->mass[NORMAL] * at->k_h) * mean_power(at->touch.delta, at->other);
     return c;
+}
+
+/** mass and gone of all motions, in which velocities have no part. */
+static void find_decays(const vti_dashpots *p, double t, struct place *at)
+{
+    const int turns = p->rolling > 0.0 || p->twisting > 0.0;
+    struct vti_decay d[MOTIONS];
+    at->mass[NORMAL] = vti_touch_normal_mass(&at->touch);
+    at->mass[TANGENTIAL] = vti_touch_tangential_mass(&at->touch);
+    at->mass[ROLLING] = at->mass[TWISTING] = at->motion.turns ? vti_touch_rolling_inertia(&at->touch) : 1.0;
+    const double normal = normal_coefficient(p, at);
+    const double c[MOTIONS] = {normal, p->tangential * at->touched + p->ratio * normal, p->rolling * at->touched,
+                               p->twisting * at->touched};
+    double z[MOTIONS];
+    for (int k = 0; k < MOTIONS; ++k)
+        z[k] = c[k] * t / at->mass[k];
+    if (turns)
+        vti_decays(MOTIONS, z, d);
+    else
+        vti_decays(ROLLING, z, d);
+    for (int k = 0; k < (turns ? MOTIONS : ROLLING); ++k)
+        at->gone[k] = d[k].gone;
+}
+
+/** What the springs of friction hold at a touch, and how much of F_n they may; nothing where there is no friction. */
+static const vti_held *held_at(const vti_dashpots *p, const struct vti_touch *touch)
+{
+    static const vti_held none;
+    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
+        return &none;
+    const vti_held *held =
+        vti_history_find(p->friction->history, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
+    return held != NULL ? held : &none;
 }
 
 /* ---- impulses ---------------------------------------------------------------------------------------------------- */
 
 /** The impulse p at the touch; a wall that moves puts p.V in. */
-static void push(const vti_dashpots *dashpots, const struct place *at, const vti_bodies *b, const double p[3])
+static void push(const vti_dashpots *dashpots, struct place *at, const double p[3])
 {
-    vti_touch_push(&at->touch, b, p);
+    vti_touch_push(&at->touch, p, &at->motion);
     if (at->touch.moves)
         vti_sum_add(dashpots->walls->work, -vti_dot(p, at->touch.v_j));
 }
 
 /** The moment impulse l; a wall that turns puts l.W in. */
-static void turn(const vti_dashpots *dashpots, const struct place *at, const vti_bodies *b, const double l[3])
+static void turn(const vti_dashpots *dashpots, struct place *at, const double l[3])
 {
-    vti_touch_turn(&at->touch, b, l);
+    vti_touch_turn(&at->touch, l, &at->motion);
     if (at->touch.moves)
         vti_sum_add(dashpots->walls->work, -vti_dot(l, at->touch.w_j));
 }
@@ -79,20 +118,18 @@ static void turn(const vti_dashpots *dashpots, const struct place *at, const vti
 /* ---- the four flows ---------------------------------------------------------------------------------------------- */
 
 /** Pulls no harder than the contact pushes, if it may not: p >= -t F_n. */
-static void flow_normal(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+static void flow_normal(const vti_dashpots *p, struct place *at, double t)
 {
     const struct vti_touch *touch = &at->touch;
-    const double m = vti_touch_normal_mass(touch), c = normal_coefficient(p, at), delta = touch->delta;
-    double u[3], w[3], impulse[3];
-    vti_touch_velocities(touch, b, u, w);
-    const double un = vti_dot(u, touch->n);
-    double size = -m * vti_decay(c * t / m).gone * un;
-    const double least = delta > 0.0 ? -t * at->k_h * delta * sqrt(delta) : 0.0;
+    const double m = at->mass[NORMAL], un = at->approach;
+    double impulse[3];
+    double size = -m * at->gone[NORMAL] * un;
+    const double least = touch->delta > 0.0 ? -t * at->k_h * touch->delta * at->root : 0.0;
     if (!p->pull && size < least)
         size = least;
     for (int k = 0; k < 3; ++k)
         impulse[k] = size * touch->n[k];
-    push(p, at, b, impulse);
+    push(p, at, impulse);
     vti_sum_add(&p->lost[NORMAL], -size * (un + 0.5 * size / m));
 }
 
@@ -104,39 +141,27 @@ static void across(double a[3], const double n[3])
         a[k] -= along * n[k];
 }
 
-/** What the springs of friction hold at a touch, and how much of F_n they may; nothing where there is no friction. */
-static const vti_held *held_at(const vti_dashpots *p, const struct place *at)
-{
-    static const vti_held none;
-    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
-        return &none;
-    const vti_held *held = vti_history_find(p->friction->history, at->touch.i + 1,
-                                            at->touch.j >= 0 ? at->touch.j + 1 : -1 - at->touch.wall);
-    return held != NULL ? held : &none;
-}
-
 /** Spring and dashpot together obey the limit: the largest s in [0, 1] with |-t f + s p| <= t limit, f being what the
  *  spring holds. A = p.p, B = -t f.p, C = min(0, t^2 (f.f - limit^2)), q = sqrt(B^2 - A C). */
 static double limited(const double p[3], const double f[3], double t, double limit)
 {
     const double a = vti_dot(p, p), b = -t * vti_dot(f, p), over = t * t * (vti_dot(f, f) - limit * limit),
-                 c = over < 0.0 ? over : 0.0, q = sqrt(b * b - a * c);
-    if (!(a > 0.0))
+                 c = over < 0.0 ? over : 0.0;
+    if (a + 2.0 * b + c <= 0.0 || !(a > 0.0)) /* within it as a whole */
         return 1.0;
+    const double q = sqrt(b * b - a * c);
     const double s = b > 0.0 ? -c / (b + q) : (q - b) / a;
     return s < 1.0 ? s : 1.0;
 }
 
-/** Of a velocity a against which mass resists: becomes the impulse; share is the limit's of F_n, 0: none. Returns what
- *  is lost by it. */
-static double decay(const struct place *at, double mass, double c, double t, double share_of_force, const double f[3],
-                    double a[3])
+/** Of the velocity a of a motion: becomes the impulse; share is the limit's of F_n, 0: none. Returns what is lost by it. */
+static double decay(const struct place *at, int motion, double t, double share_of_force, const double f[3], double a[3])
 {
-    const double gone = vti_decay(c * t / mass).gone, delta = at->touch.delta;
+    const double mass = at->mass[motion], gone = at->gone[motion], delta = at->touch.delta;
     if (!(share_of_force > 0.0))
         return vti_touch_decay(mass, gone, a);
     const double whole[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
-    const double limit = delta > 0.0 ? share_of_force * at->k_h * delta * sqrt(delta) : 0.0;
+    const double limit = delta > 0.0 ? share_of_force * at->k_h * delta * at->root : 0.0;
     return vti_touch_decay(mass, gone * limited(whole, f, t, limit), a);
 }
 
@@ -149,57 +174,46 @@ static double sliding_at(const vti_dashpots *p, const struct place *at)
     return at->touch.j < 0 ? vti_friction_of_wall(friction, at->touch.wall) : friction->sliding;
 }
 
-static void flow_tangential(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+static void flow_tangential(const vti_dashpots *p, struct place *at, double t)
 {
-    double c = p->tangential * at->touched, u[3], w[3];
-    if (p->ratio > 0.0)
-        c += p->ratio * normal_coefficient(p, at);
-    vti_touch_velocities(&at->touch, b, u, w);
+    double u[3];
+    vti_touch_slip(&at->touch, &at->motion, u);
     across(u, at->touch.n);
-    vti_sum_add(&p->lost[TANGENTIAL],
-                decay(at, vti_touch_tangential_mass(&at->touch), c, t, sliding_at(p, at), held_at(p, at)->sliding, u));
-    push(p, at, b, u);
+    vti_sum_add(&p->lost[TANGENTIAL], decay(at, TANGENTIAL, t, sliding_at(p, at), at->held->sliding, u));
+    push(p, at, u);
 }
 
-static void flow_rolling(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+static void flow_rolling(const vti_dashpots *p, struct place *at, double t)
 {
-    double u[3], w[3];
-    vti_touch_velocities(&at->touch, b, u, w);
+    double w[3];
+    vti_touch_roll(&at->motion, w);
     across(w, at->touch.n);
-    vti_sum_add(&p->lost[ROLLING], decay(at, vti_touch_rolling_inertia(&at->touch), p->rolling * at->touched, t,
-                                         p->friction != NULL ? p->friction->rolling : 0.0, held_at(p, at)->rolling, w));
-    turn(p, at, b, w);
+    vti_sum_add(&p->lost[ROLLING],
+                decay(at, ROLLING, t, p->friction != NULL ? p->friction->rolling : 0.0, at->held->rolling, w));
+    turn(p, at, w);
 }
 
-static void flow_twisting(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t)
+static void flow_twisting(const vti_dashpots *p, struct place *at, double t)
 {
-    double u[3], w[3], load[3];
-    vti_touch_velocities(&at->touch, b, u, w);
-    const double wn = vti_dot(w, at->touch.n);
+    double w[3], load[3];
     for (int k = 0; k < 3; ++k) {
-        w[k] = wn * at->touch.n[k];
-        load[k] = held_at(p, at)->twisting * at->touch.n[k];
+        w[k] = at->spin * at->touch.n[k];
+        load[k] = at->held->twisting * at->touch.n[k];
     }
-    vti_sum_add(&p->lost[TWISTING], decay(at, vti_touch_rolling_inertia(&at->touch), p->twisting * at->touched, t,
-                                          p->friction != NULL ? p->friction->twisting : 0.0, load, w));
-    turn(p, at, b, w);
+    vti_sum_add(&p->lost[TWISTING], decay(at, TWISTING, t, p->friction != NULL ? p->friction->twisting : 0.0, load, w));
+    turn(p, at, w);
 }
 
-typedef void one_flow(const vti_dashpots *p, const struct place *at, const vti_bodies *b, double t);
-
-/** The flows that there are, in their order. Returns how many. */
-static int flows_of(const vti_dashpots *p, one_flow *list[4])
+static void flow_of(int motion, const vti_dashpots *p, struct place *at, double t)
 {
-    int n = 0;
-    if (p->zeta > 0.0 || p->normal > 0.0)
-        list[n++] = flow_normal;
-    if (p->tangential > 0.0 || (p->ratio > 0.0 && n > 0))
-        list[n++] = flow_tangential;
-    if (p->rolling > 0.0)
-        list[n++] = flow_rolling;
-    if (p->twisting > 0.0)
-        list[n++] = flow_twisting;
-    return n;
+    if (motion == NORMAL)
+        flow_normal(p, at, t);
+    else if (motion == TANGENTIAL)
+        flow_tangential(p, at, t);
+    else if (motion == ROLLING)
+        flow_rolling(p, at, t);
+    else
+        flow_twisting(p, at, t);
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
@@ -209,8 +223,7 @@ struct sweep {
     const vti_dashpots *p;
     const vti_bodies *b;
     double t, drift;
-    one_flow *flow[4];
-    int flows;
+    int damped[MOTIONS];
 };
 
 /** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n, ahead
@@ -219,15 +232,26 @@ static void visit(const struct sweep *s, struct place *at)
 {
     struct vti_touch *touch = &at->touch;
     double u[3], w[3];
-    vti_touch_velocities(touch, s->b, u, w);
-    at->other = touch->delta - s->drift * vti_dot(u, touch->n);
+    vti_touch_load(touch, s->b, &at->motion);
+    vti_touch_slip(touch, &at->motion, u);
+    at->approach = vti_dot(u, touch->n);
+    at->other = touch->delta - s->drift * at->approach;
     if (touch->delta <= 0.0 && at->other <= 0.0)
         return;
+    vti_touch_roll(&at->motion, w);
+    at->spin = vti_dot(w, touch->n);
     vti_touch_masses(touch, s->b);
     at->k_h = touch->stiffness / (touch->length * touch->length * sqrt(touch->length));
+    at->root = touch->delta > 0.0 ? sqrt(touch->delta) : 0.0;
     at->touched = share(touch->delta, at->other);
-    for (int k = 0; k < s->flows; ++k)
-        s->flow[s->drift < 0.0 ? s->flows - 1 - k : k](s->p, at, s->b, s->t);
+    at->held = held_at(s->p, touch);
+    find_decays(s->p, s->t, at);
+    for (int k = 0; k < MOTIONS; ++k) {
+        const int motion = s->drift < 0.0 ? MOTIONS - 1 - k : k;
+        if (s->damped[motion])
+            flow_of(motion, s->p, at, s->t);
+    }
+    vti_touch_store(touch, s->b, &at->motion);
 }
 
 static void visit_pairs(const struct sweep *s)
@@ -257,8 +281,14 @@ static void visit_walls(const struct sweep *s)
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
-    struct sweep s = {.p = self, .b = b, .t = t, .drift = drift};
-    s.flows = flows_of(self, s.flow);
+    const vti_dashpots *p = self;
+    const int normal = p->zeta > 0.0 || p->normal > 0.0;
+    const struct sweep s = {
+        .p = p,
+        .b = b,
+        .t = t,
+        .drift = drift,
+        .damped = {normal, p->tangential > 0.0 || (p->ratio > 0.0 && normal), p->rolling > 0.0, p->twisting > 0.0}};
     if (drift < 0.0)
         visit_walls(&s);
     visit_pairs(&s);

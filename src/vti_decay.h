@@ -25,35 +25,48 @@ static inline double vti_half_to(int64_t k)
     return power;
 }
 
-/** Of z >= 0; both members are NaN where z is. Errors: 2 eps of each. */
-static inline struct vti_decay vti_decay(double z)
+/** Of n <= 4 of z >= 0 at once, so that none waits for the other's polynomial; both members are NaN where z is. Errors: 2
+ *  eps of each. */
+static inline void vti_decays(int n, const double *z, struct vti_decay *d)
 {
     /* 1/n! with alternating signs, n = 14 ... 2: what is left out is below r^15/15! < 2^-62 r */
-    static const double coefficient[] = {1.0 / 87178291200.0,
-                                         -1.0 / 6227020800.0,
-                                         1.0 / 479001600.0,
-                                         -1.0 / 39916800.0,
-                                         1.0 / 3628800.0,
-                                         -1.0 / 362880.0,
-                                         1.0 / 40320.0,
-                                         -1.0 / 5040.0,
-                                         1.0 / 720.0,
-                                         -1.0 / 120.0,
-                                         1.0 / 24.0,
-                                         -1.0 / 6.0,
-                                         0.5};
+    static const double taylor[] = {1.0 / 87178291200.0,
+                                    -1.0 / 6227020800.0,
+                                    1.0 / 479001600.0,
+                                    -1.0 / 39916800.0,
+                                    1.0 / 3628800.0,
+                                    -1.0 / 362880.0,
+                                    1.0 / 40320.0,
+                                    -1.0 / 5040.0,
+                                    1.0 / 720.0,
+                                    -1.0 / 120.0,
+                                    1.0 / 24.0,
+                                    -1.0 / 6.0,
+                                    0.5};
     static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
-    struct vti_decay d = {0.0, 1.0};
-    if (z > 708.0) /* below 2^-1021 */
-        return d;
-    const int64_t k = z >= 0.0 ? (int64_t)(z * per_ln2 + 0.5) : 0;
-    const double r = (z - (double)k * ln2_high) - (double)k * ln2_low, power = vti_half_to(k);
-    double p = coefficient[0];
-    for (size_t n = 1; n < sizeof coefficient / sizeof coefficient[0]; ++n)
-        p = p * r + coefficient[n];
-    p = p * r * r - r;
-    d.kept = power + power * p;
-    d.gone = (1.0 - power) - power * p;
+    static const double most = 708.0; /* beyond, exp(-z) < 2^-1021 */
+    double r[4], power[4], p[4];
+    for (int i = 0; i < n; ++i) {
+        const double z_i = z[i] > most ? most : z[i];
+        const int64_t k = z_i >= 0.0 ? (int64_t)(z_i * per_ln2 + 0.5) : 0;
+        r[i] = (z_i - (double)k * ln2_high) - (double)k * ln2_low;
+        power[i] = vti_half_to(k);
+        p[i] = taylor[0];
+    }
+    for (size_t c = 1; c < sizeof taylor / sizeof taylor[0]; ++c)
+        for (int i = 0; i < n; ++i)
+            p[i] = p[i] * r[i] + taylor[c];
+    for (int i = 0; i < n; ++i) {
+        p[i] = p[i] * r[i] * r[i] - r[i];
+        d[i].kept = z[i] > most ? 0.0 : power[i] + power[i] * p[i];
+        d[i].gone = (1.0 - power[i]) - power[i] * p[i];
+    }
+}
+
+static inline struct vti_decay vti_decay(double z)
+{
+    struct vti_decay d;
+    vti_decays(1, &z, &d);
     return d;
 }
 

@@ -61,8 +61,8 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
 /** To bodies of the slice only. */
 static void add_load(const vti_bodies *b, const vti_view *view, int64_t i, double s, const double a[3])
 {
-    if (vti_owns(b, i))
-        vti_touch_add(view, i, s, a);
+    for (int c = 0; c < 3 && vti_owns(b, i); ++c)
+        view->c[c][i * view->stride] += s * a[c];
 }
 
 static void push(void *context, const struct vti_touch *touch, vti_held *held)

@@ -99,58 +99,87 @@ static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const
     return 1;
 }
 
-/** u, and w where bodies turn (else 0). */
-static inline void vti_touch_velocities(const struct vti_touch *at, const vti_bodies *b, double u[3], double w[3])
+/** Velocities of both sides, which flows change; of a wall they are its own and stay. */
+struct vti_touch_motion {
+    int turns; /* whether bodies do; w_i and w_j are 0 else */
+    double v_i[3], v_j[3], w_i[3], w_j[3];
+};
+
+static inline void vti_touch_load(const struct vti_touch *at, const vti_bodies *b, struct vti_touch_motion *m)
 {
-    double wi[3] = {0.0, 0.0, 0.0}, wj[3] = {0.0, 0.0, 0.0}, vj[3] = {0.0, 0.0, 0.0}, spin[3], across[3];
-    vti_load(&b->v, at->i, u);
+    static const struct vti_touch_motion still;
+    *m = still;
+    m->turns = vti_has(&b->omega);
+    vti_load(&b->v, at->i, m->v_i);
     if (at->j >= 0)
-        vti_load(&b->v, at->j, vj);
+        vti_load(&b->v, at->j, m->v_j);
     for (int c = 0; c < 3 && at->moves; ++c) {
-        vj[c] = at->v_j[c];
-        wj[c] = at->w_j[c];
+        m->v_j[c] = at->v_j[c];
+        m->w_j[c] = at->w_j[c];
     }
-    if (vti_has(&b->omega))
-        vti_load(&b->omega, at->i, wi);
-    if (vti_has(&b->omega) && at->j >= 0)
-        vti_load(&b->omega, at->j, wj);
-    for (int c = 0; c < 3; ++c) {
-        spin[c] = (at->s_i * wi[c] + at->s_j * wj[c]) * at->r;
-        w[c] = wi[c] - wj[c];
-    }
+    if (m->turns)
+        vti_load(&b->omega, at->i, m->w_i);
+    if (m->turns && at->j >= 0)
+        vti_load(&b->omega, at->j, m->w_j);
+}
+
+static inline void vti_touch_store(const struct vti_touch *at, const vti_bodies *b, const struct vti_touch_motion *m)
+{
+    vti_store(&b->v, at->i, m->v_i);
+    if (at->j >= 0)
+        vti_store(&b->v, at->j, m->v_j);
+    if (m->turns)
+        vti_store(&b->omega, at->i, m->w_i);
+    if (m->turns && at->j >= 0)
+        vti_store(&b->omega, at->j, m->w_j);
+}
+
+/** u */
+static inline void vti_touch_slip(const struct vti_touch *at, const struct vti_touch_motion *m, double u[3])
+{
+    double spin[3], across[3];
+    for (int c = 0; c < 3; ++c)
+        spin[c] = (at->s_i * m->w_i[c] + at->s_j * m->w_j[c]) * at->r;
     vti_cross(spin, at->n, across);
     for (int c = 0; c < 3; ++c)
-        u[c] = u[c] - vj[c] - across[c];
+        u[c] = m->v_i[c] - m->v_j[c] - across[c];
+}
+
+/** w */
+static inline void vti_touch_roll(const struct vti_touch_motion *m, double w[3])
+{
+    for (int c = 0; c < 3; ++c)
+        w[c] = m->w_i[c] - m->w_j[c];
 }
 
 /** a += factor b */
-static inline void vti_touch_add(const vti_view *view, int64_t i, double factor, const double b[3])
+static inline void vti_touch_change(double a[3], double factor, const double b[3])
 {
     for (int c = 0; c < 3; ++c)
-        view->c[c][i * view->stride] += factor * b[c];
+        a[c] += factor * b[c];
 }
 
 /** The impulse p at the contact point, on body i. */
-static inline void vti_touch_push(const struct vti_touch *at, const vti_bodies *b, const double p[3])
+static inline void vti_touch_push(const struct vti_touch *at, const double p[3], struct vti_touch_motion *m)
 {
     double arm[3];
-    vti_touch_add(&b->v, at->i, at->per_m_i, p);
+    vti_touch_change(m->v_i, at->per_m_i, p);
     if (at->j >= 0)
-        vti_touch_add(&b->v, at->j, -at->per_m_j, p);
-    if (!vti_has(&b->omega))
+        vti_touch_change(m->v_j, -at->per_m_j, p);
+    if (!m->turns)
         return;
     vti_cross(at->n, p, arm);
-    vti_touch_add(&b->omega, at->i, -at->s_i * at->r * at->per_j_i, arm);
+    vti_touch_change(m->w_i, -at->s_i * at->r * at->per_j_i, arm);
     if (at->j >= 0)
-        vti_touch_add(&b->omega, at->j, -at->s_j * at->r * at->per_j_j, arm);
+        vti_touch_change(m->w_j, -at->s_j * at->r * at->per_j_j, arm);
 }
 
 /** The moment impulse l, on body i. */
-static inline void vti_touch_turn(const struct vti_touch *at, const vti_bodies *b, const double l[3])
+static inline void vti_touch_turn(const struct vti_touch *at, const double l[3], struct vti_touch_motion *m)
 {
-    vti_touch_add(&b->omega, at->i, at->per_j_i, l);
+    vti_touch_change(m->w_i, at->per_j_i, l);
     if (at->j >= 0)
-        vti_touch_add(&b->omega, at->j, -at->per_j_j, l);
+        vti_touch_change(m->w_j, -at->per_j_j, l);
 }
 
 /** Of a velocity a against which mass resists and of which the share gone goes: becomes the impulse. Returns the
