@@ -20,7 +20,7 @@ VTI_MOVE_LAW(rotor_law, lanes, lanes_of, lanes_sqrt)
 /** The larger of the two; but a turn that has reached 1, or is NaN, stays. */
 VTI_INLINE lanes rotor_worst(lanes a, lanes b)
 {
-    return lanes_where((b <= a) | (a >= 1.0) | (a != a), a, b);
+    return lanes_where(a < 1.0, lanes_where(b <= a, a, b), a);
 }
 
 /* ---- axes -------------------------------------------------------------------------------------------------------- */

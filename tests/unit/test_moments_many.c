@@ -82,6 +82,14 @@ static void fill(rng *g, int closed, const vti_bodies *all)
     }
 }
 
+/** A kick, the begin of a step, or the end of one with the begin of the next. */
+static int push(int how, const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault)
+{
+    if (how == 0)
+        return vti_kick(h, bodies);
+    return how % 2 ? vti_step_begin(method, h, bodies, fault) : vti_step_next(method, h, bodies, fault);
+}
+
 /** Bodies side by side have the bits of bodies one by one: in every layout, by every law and rotor, kicked or not. */
 TEST(many_are_as_one_by_one)
 {
@@ -91,26 +99,28 @@ TEST(many_are_as_one_by_one)
         vti_stepper own = *vti_stepper_find("exact");
         own.law = 1 + trial / 3 % 4;
         own.rotor = 2 * (1 + trial / 12 % 3);
+        static const double kicks[3][2] = {{0.5, 0.5}, {0.25, 0.75}, {0.0, 1.0}};
+        own.kick = kicks[trial / 5 % 3];
         static const int64_t counts[] = {MANY, MANY, 15, 7, 3}; /* for the kernels of each width */
         vti_bodies many = many_bodies(trial, &at_once);
         const vti_bodies single = many_bodies(trial, &alone);
         fill(&g, own.law == VTI_LAW_CLOSED, &many);
         many.count = counts[trial / 2 % 5];
         alone = at_once;
-        const int kicks_only = trial % 17 == 0;
+        const int how = trial % 17;
         const double h = 0.05;
         vti_fault fault;
-        const int status = kicks_only ? vti_kick(h, &many) : vti_step_begin(&own, h, &many, &fault);
+        const int status = push(how, &own, h, &many, &fault);
         if (status != VTI_OK) { /* the closed form's: nothing is written, and the body is the one */
             const vti_bodies slice = vti_bodies_slice(single, fault.body, 1);
-            assert_int_equal(vti_step_begin(&own, h, &slice, NULL), VTI_E_TOO_LARGE);
+            assert_int_equal(push(how, &own, h, &slice, NULL), VTI_E_TOO_LARGE);
             assert_memory_equal(&at_once, &alone, sizeof alone);
             continue;
         }
         ++moved;
         for (int64_t i = 0; i < many.count; ++i) {
             const vti_bodies slice = vti_bodies_slice(single, i, 1);
-            assert_int_equal(kicks_only ? vti_kick(h, &slice) : vti_step_begin(&own, h, &slice, NULL), VTI_OK);
+            assert_int_equal(push(how, &own, h, &slice, NULL), VTI_OK);
         }
         assert_same_bits(at_once.all[0], alone.all[0], sizeof alone / sizeof(double));
     }
