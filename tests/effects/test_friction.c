@@ -421,6 +421,13 @@ TEST(refusals)
     friction.rolling = 1;
     assert_int_equal(vti_effects_check(&effect, 1, &m.b, NULL), VTI_E_DAMPING);
     friction.rolling = 0;
+    double moments[3] = {1, 2, 2}, spin[2][3] = {{0}};
+    vti_bodies tops = m.b; /* it turns spheres */
+    tops.inertia.p = NULL;
+    tops.moments = vti_view_packed(moments);
+    tops.moments.stride = 0;
+    tops.spin = vti_view_packed(spin[0]);
+    assert_int_equal(vti_effects_check(&effect, 1, &tops, NULL), VTI_E_MOMENTS);
     assert_int_equal(vti_step_check(vti_stepper_find("kl6"), &effect, 1), VTI_E_DISSIPATES);
     history.slots = 3;
     assert_int_equal(vti_effects_check(&effect, 1, &m.b, NULL), VTI_E_HISTORY);
