@@ -88,6 +88,7 @@ vti_bodies frame_bodies(const struct frame_layout *layout, const double *frame)
 {
     double *state = (double *)frame; /* views are of what may be written; effects write forces and moments only */
     vti_bodies b = layout->model->bodies;
+    b.spin = vti_view_none();
     b.x_low = b.v_low = b.alpha_low = b.omega_low = vti_view_none();
     if (layout->translates) {
         b.x = vti_view_packed(state + layout->x);

@@ -185,7 +185,8 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
-    if (travel_check(stepper, model, message) != 0)
+    const char *const what = model->scene->tolerance > 0.0 ? "step control" : stepper->name;
+    if (travel_check(stepper, model, message) != 0 || (way != NULL && model_of_spheres(model, what, message) != 0))
         return -1;
     if (way != NULL) {
         travel->course = course_create(way, model, h, message);
@@ -194,7 +195,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     }
     if (stepper->lag == 0.0)
         return 0;
-    travel->copies = calloc((size_t)(6 * model->bodies.count), sizeof *travel->copies);
+    travel->copies = calloc((size_t)(9 * model->bodies.count), sizeof *travel->copies);
     if (travel->copies != NULL)
         return 0;
     travel_destroy(travel);
@@ -256,7 +257,8 @@ vti_bodies travel_bodies(struct travel *travel)
         return b;
     b.v = copied(&b.v, b.count, travel->copies);
     b.omega = copied(&b.omega, b.count, travel->copies + 3 * b.count);
-    b.v_low = b.omega_low = vti_view_none();
+    b.spin = copied(&b.spin, b.count, travel->copies + 6 * b.count);
+    b.v_low = b.omega_low = b.spin_low = vti_view_none();
     vti_kick(travel->stepper->lag * travel->h, &b);
     return b;
 }

@@ -79,9 +79,10 @@ struct scene {
     struct scene_ring ring;
     struct scene_chain chain;
     struct scene_lattice lattice;
-    char table[SCENE_PATH_SIZE];    /* of the bodies */
-    double mass, inertia, diameter; /* of all bodies; 0 if the file does not say */
-    double x[3];                    /* of a single body */
+    char table[SCENE_PATH_SIZE];     /* of the bodies */
+    double mass, inertia, diameter;  /* of all bodies; 0 if the file does not say */
+    double moments[3], principal[3]; /* of all bodies that are not spheres, and how their axes lie; 0: they are */
+    double x[3];                     /* of a single body */
     double v[3], alpha[3], omega[3];
     struct scene_random random;
     int has_v, has_alpha, has_omega; /* the file gives them */

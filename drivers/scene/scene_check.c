@@ -142,15 +142,39 @@ static int check_needed(const struct scene_reader *reader, int needed, const cha
     return scene_reader_fail(reader, path, "missing; %s need it, the %s", who, scene_field_find(path)->about);
 }
 
+/** Three moments that a body can have, and nothing else that says the same. */
+static int check_moments(const struct scene_reader *reader, const struct scene *scene)
+{
+    vti_bodies body = vti_bodies_none(1);
+    double moments[3] = {scene->moments[0], scene->moments[1], scene->moments[2]};
+    body.moments = (vti_view){{moments, moments + 1, moments + 2}, 0, 0};
+    if (!has(reader, "bodies.moments") && !has(reader, "bodies.principal"))
+        return 0;
+    if (!has(reader, "bodies.moments"))
+        return scene_reader_fail(reader, "bodies.principal", "given without bodies.moments; give both or neither");
+    if (has(reader, "bodies.inertia"))
+        return scene_reader_fail(reader, "bodies.moments",
+                                 "given besides bodies.inertia, which spheres have; keep one");
+    if (vti_bodies_check(&body) != VTI_OK)
+        return scene_reader_fail(reader, "bodies.moments",
+                                 "one of %.10g, %.10g, %.10g is more than the sum of the others; no body has such "
+                                 "moments, give smaller ones",
+                                 moments[0], moments[1], moments[2]);
+    return 0;
+}
+
 /** Without a table nobody else says. */
 static int check_properties(const struct scene_reader *reader, const struct scene *scene)
 {
+    if (check_moments(reader, scene) != 0)
+        return -1;
     if (scene->arrangement == SCENE_IN_TABLE)
         return 0;
     const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter");
     const int is_sphere = has_diameter && has(reader, "bodies.mass"); /* solid: inertia follows */
+    const int is_known = is_sphere || has(reader, "bodies.moments");
     if (check_needed(reader, scene->translates, "bodies.mass", "bodies that translate") != 0 ||
-        check_needed(reader, scene->turns && !is_sphere, "bodies.inertia", "bodies that turn") != 0)
+        check_needed(reader, scene->turns && !is_known, "bodies.inertia", "bodies that turn") != 0)
         return -1;
     return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !has_diameter, "bodies.diameter",
                         "spheres in contact");

@@ -53,6 +53,13 @@ static const struct scene_field head[] = {
      "Of each body; needed by bodies that translate.", NULL},
     {"bodies.inertia", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(inertia), "moment of inertia J",
      "Of each body about its centre; that of a solid sphere without it, if mass and diameter are known.", NULL},
+    {"bodies.moments", SCENE_VECTOR, SCENE_MAY, SCENE_POSITIVE, AT(moments), "principal moments of inertia A, B, C",
+     "Of each body about its centre, in the place of inertia; none is more than the sum of the others. Nothing that "
+     "dissipates acts on such bodies, and of steppers those of the library's lists of kicks and drifts step them.",
+     NULL},
+    {"bodies.principal", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(principal),
+     "attitude of the principal axes in the body",
+     "As alpha: turns x, y and z of the body to the axes of A, B and C; without it, they are those.", NULL},
     {"bodies.diameter", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(diameter), "diameter D",
      "Of each sphere, a length; without it neighbours of a ring, chain or lattice just touch.", NULL},
     {"bodies.x", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(x), "position", "Of a single body's centre, lengths.", NULL},

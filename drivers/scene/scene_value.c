@@ -138,7 +138,8 @@ static int read_vector(const struct scene_reader *reader, const struct scene_fie
 {
     const struct scene_item *items = value->items;
     for (int k = 0; k < 3; ++k)
-        if (read_number(reader, field, value, k, &vector[k]) != 0)
+        if (read_number(reader, field, value, k, &vector[k]) != 0 ||
+            check_range(reader, field, value, k, vector[k]) != 0)
             return -1;
     if (field->range == SCENE_NOT_ZERO && vector[0] == 0.0 && vector[1] == 0.0 && vector[2] == 0.0)
         return scene_reader_fail(reader, field->path, "'[%.20s, %.20s, %.20s]' has no length; the %s must not be zero",

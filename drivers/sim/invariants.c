@@ -22,6 +22,12 @@ static int64_t conserved_of(const struct model *model)
     return (linear | 7 << ANGULAR | spin) & ~broken;
 }
 
+/** What the effect itself conserves; that of bodies with moments nobody has said. */
+static const struct effect_invariants *own_of(const struct model *model, int64_t e)
+{
+    return model->bodies.moments.c[0] == NULL ? model->rooms[e].kind->invariants : NULL;
+}
+
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS])
 {
     const int64_t conserved = conserved_of(model);
@@ -30,7 +36,7 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
         if (conserved >> k & 1)
             list[n++] = momenta[k];
     for (int64_t e = 0; e < model->rooms_count; ++e) {
-        const struct effect_invariants *own = model->rooms[e].kind->invariants;
+        const struct effect_invariants *own = own_of(model, e);
         if (own == NULL || n + own->count > MODEL_INVARIANTS)
             continue;
         for (int k = 0; k < own->count; ++k)
@@ -67,7 +73,7 @@ void model_invariant_values(const struct model *model, const vti_bodies *bodies,
     n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
     n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
     for (int64_t e = 0; e < model->rooms_count; ++e) {
-        const struct effect_invariants *own = model->rooms[e].kind->invariants;
+        const struct effect_invariants *own = own_of(model, e);
         if (own == NULL || n + own->count > MODEL_INVARIANTS)
             continue;
         own->values(&model->rooms[e], bodies, values + n);

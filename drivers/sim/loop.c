@@ -37,7 +37,7 @@ struct run {
 /** Residuals are left out of what is read; what they add to one reading is below its rounding. */
 static int create_forks(struct run *run)
 {
-    const int reads = run->stepper->lag != 0.0 ? OWN_V | OWN_OMEGA : 0;
+    const int reads = run->stepper->lag != 0.0 ? OWN_V | OWN_OMEGA | OWN_SPIN : 0;
     const int probes = run->stepper->probe != NULL ? OWN_X | OWN_ALPHA : 0;
     const int failed = fork_create(&run->reader, &run->model->bodies, reads);
     return fork_create(&run->probe, &run->model->bodies, probes) | failed;

@@ -35,6 +35,12 @@ static int make(struct model *model, const struct tables *tables, struct message
     for (int k = 0; k < EFFECT_COUNT; ++k)
         if (model->scene->has[k] && add_effect(model, kinds_at(k), tables, message) != 0)
             return -1;
+    const vti_effect *dissipates = model->bodies.moments.c[0] != NULL ? model_dissipates(model) : NULL;
+    if (dissipates != NULL)
+        return message_set(message,
+                           "%s: %s dissipates, which it does by the one moment of inertia of a sphere; leave it "
+                           "out, or give bodies.inertia in the place of bodies.moments",
+                           model->scene->name, dissipates->name);
     /* once and for all: what checks the views again at every step would cost a lone body more than its step */
     int status = vti_bodies_seal(&model->bodies);
     if (status == VTI_OK)
@@ -109,6 +115,16 @@ const vti_effect *model_dissipates(const struct model *model)
             return e;
     }
     return NULL;
+}
+
+int model_of_spheres(const struct model *model, const char *what, struct message *message)
+{
+    if (model->bodies.moments.c[0] == NULL)
+        return 0;
+    return message_set(message,
+                       "%s: bodies.moments: %s knows bodies of one moment of inertia, spheres; give "
+                       "bodies.inertia, or run the scene by a stepper of kicks and drifts, such as vti2",
+                       model->scene->name, what);
 }
 
 int model_rupture(struct model *model, int64_t step)

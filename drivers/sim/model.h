@@ -21,7 +21,7 @@ struct slices; /* slices.h */
  *  moved or copied. */
 struct model {
     const struct scene *scene; /* must outlive the model */
-    int translates, turns;     /* as views say: x and v, alpha and omega */
+    int translates, turns;     /* as views say: x and v, alpha and omega (with spin, where there are moments) */
     vti_bodies bodies;
     vti_scalars diameter; /* p = NULL if neither scene nor table gives any */
     vti_scalars modulus;  /* E/(1 - nu^2) of each body; p = NULL if the table gives none */
@@ -30,8 +30,9 @@ struct model {
     struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */
     int64_t rooms_count;                /* 0 where effects are not those of a scene */
 
-    double mass, inertia, sphere; /* of all bodies, where no table says more; sphere is the diameter */
-    double *memory;               /* of the bodies */
+    double mass, inertia, sphere;    /* of all bodies, where no table says more; sphere is the diameter */
+    double moments[3], principal[4]; /* of all bodies, where they are no spheres */
+    double *memory;                  /* of the bodies */
     struct message trouble;
     struct slices *slices; /* of the bodies, for threads; NULL: all in one piece */
 };
@@ -52,6 +53,9 @@ double model_energy(struct model *model, const vti_bodies *bodies);
 /** The first effect that flows, carries, breaks or dissipates; NULL if none does. Steps of such a model are those of
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
+
+/** Returns 0 if the bodies are spheres, which is all that what knows; else -1 with one line in *message. */
+int model_of_spheres(const struct model *model, const char *what, struct message *message);
 
 /** What breaks at the end of the step, and what bonds are made then; where something is, forces are evaluated anew.
  *  Returns VTI_OK or a status that model_text explains. */

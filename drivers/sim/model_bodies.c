@@ -27,8 +27,14 @@ int model_loads(const struct scene *scene, const struct tables *tables)
 /** Inertia of each body follows from mass and diameter, of which one differs from body to body. */
 static int derives_inertia(const struct model *model, const struct table *bodies)
 {
-    return model->turns && model->scene->inertia == 0.0 && !table_has(bodies, BODY_INERTIA) &&
-           (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER));
+    return model->turns && model->scene->inertia == 0.0 && model->scene->moments[0] == 0.0 &&
+           !table_has(bodies, BODY_INERTIA) && (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER));
+}
+
+/** They turn, and are no spheres. */
+static int is_general(const struct model *model)
+{
+    return model->turns && model->scene->moments[0] != 0.0;
 }
 
 /** Doubles per body. */
@@ -37,6 +43,7 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     const int loads = model_loads(model->scene, tables);
     int64_t width = derives_inertia(model, &tables->bodies);
     width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
+    width += is_general(model) ? 3 : 0;
     width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
     for (int k = BODY_MASS; k <= BODY_YOUNG; ++k)
         width += table_has(&tables->bodies, k);
@@ -128,7 +135,7 @@ static void place_properties(struct model *model, const struct tables *tables, d
     }
     if (model->translates)
         b->mass = mass;
-    if (!model->turns)
+    if (!model->turns || is_general(model))
         return;
     if (derives_inertia(model, t)) {
         double *inertia = take(block, b->count);
@@ -138,6 +145,25 @@ static void place_properties(struct model *model, const struct tables *tables, d
     } else {
         b->inertia = property(block, b->count, t, BODY_INERTIA, &model->inertia);
     }
+}
+
+/** Moments for all, and of each body L = R_p diag(A, B, C) R_p^T Omega, which it turns by from then on; Omega is what
+ *  is shown of it. */
+static void place_spin(struct model *model, double **block)
+{
+    const struct scene *s = model->scene;
+    vti_bodies *b = &model->bodies;
+    double *const m = model->moments, *const p = model->principal, *const L = take(block, 3 * b->count);
+    for (int k = 0; k < 3; ++k)
+        m[k] = s->moments[k];
+    vti_rrv_to_quat_xyzw(s->principal, p);
+    b->moments = (vti_view){{m, m + 1, m + 2}, 0, 0};
+    b->principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 0, 0};
+    for (int64_t i = 0; i < b->count; ++i) {
+        const vti_bodies one = vti_bodies_slice(*b, i, 1);
+        vti_spin(&one, L + 3 * i);
+    }
+    b->spin = vti_view_packed(L);
 }
 
 /* ---- together ---------------------------------------------------------------------------------------------------- */
@@ -153,5 +179,7 @@ int model_place_bodies(struct model *model, const struct tables *tables, struct 
     double *block = model->memory;
     place_vectors(model, tables, &block);
     place_properties(model, tables, &block);
+    if (is_general(model))
+        place_spin(model, &block);
     return 0;
 }

@@ -38,6 +38,7 @@ static int check_twice(const struct scene *s, const struct tables *t, struct mes
                   {s->has_omega, BODY_OMEGA, "bodies.omega"},
                   {s->mass != 0.0, BODY_MASS, "bodies.mass"},
                   {s->inertia != 0.0, BODY_INERTIA, "bodies.inertia"},
+                  {s->moments[0] != 0.0, BODY_INERTIA, "bodies.moments"},
                   {s->diameter != 0.0, BODY_DIAMETER, "bodies.diameter"}};
     for (size_t k = 0; k < sizeof bodies / sizeof bodies[0]; ++k)
         if (bodies[k].in_scene && table_has(&t->bodies, bodies[k].column))
@@ -57,7 +58,8 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
     const struct table *bodies = &t->bodies;
     const int has_mass = s->mass != 0.0 || table_has(bodies, BODY_MASS);
     const int has_diameter = s->diameter != 0.0 || table_has(bodies, BODY_DIAMETER);
-    const int has_inertia = s->inertia != 0.0 || table_has(bodies, BODY_INERTIA) || (has_mass && has_diameter);
+    const int has_inertia =
+        s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) || (has_mass && has_diameter);
     if (!m->translates && needs_positions(s) != NULL)
         return fail(bodies, message, "no columns x, y, z; %s needs them", needs_positions(s));
     if (!m->translates && !m->turns)
@@ -118,7 +120,7 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);
-    if (model->turns && s->inertia == 0.0 && s->mass == 0.0)
+    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0)
         return check_turned(s, tables, message);
     return 0;
 }

@@ -5,17 +5,19 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-enum { VIEWS = 8 };
+enum { VIEWS = 10 };
 
-static const char *const names[VIEWS] = {"position",          "velocity",          "attitude",
-                                         "angular velocity",  "position residual", "velocity residual",
-                                         "attitude residual", "angular residual"};
+static const char *const names[VIEWS] = {"position",          "velocity",
+                                         "attitude",          "angular velocity",
+                                         "position residual", "velocity residual",
+                                         "attitude residual", "angular residual",
+                                         "angular momentum",  "residual of the angular momentum"};
 
 /** The views of the state that are present; missing ones are NULL. */
 static void views_of(const vti_bodies *b, const vti_view *view[VIEWS])
 {
-    const vti_view *const all[VIEWS] = {&b->x,     &b->v,     &b->alpha,     &b->omega,
-                                        &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
+    const vti_view *const all[VIEWS] = {&b->x,     &b->v,         &b->alpha,     &b->omega, &b->x_low,
+                                        &b->v_low, &b->alpha_low, &b->omega_low, &b->spin,  &b->spin_low};
     for (int q = 0; q < VIEWS; ++q)
         view[q] = all[q]->c[0] != NULL ? all[q] : NULL;
 }
@@ -66,13 +68,13 @@ int state_watch(const vti_bodies *bodies, double most, struct message *message)
 
 /* ---- bodies that share all but some views with others ------------------------------------------------------------ */
 
-enum { OWNED = 6, WITH_RESIDUAL = 4 };
+enum { OWNED = 7, WITH_RESIDUAL = 5 };
 
 /** In the order of the bits of OWN_; residuals are of the first WITH_RESIDUAL. */
 static void owned(vti_bodies *b, vti_view *view[OWNED], vti_view *residual[WITH_RESIDUAL])
 {
-    vti_view *const views[OWNED] = {&b->x, &b->v, &b->alpha, &b->omega, &b->force, &b->moment};
-    vti_view *const low[WITH_RESIDUAL] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
+    vti_view *const views[OWNED] = {&b->x, &b->v, &b->alpha, &b->omega, &b->spin, &b->force, &b->moment};
+    vti_view *const low[WITH_RESIDUAL] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low, &b->spin_low};
     for (int k = 0; k < OWNED; ++k)
         view[k] = views[k];
     for (int k = 0; k < WITH_RESIDUAL; ++k)

@@ -7,8 +7,8 @@
 #include "message.h"
 #include "vti.h"
 
-/** How many doubles the state of the bodies is: positions, velocities, attitudes, angular velocities and the
- *  residuals, of those that are present. Forces are not in it: they follow from positions. */
+/** How many doubles the state of the bodies is: positions, velocities, attitudes, angular velocities and
+ *  momenta and the residuals, of those that are present. Forces are not in it: they follow from positions. */
 int64_t state_size(const vti_bodies *bodies);
 void state_get(const vti_bodies *bodies, double *state);
 void state_put(const double *state, const vti_bodies *bodies);
@@ -20,7 +20,16 @@ int state_watch(const vti_bodies *bodies, double most, struct message *message);
 /* ---- bodies that share all but some views with others ------------------------------------------------------------ */
 
 /** Sets of views are sums. */
-enum { OWN_X = 1, OWN_V = 2, OWN_ALPHA = 4, OWN_OMEGA = 8, OWN_FORCE = 16, OWN_MOMENT = 32, OWN_ALL = 63 };
+enum {
+    OWN_X = 1,
+    OWN_V = 2,
+    OWN_ALPHA = 4,
+    OWN_OMEGA = 8,
+    OWN_SPIN = 16,
+    OWN_FORCE = 32,
+    OWN_MOMENT = 64,
+    OWN_ALL = 127
+};
 
 struct fork {
     vti_bodies bodies;

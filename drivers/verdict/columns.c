@@ -47,6 +47,7 @@ typedef char columns_have_room[(int)COLUMNS >= (int)SOURCES ? 1 : -1];
 
 static const struct effect_term kinetic[] = {{"kinetic_translation", "$m‖v‖^2\\!/2$", "translation", "#0072B2"},
                                              {"kinetic_rotation", "$J‖\\Omega‖^2\\!/2$", "rotation", "#56B4E9"}};
+static const struct effect_term general = {"kinetic_rotation", "$L\\cdot\\Omega/2$", "rotation", "#56B4E9"};
 
 /** What is known of the energy called name in pictures; NULL if nothing is. */
 static const struct effect_term *term_of(const struct model *model, const char *name, int effect)
@@ -54,6 +55,8 @@ static const struct effect_term *term_of(const struct model *model, const char *
     const struct effect_kind *kind = effect >= 0 && effect < model->rooms_count ? model->rooms[effect].kind : NULL;
     const struct effect_term *terms = kind != NULL ? kind->terms : kinetic;
     const int count = kind != NULL ? kind->terms_count : (int)(sizeof kinetic / sizeof kinetic[0]);
+    if (kind == NULL && model->bodies.moments.c[0] != NULL && strcmp(general.name, name) == 0)
+        return &general;
     for (int k = 0; k < count; ++k)
         if (strcmp(terms[k].name, name) == 0)
             return &terms[k];
@@ -91,7 +94,7 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
             add(c, model->effects[e].book[j], source, (int)e);
     c->total = c->count;
     add(c, "total", TOTAL, -1);
-    c->modified = modified_exists(stepper) ? c->count : -1;
+    c->modified = modified_exists(stepper, model) ? c->count : -1;
     if (c->modified >= 0)
         add(c, "energy_modified", MODIFIED, -1);
     for (int q = 0; q < QUANTITIES; ++q) {

@@ -3,16 +3,16 @@
 
 #include <stdlib.h>
 
-int modified_exists(const vti_stepper *s)
+int modified_exists(const vti_stepper *s, const struct model *model)
 {
-    return s->stages == 1 && s->probe == NULL && s->drift[0] == 1.0 && s->drift[1] == 0.0 &&
-           s->kick[0] + s->kick[1] == 1.0;
+    return model->bodies.moments.c[0] == NULL && s->stages == 1 && s->probe == NULL && s->drift[0] == 1.0 &&
+           s->drift[1] == 0.0 && s->kick[0] + s->kick[1] == 1.0;
 }
 
 int modified_create(struct modified *m, struct model *model, const vti_stepper *stepper, double h)
 {
     *m = (struct modified){.model = model, .stepper = stepper, .h = h};
-    return fork_create(&m->probe, &model->bodies, modified_exists(stepper) ? OWN_ALL : 0);
+    return fork_create(&m->probe, &model->bodies, modified_exists(stepper, model) ? OWN_ALL : 0);
 }
 
 void modified_destroy(struct modified *m)

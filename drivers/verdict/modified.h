@@ -20,8 +20,9 @@ struct energies {
 };
 
 /** Whether the stepper is Verlet's, be it read at half a kick's distance: vti1, vti2, vti3, vti3-leapfrog, exact.
- *  Compositions and RKN splittings conserve series of their own, which nobody here evaluates. */
-int modified_exists(const vti_stepper *stepper);
+ *  Compositions and RKN splittings conserve series of their own, which nobody here evaluates, and so do bodies with
+ *  moments. */
+int modified_exists(const vti_stepper *stepper, const struct model *model);
 
 /** The model and the stepper must outlive it. Returns 0, or -1 if there is no memory; harmless where nothing exists. */
 int modified_create(struct modified *m, struct model *model, const vti_stepper *stepper, double h);

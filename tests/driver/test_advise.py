@@ -193,6 +193,7 @@ def measures():
 def refusals():
     pendulum = scene("pendulum")
     refuses("rivals alone", "--steppers", "rk4,spiral", pendulum, says="name one of ours too")
+    refuses("bodies with moments", pendulum.replace("pendulum", "heavy-top"), says="bodies.moments: vti-advise knows")
     refuses("no scene", says="no scene is named")
     refuses("two scenes", pendulum, pendulum, says="only one scene")
     refuses("bad error", "--error", "tiny", pendulum, says="--error: 'tiny' is not a number from 1e-12 to 0.1")

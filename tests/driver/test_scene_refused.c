@@ -10,7 +10,7 @@
 #define ROOT_KEYS                                                                                                      \
     "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, h, "      \
     "tolerance, t_end"
-#define BODY_KEYS "ring, chain, lattice, table, mass, inertia, diameter, x, v, alpha, omega, random"
+#define BODY_KEYS "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
 #define NOTHING "1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"
 #define STEPPERS "vti1, vti2, vti3, vti3-leapfrog, exact, suzuki4, kl6, kl8, srkn6, srkn11, srkn14, chin4"
@@ -70,6 +70,16 @@ static const struct refusal files[] = {
      "2:12: bodies.inertia: a list of 1" NUMBER},
     {"bodies:\n  inertia: {J: 1}\n  alpha: [0, 0, 0]\n  omega: [0, 0, 1]\n" TIME,
      "2:12: bodies.inertia: a section" NUMBER},
+    {BODIES "  moments: [1, 1, 1]\n" TIME,
+     "5:12: bodies.moments: given besides bodies.inertia, which spheres have; keep one"},
+    {BODIES "  principal: [0, 0, 1]\n" TIME,
+     "5:14: bodies.principal: given without bodies.moments; give both or neither"},
+    {"bodies: {moments: [1, 2, 3.1], alpha: [0, 0, 0], omega: [0, 0, 1]}\n" TIME,
+     "1:19: bodies.moments: one of 1, 2, 3.1 is more than the sum of the others; no body has such moments, give "
+     "smaller "
+     "ones"},
+    {"bodies: {moments: [1, -2, 3], alpha: [0, 0, 0], omega: [0, 0, 1]}\n" TIME,
+     "1:23: bodies.moments[1]: '-2' is not positive; the principal moments of inertia A, B, C must be > 0"},
     {BODIES "  x: [0, 0]\n" TIME, "5:6: bodies.x: 2 values in a list of three numbers; write them as in [0, 0, 1]"},
     {BODIES "  x: [0, 0, 0, 0]\n" TIME,
      "5:6: bodies.x: 4 values in a list of three numbers; write them as in [0, 0, 1]"},

@@ -7,7 +7,8 @@
 
 static const char *folder;
 
-/** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; pendulum 0.04 + 1/sqrt(2)
+/** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; dzhanibekov and slender
+ *  half the sum of A Omega_x^2 and so on; heavy-top 12^2/8 + 1/2; pendulum 0.04 + 1/sqrt(2)
  *  (EQUATIONS 3); incline m g z; billiards sixteen of m v^2/2; column, from Python: sum of 9.81 m z and of 2/5 K (1
  *  - r/D)^{5/2}; chain, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its
  *  own splitmix64, and for the last three sum of 9.81 m z. error bounds |E - E_0|/E_0 over steps of h: twice what
@@ -35,6 +36,9 @@ static const struct {
     {"pile", "contact wall gravity", 128, 0, 5603.704761919232, 1e-11, 800, 4e-5},
     {"pendulum", "pendulum", 1, 0, 0.74710678118654752, 4e-16, 100, 4e-5},
     {"spin", "", 1, 0, 0.5, EPS, 100, 0.0},
+    {"dzhanibekov", "", 1, 0, 1.00005, 4e-16, 1000, 5e-6},
+    {"heavy-top", "pendulum", 1, 0, 18.5, 2e-14, 500, 2e-7},
+    {"slender", "", 1, 0, 0.0759835, 1e-16, 1000, 1.2e-6},
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 

@@ -89,6 +89,7 @@ def refused(base):
         ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),
         ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk5"], ["--steppers", "'rk5'", "vti1, vti2, vti3"]),
         ("unknown option", lambda: [scene, "--frob"], ["--frob", "--help"]),
+        ("bodies with moments", lambda: [variant("inertia: 1 ", "moments: [1, 1, 1] ")], ["bodies.moments", "the study's reference"]),
         ("one scene twice", lambda: [scene, scene], ["two scenes have the name pendulum"]),
         ("VTI-1 turns too far", lambda: [scene, "--steppers", "vti1", "--h", "1"], ["vti1 at h = 1", "body 0", "h|Omega|", "vti2"]),
         ("VTI-1 turns too far among good runs", lambda: [scene, "--h", "2,1,1/64,1/128,2^-16"], ["vti1 at h = ", "reduce h"]),
