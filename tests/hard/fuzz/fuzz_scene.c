@@ -41,13 +41,25 @@ static void check_effects(const struct scene *s)
               "finite");
 }
 
+/** Principal moments that a body can have, to rounding. */
+static int can_be(const double moments[3])
+{
+    int good = 1;
+    for (int k = 0; k < 3; ++k)
+        good &= positive(moments[k]) &&
+                moments[k] - moments[(k + 1) % 3] <= moments[(k + 2) % 3] * (1.0 + 1e-12) + 1e-12 * moments[k];
+    return good;
+}
+
 static void check(const struct scene *s)
 {
     const int known = s->arrangement != SCENE_IN_TABLE, formula = known && s->arrangement != SCENE_SINGLE;
     const int sphere = positive(s->mass) && (positive(s->diameter) || formula);
     fuzz_must(!known || s->translates || s->turns, "something moves");
     fuzz_must(!known || !s->translates || positive(s->mass), "what translates has a mass");
-    fuzz_must(!known || !s->turns || positive(s->inertia) || sphere, "what turns has an inertia");
+    const int has_moments = s->moments[0] != 0.0;
+    fuzz_must(!has_moments || (can_be(s->moments) && all_finite(s->principal, 3)), "a body can have such moments");
+    fuzz_must(!known || !s->turns || positive(s->inertia) || sphere || has_moments, "what turns has an inertia");
     fuzz_must(all_finite(s->x, 3) && all_finite(s->v, 3) && all_finite(s->alpha, 3) && all_finite(s->omega, 3),
               "finite");
     fuzz_must(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0', "bodies");
