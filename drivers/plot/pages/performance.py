@@ -189,7 +189,8 @@ def picture(benches, path):
     for side, title, unit in zip(axes, ("Step without effects", "Effects"), ("ns per body and step", "ns per bond or touching pair")):
         side.set(title=title, xlabel="bodies", ylabel=unit, ylim=(0, None))
         side.set_xscale("log")
-        side.legend()
+        side.set_ylim(top=1.45 * side.dataLim.ymax)  # room for the names above the lines
+        side.legend(loc="upper left", ncols=2, fontsize="small")
     style.save(figure, path)
 
 
