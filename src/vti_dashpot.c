@@ -7,37 +7,9 @@
  *
  * Forward in this order, backward reversed. An impulse that takes the velocity u to u' lowers the kinetic energy by
  * -p.(u + u')/2, which is booked. */
-#include "vti_decay.h"
-#include "vti_hertz.h"
-#include "vti_history.h"
-#include "vti_touch.h"
+#include "vti_damping.h"
 
-enum { NORMAL, TANGENTIAL, ROLLING, TWISTING, MOTIONS };
-
-/* ---- coefficients, as their mean over the drift ------------------------------------------------------------------ */
-
-/** x^{5/4} of x > 0, else 0 */
-static double power_5_4(double x)
-{
-    return x > 0.0 ? x * sqrt(sqrt(x)) : 0.0;
-}
-
-/** The share of the way from delta to other on which they overlap, as they do at one end or at both. */
-static double share(double delta, double other)
-{
-    if (delta > 0.0 && other > 0.0)
-        return 1.0;
-    const double inside = delta > 0.0 ? delta : other, outside = delta > 0.0 ? other : delta;
-    return inside / (inside - outside);
-}
-
-/** Mean of delta_+^{1/4} on the same way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
-static double mean_power(double delta, double other)
-{
-    if (fabs(delta - other) < 1e-6 * fabs(delta))
-        return sqrt(sqrt(delta));
-    return 0.8 * (power_5_4(delta) - power_5_4(other)) / (delta - other);
-}
+enum { NORMAL = VTI_NORMAL, TANGENTIAL = VTI_TANGENTIAL, ROLLING = VTI_ROLLING, TWISTING = VTI_TWISTING, MOTIONS };
 
 /** What the touch is between here and the other end of the drift. */
 struct place {
@@ -45,24 +17,11 @@ struct place {
     struct vti_touch_motion motion;
     double approach; /* u.n, which the flow of no other motion changes */
     double spin;     /* w.n, likewise */
-    double k_h;      /* F = k_h delta^{3/2}, K/length^{5/2} */
-    double root;     /* of delta, 0 apart */
-    double other;    /* overlap at the other end */
-    double touched;  /* share of the drift */
-    double zeta;
+    struct vti_damping damping;
     double mass[MOTIONS]; /* what resists */
     double gone[MOTIONS]; /* the share of the velocity that goes, where nothing limits it */
     const vti_held *held; /* by the springs of friction */
 };
-
-/** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4} */
-static double normal_coefficient(const vti_dashpots *p, const struct place *at)
-{
-    double c = p->normal * at->touched;
-    if (at->zeta > 0.0)
-        c += sqrt(5.0) * at->zeta * sqrt(at->mass[NORMAL] * at->k_h) * mean_power(at->touch.delta, at->other);
-    return c;
-}
 
 /** mass and gone of all motions, in which velocities have no part. */
 static void find_decays(const vti_dashpots *p, double t, struct place *at)
@@ -72,10 +31,8 @@ static void find_decays(const vti_dashpots *p, double t, struct place *at)
     at->mass[NORMAL] = vti_touch_normal_mass(&at->touch);
     at->mass[TANGENTIAL] = vti_touch_tangential_mass(&at->touch);
     at->mass[ROLLING] = at->mass[TWISTING] = at->motion.turns ? vti_touch_rolling_inertia(&at->touch) : 1.0;
-    const double normal = normal_coefficient(p, at);
-    const double c[MOTIONS] = {normal, p->tangential * at->touched + p->ratio * normal, p->rolling * at->touched,
-                               p->twisting * at->touched};
-    double z[MOTIONS];
+    double c[MOTIONS], z[MOTIONS];
+    vti_damping_coefficients(p, &at->damping, at->mass[NORMAL], c);
     for (int k = 0; k < MOTIONS; ++k)
         z[k] = c[k] * t / at->mass[k];
     if (turns)
@@ -84,17 +41,6 @@ static void find_decays(const vti_dashpots *p, double t, struct place *at)
         vti_decays(ROLLING, z, d);
     for (int k = 0; k < (turns ? MOTIONS : ROLLING); ++k)
         at->gone[k] = d[k].gone;
-}
-
-/** What the springs of friction hold at a touch, and how much of F_n they may; nothing where there is no friction. */
-static const vti_held *held_at(const vti_dashpots *p, const struct vti_touch *touch)
-{
-    static const vti_held none;
-    if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
-        return &none;
-    const vti_held *held =
-        vti_history_find(p->friction->history, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
-    return held != NULL ? held : &none;
 }
 
 /* ---- impulses ---------------------------------------------------------------------------------------------------- */
@@ -124,7 +70,7 @@ static void flow_normal(const vti_dashpots *p, struct place *at, double t)
     const double m = at->mass[NORMAL], un = at->approach;
     double impulse[3];
     double size = -m * at->gone[NORMAL] * un;
-    const double least = touch->delta > 0.0 ? -t * at->k_h * touch->delta * at->root : 0.0;
+    const double least = vti_damping_force(&at->damping, -t);
     if (!p->pull && size < least)
         size = least;
     for (int k = 0; k < 3; ++k)
@@ -141,37 +87,15 @@ static void across(double a[3], const double n[3])
         a[k] -= along * n[k];
 }
 
-/** Spring and dashpot together obey the limit: the largest s in [0, 1] with |-t f + s p| <= t limit, f being what the
- *  spring holds. A = p.p, B = -t f.p, C = min(0, t^2 (f.f - limit^2)), q = sqrt(B^2 - A C). */
-static double limited(const double p[3], const double f[3], double t, double limit)
+/** Of the velocity a of a motion: becomes the impulse. Returns what is lost by it. */
+static double decay(const vti_dashpots *p, const struct place *at, int motion, double t, const double f[3], double a[3])
 {
-    const double a = vti_dot(p, p), b = -t * vti_dot(f, p), over = t * t * (vti_dot(f, f) - limit * limit),
-                 c = over < 0.0 ? over : 0.0;
-    if (a + 2.0 * b + c <= 0.0 || !(a > 0.0)) /* within it as a whole */
-        return 1.0;
-    const double q = sqrt(b * b - a * c);
-    const double s = b > 0.0 ? -c / (b + q) : (q - b) / a;
-    return s < 1.0 ? s : 1.0;
-}
-
-/** Of the velocity a of a motion: becomes the impulse; share is the limit's of F_n, 0: none. Returns what is lost by it. */
-static double decay(const struct place *at, int motion, double t, double share_of_force, const double f[3], double a[3])
-{
-    const double mass = at->mass[motion], gone = at->gone[motion], delta = at->touch.delta;
-    if (!(share_of_force > 0.0))
+    const double mass = at->mass[motion], gone = at->gone[motion];
+    const double share = vti_damping_share_of_force(p, &at->touch, motion);
+    if (!(share > 0.0))
         return vti_touch_decay(mass, gone, a);
     const double whole[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
-    const double limit = delta > 0.0 ? share_of_force * at->k_h * delta * at->root : 0.0;
-    return vti_touch_decay(mass, gone * limited(whole, f, t, limit), a);
-}
-
-/** mu there, 0 where there is no friction. */
-static double sliding_at(const vti_dashpots *p, const struct place *at)
-{
-    const vti_friction *friction = p->friction;
-    if (friction == NULL)
-        return 0.0;
-    return at->touch.j < 0 ? vti_friction_of_wall(friction, at->touch.wall) : friction->sliding;
+    return vti_touch_decay(mass, gone * vti_damping_limited(whole, f, t, vti_damping_force(&at->damping, share)), a);
 }
 
 static void flow_tangential(const vti_dashpots *p, struct place *at, double t)
@@ -179,7 +103,7 @@ static void flow_tangential(const vti_dashpots *p, struct place *at, double t)
     double u[3];
     vti_touch_slip(&at->touch, &at->motion, u);
     across(u, at->touch.n);
-    vti_sum_add(&p->lost[TANGENTIAL], decay(at, TANGENTIAL, t, sliding_at(p, at), at->held->sliding, u));
+    vti_sum_add(&p->lost[TANGENTIAL], decay(p, at, TANGENTIAL, t, at->held->sliding, u));
     push(p, at, u);
 }
 
@@ -188,8 +112,7 @@ static void flow_rolling(const vti_dashpots *p, struct place *at, double t)
     double w[3];
     vti_touch_roll(&at->motion, w);
     across(w, at->touch.n);
-    vti_sum_add(&p->lost[ROLLING],
-                decay(at, ROLLING, t, p->friction != NULL ? p->friction->rolling : 0.0, at->held->rolling, w));
+    vti_sum_add(&p->lost[ROLLING], decay(p, at, ROLLING, t, at->held->rolling, w));
     turn(p, at, w);
 }
 
@@ -200,7 +123,7 @@ static void flow_twisting(const vti_dashpots *p, struct place *at, double t)
         w[k] = at->spin * at->touch.n[k];
         load[k] = at->held->twisting * at->touch.n[k];
     }
-    vti_sum_add(&p->lost[TWISTING], decay(at, TWISTING, t, p->friction != NULL ? p->friction->twisting : 0.0, load, w));
+    vti_sum_add(&p->lost[TWISTING], decay(p, at, TWISTING, t, load, w));
     turn(p, at, w);
 }
 
@@ -235,16 +158,14 @@ static void visit(const struct sweep *s, struct place *at)
     vti_touch_load(touch, s->b, &at->motion);
     vti_touch_slip(touch, &at->motion, u);
     at->approach = vti_dot(u, touch->n);
-    at->other = touch->delta - s->drift * at->approach;
-    if (touch->delta <= 0.0 && at->other <= 0.0)
+    const double other = touch->delta - s->drift * at->approach;
+    if (touch->delta <= 0.0 && other <= 0.0)
         return;
     vti_touch_roll(&at->motion, w);
     at->spin = vti_dot(w, touch->n);
     vti_touch_masses(touch, s->b);
-    at->k_h = touch->stiffness / (touch->length * touch->length * sqrt(touch->length));
-    at->root = touch->delta > 0.0 ? sqrt(touch->delta) : 0.0;
-    at->touched = share(touch->delta, at->other);
-    at->held = held_at(s->p, touch);
+    vti_damping_at(touch, other, &at->damping);
+    at->held = vti_damping_held(s->p, touch);
     find_decays(s->p, s->t, at);
     for (int k = 0; k < MOTIONS; ++k) {
         const int motion = s->drift < 0.0 ? MOTIONS - 1 - k : k;
@@ -257,7 +178,7 @@ static void visit(const struct sweep *s, struct place *at)
 static void visit_pairs(const struct sweep *s)
 {
     const vti_contacts *contacts = s->p->contacts;
-    struct place at = {.zeta = s->p->zeta};
+    struct place at = {.damping = {.zeta = s->p->zeta}};
     for (int64_t k = 0; contacts != NULL && k < contacts->count; ++k)
         if (vti_touch_pair(&at.touch, contacts, s->b, s->drift < 0.0 ? contacts->count - 1 - k : k, s->p->reach))
             visit(s, &at);
@@ -274,7 +195,7 @@ static void visit_walls(const struct sweep *s)
             at.touch.wall = s->drift < 0.0 ? count - 1 - k : k;
             if (!vti_touch_wall(&at.touch, walls, s->b, at.touch.wall, i, s->p->reach))
                 continue;
-            at.zeta = s->p->wall_zeta != NULL ? s->p->wall_zeta[at.touch.wall] : s->p->zeta;
+            at.damping.zeta = s->p->wall_zeta != NULL ? s->p->wall_zeta[at.touch.wall] : s->p->zeta;
             visit(s, &at);
         }
 }
@@ -282,13 +203,8 @@ static void visit_walls(const struct sweep *s)
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_dashpots *p = self;
-    const int normal = p->zeta > 0.0 || p->normal > 0.0;
-    const struct sweep s = {
-        .p = p,
-        .b = b,
-        .t = t,
-        .drift = drift,
-        .damped = {normal, p->tangential > 0.0 || (p->ratio > 0.0 && normal), p->rolling > 0.0, p->twisting > 0.0}};
+    struct sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    vti_damping_all(p, s.damped);
     if (drift < 0.0)
         visit_walls(&s);
     visit_pairs(&s);
