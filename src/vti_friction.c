@@ -7,6 +7,7 @@
  *     T_i -= f, T_j += f                                           (rolling; twisting with f n)                      */
 #include "vti_cage.h"
 #include "vti_carry.h"
+#include "vti_touch_table.h"
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
@@ -126,46 +127,140 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /* ---- history ----------------------------------------------------------------------------------------------------- */
 
-/** Carries the springs of a touch, which begin where it does and leave the table where it ends. */
-static void carry_touch(const vti_friction *p, struct vti_carry *c, int64_t i, int64_t j)
+static const struct vti_touch_kernels *kernels(int64_t count)
 {
-    if (!(c->delta0 >= -p->reach) && c->touch.j >= 0)
-        return; /* lists need not have it */
-    vti_held *held = vti_history_at(p->history, i, j);
-    if (held->i == 0 && p->history->used + 1 >= p->history->slots) {
-        ++p->history->missed;
+    (void)count;
+#ifdef VTI_HAS_AVX512
+    if (count > 4 && vti_serves_avx512())
+        return &vti_touch_avx512;
+#endif
+#ifdef VTI_HAS_AVX2
+    if (count > 2 && vti_serves_avx2())
+        return &vti_touch_avx2;
+#endif
+    return &vti_touch_baseline;
+}
+
+/** The slot of a touch that holds something or begins to; NULL if there is no room. */
+static vti_held *hold(vti_history *history, int64_t i, int64_t j)
+{
+    vti_held *held = vti_history_at(history, i, j);
+    const vti_held none = {i, j, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+    if (held->i != 0)
+        return held;
+    if (history->used + 1 >= history->slots)
+        return NULL;
+    *held = none;
+    ++history->used;
+    return held;
+}
+
+/** What a drift is carried over, and the pairs that wait for it, as many at once as a kernel takes. */
+struct carrying {
+    const vti_friction *p;
+    const vti_bodies *b;
+    const vti_drifted *drifted;
+    struct vti_carried pairs;
+};
+
+/** Carries the springs of the pairs that wait; those that have parted leave the table. */
+static void carry_waiting(struct carrying *c)
+{
+    struct vti_carried *pairs = &c->pairs;
+    const int64_t count = pairs->count;
+    for (int64_t k = count; count > 0 && k % VTI_LANES_MOST != 0; ++k) {
+        pairs->seat[k] = pairs->seat[count - 1];
+        pairs->held[k] = pairs->held[count - 1];
+    }
+    if (count > 0)
+        kernels(count)->carry(c->p, c->b, c->drifted, pairs);
+    for (int64_t k = 0; k < count; ++k)
+        if (pairs->delta[k] <= 0.0)
+            vti_history_remove(c->p->history,
+                               vti_history_at(c->p->history, pairs->seat[k].i + 1, pairs->seat[k].j + 1));
+    pairs->count = 0;
+}
+
+/** Whether a pair that holds nothing and touches was within reach before the drift: lists need not have it else. */
+static int was_near(const struct carrying *c, int64_t k)
+{
+    struct vti_carry motion;
+    double v_i[3], v_j[3], d0[3];
+    if (!vti_touch_pair(&motion.touch, c->p->contacts, c->b, k, INFINITY))
+        return 0;
+    vti_load(&c->b->v, motion.touch.i, v_i);
+    vti_load(&c->b->v, motion.touch.j, v_j);
+    for (int n = 0; n < 3; ++n)
+        v_i[n] = c->drifted->t * (v_i[n] - v_j[n]);
+    vti_carry_apart(&motion, v_i, d0);
+    return motion.delta0 >= -c->p->reach;
+}
+
+/** Pair k, if it touches or holds something: its springs begin where it does. */
+static void carry_pair(struct carrying *c, int64_t k)
+{
+    const vti_contacts *contacts = c->p->contacts;
+    vti_history *const history = c->p->history;
+    const struct vti_seat seat = {contacts->pair[2 * k] - contacts->base, contacts->pair[2 * k + 1] - contacts->base,
+                                  k};
+    double d[3], x[3];
+    vti_load(&c->b->x, seat.i, d);
+    vti_load(&c->b->x, seat.j, x);
+    for (int n = 0; n < 3; ++n)
+        d[n] -= x[n];
+    const double length = vti_contact_length(contacts, k, seat.i, seat.j), r2 = vti_dot(d, d);
+    const int touches = r2 < length * length;
+    if (!(r2 > VTI_COINCIDENT * VTI_COINCIDENT))
+        return;
+    if (vti_history_find(history, seat.i + 1, seat.j + 1) == NULL && !(touches && was_near(c, k)))
+        return;
+    vti_held *held = hold(history, seat.i + 1, seat.j + 1);
+    if (held == NULL) { /* pairs that part make room */
+        carry_waiting(c);
+        held = hold(history, seat.i + 1, seat.j + 1);
+    }
+    if (held == NULL) {
+        ++history->missed;
         return;
     }
-    if (held->i == 0) {
-        const vti_held none = {i, j, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
-        *held = none;
-        ++p->history->used;
-    }
-    vti_carry_held(p, c, held);
-    if (c->touch.delta <= 0.0)
-        vti_history_remove(p->history, held);
+    c->pairs.seat[c->pairs.count] = seat;
+    c->pairs.held[c->pairs.count] = held;
+    if (++c->pairs.count == VTI_TOUCHES)
+        carry_waiting(c);
+}
+
+/** Bodies one after the other, each with the walls in their order. */
+static void carry_walls(const struct carrying *c)
+{
+    const vti_friction *p = c->p;
+    const int64_t walls = vti_faces(p->walls), first = c->b->first;
+    struct vti_carry motion = {.delta0 = 0.0};
+    for (int64_t i = first; walls > 0 && i < first + c->b->count; ++i)
+        for (int64_t w = 0; w < walls; ++w) {
+            if (!vti_touch_wall(&motion.touch, p->walls, c->b, w, i, INFINITY))
+                continue;
+            if (motion.touch.delta <= 0.0 && vti_history_find(p->history, i + 1, -1 - w) == NULL)
+                continue;
+            vti_held *const held = hold(p->history, i + 1, -1 - w);
+            if (held == NULL) {
+                ++p->history->missed;
+                continue;
+            }
+            vti_carry_motion(&motion, p->walls, c->b, c->drifted);
+            vti_carry_held(p, &motion, held);
+            if (motion.touch.delta <= 0.0)
+                vti_history_remove(p->history, held);
+        }
 }
 
 static void carry(const void *self, const vti_bodies *b, const vti_drifted *drifted)
 {
     const vti_friction *p = self;
-    struct vti_carry c;
+    struct carrying c = {.p = p, .b = b, .drifted = drifted};
     for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k)
-        if (vti_touch_pair(&c.touch, p->contacts, b, k, INFINITY)) {
-            if (c.touch.delta <= 0.0 && vti_history_find(p->history, c.touch.i + 1, c.touch.j + 1) == NULL)
-                continue;
-            vti_carry_motion(&c, p->walls, b, drifted);
-            carry_touch(p, &c, c.touch.i + 1, c.touch.j + 1);
-        }
-    const int64_t walls = vti_faces(p->walls);
-    for (int64_t i = b->first; walls > 0 && i < b->first + b->count; ++i)
-        for (int64_t w = 0; w < walls; ++w)
-            if (vti_touch_wall(&c.touch, p->walls, b, w, i, INFINITY)) {
-                if (c.touch.delta <= 0.0 && vti_history_find(p->history, i + 1, -1 - w) == NULL)
-                    continue;
-                vti_carry_motion(&c, p->walls, b, drifted);
-                carry_touch(p, &c, i + 1, -1 - w);
-            }
+        carry_pair(&c, k);
+    carry_waiting(&c);
+    carry_walls(&c);
 }
 
 /* ---- the stable step (EQUATIONS 6.10) ---------------------------------------------------------------------------- */

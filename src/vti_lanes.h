@@ -422,6 +422,11 @@ VTI_INLINE lanes lanes_load(const double *p)
     return *p;
 }
 
+VTI_INLINE void lanes_store(double *p, lanes a)
+{
+    *p = a;
+}
+
 VTI_INLINE lanes lanes_of(double x)
 {
     return x;

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Springs of many pairs that follow a drift at once. Included by vti_touch_kernels.h only. */
+#ifndef VTI_CARRY_KERNELS_H
+#define VTI_CARRY_KERNELS_H
+
+#include "vti_move.h"
+#include "vti_spring.h"
+#include "vti_touch_gather.h"
+
+VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
+
+/** dalpha of the turn by Omega for the time of the drift, as vti_drift_increment has it. */
+VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lanes dalpha[3])
+{
+    const int law = (int)drifted->law;
+    lanes cf[2];
+    for (int k = 0; k < 3; ++k)
+        dalpha[k] = drifted->t * omega[k];
+    if (law == VTI_LAW_CAYLEY)
+        return;
+    const lanes s2 = lanes_dot(dalpha, dalpha);
+    drift_law(law, s2, cf);
+    if (law != VTI_LAW_CLOSED) { /* beyond, the fraction of a turn is lost, and half a turn as good as any */
+        const lanes_mask within = s2 < 0x1p60;
+        cf[0] = lanes_where(within, cf[0], lanes_of(0.0));
+        cf[1] = lanes_where(within, cf[1], lanes_of(1.0));
+    }
+    for (int k = 0; k < 3; ++k)
+        dalpha[k] = 2.0 * cf[1] * dalpha[k] / cf[0];
+}
+
+/** n0, n_m, delta0 and the motion X over the drift. */
+VTI_INLINE void gather_motion(struct vti_carry *c, const struct side *i, const struct side *j, const vti_bodies *b,
+                              const vti_drifted *drifted)
+{
+    lanes v[3], w_i[3], w_j[3], a_i[3], a_j[3], d0[3];
+    gather(&b->v, i, c->slid);
+    gather(&b->v, j, v);
+    for (int k = 0; k < 3; ++k)
+        c->slid[k] = drifted->t * (c->slid[k] - v[k]);
+    gather(&b->omega, i, w_i);
+    gather(&b->omega, j, w_j);
+    increments(drifted, w_i, a_i);
+    increments(drifted, w_j, a_j);
+    vti_carry_apart(c, c->slid, d0);
+    vti_carry_stretch(c, d0, a_i, a_j);
+}
+
+/** Loads begin at held->sliding, as many as a vti_held has. */
+enum { LOADS = 7 };
+
+VTI_INLINE void gather_loads(vti_held *const *held, struct vti_loads *f)
+{
+    double row[LOADS][WIDTH];
+    for (int l = 0; l < WIDTH; ++l) {
+        for (int k = 0; k < 3; ++k) {
+            row[k][l] = held[l]->sliding[k];
+            row[3 + k][l] = held[l]->rolling[k];
+        }
+        row[6][l] = held[l]->twisting;
+    }
+    for (int k = 0; k < 3; ++k) {
+        f->sliding[k] = lanes_load(row[k]);
+        f->rolling[k] = lanes_load(row[3 + k]);
+    }
+    f->twisting = lanes_load(row[6]);
+}
+
+VTI_INLINE void scatter_load(vti_held *held, const struct vti_loads *f, int l)
+{
+    for (int k = 0; k < 3; ++k) {
+        held->sliding[k] = lanes_get(f->sliding[k], l);
+        held->rolling[k] = lanes_get(f->rolling[k], l);
+    }
+    held->twisting = lanes_get(f->twisting, l);
+}
+
+/** Pairs that were out of reach before the drift are left as they are: lists need not have them. */
+static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs)
+{
+    for (int64_t first = 0; first < pairs->count; first += WIDTH) {
+        struct vti_carry c;
+        struct vti_loads loads;
+        struct vti_taken taken;
+        struct side i, j;
+        double delta0[WIDTH];
+        gather_touches(p->contacts, b, pairs->seat + first, &c.touch, &i, &j);
+        gather_motion(&c, &i, &j, b, drifted);
+        gather_loads(pairs->held + first, &loads);
+        vti_carry_loads(p, &c, p->sliding, &loads, &taken);
+        lanes_store(pairs->delta + first, c.touch.delta);
+        lanes_store(delta0, c.delta0);
+        for (int l = 0; l < WIDTH && first + l < pairs->count; ++l) {
+            if (!(delta0[l] >= -p->reach)) {
+                pairs->delta[first + l] = INFINITY;
+                continue;
+            }
+            scatter_load(pairs->held[first + l], &loads, l);
+            if (p->sliding > 0.0)
+                vti_sum_add(&p->lost[0], lanes_get(taken.lost[0], l));
+            if (p->rolling > 0.0)
+                vti_sum_add(&p->lost[1], lanes_get(taken.lost[1], l));
+            if (p->twisting > 0.0)
+                vti_sum_add(&p->lost[2], lanes_get(taken.lost[2], l));
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The kernels of touches, for the vector units that there may be. */
+#ifndef VTI_TOUCH_TABLE_H
+#define VTI_TOUCH_TABLE_H
+
+#include "vti_history.h"
+
+/** So many pairs at most are handed to a kernel at once, a whole number of lanes of any width; no width is larger than
+ *  the second. */
+enum { VTI_TOUCHES = 64, VTI_LANES_MOST = 8 };
+
+/** A pair of a list. */
+struct vti_seat {
+    int64_t i, j; /* its bodies, from 0 */
+    int64_t k;    /* its number in the list */
+};
+
+/** Pairs the springs of which follow a drift. Beyond count, up to a whole number of lanes, pairs are repeated. */
+struct vti_carried {
+    int64_t count;
+    struct vti_seat seat[VTI_TOUCHES];
+    vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
+    double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
+};
+
+struct vti_touch_kernels {
+    void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
+};
+
+/** The same bits from each. */
+extern const struct vti_touch_kernels vti_touch_baseline, vti_touch_avx2, vti_touch_avx512;
+
+#endif
