@@ -122,12 +122,18 @@ static int make(struct effect *e, const struct model *model, const struct table 
 {
     const struct contact_settings *contact = e->settings;
     struct contact_self *self = effect_memory(e, sizeof *self, message);
-    const int64_t held = contact->bonded ? 0 : shape_lines(model);
+    const int64_t held = contact->bonded ? 0 : shape_lines(model), spheres = model_spheres(model)->count;
     int64_t *pair = calloc(held > 0 ? (size_t)(2 * held) : 1, sizeof *pair);
     (void)table;
     if (self == NULL || pair == NULL) {
         free(pair);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    }
+    if (held > 0 && model->clumps.list.count > 0) {
+        free(pair);
+        return message_set(message,
+                           "%s: contact.bonded: spheres of clumps touch, whether these are bonded or not; give yes",
+                           model->scene->name);
     }
     for (int64_t k = 0; k < held; ++k)
         shape_line(model, k, pair + 2 * k);
@@ -139,10 +145,10 @@ static int make(struct effect *e, const struct model *model, const struct table 
         self->contacts.modulus = vti_scalars_one(&self->modulus);
     else if (contact->stiffness == 0.0)
         self->contacts.modulus = model->modulus;
-    self->stiffness = least_stiffness(self, model->bodies.count);
+    self->stiffness = least_stiffness(self, spheres);
     made->self = &self->contacts;
-    const int result =
-        neighbours_create(&self->neighbours, model->bodies.count, &model->diameter, 0.0, held, pair, message);
+    const int result = neighbours_create(&self->neighbours, spheres, &model->diameter, 0.0, held, pair, message);
+    self->neighbours.owner = model->clumps.list.body;
     free(pair);
     if (scene_first_with(model->scene, EFFECT_NEAR) != NULL)
         self->neighbours.reach = 0.5 * self->neighbours.skin;

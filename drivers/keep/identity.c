@@ -48,6 +48,7 @@ static void write_value(FILE *text, const struct scene_field *field, const void 
         break;
     case SCENE_PLANES:
     case SCENE_CYLINDERS:
+    case SCENE_SPHERES:
     case SCENE_VECTORS:
     case SCENE_NUMBERS:
         write_numbers(text, list->numbers, (int)(list->count * scene_rows_of(field->kind)->width));

@@ -13,7 +13,7 @@
 #include "vti.h"
 
 enum { SCENE_PATH_SIZE = 512, SCENE_PLANES_MAX = 256, SCENE_CYLINDERS_MAX = 16 };
-enum { SCENE_WALLS_MAX = SCENE_PLANES_MAX + SCENE_CYLINDERS_MAX };
+enum { SCENE_WALLS_MAX = SCENE_PLANES_MAX + SCENE_CYLINDERS_MAX, SCENE_SPHERES_MAX = 128 };
 
 /** The most bodies of a scene: beyond, memory ends anyway, and products of counts stay far from their ends. */
 enum { SCENE_BODIES_MAX = 100000000 };
@@ -39,11 +39,11 @@ struct scene_lattice {
     double spacing, corner[3];
 };
 
-/** Added to the velocities of all bodies, uniform in [-v, v) and [-omega, omega) per component (sim/random.h); 0 is
- *  none. */
+/** Added to the velocities and the attitude vectors of all bodies, uniform in [-v, v), [-omega, omega) and [-alpha,
+ *  alpha) per component (sim/random.h); 0 is none. */
 struct scene_random {
     int64_t seed;
-    double v, omega;
+    double v, omega, alpha;
 };
 
 struct scene_planes {
@@ -56,6 +56,11 @@ struct scene_cylinders {
     double cylinder[SCENE_CYLINDERS_MAX][7]; /* axis (made unit), a point on it, radius */
 };
 
+struct scene_spheres {
+    int64_t count;
+    double sphere[SCENE_SPHERES_MAX][4]; /* centre, diameter */
+};
+
 struct scene_vectors {
     int64_t count;
     double vector[SCENE_WALLS_MAX][3];
@@ -64,6 +69,14 @@ struct scene_vectors {
 struct scene_numbers {
     int64_t count;
     double number[SCENE_WALLS_MAX];
+};
+
+/** Bodies that are several spheres each: templates, one behind the other, of counts spheres; of all without counts. */
+struct scene_clumps {
+    int given;
+    struct scene_spheres spheres;
+    struct scene_numbers counts;
+    double density; /* 0: bodies have a mass */
 };
 
 struct tables; /* sim/table.h */
@@ -82,7 +95,8 @@ struct scene {
     char table[SCENE_PATH_SIZE];     /* of the bodies */
     double mass, inertia, diameter;  /* of all bodies; 0 if the file does not say */
     double moments[3], principal[3]; /* of all bodies that are not spheres, and how their axes lie; 0: they are */
-    double x[3];                     /* of a single body */
+    struct scene_clumps clumps;
+    double x[3]; /* of a single body */
     double v[3], alpha[3], omega[3];
     struct scene_random random;
     int has_v, has_alpha, has_omega; /* the file gives them */
@@ -108,6 +122,8 @@ int scene_read(const char *path, const char *const *overrides, int n, struct sce
 
 /** How many bodies the scene has; 0 if only its table knows. */
 int64_t scene_bodies(const struct scene *scene);
+/** How many templates of clumps it has; 0 without clumps. */
+int64_t scene_templates(const struct scene *scene);
 /** The key that gives the positions: "bodies.ring" and so on. */
 const char *scene_positions_key(const struct scene *scene);
 /** The key of the first of its effects that has the trait, NULL if none has. Of stiff ones steps above h may be

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "scene_value.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "kind.h"
+#include "number.h"
 #include "quote.h"
 
 static int has(const struct scene_reader *reader, const char *path)
@@ -91,6 +93,11 @@ int64_t scene_bodies(const struct scene *scene)
                                                     : 1;
 }
 
+int64_t scene_templates(const struct scene *scene)
+{
+    return !scene->clumps.given ? 0 : scene->clumps.counts.count > 0 ? scene->clumps.counts.count : 1;
+}
+
 /* ---- how they move ----------------------------------------------------------------------------------------------- */
 
 /** Both fields or neither, of a single body. */
@@ -106,8 +113,8 @@ static int check_random(const struct scene_reader *reader, const struct scene *s
 {
     if (!has(reader, "bodies.random"))
         return 0;
-    if (scene->random.v == 0.0 && scene->random.omega == 0.0)
-        return scene_reader_fail(reader, "bodies.random", "neither v nor omega; give one of them or both");
+    if (scene->random.v == 0.0 && scene->random.omega == 0.0 && scene->random.alpha == 0.0)
+        return scene_reader_fail(reader, "bodies.random", "none of v, omega and alpha; give one of them or more");
     if (scene->random.v != 0.0 && !scene->translates && scene->arrangement != SCENE_IN_TABLE)
         return scene_reader_fail(reader, "bodies.random.v", "nothing translates; give " POSITIONS);
     return 0;
@@ -124,7 +131,9 @@ static int check_motion(const struct scene_reader *reader, struct scene *scene)
     for (int k = 0; k < EFFECT_COUNT; ++k)
         scene->has[k] = has(reader, kinds_at(k)->key);
     scene->translates = is_formula(scene) || has(reader, "bodies.x");
-    scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0;
+    scene->clumps.given = has(reader, "bodies.clumps");
+    scene->turns = scene->has_alpha || scene->has_omega || scene->random.omega != 0.0 || scene->random.alpha != 0.0 ||
+                   scene->clumps.given;
     for (int k = 0; k < EFFECT_COUNT; ++k)
         scene->turns |= scene->has[k] && (kinds_draft(kinds_at(k), &scene->settings, NULL).gives & EFFECT_MOMENT) != 0;
     if (!scene->translates && !scene->turns && scene->arrangement != SCENE_IN_TABLE)
@@ -163,17 +172,54 @@ static int check_moments(const struct scene_reader *reader, const struct scene *
     return 0;
 }
 
+/** Numbers of spheres that make up all of them. */
+static int check_counts_of_spheres(const struct scene_reader *reader, const struct scene_clumps *clumps)
+{
+    double sum = 0.0;
+    for (int64_t k = 0; k < clumps->counts.count; ++k) {
+        if (clumps->counts.number[k] != floor(clumps->counts.number[k]))
+            return scene_reader_fail(reader, "bodies.clumps.counts", "%s is not a whole number; spheres are counted",
+                                     NUMBER(clumps->counts.number[k]));
+        sum += clumps->counts.number[k];
+    }
+    if (clumps->counts.count == 0 || sum == (double)clumps->spheres.count)
+        return 0;
+    return scene_reader_fail(reader, "bodies.clumps.counts", "%s spheres in all, and there are %lld; count each once",
+                             NUMBER(sum), (long long)clumps->spheres.count);
+}
+
+/** Spheres say how large their clump is and how it turns. */
+static int check_clumps(const struct scene_reader *reader, const struct scene *scene)
+{
+    static const char *const instead[] = {"bodies.inertia", "bodies.moments", "bodies.diameter"};
+    if (!scene->clumps.given)
+        return 0;
+    for (size_t k = 0; k < sizeof instead / sizeof instead[0]; ++k)
+        if (has(reader, instead[k]))
+            return scene_reader_fail(reader, instead[k],
+                                     "given besides bodies.clumps, whose spheres say it; leave it out");
+    if (scene->clumps.spheres.count == 0)
+        return scene_reader_fail(reader, "bodies.clumps.spheres", "no spheres; give rows x, y, z, D");
+    if (scene->clumps.density != 0.0 && has(reader, "bodies.mass"))
+        return scene_reader_fail(reader, "bodies.clumps.density", "given besides bodies.mass; keep one of them");
+    if (!scene->translates && scene->arrangement != SCENE_IN_TABLE)
+        return scene_reader_fail(reader, "bodies.clumps", "has no position; give " POSITIONS);
+    return check_counts_of_spheres(reader, &scene->clumps);
+}
+
 /** Without a table nobody else says. */
 static int check_properties(const struct scene_reader *reader, const struct scene *scene)
 {
-    if (check_moments(reader, scene) != 0)
+    const int clumps = scene->clumps.given;
+    if (check_moments(reader, scene) != 0 || check_clumps(reader, scene) != 0)
         return -1;
     if (scene->arrangement == SCENE_IN_TABLE)
         return 0;
-    const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter");
+    const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter") || clumps;
     const int is_sphere = has_diameter && has(reader, "bodies.mass"); /* solid: inertia follows */
-    const int is_known = is_sphere || has(reader, "bodies.moments");
-    if (check_needed(reader, scene->translates, "bodies.mass", "bodies that translate") != 0 ||
+    const int is_known = is_sphere || has(reader, "bodies.moments") || clumps;
+    if (check_needed(reader, scene->translates && scene->clumps.density == 0.0, "bodies.mass",
+                     "bodies that translate") != 0 ||
         check_needed(reader, scene->turns && !is_known, "bodies.inertia", "bodies that turn") != 0)
         return -1;
     return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !has_diameter, "bodies.diameter",

@@ -47,7 +47,7 @@ static const struct scene_field head[] = {
      "Lengths; the origin without it.", NULL},
     {"bodies.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(table), "file of bodies",
      "CSV or HDF5, relative to the scene's folder: a row for each body, columns of x y z, vx vy vz, alpha_x alpha_y "
-     "alpha_z, omega_x omega_y omega_z, mass, inertia, diameter, and young and poisson as far as they differ.",
+     "alpha_z, omega_x omega_y omega_z, mass, inertia, diameter, young and poisson, and clump as far as they differ.",
      NULL},
     {"bodies.mass", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(mass), "mass m",
      "Of each body; needed by bodies that translate.", NULL},
@@ -62,6 +62,19 @@ static const struct scene_field head[] = {
      "As alpha: turns x, y and z of the body to the axes of A, B and C; without it, they are those.", NULL},
     {"bodies.diameter", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(diameter), "diameter D",
      "Of each sphere, a length; without it neighbours of a ring, chain or lattice just touch.", NULL},
+    {"bodies.clumps", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bodies of several spheres each",
+     "Each body moves as one solid and stands where its centre of mass is; contacts and walls act on its spheres, all "
+     "else on the body. Mass, moments and principal axes are those of the spheres' union, by 256 lines across where "
+     "they overlap.",
+     NULL},
+    {"bodies.clumps.spheres", SCENE_SPHERES, SCENE_MUST, SCENE_ANY, AT(clumps.spheres), "spheres of the templates",
+     "Lengths: centre and diameter of each in the body at alpha = 0, from any point.", NULL},
+    {"bodies.clumps.counts", SCENE_NUMBERS, SCENE_MAY, SCENE_POSITIVE, AT(clumps.counts), "spheres of each template",
+     "How many of the spheres, one behind the other, make each; all make one without it. Body k is of template k "
+     "modulo their number, or of that in column clump of the table, from 0.",
+     NULL},
+    {"bodies.clumps.density", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(clumps.density), "density",
+     "Mass per volume of all spheres, in the place of bodies.mass.", NULL},
     {"bodies.x", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(x), "position", "Of a single body's centre, lengths.", NULL},
     {"bodies.v", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(v), "velocity", "Of each body's centre at t = 0.", NULL},
     {"bodies.alpha", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(alpha), "attitude",
@@ -69,13 +82,16 @@ static const struct scene_field head[] = {
     {"bodies.omega", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(omega), "angular velocity",
      "Of each body at t = 0 in space, radians per unit of time.", NULL},
     {"bodies.random", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "random velocities",
-     "Added to v and omega of each body at t = 0, uniform in each component.", NULL},
+     "Added to v, omega and alpha of each body at t = 0, uniform in each component.", NULL},
     {"bodies.random.seed", SCENE_COUNT, SCENE_MUST, SCENE_NOT_NEGATIVE, AT(random.seed), "seed",
      "The same seed gives the same velocities on every machine.", NULL},
     {"bodies.random.v", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(random.v), "largest component of random v",
      "Velocity: each component lies in [-v, v).", NULL},
     {"bodies.random.omega", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(random.omega),
      "largest component of random omega", "Angular velocity: each component lies in [-omega, omega).", NULL},
+    {"bodies.random.alpha", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(random.alpha),
+     "largest component of random alpha", "Attitude: each component lies in [-alpha, alpha); 2 is a quarter of a turn.",
+     NULL},
 };
 
 static const struct scene_field tail[] = {
@@ -102,11 +118,14 @@ const struct scene_rows *scene_rows_of(enum scene_kind kind)
                                                 "seven numbers ax, ay, az, x, y, z, R",
                                                 "[0, 1, 0, 0, 0, 0, 5]",
                                                 "[[0, 1, 0, 0, 0, 0, 5]]"};
+    static const struct scene_rows spheres = {
+        4, SCENE_SPHERES_MAX, "spheres", "four numbers x, y, z, D", "[0, 0, 0, 1]", "[[0, 0, 0, 1], [1, 0, 0, 1]]"};
     static const struct scene_rows vectors = {3,           SCENE_WALLS_MAX,         "vectors", "three numbers",
                                               "[0, 0, 1]", "[[0, 0, 1], [0, 0, 0]]"};
     static const struct scene_rows numbers = {1, SCENE_WALLS_MAX, "numbers", NULL, NULL, "[1, 2]"};
     return kind == SCENE_PLANES      ? &planes
            : kind == SCENE_CYLINDERS ? &cylinders
+           : kind == SCENE_SPHERES   ? &spheres
            : kind == SCENE_VECTORS   ? &vectors
            : kind == SCENE_NUMBERS   ? &numbers
                                      : NULL;

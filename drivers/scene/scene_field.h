@@ -18,6 +18,7 @@ enum scene_kind {
     SCENE_COUNTS,    /* three whole numbers; goes to an int64_t[3] */
     SCENE_PLANES,    /* list of rows nx, ny, nz, d; goes to a struct scene_planes */
     SCENE_CYLINDERS, /* list of rows ax, ay, az, x, y, z, R; goes to a struct scene_cylinders */
+    SCENE_SPHERES,   /* list of rows x, y, z, D; goes to a struct scene_spheres */
     SCENE_VECTORS,   /* list of rows of three numbers; goes to a struct scene_vectors */
     SCENE_NUMBERS,   /* list of numbers; goes to a struct scene_numbers */
     SCENE_YES_NO,    /* yes or no; goes to an int64_t, 1 or 0 */

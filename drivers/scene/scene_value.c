@@ -207,6 +207,10 @@ static int finish_row(const struct scene_reader *reader, const struct scene_fiel
         return scene_reader_fail_item(reader, field, width * row + 6, part,
                                       "the radius '%.20s' is not positive; the seventh number must be > 0",
                                       items[6].text);
+    if (field->kind == SCENE_SPHERES && !(numbers[3] > 0.0))
+        return scene_reader_fail_item(reader, field, width * row + 3, part,
+                                      "the diameter '%.20s' is not positive; the fourth number must be > 0",
+                                      items[3].text);
     return 0;
 }
 
@@ -252,6 +256,7 @@ int scene_value_read(const struct scene_reader *reader, const struct scene_field
         return read_counts(reader, field, value, target);
     case SCENE_PLANES:
     case SCENE_CYLINDERS:
+    case SCENE_SPHERES:
     case SCENE_VECTORS:
     case SCENE_NUMBERS:
         return read_rows(reader, field, value, target);

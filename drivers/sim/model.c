@@ -10,6 +10,19 @@
 
 /* ---- from the scene ---------------------------------------------------------------------------------------------- */
 
+static int has_clumps(const struct model *model)
+{
+    return model->clumps.list.count > 0;
+}
+
+/** Effect k of the model acts on the spheres of clumps. */
+static void put_on_spheres(struct model *model, int64_t k)
+{
+    model->on_spheres[k] = 1;
+    model->clumped[k] = (vti_clumped){&model->clumps.list, &model->acting[k]};
+    model->effects[k] = vti_clumped_effect(&model->clumped[k]);
+}
+
 /** An effect of the scene, with memory of its own. */
 static int add_effect(struct model *model, const struct effect_kind *kind, const struct tables *tables,
                       struct message *message)
@@ -24,8 +37,30 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     *made = draft;
     if (kind->make != NULL && kind->make(e, model, table, made, message) != 0)
         return -1;
+    if (kinds_check_made(kind, &draft, made, message) != 0)
+        return -1;
+    model->acting[model->effects_count] = *made;
+    if (kind->spheres && has_clumps(model))
+        put_on_spheres(model, model->effects_count);
     ++model->effects_count;
-    return kinds_check_made(kind, &draft, made, message);
+    return 0;
+}
+
+/** Whether the effects can act on these bodies at all. */
+static int check_effects(const struct model *model, struct message *message)
+{
+    vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        if (has_clumps(model) && model->effects[k].rupture != NULL)
+            return message_set(message,
+                               "%s: bonds of bodies.clumps neither break nor are made on the way; leave out what makes "
+                               "%s do that",
+                               model->scene->name, model->effects[k].name);
+    const int status = vti_effects_check(model->effects, model->effects_count, &model->bodies, &fault);
+    if (status != VTI_E_CLUMP || fault.body < 0)
+        return 0;
+    return message_set(message, "%s: %s does not act on the spheres of bodies.clumps; leave it out", model->scene->name,
+                       model->effects[fault.body].name);
 }
 
 static int make(struct model *model, const struct tables *tables, struct message *message)
@@ -41,6 +76,8 @@ static int make(struct model *model, const struct tables *tables, struct message
                            "%s: %s dissipates, which it does by the one moment of inertia of a sphere; leave it "
                            "out, or give bodies.inertia in the place of bodies.moments",
                            model->scene->name, dissipates->name);
+    if (check_effects(model, message) != 0)
+        return -1;
     /* once and for all: what checks the views again at every step would cost a lone body more than its step */
     int status = vti_bodies_seal(&model->bodies);
     if (status == VTI_OK)
@@ -74,20 +111,53 @@ void model_destroy(struct model *model)
             e->kind->destroy(e);
         free(e->self);
     }
+    clumps_destroy(&model->clumps);
     free(model->memory);
     memset(model, 0, sizeof *model);
 }
 
 /* ---- forces and energy ------------------------------------------------------------------------------------------- */
 
+const vti_bodies *model_spheres(const struct model *model)
+{
+    return has_clumps(model) ? &model->clumps.list.spheres : &model->bodies;
+}
+
+/** The spheres of clumps to where the bodies are. */
+static int spread(struct model *model, const vti_bodies *bodies)
+{
+    if (!has_clumps(model))
+        return VTI_OK;
+    if (model->slices != NULL && bodies == &model->bodies)
+        return slices_spread(model);
+    return vti_clumps_spread(&model->clumps.list, bodies);
+}
+
 int model_find_pairs(struct model *model, const vti_bodies *bodies)
 {
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
+    const int status = spread(model, bodies);
+    for (int64_t k = 0; status == VTI_OK && k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
-        if (e->kind->find_pairs != NULL && e->kind->find_pairs(e, bodies, &model->trouble) != 0)
+        const vti_bodies *on = model->on_spheres[k] ? &model->clumps.list.spheres : bodies;
+        if (e->kind->find_pairs != NULL && e->kind->find_pairs(e, on, &model->trouble) != 0)
             return MODEL_E_PAIRS;
     }
-    return VTI_OK;
+    return status;
+}
+
+int model_apply(const struct model *model, const vti_effect *acting, const vti_bodies *bodies,
+                const vti_bodies *spheres)
+{
+    vti_effect on[2][MODEL_EFFECTS];
+    int64_t n[2] = {0, 0};
+    if (!has_clumps(model))
+        return vti_apply(acting, model->effects_count, bodies);
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        on[model->on_spheres[k]][n[model->on_spheres[k]]++] = acting[k];
+    int status = vti_apply(on[1], n[1], spheres);
+    if (status == VTI_OK)
+        status = vti_apply(on[0], n[0], bodies);
+    return status == VTI_OK ? vti_clumps_gather(&model->clumps.list, bodies) : status;
 }
 
 int model_forces(struct model *model, const vti_bodies *bodies)
@@ -95,7 +165,10 @@ int model_forces(struct model *model, const vti_bodies *bodies)
     const int status = model_find_pairs(model, bodies);
     if (status == VTI_OK && model->slices != NULL && bodies == &model->bodies)
         return slices_apply(model);
-    return status == VTI_OK ? vti_apply(model->effects, model->effects_count, bodies) : status;
+    if (status != VTI_OK)
+        return status;
+    return has_clumps(model) ? model_apply(model, model->acting, bodies, model_spheres(model))
+                             : vti_apply(model->effects, model->effects_count, bodies);
 }
 
 double model_energy(struct model *model, const vti_bodies *bodies)
@@ -119,6 +192,11 @@ const vti_effect *model_dissipates(const struct model *model)
 
 int model_of_spheres(const struct model *model, const char *what, struct message *message)
 {
+    if (has_clumps(model))
+        return message_set(message,
+                           "%s: bodies.clumps: %s knows bodies that are spheres; run the scene by a stepper of kicks "
+                           "and drifts, such as vti2",
+                           model->scene->name, what);
     if (model->bodies.moments.c[0] == NULL)
         return 0;
     return message_set(message,

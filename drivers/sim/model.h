@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 
+#include "clumps.h"
 #include "kind.h"
 #include "scene.h"
 
@@ -23,10 +24,15 @@ struct model {
     const struct scene *scene; /* must outlive the model */
     int translates, turns;     /* as views say: x and v, alpha and omega (with spin, where there are moments) */
     vti_bodies bodies;
-    vti_scalars diameter; /* p = NULL if neither scene nor table gives any */
-    vti_scalars modulus;  /* E/(1 - nu^2) of each body; p = NULL if the table gives none */
+    struct clumps clumps; /* their spheres, where they are clumps */
+    vti_scalars diameter; /* of the spheres (model_spheres); p = NULL if neither scene nor table gives any */
+    vti_scalars modulus;  /* E/(1 - nu^2) of each; p = NULL if the table gives none */
     vti_effect effects[MODEL_EFFECTS];
     int64_t effects_count;
+    vti_effect
+        acting[MODEL_EFFECTS];     /* effect k as it acts: where on_spheres says so, on the spheres of clumps, while */
+    int on_spheres[MODEL_EFFECTS]; /* effects[k] is what that does to the bodies */
+    vti_clumped clumped[MODEL_EFFECTS];
     struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */
     int64_t rooms_count;                /* 0 where effects are not those of a scene */
 
@@ -40,6 +46,13 @@ struct model {
 /** Makes the model of *scene at t = 0, forces and moments included. Returns 0, or -1 with one line in *message. */
 int model_create(const struct scene *scene, struct model *model, struct message *message);
 void model_destroy(struct model *model);
+
+/** What has surfaces: the spheres of clumps, as of the last model_find_pairs, or else the bodies. */
+const vti_bodies *model_spheres(const struct model *model);
+/** The effects' loads on the bodies of a slice and, where these are clumps, on their spheres, which have been put where
+ *  they are; each effect k as acting[k]. Returns VTI_OK or a status. */
+int model_apply(const struct model *model, const vti_effect *acting, const vti_bodies *bodies,
+                const vti_bodies *spheres);
 
 /** Brings the lists of pairs up to the bodies' positions, of effects that have one; bodies may be any with the model's
  *  views, or a quaternion view for alpha. Returns VTI_OK or MODEL_E_PAIRS. The effects' energies are right for the

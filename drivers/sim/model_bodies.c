@@ -21,20 +21,23 @@ int model_loads(const struct scene *scene, const struct tables *tables)
     int64_t loads = 0;
     for (int k = 0; k < EFFECT_COUNT; ++k)
         loads |= scene->has[k] ? kinds_draft(kinds_at(k), &scene->settings, &tables->effect[k]).gives : 0;
-    return (int)loads;
+    /* a force on a sphere of a clump turns it */
+    return (int)loads | (scene->clumps.given && (loads & EFFECT_FORCE) != 0 ? EFFECT_MOMENT : 0);
 }
 
 /** Inertia of each body follows from mass and diameter, of which one differs from body to body. */
 static int derives_inertia(const struct model *model, const struct table *bodies)
 {
     return model->turns && model->scene->inertia == 0.0 && model->scene->moments[0] == 0.0 &&
-           !table_has(bodies, BODY_INERTIA) && (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER));
+           !table_has(bodies, BODY_INERTIA) &&
+           (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER) || model->scene->clumps.given);
 }
 
-/** They turn, and are no spheres. */
+/** They turn, and have three moments: all the same ones, or as clumps. */
 static int is_general(const struct model *model)
 {
-    return model->turns && model->scene->moments[0] != 0.0;
+    const struct scene *s = model->scene;
+    return model->turns && (s->moments[0] != 0.0 || (s->clumps.given && !clumps_are_spheres(&model->clumps, s)));
 }
 
 /** Doubles per body. */
@@ -44,6 +47,7 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     int64_t width = derives_inertia(model, &tables->bodies);
     width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
     width += is_general(model) ? 3 : 0;
+    width += model->scene->clumps.given ? 1 + 3 + 4 : 0;
     width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
     for (int k = BODY_MASS; k <= BODY_YOUNG; ++k)
         width += table_has(&tables->bodies, k);
@@ -62,7 +66,8 @@ static double *place(double **block, int64_t n, const struct table *bodies, int 
     return p;
 }
 
-/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, the next three for omega. p is [n][3]. */
+/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, the next three for omega, and those from 2^40 +
+ *  6 i on for alpha. p is [n][3]. */
 static void add_random(double *p, int64_t n, int64_t seed, int64_t first, double most)
 {
     for (int64_t i = 0; i < n && most != 0.0; ++i)
@@ -90,6 +95,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
     if (model->turns) {
         double *alpha = place(block, n, t, BODY_ALPHA, s->alpha), *omega = place(block, n, t, BODY_OMEGA, s->omega);
         add_random(omega, n, s->random.seed, 3, s->random.omega);
+        add_random(alpha, n, s->random.seed, (int64_t)1 << 40, s->random.alpha);
         b->alpha = vti_view_packed(alpha);
         b->omega = vti_view_packed(omega);
         if ((loads & EFFECT_MOMENT) != 0)
@@ -117,6 +123,37 @@ static double solid_sphere(double mass, double diameter)
     return 0.4 * mass * (0.5 * diameter) * (0.5 * diameter);
 }
 
+/** The template of body i, which has clumps. */
+static const struct clump_template *template_of(const struct model *model, const struct tables *tables, int64_t i)
+{
+    return clumps_template(&model->clumps, model->scene, &tables->bodies, i);
+}
+
+/** Mass of each body, of its template and the density. */
+static vti_scalars weighed(const struct model *model, const struct tables *tables, double **block)
+{
+    double *mass = take(block, model->bodies.count);
+    for (int64_t i = 0; i < model->bodies.count; ++i)
+        mass[i] = model->scene->clumps.density * template_of(model, tables, i)->solid.mass;
+    return vti_scalars_array(mass);
+}
+
+/** Moments of inertia of bodies of which mass and diameter are known, the latter from their template if they have one. */
+static vti_scalars derived(const struct model *model, const struct tables *tables, const vti_scalars *mass,
+                           double **block)
+{
+    double *inertia = take(block, model->bodies.count), moments[3];
+    for (int64_t i = 0; i < model->bodies.count; ++i) {
+        const double m = mass->p[i * mass->stride];
+        if (model->scene->clumps.given)
+            clumps_moments(template_of(model, tables, i), model->scene, m, moments);
+        else
+            moments[0] = solid_sphere(m, model->diameter.p[i * model->diameter.stride]);
+        inertia[i] = moments[0];
+    }
+    return vti_scalars_array(inertia);
+}
+
 static void place_properties(struct model *model, const struct tables *tables, double **block)
 {
     const struct scene *s = model->scene;
@@ -125,7 +162,8 @@ static void place_properties(struct model *model, const struct tables *tables, d
     model->mass = s->mass;
     model->sphere = s->diameter != 0.0 ? s->diameter : arrange_touching(s);
     model->inertia = s->inertia != 0.0 ? s->inertia : solid_sphere(model->mass, model->sphere);
-    const vti_scalars mass = property(block, b->count, t, BODY_MASS, &model->mass);
+    const vti_scalars mass = s->clumps.density != 0.0 ? weighed(model, tables, block)
+                                                      : property(block, b->count, t, BODY_MASS, &model->mass);
     model->diameter = property(block, b->count, t, BODY_DIAMETER, &model->sphere);
     if (table_has(t, BODY_YOUNG)) {
         double *modulus = take(block, b->count);
@@ -137,28 +175,41 @@ static void place_properties(struct model *model, const struct tables *tables, d
         b->mass = mass;
     if (!model->turns || is_general(model))
         return;
-    if (derives_inertia(model, t)) {
-        double *inertia = take(block, b->count);
-        for (int64_t i = 0; i < b->count; ++i)
-            inertia[i] = solid_sphere(mass.p[i * mass.stride], model->diameter.p[i * model->diameter.stride]);
-        b->inertia = vti_scalars_array(inertia);
-    } else {
-        b->inertia = property(block, b->count, t, BODY_INERTIA, &model->inertia);
-    }
+    b->inertia = derives_inertia(model, t) ? derived(model, tables, &mass, block)
+                                           : property(block, b->count, t, BODY_INERTIA, &model->inertia);
 }
 
-/** Moments for all, and of each body L = R_p diag(A, B, C) R_p^T Omega, which it turns by from then on; Omega is what
- *  is shown of it. */
+/** The same moments for all. */
+static void place_moments(struct model *model)
+{
+    double *const m = model->moments, *const p = model->principal;
+    for (int k = 0; k < 3; ++k)
+        m[k] = model->scene->moments[k];
+    vti_rrv_to_quat_xyzw(model->scene->principal, p);
+    model->bodies.moments = (vti_view){{m, m + 1, m + 2}, 0, 0};
+    model->bodies.principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 0, 0};
+}
+
+/** Those of each body's template. */
+static void place_moments_of_clumps(struct model *model, const struct tables *tables, double **block)
+{
+    vti_bodies *b = &model->bodies;
+    double *const m = take(block, 3 * b->count), *const p = take(block, 4 * b->count);
+    for (int64_t i = 0; i < b->count; ++i) {
+        const struct clump_template *of = template_of(model, tables, i);
+        clumps_moments(of, model->scene, b->mass.p[i * b->mass.stride], m + 3 * i);
+        for (int k = 0; k < 4; ++k)
+            p[4 * i + k] = of->solid.principal[k];
+    }
+    b->moments = vti_view_packed(m);
+    b->principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 4, 0};
+}
+
+/** Of each body L = R_p diag(A, B, C) R_p^T Omega, which it turns by from then on; Omega is what is shown of it. */
 static void place_spin(struct model *model, double **block)
 {
-    const struct scene *s = model->scene;
     vti_bodies *b = &model->bodies;
-    double *const m = model->moments, *const p = model->principal, *const L = take(block, 3 * b->count);
-    for (int k = 0; k < 3; ++k)
-        m[k] = s->moments[k];
-    vti_rrv_to_quat_xyzw(s->principal, p);
-    b->moments = (vti_view){{m, m + 1, m + 2}, 0, 0};
-    b->principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 0, 0};
+    double *const L = take(block, 3 * b->count);
     for (int64_t i = 0; i < b->count; ++i) {
         const vti_bodies one = vti_bodies_slice(*b, i, 1);
         vti_spin(&one, L + 3 * i);
@@ -168,9 +219,24 @@ static void place_spin(struct model *model, double **block)
 
 /* ---- together ---------------------------------------------------------------------------------------------------- */
 
+/** The spheres of clumps, which have the surfaces. */
+static int place_spheres(struct model *model, const struct tables *tables, struct message *message)
+{
+    struct clumps *clumps = &model->clumps;
+    if (!model->scene->clumps.given)
+        return 0;
+    if (clumps_place(clumps, model->scene, &tables->bodies, &model->bodies, &model->modulus, message) != 0)
+        return -1;
+    model->diameter = clumps->diameter;
+    model->modulus = clumps->modulus;
+    return 0;
+}
+
 int model_place_bodies(struct model *model, const struct tables *tables, struct message *message)
 {
     const int64_t n = model->scene->arrangement == SCENE_IN_TABLE ? tables->bodies.rows : scene_bodies(model->scene);
+    if (model->scene->clumps.given && clumps_weigh(&model->clumps, model->scene, message) != 0)
+        return -1;
     const int64_t doubles = n * body_width(model, tables);
     model->bodies = vti_bodies_none(n);
     model->memory = calloc((size_t)(doubles > 0 ? doubles : 1), sizeof *model->memory);
@@ -179,7 +245,11 @@ int model_place_bodies(struct model *model, const struct tables *tables, struct 
     double *block = model->memory;
     place_vectors(model, tables, &block);
     place_properties(model, tables, &block);
+    if (is_general(model) && model->scene->clumps.given)
+        place_moments_of_clumps(model, tables, &block);
+    else if (is_general(model))
+        place_moments(model);
     if (is_general(model))
         place_spin(model, &block);
-    return 0;
+    return place_spheres(model, tables, message);
 }

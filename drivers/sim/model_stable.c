@@ -45,12 +45,12 @@ static void fields_of(const struct model *model, double g[3])
     }
 }
 
-/** How far body i falls along g until its surface meets the first plane in its way; 0 if none is. */
-static double fall(const struct model *model, const vti_bodies *bodies, int64_t i, const double g[3])
+/** How far sphere i falls along g until its surface meets the first plane in its way; 0 if none is. */
+static double fall(const struct model *model, const vti_bodies *spheres, int64_t i, const double g[3])
 {
     const double length = vti_norm(g), radius = 0.5 * scalar(&model->diameter, i);
     double least = INFINITY, centre[3];
-    load(&bodies->x, i, centre);
+    load(&spheres->x, i, centre);
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const double *plane = NULL;
         const int64_t count = planes_of(&model->rooms[k], &plane);
@@ -79,6 +79,19 @@ static void velocity_of_whole(const struct model *model, const vti_bodies *b, do
         whole[k] = mass > 0.0 ? momentum[k] / mass : 0.0;
 }
 
+/** m v^2 of body i less the velocity of the whole, and 2 T of how it turns, if it is a clump, whose spheres that
+ *  moves. */
+static double energy_of_two(const struct model *model, const vti_bodies *b, int64_t i, const double whole[3])
+{
+    const vti_bodies one = vti_bodies_slice(*b, i, 1);
+    double v[3];
+    load(&b->v, i, v);
+    for (int k = 0; k < 3; ++k)
+        v[k] -= whole[k];
+    return scalar(&b->mass, i) * vti_dot(v, v) +
+           (model->clumps.list.count > 0 ? 2.0 * vti_kinetic_rotation(&one) : 0.0);
+}
+
 /** The energy that two bodies bring to where they meet, at most. */
 static double energy_to_meet(const struct model *model, const vti_bodies *b)
 {
@@ -86,13 +99,11 @@ static double energy_to_meet(const struct model *model, const vti_bodies *b)
     velocity_of_whole(model, b, whole);
     fields_of(model, g);
     const int falls = vti_norm(g) > 0.0 && has_planes(model);
-    for (int64_t i = 0; i < b->count && model->translates; ++i) {
-        const double mass = scalar(&b->mass, i);
-        double v[3];
-        load(&b->v, i, v);
-        for (int k = 0; k < 3; ++k)
-            v[k] -= whole[k];
-        most = fmax(most, mass * vti_dot(v, v) + (falls ? mass * vti_norm(g) * fall(model, b, i, g) : 0.0));
+    const vti_bodies *spheres = model->clumps.list.count > 0 ? model_spheres(model) : b;
+    for (int64_t s = 0; s < spheres->count && model->translates; ++s) {
+        const int64_t i = model->clumps.list.count > 0 ? model->clumps.list.body[s] : s;
+        const double weight = falls ? scalar(&b->mass, i) * vti_norm(g) * fall(model, spheres, s, g) : 0.0;
+        most = fmax(most, energy_of_two(model, b, i, whole) + weight);
     }
     return most;
 }
@@ -103,7 +114,8 @@ vti_deformation model_deformation(const struct model *model, const vti_bodies *b
     vti_deformation at = {0.0, 0.0, 0};
     for (int64_t k = 0; k < model->rooms_count; ++k)
         if (model->rooms[k].kind->deform != NULL)
-            model->rooms[k].kind->deform(&model->rooms[k], bodies, energy, &at);
+            model->rooms[k].kind->deform(&model->rooms[k], model->on_spheres[k] ? model_spheres(model) : bodies, energy,
+                                         &at);
     return at;
 }
 

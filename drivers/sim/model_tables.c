@@ -39,7 +39,10 @@ static int check_twice(const struct scene *s, const struct tables *t, struct mes
                   {s->mass != 0.0, BODY_MASS, "bodies.mass"},
                   {s->inertia != 0.0, BODY_INERTIA, "bodies.inertia"},
                   {s->moments[0] != 0.0, BODY_INERTIA, "bodies.moments"},
-                  {s->diameter != 0.0, BODY_DIAMETER, "bodies.diameter"}};
+                  {s->diameter != 0.0, BODY_DIAMETER, "bodies.diameter"},
+                  {s->clumps.given, BODY_INERTIA, "bodies.clumps"},
+                  {s->clumps.given, BODY_DIAMETER, "bodies.clumps"},
+                  {s->clumps.density != 0.0, BODY_MASS, "bodies.clumps.density"}};
     for (size_t k = 0; k < sizeof bodies / sizeof bodies[0]; ++k)
         if (bodies[k].in_scene && table_has(&t->bodies, bodies[k].column))
             return fail(&t->bodies, message, "gives what the scene gives as %s too; keep one of them", bodies[k].key);
@@ -56,10 +59,12 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
 {
     const struct scene *s = m->scene;
     const struct table *bodies = &t->bodies;
-    const int has_mass = s->mass != 0.0 || table_has(bodies, BODY_MASS);
-    const int has_diameter = s->diameter != 0.0 || table_has(bodies, BODY_DIAMETER);
+    const int has_mass = s->mass != 0.0 || s->clumps.density != 0.0 || table_has(bodies, BODY_MASS);
+    const int has_diameter = s->diameter != 0.0 || s->clumps.given || table_has(bodies, BODY_DIAMETER);
     const int has_inertia =
         s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) || (has_mass && has_diameter);
+    if (!m->translates && s->clumps.given)
+        return fail(bodies, message, "no columns x, y, z; bodies.clumps needs them%s", "");
     if (!m->translates && needs_positions(s) != NULL)
         return fail(bodies, message, "no columns x, y, z; %s needs them", needs_positions(s));
     if (!m->translates && !m->turns)
@@ -108,6 +113,21 @@ static int check_material(const struct table *bodies, struct message *message)
     return 0;
 }
 
+/** Templates that there are. */
+static int check_templates(const struct scene *s, const struct table *bodies, struct message *message)
+{
+    const int64_t templates = scene_templates(s);
+    if (!table_has(bodies, BODY_CLUMP))
+        return 0;
+    if (templates == 0)
+        return fail(bodies, message, "has a column clump, and the scene no bodies.clumps; give both or neither%s", "");
+    for (int64_t k = 0; k < bodies->rows; ++k)
+        if (bodies->column[BODY_CLUMP][k] >= (double)templates)
+            return table_fail(bodies, k, message, "clump: there is no template %s; bodies.clumps has %lld, from 0",
+                              NUMBER(bodies->column[BODY_CLUMP][k]), (long long)templates);
+    return 0;
+}
+
 int model_check_tables(struct model *model, const struct tables *tables, struct message *message)
 {
     const struct scene *s = model->scene;
@@ -116,11 +136,11 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
     model->turns = s->turns || table_has(bodies, BODY_ALPHA) || table_has(bodies, BODY_OMEGA) ||
                    (model_loads(s, tables) & EFFECT_MOMENT) != 0;
     if (check_twice(s, tables, message) != 0 || check_material(bodies, message) != 0 ||
-        check_effects(model, tables, message) != 0)
+        check_templates(s, bodies, message) != 0 || check_effects(model, tables, message) != 0)
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);
-    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0)
+    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0 && !s->clumps.given)
         return check_turned(s, tables, message);
     return 0;
 }

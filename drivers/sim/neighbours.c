@@ -72,8 +72,8 @@ static int is_before(const int64_t a[2], const int64_t b[2])
     return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
 }
 
-/** Copies the sorted pairs that were found without those that are excluded; returns how many. */
-static int64_t leave_out_excluded(const struct neighbours_search *s, int64_t *pair)
+/** Copies the sorted pairs that were found without those that are excluded, or of one owner; returns how many. */
+static int64_t leave_out_excluded(const struct neighbours_search *s, const int64_t *owner, int64_t *pair)
 {
     int64_t count = 0, e = 0;
     for (int64_t k = 0; k < s->found.count; ++k) {
@@ -81,6 +81,8 @@ static int64_t leave_out_excluded(const struct neighbours_search *s, int64_t *pa
         while (e < s->excluded_count && is_before(s->excluded + 2 * e, f))
             ++e;
         if (e < s->excluded_count && !is_before(f, s->excluded + 2 * e))
+            continue;
+        if (owner != NULL && owner[f[0]] == owner[f[1]])
             continue;
         pair[2 * count] = f[0];
         pair[2 * count + 1] = f[1];
@@ -186,7 +188,7 @@ static int build(struct neighbours *list)
     if (cells_search(&s->cells, s->longest, list->skin, &s->found) != 0 || make_room(list) != 0)
         return -1;
     sort_pairs(s, s->found.count, s->found.pair, list->pair);
-    list->count = leave_out_excluded(s, list->pair);
+    list->count = leave_out_excluded(s, list->owner, list->pair);
     return 0;
 }
 

@@ -66,10 +66,10 @@ void shape_line(const struct model *model, int64_t k, int64_t pair[2])
 
 int shape_has_diameters(const struct model *model)
 {
-    return model->diameter.p != NULL;
+    return model->diameter.p != NULL && model->clumps.list.count == 0;
 }
 
 double shape_diameter(const struct model *model, int64_t i)
 {
-    return model->diameter.p != NULL ? model->diameter.p[i * model->diameter.stride] : 0.0;
+    return shape_has_diameters(model) ? model->diameter.p[i * model->diameter.stride] : 0.0;
 }

@@ -8,6 +8,7 @@
 /** Centre of body i of the bodies. Where nothing translates: where an effect has it, or the origin. */
 void shape_centre(const struct model *model, const vti_bodies *bodies, int64_t i, double x[3]);
 
+/** Whether bodies are spheres of known size; clumps are not. */
 int shape_has_diameters(const struct model *model);
 /** Of body i; 0 without diameters. */
 double shape_diameter(const struct model *model, int64_t i);

@@ -28,7 +28,8 @@ static const struct table_column bodies[] = {{"x", TABLE_ANY},
                                              {"inertia", TABLE_POSITIVE},
                                              {"diameter", TABLE_POSITIVE},
                                              {"young", TABLE_POSITIVE},
-                                             {"poisson", TABLE_NOT_NEGATIVE}};
+                                             {"poisson", TABLE_NOT_NEGATIVE},
+                                             {"clump", TABLE_COUNT}};
 
 const struct table_kind table_bodies = {"bodies", "the scene's table of bodies", bodies,
                                         sizeof bodies / sizeof bodies[0], check_bodies};
@@ -153,8 +154,11 @@ const char *table_refusal(const struct table_kind *kind, int k, double value)
         return "is not positive; it must be > 0";
     if (range == TABLE_NOT_NEGATIVE && !(value >= 0.0))
         return "is negative; it must be >= 0";
-    if (range == TABLE_INDEX && (!(value >= 0.0) || value != floor(value) || value > 0x1p53))
+    const int is_whole = value >= 0.0 && value == floor(value) && value <= 0x1p53;
+    if (range == TABLE_INDEX && !is_whole)
         return "is not a body; bodies are counted 0, 1, 2 and so on";
+    if (range == TABLE_COUNT && !is_whole)
+        return "is not a whole number from 0; write 0, 1, 2 and so on";
     return NULL;
 }
 

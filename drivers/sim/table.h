@@ -12,8 +12,8 @@
 
 struct table;
 
-/** What numbers a column may hold; TABLE_INDEX: whole ones from 0. */
-enum table_range { TABLE_ANY, TABLE_POSITIVE, TABLE_NOT_NEGATIVE, TABLE_INDEX };
+/** What numbers a column may hold; TABLE_INDEX: bodies, whole ones from 0; TABLE_COUNT: other whole ones from 0. */
+enum table_range { TABLE_ANY, TABLE_POSITIVE, TABLE_NOT_NEGATIVE, TABLE_INDEX, TABLE_COUNT };
 
 struct table_column {
     const char *name;
@@ -33,7 +33,7 @@ struct table_kind {
 extern const struct table_kind table_bodies;
 
 /** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, mass, inertia, diameter,
- *  young poisson. */
+ *  young poisson, clump. */
 enum {
     BODY_X = 0,
     BODY_V = 3,
@@ -44,7 +44,8 @@ enum {
     BODY_INERTIA,
     BODY_DIAMETER,
     BODY_YOUNG,
-    BODY_POISSON
+    BODY_POISSON,
+    BODY_CLUMP /* its template */
 };
 
 /** No table has more columns. */

@@ -6,7 +6,7 @@
 #include "threads.h"
 
 struct slice {
-    vti_bodies bodies; /* sealed */
+    vti_bodies bodies, spheres; /* sealed; spheres of clumps */
     struct effect_part part[MODEL_EFFECTS];
     vti_effect effects[MODEL_EFFECTS];
     int status;
@@ -59,17 +59,23 @@ static int finish(struct slice *slice, const struct task *task)
     return vti_step_finish(task->stepper, task->h, &slice->bodies);
 }
 
+static int spread(struct slice *slice, const struct task *task)
+{
+    return vti_clumps_spread(&task->model->clumps.list, &slice->bodies);
+}
+
 static int apply(struct slice *slice, const struct task *task)
 {
     const struct model *model = task->model;
     for (int64_t k = 0; k < model->effects_count; ++k) {
         const struct effect *e = &model->rooms[k];
         const int takes = e->kind->take_part != NULL;
-        if (takes && e->kind->take_part(e, &slice->bodies, &slice->part[k]) != 0)
+        const vti_bodies *on = model->on_spheres[k] ? &slice->spheres : &slice->bodies;
+        if (takes && e->kind->take_part(e, on, &slice->part[k]) != 0)
             return MODEL_E_PAIRS;
-        slice->effects[k] = takes ? slice->part[k].made : model->effects[k];
+        slice->effects[k] = takes ? slice->part[k].made : model->acting[k];
     }
-    return vti_apply(slice->effects, model->effects_count, &slice->bodies);
+    return model_apply(model, slice->effects, &slice->bodies, &slice->spheres);
 }
 
 int slices_stage(const struct model *model, const vti_stepper *stepper, int64_t k, double h, vti_fault *fault)
@@ -83,6 +89,12 @@ int slices_stage(const struct model *model, const vti_stepper *stepper, int64_t 
 int slices_finish(const struct model *model, const vti_stepper *stepper, double h)
 {
     const struct task task = {finish, model, stepper, 0, h};
+    return do_all(&task);
+}
+
+int slices_spread(const struct model *model)
+{
+    const struct task task = {spread, model, NULL, 0, 0.0};
     return do_all(&task);
 }
 
@@ -113,7 +125,10 @@ int slices_create(struct model *model, struct message *message)
     for (int64_t k = 0; k < count; ++k) {
         const int64_t first = threads_begin(n, k, count);
         s->slice[k].bodies = vti_bodies_slice(model->bodies, first, threads_begin(n, k + 1, count) - first);
-        if (vti_bodies_seal(&s->slice[k].bodies) != VTI_OK)
+        s->slice[k].spheres = model->clumps.list.count > 0
+                                  ? vti_clumps_spheres(&model->clumps.list, &s->slice[k].bodies)
+                                  : vti_bodies_none(0);
+        if (vti_bodies_seal(&s->slice[k].bodies) != VTI_OK || vti_bodies_seal(&s->slice[k].spheres) != VTI_OK)
             return message_set(message, "%s: its bodies cannot be cut into slices", model->scene->name);
     }
     return 0;

@@ -40,7 +40,7 @@ static double smallest_diameter(const struct model *model)
     const vti_scalars *d = &model->diameter;
     if (d->p == NULL || !model->translates || scene_first_with(model->scene, EFFECT_SPHERES) == NULL)
         return 0.0;
-    for (int64_t i = 0; i < model->bodies.count; ++i)
+    for (int64_t i = 0; i < model_spheres(model)->count; ++i)
         least = fmin(least, d->p[i * d->stride]);
     return least;
 }
@@ -125,16 +125,27 @@ static double inner_energy(const struct verdict *v, const vti_bodies *bodies, co
     return fmax(kinetic - 0.5 * v->mass * vti_dot(u, u), 0.0) + elastic;
 }
 
-/** Largest h|v|, less the common velocity, in diameters of the smallest body. */
+/** |Omega| of the body of sphere s of a clump, times how far the sphere is from its centre. */
+static double swing(const vti_clumps *clumps, const vti_bodies *bodies, int64_t s)
+{
+    const int64_t at = clumps->body[s] * bodies->omega.stride;
+    const double omega[3] = {bodies->omega.c[0][at], bodies->omega.c[1][at], bodies->omega.c[2][at]};
+    return vti_norm(omega) * vti_norm(clumps->offset + 3 * s);
+}
+
+/** Largest h|v|, less the common velocity, in diameters of the smallest body; of spheres of clumps, which also swing
+ *  about their body's centre, a bound. */
 static double travel(const struct verdict *v, const vti_bodies *bodies)
 {
     double u[3], most = 0.0;
     common_velocity(v, bodies, u);
-    for (int64_t i = 0; i < bodies->count; ++i) {
+    const vti_clumps *clumps = &v->model->clumps.list;
+    for (int64_t s = 0; s < model_spheres(v->model)->count; ++s) {
+        const int64_t i = clumps->count > 0 ? clumps->body[s] : s;
         double w[3];
         for (int k = 0; k < 3; ++k)
             w[k] = bodies->v.c[k][i * bodies->v.stride] - u[k];
-        most = larger(most, vti_norm(w));
+        most = larger(most, vti_norm(w) + (clumps->count > 0 ? swing(clumps, bodies, s) : 0.0));
     }
     return most * v->h / v->diameter;
 }

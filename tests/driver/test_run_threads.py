@@ -65,6 +65,18 @@ h: 2^-9
 t_end: 1
 """
 
+# Tetrapods of all attitudes collide in the air and on a wall: a slice has the spheres of its own bodies.
+CLUMPS = """name: clumps
+bodies: {lattice: {counts: [3, 2, 3], spacing: 2.2, corner: [0, 0, 1.6]}, random: {seed: 3, v: 2, omega: 2, alpha: 3},
+         clumps: {spheres: [[1, 1, 1, 1.9], [1, -1, -1, 2], [-1, 1, -1, 2], [-1, -1, 1, 2], [0, 0, 0, 1]], counts: [4, 1],
+                  density: 0.2}}
+contact: {stiffness: 2000}
+wall: {stiffness: 2000, planes: [[0, 0.1, 1, 0]]}
+gravity: [0, 0, -1]
+h: 2^-8
+t_end: 1
+"""
+
 
 def files(scene, folder, threads, *options):
     """What a run leaves, or what it says."""
@@ -97,7 +109,7 @@ with tempfile.TemporaryDirectory() as root:
     if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
         sys.exit(77)
     same_bytes(together, root)
-    for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM)):
+    for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM), ("clumps", CLUMPS)):
         path = os.path.join(root, name + ".yaml")
         with open(path, "w", encoding="ascii") as file:
             file.write(text)

@@ -57,7 +57,7 @@ static const struct refusal refused[] = {
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1}, omega: [0, 0, 1], diameter: -1}\n" TIME,
      "1:78: bodies.diameter: '-1' is not positive; the diameter D must be > 0"},
     {"bodies: {inertia: 1, omega: [0, 0, 1], alpha: [0, 0, 0], random: {seed: 1}}\n" TIME,
-     "1:58: bodies.random: neither v nor omega; give one of them or both"},
+     "1:58: bodies.random: none of v, omega and alpha; give one of them or more"},
     {"bodies: {inertia: 1, omega: [0, 0, 1], alpha: [0, 0, 0], random: {seed: 1, v: 1}}\n" TIME,
      "1:79: bodies.random.v: nothing translates; give " POSITIONS},
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1}, random: {v: 1}}\n" TIME,

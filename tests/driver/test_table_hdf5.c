@@ -13,7 +13,7 @@
 
 #define BODY_NAMES                                                                                                     \
     "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, young, "      \
-    "poisson"
+    "poisson, clump"
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 

@@ -56,10 +56,16 @@ static void check(const struct scene *s)
     const int known = s->arrangement != SCENE_IN_TABLE, formula = known && s->arrangement != SCENE_SINGLE;
     const int sphere = positive(s->mass) && (positive(s->diameter) || formula);
     fuzz_must(!known || s->translates || s->turns, "something moves");
-    fuzz_must(!known || !s->translates || positive(s->mass), "what translates has a mass");
+    fuzz_must(!known || !s->translates || positive(s->mass) || positive(s->clumps.density),
+              "what translates has a mass");
     const int has_moments = s->moments[0] != 0.0;
     fuzz_must(!has_moments || (can_be(s->moments) && all_finite(s->principal, 3)), "a body can have such moments");
-    fuzz_must(!known || !s->turns || positive(s->inertia) || sphere || has_moments, "what turns has an inertia");
+    fuzz_must(!known || !s->turns || positive(s->inertia) || sphere || has_moments || s->clumps.given,
+              "what turns has an inertia");
+    double spheres = s->clumps.counts.count > 0 ? 0.0 : (double)s->clumps.spheres.count;
+    for (int64_t k = 0; k < s->clumps.counts.count; ++k)
+        spheres += s->clumps.counts.number[k];
+    fuzz_must(!s->clumps.given || (spheres >= 1.0 && spheres == (double)s->clumps.spheres.count), "clumps have spheres");
     fuzz_must(all_finite(s->x, 3) && all_finite(s->v, 3) && all_finite(s->alpha, 3) && all_finite(s->omega, 3),
               "finite");
     fuzz_must(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0', "bodies");
