@@ -47,7 +47,8 @@ static const struct scene_field head[] = {
      "Lengths; the origin without it.", NULL},
     {"bodies.table", SCENE_PATH, SCENE_MAY, SCENE_ANY, AT(table), "file of bodies",
      "CSV or HDF5, relative to the scene's folder: a row for each body, columns of x y z, vx vy vz, alpha_x alpha_y "
-     "alpha_z, omega_x omega_y omega_z, mass, inertia, diameter, young and poisson, and clump as far as they differ.",
+     "alpha_z, omega_x omega_y omega_z, moment_a moment_b moment_c, principal_x principal_y principal_z, mass, "
+     "inertia, diameter, young and poisson, and clump as far as they differ.",
      NULL},
     {"bodies.mass", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(mass), "mass m",
      "Of each body; needed by bodies that translate.", NULL},

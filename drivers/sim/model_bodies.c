@@ -29,15 +29,22 @@ int model_loads(const struct scene *scene, const struct tables *tables)
 static int derives_inertia(const struct model *model, const struct table *bodies)
 {
     return model->turns && model->scene->inertia == 0.0 && model->scene->moments[0] == 0.0 &&
-           !table_has(bodies, BODY_INERTIA) &&
+           !table_has(bodies, BODY_INERTIA) && !table_has(bodies, BODY_MOMENTS) &&
            (table_has(bodies, BODY_MASS) || table_has(bodies, BODY_DIAMETER) || model->scene->clumps.given);
 }
 
-/** They turn, and have three moments: all the same ones, or as clumps. */
-static int is_general(const struct model *model)
+/** They turn, and have three moments: all the same ones, each its own, or as clumps. */
+static int is_general(const struct model *model, const struct table *bodies)
 {
     const struct scene *s = model->scene;
-    return model->turns && (s->moments[0] != 0.0 || (s->clumps.given && !clumps_are_spheres(&model->clumps, s)));
+    return model->turns && (s->moments[0] != 0.0 || table_has(bodies, BODY_MOMENTS) ||
+                            (s->clumps.given && !clumps_are_spheres(&model->clumps, s)));
+}
+
+/** Their moments, or the axes of these, differ from body to body. */
+static int has_own_moments(const struct model *model, const struct table *bodies)
+{
+    return model->scene->clumps.given || table_has(bodies, BODY_MOMENTS) || table_has(bodies, BODY_PRINCIPAL);
 }
 
 /** Doubles per body. */
@@ -46,8 +53,9 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     const int loads = model_loads(model->scene, tables);
     int64_t width = derives_inertia(model, &tables->bodies);
     width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
-    width += is_general(model) ? 3 : 0;
-    width += model->scene->clumps.given ? 1 + 3 + 4 : 0;
+    width += is_general(model, &tables->bodies) ? 3 : 0;
+    width += has_own_moments(model, &tables->bodies) ? 3 + 4 : 0;
+    width += model->scene->clumps.density != 0.0;
     width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
     for (int k = BODY_MASS; k <= BODY_YOUNG; ++k)
         width += table_has(&tables->bodies, k);
@@ -173,7 +181,7 @@ static void place_properties(struct model *model, const struct tables *tables, d
     }
     if (model->translates)
         b->mass = mass;
-    if (!model->turns || is_general(model))
+    if (!model->turns || is_general(model, t))
         return;
     b->inertia = derives_inertia(model, t) ? derived(model, tables, &mass, block)
                                            : property(block, b->count, t, BODY_INERTIA, &model->inertia);
@@ -190,17 +198,33 @@ static void place_moments(struct model *model)
     model->bodies.principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 0, 0};
 }
 
-/** Those of each body's template. */
-static void place_moments_of_clumps(struct model *model, const struct tables *tables, double **block)
+/** Those of body i, by its template or its row: A, B, C in m, P in p. */
+static void moments_of(const struct model *model, const struct tables *tables, int64_t i, double m[3], double p[4])
+{
+    const struct scene *s = model->scene;
+    const struct table *t = &tables->bodies;
+    double axes[3];
+    if (s->clumps.given) {
+        const struct clump_template *of = template_of(model, tables, i);
+        clumps_moments(of, s, model->bodies.mass.p[i * model->bodies.mass.stride], m);
+        for (int k = 0; k < 4; ++k)
+            p[k] = of->solid.principal[k];
+        return;
+    }
+    for (int k = 0; k < 3; ++k) {
+        m[k] = table_has(t, BODY_MOMENTS) ? t->column[BODY_MOMENTS + k][i] : s->moments[k];
+        axes[k] = table_has(t, BODY_PRINCIPAL) ? t->column[BODY_PRINCIPAL + k][i] : s->principal[k];
+    }
+    vti_rrv_to_quat_xyzw(axes, p);
+}
+
+/** Those of each body. */
+static void place_own_moments(struct model *model, const struct tables *tables, double **block)
 {
     vti_bodies *b = &model->bodies;
     double *const m = take(block, 3 * b->count), *const p = take(block, 4 * b->count);
-    for (int64_t i = 0; i < b->count; ++i) {
-        const struct clump_template *of = template_of(model, tables, i);
-        clumps_moments(of, model->scene, b->mass.p[i * b->mass.stride], m + 3 * i);
-        for (int k = 0; k < 4; ++k)
-            p[4 * i + k] = of->solid.principal[k];
-    }
+    for (int64_t i = 0; i < b->count; ++i)
+        moments_of(model, tables, i, m + 3 * i, p + 4 * i);
     b->moments = vti_view_packed(m);
     b->principal = (vti_quat_view){{p, p + 1, p + 2, p + 3}, 4, 0};
 }
@@ -245,11 +269,12 @@ int model_place_bodies(struct model *model, const struct tables *tables, struct 
     double *block = model->memory;
     place_vectors(model, tables, &block);
     place_properties(model, tables, &block);
-    if (is_general(model) && model->scene->clumps.given)
-        place_moments_of_clumps(model, tables, &block);
-    else if (is_general(model))
-        place_moments(model);
-    if (is_general(model))
+    if (is_general(model, &tables->bodies)) {
+        if (has_own_moments(model, &tables->bodies))
+            place_own_moments(model, tables, &block);
+        else
+            place_moments(model);
         place_spin(model, &block);
+    }
     return place_spheres(model, tables, message);
 }

@@ -39,6 +39,11 @@ static int check_twice(const struct scene *s, const struct tables *t, struct mes
                   {s->mass != 0.0, BODY_MASS, "bodies.mass"},
                   {s->inertia != 0.0, BODY_INERTIA, "bodies.inertia"},
                   {s->moments[0] != 0.0, BODY_INERTIA, "bodies.moments"},
+                  {s->moments[0] != 0.0, BODY_MOMENTS, "bodies.moments"},
+                  {s->inertia != 0.0, BODY_MOMENTS, "bodies.inertia"},
+                  {vti_norm(s->principal) != 0.0, BODY_PRINCIPAL, "bodies.principal"},
+                  {s->clumps.given, BODY_MOMENTS, "bodies.clumps"},
+                  {s->clumps.given, BODY_PRINCIPAL, "bodies.clumps"},
                   {s->diameter != 0.0, BODY_DIAMETER, "bodies.diameter"},
                   {s->clumps.given, BODY_INERTIA, "bodies.clumps"},
                   {s->clumps.given, BODY_DIAMETER, "bodies.clumps"},
@@ -61,8 +66,8 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
     const struct table *bodies = &t->bodies;
     const int has_mass = s->mass != 0.0 || s->clumps.density != 0.0 || table_has(bodies, BODY_MASS);
     const int has_diameter = s->diameter != 0.0 || s->clumps.given || table_has(bodies, BODY_DIAMETER);
-    const int has_inertia =
-        s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) || (has_mass && has_diameter);
+    const int has_inertia = s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) ||
+                            table_has(bodies, BODY_MOMENTS) || (has_mass && has_diameter);
     if (!m->translates && s->clumps.given)
         return fail(bodies, message, "no columns x, y, z; bodies.clumps needs them%s", "");
     if (!m->translates && needs_positions(s) != NULL)
@@ -113,6 +118,29 @@ static int check_material(const struct table *bodies, struct message *message)
     return 0;
 }
 
+/** Moments that bodies can have, and axes of nothing else. */
+static int check_moments(const struct scene *s, const struct table *bodies, struct message *message)
+{
+    if (table_has(bodies, BODY_PRINCIPAL) && !table_has(bodies, BODY_MOMENTS) && s->moments[0] == 0.0)
+        return fail(bodies, message,
+                    "no columns moment_a, moment_b, moment_c, whose axes principal_x, principal_y, principal_z are; "
+                    "give them, or bodies.moments%s",
+                    "");
+    for (int64_t i = 0; table_has(bodies, BODY_MOMENTS) && i < bodies->rows; ++i) {
+        double m[3];
+        vti_bodies body = vti_bodies_none(1);
+        for (int k = 0; k < 3; ++k)
+            m[k] = bodies->column[BODY_MOMENTS + k][i];
+        body.moments = vti_view_packed(m);
+        if (vti_bodies_check_values(&body, NULL) != VTI_OK)
+            return table_fail(bodies, i, message,
+                              "moment_a: one of %.10g, %.10g, %.10g is more than the sum of the others; no body has "
+                              "such moments, give smaller ones",
+                              m[0], m[1], m[2]);
+    }
+    return 0;
+}
+
 /** Templates that there are. */
 static int check_templates(const struct scene *s, const struct table *bodies, struct message *message)
 {
@@ -136,7 +164,8 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
     model->turns = s->turns || table_has(bodies, BODY_ALPHA) || table_has(bodies, BODY_OMEGA) ||
                    (model_loads(s, tables) & EFFECT_MOMENT) != 0;
     if (check_twice(s, tables, message) != 0 || check_material(bodies, message) != 0 ||
-        check_templates(s, bodies, message) != 0 || check_effects(model, tables, message) != 0)
+        check_moments(s, bodies, message) != 0 || check_templates(s, bodies, message) != 0 ||
+        check_effects(model, tables, message) != 0)
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);

@@ -24,6 +24,12 @@ static const struct table_column bodies[] = {{"x", TABLE_ANY},
                                              {"omega_x", TABLE_ANY},
                                              {"omega_y", TABLE_ANY},
                                              {"omega_z", TABLE_ANY},
+                                             {"moment_a", TABLE_POSITIVE},
+                                             {"moment_b", TABLE_POSITIVE},
+                                             {"moment_c", TABLE_POSITIVE},
+                                             {"principal_x", TABLE_ANY},
+                                             {"principal_y", TABLE_ANY},
+                                             {"principal_z", TABLE_ANY},
                                              {"mass", TABLE_POSITIVE},
                                              {"inertia", TABLE_POSITIVE},
                                              {"diameter", TABLE_POSITIVE},
@@ -201,6 +207,8 @@ static int check_bodies(const struct table *t, struct message *message)
         }
     if (table_has(t, BODY_V) && !table_has(t, BODY_X))
         return table_fail_columns(t, message, "no columns x, y, z; bodies with vx, vy, vz need them");
+    if (table_has(t, BODY_MOMENTS) && table_has(t, BODY_INERTIA))
+        return table_fail_columns(t, message, "inertia and moment_a, moment_b, moment_c; bodies have one or three");
     if (table_has(t, BODY_YOUNG) != table_has(t, BODY_POISSON))
         return table_fail_columns(t, message, "young and poisson come together; give both");
     return 0;

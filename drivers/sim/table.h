@@ -32,15 +32,17 @@ struct table_kind {
 
 extern const struct table_kind table_bodies;
 
-/** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, mass, inertia, diameter,
- *  young poisson, clump. */
+/** Columns of bodies: x y z, vx vy vz, alpha_x alpha_y alpha_z, omega_x omega_y omega_z, moment_a
+ *  moment_b moment_c, principal_x principal_y principal_z, mass, inertia, diameter, young poisson, clump. */
 enum {
     BODY_X = 0,
     BODY_V = 3,
     BODY_ALPHA = 6,
     BODY_OMEGA = 9,
-    BODY_VECTORS = 12, /* columns that belong together by threes end here */
-    BODY_MASS = 12,
+    BODY_MOMENTS = 12,
+    BODY_PRINCIPAL = 15,
+    BODY_VECTORS = 18, /* columns that belong together by threes end here */
+    BODY_MASS = 18,
     BODY_INERTIA,
     BODY_DIAMETER,
     BODY_YOUNG,

@@ -107,6 +107,57 @@ TEST(tables_have_no_other_inertia)
     model_destroy(&model);
 }
 
+/** Each body has its own moments and axes; what the table leaves out is the scene's. */
+TEST(tables_of_moments)
+{
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "omega_x,omega_y,omega_z,moment_a,moment_b,moment_c,principal_x,principal_y,principal_z\n"
+                        "4,5,6,1,2,3,0,0,0\n4,5,6,3,4,5,2,2,2\n");
+    make_model("bodies: {table: b.csv}\n" TIME, &scene, &model);
+    const double first = 16 + 2 * 25 + 3 * 36, second = 5 * 16 + 3 * 25 + 4 * 36; /* the axes are y, z, x */
+    assert_close(model_energy(&model, &model.bodies), 0.5 * (first + second), 200 * EPS);
+    assert_close(model.bodies.spin.c[0][3], 20.0, 100 * EPS);
+    model_destroy(&model);
+    write_text("b.csv", "omega_x,omega_y,omega_z,principal_x,principal_y,principal_z\n4,5,6,2,2,2\n");
+    make_model("bodies: {table: b.csv, moments: [3, 4, 5]}\n" TIME, &scene, &model);
+    assert_close(model_energy(&model, &model.bodies), 0.5 * second, 200 * EPS);
+    model_destroy(&model);
+}
+
+TEST(tables_of_moments_refused)
+{
+    static const struct {
+        const char *bodies, *rows, *line;
+    } refused[] = {
+        {"", "moment_a,moment_b,moment_c\n1,2,3.1\n",
+         "b.csv:2: moment_a: one of 1, 2, 3.1 is more than the sum of the others; no body has such moments, give "
+         "smaller ones"},
+        {"", "moment_a,moment_b,moment_c\n1,2,0\n", "b.csv:2:5: moment_c: '0' is not positive; it must be > 0"},
+        {"", "moment_a,moment_b\n1,2\n",
+         "b.csv:1: no column moment_c; give moment_a, moment_b and moment_c or none of them"},
+        {"", "principal_x,principal_y,principal_z\n1,2,3\n",
+         "b.csv: no columns moment_a, moment_b, moment_c, whose axes principal_x, principal_y, principal_z are; give "
+         "them, or bodies.moments"},
+        {"", "moment_a,moment_b,moment_c,inertia\n1,2,3,1\n",
+         "b.csv:1: inertia and moment_a, moment_b, moment_c; bodies have one or three"},
+        {", inertia: 1", "moment_a,moment_b,moment_c\n1,2,3\n",
+         "b.csv: gives what the scene gives as bodies.inertia too; keep one of them"},
+        {", moments: [1, 2, 3]", "moment_a,moment_b,moment_c\n1,2,3\n",
+         "b.csv: gives what the scene gives as bodies.moments too; keep one of them"},
+        {", moments: [1, 2, 3], principal: [1, 0, 0]", "principal_x,principal_y,principal_z\n1,2,3\n",
+         "b.csv: gives what the scene gives as bodies.principal too; keep one of them"}};
+    for (size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
+        struct scene scene;
+        struct model model;
+        struct message message;
+        char text[128];
+        snprintf(text, sizeof text, "bodies: {table: b.csv, omega: [0, 0, 1]%s}\n" TIME, refused[k].bodies);
+        write_text("b.csv", refused[k].rows);
+        assert_refused(refused[k].rows, try_model(text, &scene, &model, &message), &message, refused[k].line);
+    }
+}
+
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
 struct flip {
@@ -289,6 +340,8 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_angular_momentum),
                                        cmocka_unit_test(what_dissipates_is_refused),
                                        cmocka_unit_test(tables_have_no_other_inertia),
+                                       cmocka_unit_test(tables_of_moments),
+                                       cmocka_unit_test(tables_of_moments_refused),
                                        cmocka_unit_test(dzhanibekov),
                                        cmocka_unit_test(heavy_top),
                                        cmocka_unit_test(slender),

@@ -10,7 +10,8 @@
 #define ROOT_KEYS                                                                                                      \
     "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, h, "      \
     "tolerance, t_end"
-#define BODY_KEYS "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, random"
+#define BODY_KEYS                                                                                                      \
+    "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
 #define NOTHING "1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"
 #define STEPPERS "vti1, vti2, vti3, vti3-leapfrog, exact, suzuki4, kl6, kl8, srkn6, srkn11, srkn14, chin4"

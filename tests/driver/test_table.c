@@ -9,8 +9,8 @@
 
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define BODY_NAMES                                                                                                     \
-    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, "             \
-    "young, poisson, clump"
+    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, moment_a, moment_b, moment_c, "        \
+    "principal_x, principal_y, principal_z, mass, inertia, diameter, young, poisson, clump"
 #define BOND_NAMES                                                                                                     \
     "i, j, moment, axial, shear, break_stretch, break_normal, break_shear, break_bending, break_torsion, "             \
     "break_energy, "                                                                                                   \

@@ -12,8 +12,8 @@
 #include "table_hdf5.h"
 
 #define BODY_NAMES                                                                                                     \
-    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, mass, inertia, diameter, young, "      \
-    "poisson, clump"
+    "x, y, z, vx, vy, vz, alpha_x, alpha_y, alpha_z, omega_x, omega_y, omega_z, moment_a, moment_b, moment_c, "        \
+    "principal_x, principal_y, principal_z, mass, inertia, diameter, young, poisson, clump"
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 

@@ -65,7 +65,8 @@ static void check(const struct scene *s)
     double spheres = s->clumps.counts.count > 0 ? 0.0 : (double)s->clumps.spheres.count;
     for (int64_t k = 0; k < s->clumps.counts.count; ++k)
         spheres += s->clumps.counts.number[k];
-    fuzz_must(!s->clumps.given || (spheres >= 1.0 && spheres == (double)s->clumps.spheres.count), "clumps have spheres");
+    fuzz_must(!s->clumps.given || (spheres >= 1.0 && spheres == (double)s->clumps.spheres.count),
+              "clumps have spheres");
     fuzz_must(all_finite(s->x, 3) && all_finite(s->v, 3) && all_finite(s->alpha, 3) && all_finite(s->omega, 3),
               "finite");
     fuzz_must(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0', "bodies");
