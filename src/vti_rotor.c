@@ -22,8 +22,7 @@ static void body_of(const vti_bodies *b, int64_t i, struct rotor_body *body)
         rotor_principal(a, p, body->q);
     body->scale = 2.0 / vti_pair_square(body->q);
     vti_load(&b->moments, i, body->m);
-    for (int k = 0; k < 3; ++k)
-        body->k[k] = 1.0 / body->m[k];
+    rotor_moments(body);
 }
 
 void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3])
@@ -76,7 +75,7 @@ struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i)
     double L[3], p[3], w[3];
     vti_rotor_spin(b, i, L);
     body_of(b, i, &body);
-    const struct rotor_axes at = rotor_axes_of(body.k);
+    const struct rotor_axes at = rotor_axes_of(body.m, body.k);
     lanes_rotate(body.q, body.scale, -1.0, L, p);
     struct vti_rotor_rates rates = {.energy = 0.0};
     for (int k = 0; k < 3; ++k) {
@@ -136,7 +135,7 @@ static double cut_off(double td, double size)
 static void drift_hard(int law, int rotor, double t, const struct rotor_body *body, const double L[3],
                        struct rotor_increment *d)
 {
-    const struct rotor_axes at = rotor_axes_of(body->k);
+    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     const double size = vti_max3(L);
     const double n[3] = {size > 0.0 ? L[0] / size : L[0], size > 0.0 ? L[1] / size : L[1],
                          size > 0.0 ? L[2] / size : L[2]};
@@ -152,7 +151,7 @@ static void drift_hard(int law, int rotor, double t, const struct rotor_body *bo
     const double most = fabs(whole.cf[1]) * vti_max3(u), s = vti_scale(most > fabs(whole.cf[0]) ? most : whole.cf[0]);
     const double cf[2] = {s * whole.cf[0], s * whole.cf[1]};
     rotor_join(rotor, body, &at, &list, n, e_x, cf, d);
-    if (d->plain) {
+    if (body->round) {
         d->c = whole.cf[0];
         d->f = whole.cf[1];
         return;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * How a body of three moments drifts (EQUATIONS 7.2): a turn about L in space, and turns about two of its principal
- * axes. With r the axis of the middle k = 1/moment (ties: lowest number), x and y the two others, d_i = k_i - k_r and
+ * axes. With r the axis of the middle k = 1/moment (ties: any, as all are), x and y the two others, d_i = k_i - k_r and
  * |d_x| >= |d_y| (ties: x = r + 1), d_x d_y <= 0 and
  *
  *     T = k_r |L|^2/2 + d_x p_x^2/2 + d_y p_y^2/2,  p = R_p^T L.
@@ -26,26 +26,28 @@ VTI_INLINE lanes rotor_worst(lanes a, lanes b)
 /* ---- axes -------------------------------------------------------------------------------------------------------- */
 
 struct rotor_axes {
-    lanes_mask first, second; /* r is axis 0; or else 1; or else 2 */
-    lanes_mask swapped;       /* x, y = r + 2, r + 1, and x, y, -r are right-handed */
+    lanes_mask later, last; /* r is not axis 0; nor axis 1 */
+    lanes_mask swapped;     /* x, y = r + 2, r + 1, and x, y, -r are right-handed */
     lanes k_r, d_x, d_y;
 };
 
 /** v_r, v_{r+1}, v_{r+2} */
 VTI_INLINE void rotor_from_r(const struct rotor_axes *at, const lanes v[3], lanes c[3])
 {
-    for (int n = 0; n < 3; ++n)
-        c[n] = lanes_where(at->first, v[n], lanes_where(at->second, v[(n + 1) % 3], v[(n + 2) % 3]));
+    c[0] = lanes_where(at->later, lanes_where(at->last, v[2], v[1]), v[0]);
+    c[1] = lanes_where(at->later, lanes_where(at->last, v[0], v[2]), v[1]);
+    c[2] = lanes_where(at->later, lanes_where(at->last, v[1], v[0]), v[2]);
 }
 
-VTI_INLINE struct rotor_axes rotor_axes_of(const lanes k[3])
+/** Of moments m and k = 1/m. An axis is in the middle if what follows it is above it and what precedes it is not, or the
+ *  other way round. */
+VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3], const lanes k[3])
 {
     struct rotor_axes at;
     lanes c[3];
-    const lanes low = lanes_where(k[0] < k[1], k[0], k[1]), high = lanes_where(k[0] < k[1], k[1], k[0]);
-    const lanes rest = lanes_where(high < k[2], high, k[2]), middle = lanes_where(low < rest, rest, low);
-    at.first = k[0] == middle;
-    at.second = k[1] == middle;
+    const lanes_mask rises = m[0] < m[1];
+    at.later = rises ^ (m[2] < m[0]);
+    at.last = rises ^ (m[1] < m[2]);
     rotor_from_r(&at, k, c);
     at.k_r = c[0];
     c[1] -= c[0];
@@ -71,8 +73,9 @@ VTI_INLINE void rotor_off(const struct rotor_axes *at, const lanes p[3], lanes v
 {
     const lanes c[3] = {lanes_where(at->swapped, -p[2], p[2]), lanes_where(at->swapped, p[1], p[0]),
                         lanes_where(at->swapped, p[0], p[1])};
-    for (int n = 0; n < 3; ++n)
-        v[n] = lanes_where(at->first, c[n], lanes_where(at->second, c[(n + 2) % 3], c[(n + 1) % 3]));
+    v[0] = lanes_where(at->later, lanes_where(at->last, c[1], c[2]), c[0]);
+    v[1] = lanes_where(at->later, lanes_where(at->last, c[2], c[0]), c[1]);
+    v[2] = lanes_where(at->later, lanes_where(at->last, c[0], c[1]), c[2]);
 }
 
 /* ---- turns about x and y ----------------------------------------------------------------------------------------- */
@@ -101,27 +104,46 @@ VTI_INLINE lanes rotor_cut(const struct rotor_list *list, lanes phi)
     return lanes_where(phi > -ROTOR_MOST, phi, lanes_of(-ROTOR_MOST));
 }
 
-/** b <- b (c, s e_i), and unless this is the last, (p_j, p_k) <- (C p_j + S p_k, C p_k - S p_j), i, j, k cyclic, with
- *      C = (c - s)(c + s)/(c^2 + s^2),  S = 2 c s/(c^2 + s^2). */
-VTI_INLINE void rotor_turn_by(struct rotor_list *list, int i, int last, lanes c, lanes s)
+/** Where a turn stands in its list. */
+enum rotor_place { ROTOR_FIRST, ROTOR_SECOND, ROTOR_INNER, ROTOR_LAST };
+
+/** (p_j, p_k) <- (C p_j + S p_k, C p_k - S p_j), i, j, k cyclic, with
+ *      C = (c^2 - s^2)/(c^2 + s^2),  S = 2 c s/(c^2 + s^2),
+ *  which of the closed law are c - 1 and s. */
+VTI_INLINE void rotor_turn_p(int closed, int i, lanes c, lanes s, lanes p[3])
 {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    lanes *const p = list->p, *const b = list->b;
-    if (!last) {
-        const lanes inv = 1.0 / (c * c + s * s), C = (c - s) * (c + s) * inv, S = 2.0 * c * s * inv;
-        const lanes p_j = C * p[j] + S * p[k];
-        p[k] = C * p[k] - S * p[j];
-        p[j] = p_j;
+    const lanes cc = c * c, ss = s * s;
+    const lanes C = closed ? c - 1.0 : cc - ss, S = closed ? s : 2.0 * c * s;
+    const lanes p_j = C * p[j] + S * p[k], p_k = C * p[k] - S * p[j];
+    const lanes inv = closed ? lanes_of(1.0) : 1.0 / (cc + ss);
+    p[j] = p_j * inv;
+    p[k] = p_k * inv;
+}
+
+/** b <- b (c, s e_i), of the first two turns without the products with 0. */
+VTI_INLINE void rotor_turn_b(enum rotor_place place, int i, lanes c, lanes s, lanes b[4])
+{
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (place == ROTOR_FIRST) {
+        b[i] = s;
+        b[3] = c;
+    } else if (place == ROTOR_SECOND) { /* k is the axis of the first */
+        b[i] = s * b[3];
+        b[j] = s * b[k];
+        b[3] = c * b[3];
+        b[k] = c * b[k];
+    } else {
+        const lanes b_i = c * b[i] + s * b[3], b_j = c * b[j] + s * b[k];
+        b[3] = c * b[3] - s * b[i];
+        b[k] = c * b[k] - s * b[j];
+        b[i] = b_i;
+        b[j] = b_j;
     }
-    const lanes b_i = c * b[i] + s * b[3], b_j = c * b[j] + s * b[k];
-    b[3] = c * b[3] - s * b[i];
-    b[k] = c * b[k] - s * b[j];
-    b[i] = b_i;
-    b[j] = b_j;
 }
 
 /** The turn about axis i, 0 or 1, by tau of its whole. */
-VTI_INLINE void rotor_turn(struct rotor_list *list, int rotor, int i, lanes tau, int last)
+VTI_INLINE void rotor_turn(struct rotor_list *list, int rotor, enum rotor_place place, int i, lanes tau)
 {
     const lanes p = list->p[i], phi = rotor_cut(list, tau * list->by[i] * p);
     lanes c[2];
@@ -139,15 +161,17 @@ VTI_INLINE void rotor_turn(struct rotor_list *list, int rotor, int i, lanes tau,
         c[0] = both;
         list->sigma += 2.0 * g * pp;
     }
-    rotor_turn_by(list, i, last, c[0], s);
+    if (place != ROTOR_LAST)
+        rotor_turn_p(list->law == VTI_LAW_CLOSED && rotor != 4, i, c[0], s, list->p);
+    rotor_turn_b(place, i, c[0], s, list->b);
 }
 
 /** Strang: x 1/2, y 1, x 1/2, order 2. */
 VTI_INLINE void rotor_strang(struct rotor_list *list)
 {
-    rotor_turn(list, 2, 0, lanes_of(0.5), 0);
-    rotor_turn(list, 2, 1, lanes_of(1.0), 0);
-    rotor_turn(list, 2, 0, lanes_of(0.5), 1);
+    rotor_turn(list, 2, ROTOR_FIRST, 0, lanes_of(0.5));
+    rotor_turn(list, 2, ROTOR_SECOND, 1, lanes_of(1.0));
+    rotor_turn(list, 2, ROTOR_LAST, 0, lanes_of(0.5));
 }
 
 /** M4: x a, y 1/2, x 1 - 2 a, y 1/2, x a, order 4 with the turns by phi2 and sigma. Here p is in units of 1/(t d_x), so
@@ -158,11 +182,11 @@ VTI_INLINE void rotor_m4(struct rotor_list *list)
     const lanes a = (12.0 + 6.0 * rho - root) * (1.0 / 24.0), middle = 1.0 - 2.0 * a;
     list->g = list->by[1] * ((1.0 - 6.0 * a + 6.0 * a * a) * (1.0 / 12.0));
     list->square = list->p[0] * list->p[0] + list->p[1] * list->p[1] + list->p[2] * list->p[2];
-    rotor_turn(list, 4, 0, a, 0);
-    rotor_turn(list, 4, 1, lanes_of(0.5), 0);
-    rotor_turn(list, 4, 0, middle, 0);
-    rotor_turn(list, 4, 1, lanes_of(0.5), 0);
-    rotor_turn(list, 4, 0, a, 1);
+    rotor_turn(list, 4, ROTOR_FIRST, 0, a);
+    rotor_turn(list, 4, ROTOR_SECOND, 1, lanes_of(0.5));
+    rotor_turn(list, 4, ROTOR_INNER, 0, middle);
+    rotor_turn(list, 4, ROTOR_INNER, 1, lanes_of(0.5));
+    rotor_turn(list, 4, ROTOR_LAST, 0, a);
 }
 
 /** S10 (Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313): order 6, 21 turns, x a1, y b1, x a2, ..., mirrored. */
@@ -177,19 +201,29 @@ VTI_INLINE void rotor_s10(struct rotor_list *list)
                                              0.188054853819569 + 0.541960678450780)},
                         y[5] = {0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175,
                                 0.5 - (0.148816447901042 - 0.132385865767784 + 0.067307604692185 + 0.432666402578175)};
-    for (int n = 0; n < 10; ++n) {
-        rotor_turn(list, 6, 0, lanes_of(x[n <= 5 ? n : 10 - n]), 0);
-        rotor_turn(list, 6, 1, lanes_of(y[n <= 4 ? n : 9 - n]), 0);
+    rotor_turn(list, 6, ROTOR_FIRST, 0, lanes_of(x[0]));
+    rotor_turn(list, 6, ROTOR_SECOND, 1, lanes_of(y[0]));
+    for (int n = 1; n < 10; ++n) {
+        rotor_turn(list, 6, ROTOR_INNER, 0, lanes_of(x[n <= 5 ? n : 10 - n]));
+        rotor_turn(list, 6, ROTOR_INNER, 1, lanes_of(y[n <= 4 ? n : 9 - n]));
     }
-    rotor_turn(list, 6, 0, lanes_of(x[0]), 1);
+    rotor_turn(list, 6, ROTOR_LAST, 0, lanes_of(x[0]));
 }
 
 /* ---- a drift ----------------------------------------------------------------------------------------------------- */
 
-/** A body: the quaternion q ~ R_p (v, w), 2/q.q, its moments, and 1/moments. */
+/** A body: the quaternion q ~ R_p (v, w), 2/q.q, its moments, 1/moments, and whether it is a sphere. */
 struct rotor_body {
     lanes q[4], scale, m[3], k[3];
+    lanes_mask round;
 };
+
+VTI_INLINE void rotor_moments(struct rotor_body *body)
+{
+    for (int n = 0; n < 3; ++n)
+        body->k[n] = 1.0 / body->m[n];
+    body->round = (body->m[0] == body->m[1]) & (body->m[1] == body->m[2]);
+}
 
 /** R_p diag(m) R_p^T v */
 VTI_INLINE void rotor_times(const struct rotor_body *body, const lanes m[3], const lanes v[3], lanes r[3])
@@ -218,8 +252,7 @@ VTI_INLINE void rotor_list_of(int rotor, const struct rotor_body *body, const st
     lanes p[3];
     lanes_rotate(body->q, body->scale, -1.0, L, p);
     rotor_onto(at, p, list->p);
-    list->b[0] = list->b[1] = list->b[2] = list->sigma = list->most = lanes_of(0.0);
-    list->b[3] = lanes_of(1.0);
+    list->sigma = list->most = lanes_of(0.0);
     list->by[0] = e_x;
     list->by[1] = e_y;
     if (rotor == 4) {
@@ -237,16 +270,15 @@ VTI_INLINE void rotor_list_of(int rotor, const struct rotor_body *body, const st
 /** An increment 2 f u/c in space. */
 struct rotor_increment {
     lanes c, f, u[3];
-    lanes_mask plain; /* it is the turn about L and nothing else */
 };
 
-/** (c0, f0 u)(b_w, R_p b_v), the turn about L, to which M4 adds that by sigma L, after all others. Where there are no
- *  others, it is the sphere's, to the bit. */
+/** (c0, f0 u)(b_w, R_p b_v), the turn about L, to which M4 adds that by sigma L, after all others. Of a sphere it is the
+ *  first of them, to the bit. */
 VTI_INLINE void rotor_join(int rotor, const struct rotor_body *body, const struct rotor_axes *at,
                            const struct rotor_list *list, const lanes L[3], lanes e_x, const lanes cf[2],
                            struct rotor_increment *d)
 {
-    const lanes_mask plain = (list->b[0] == 0.0) & (list->b[1] == 0.0) & (list->b[2] == 0.0) & (list->sigma == 0.0);
+    const lanes_mask plain = body->round;
     lanes b[3], x[3], v[3], w = cf[0];
     rotor_off(at, list->b, b);
     lanes_rotate(body->q, body->scale, 1.0, b, b);
@@ -264,34 +296,39 @@ VTI_INLINE void rotor_join(int rotor, const struct rotor_body *body, const struc
             v[n] = cf[0] * s[n] + more[0] * v[n];
     }
     lanes_cross(v, b, x);
-    d->plain = plain;
     d->c = lanes_where(plain, cf[0], w * list->b[3] - lanes_dot(v, b));
     d->f = lanes_where(plain, cf[1], lanes_of(1.0));
     for (int n = 0; n < 3; ++n)
         d->u[n] = lanes_where(plain, d->u[n], (w * b[n] + list->b[3] * v[n]) + x[n]);
 }
 
+/** The turn about L: u, and the pair of its law. */
+VTI_INLINE void rotor_about_L(int law, lanes t, lanes k_r, const lanes L[3], lanes u[3], lanes cf[2])
+{
+    for (int n = 0; n < 3; ++n)
+        u[n] = t * (k_r * L[n]);
+    rotor_law(law, lanes_dot(u, u), cf);
+}
+
 /** The increment of a drift of time t, with spin L. */
 VTI_INLINE void rotor_drift(int law, int rotor, lanes t, const struct rotor_body *body, const lanes L[3],
                             struct rotor_increment *d)
 {
-    const struct rotor_axes at = rotor_axes_of(body->k);
+    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     const lanes e_x = t * at.d_x, e_y = t * at.d_y;
     struct rotor_list list;
     list.law = law;
     list.hard = list.watches = 0;
     rotor_list_of(rotor, body, &at, L, e_x, e_y, &list);
-    for (int n = 0; n < 3; ++n)
-        d->u[n] = t * (at.k_r * L[n]);
     lanes cf[2];
-    rotor_law(law, lanes_dot(d->u, d->u), cf);
+    rotor_about_L(law, t, at.k_r, L, d->u, cf);
     rotor_join(rotor, body, &at, &list, L, e_x, cf, d);
 }
 
 /** The largest turn of it. */
 VTI_INLINE lanes rotor_most(int law, int rotor, lanes t, const struct rotor_body *body, const lanes L[3])
 {
-    const struct rotor_axes at = rotor_axes_of(body->k);
+    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     struct rotor_list list;
     lanes u[3];
     list.law = law;

@@ -9,6 +9,8 @@
 #include "vti_rotor.h"
 #include "vti_turn_kernels.h"
 
+static const double unit_inertia = 1.0; /* of L, which is kicked by t RM */
+
 /* ---- vectors of any layout --------------------------------------------------------------------------------------- */
 
 VTI_INLINE void load_any(struct stream s, int64_t i, lanes r[3])
@@ -74,11 +76,11 @@ struct general {
 };
 
 /** From the attitude on. */
-VTI_INLINE void turned_body(const vti_bodies *b, int64_t i, struct general *g)
+VTI_INLINE void turned_body(const vti_quat_view *principal, int64_t i, struct general *g)
 {
-    if (b->principal.xyzw[0] != NULL) {
+    if (principal->xyzw[0] != NULL) {
         lanes p[4];
-        load_quad(&b->principal, i, p);
+        load_quad(principal, i, p);
         rotor_principal(g->attitude, p, g->body.q);
     } else
         for (int k = 0; k < 4; ++k)
@@ -86,44 +88,74 @@ VTI_INLINE void turned_body(const vti_bodies *b, int64_t i, struct general *g)
     g->body.scale = 2.0 / lanes_square(g->body.q);
 }
 
+VTI_INLINE void load_attitude(const vti_bodies *b, int64_t i, lanes attitude[4])
+{
+    if (vti_has(&b->alpha)) {
+        load_any(stream_of(&b->alpha), i, attitude);
+        attitude[3] = lanes_of(2.0);
+    } else
+        load_quad(&b->quat, i, attitude);
+}
+
+/** a += t by, of both kicks. */
+VTI_INLINE void kick_any(const struct vti_move *move, const lanes by[3], lanes a[3])
+{
+    for (int k = 0; k < 3 && move->before != 0.0; ++k)
+        a[k] += move->before * by[k];
+    for (int k = 0; k < 3 && move->kick != 0.0; ++k)
+        a[k] += move->kick * by[k];
+}
+
+VTI_INLINE int kicks_general(const struct vti_move *move, const vti_bodies *b)
+{
+    return vti_has(&b->moment) && (move->before != 0.0 || move->kick != 0.0);
+}
+
+/** L of the bodies from i on after their kicks. */
+VTI_INLINE void kicked_spin(const struct vti_move *move, const vti_bodies *b, int64_t i, lanes L[3])
+{
+    lanes by[3];
+    load_any(stream_of(&b->spin), i, L);
+    if (kicks_general(move, b)) {
+        load_any(stream_of(&b->moment), i, by);
+        kick_any(move, by, L);
+    }
+}
+
 /** The bodies from i on after their kicks. */
 VTI_INLINE void load_general(const struct vti_move *move, const vti_bodies *b, int64_t i, struct general *g)
 {
-    const int spins = vti_has(&b->spin);
     lanes by[3];
-    if (vti_has(&b->alpha)) {
-        load_any(stream_of(&b->alpha), i, g->attitude);
-        g->attitude[3] = lanes_of(2.0);
-    } else
-        load_quad(&b->quat, i, g->attitude);
-    turned_body(b, i, g);
+    load_attitude(b, i, g->attitude);
+    turned_body(&b->principal, i, g);
     load_any(stream_of(&b->moments), i, g->body.m);
-    for (int k = 0; k < 3; ++k)
-        g->body.k[k] = 1.0 / g->body.m[k];
-    lanes *const kicked = spins ? g->L : g->omega;
-    load_any(stream_of(spins ? &b->spin : &b->omega), i, kicked);
-    if (vti_has(&b->moment) && (move->before != 0.0 || move->kick != 0.0)) {
-        load_any(stream_of(&b->moment), i, by);
-        if (!spins)
-            rotor_times(&g->body, g->body.k, by, by);
-        for (int k = 0; k < 3 && move->before != 0.0; ++k)
-            kicked[k] += move->before * by[k];
-        for (int k = 0; k < 3 && move->kick != 0.0; ++k)
-            kicked[k] += move->kick * by[k];
+    rotor_moments(&g->body);
+    if (vti_has(&b->spin)) {
+        kicked_spin(move, b, i, g->L);
+        for (int k = 0; k < 3; ++k)
+            g->omega[k] = lanes_of(0.0);
+        return;
     }
-    if (!spins)
-        rotor_times(&g->body, g->body.m, g->omega, g->L);
+    load_any(stream_of(&b->omega), i, g->omega);
+    if (kicks_general(move, b)) {
+        load_any(stream_of(&b->moment), i, by);
+        rotor_times(&g->body, g->body.k, by, by);
+        kick_any(move, by, g->omega);
+    }
+    rotor_times(&g->body, g->body.m, g->omega, g->L);
 }
 
-/** The attitude turned by the increment; 0, where it is not to be used, if some lane needs more care. */
+/** The attitude turned by the increment; 0, where it is not to be used, if some lane needs more care: of a body near a
+ *  half turn, or one whose products could leave the range. The pair of an increment is never small, so that one sum
+ *  tells: |f u| < 2^15 c, |alpha| < 2^29, c < 2^34 and 2 |d| < c. */
 VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes q[4])
 {
-    const lanes uu = d->f * d->f * lanes_dot(d->u, d->u), cc = d->c * d->c, size = cc + uu;
-    lanes_mask near = (size < 0x1p100) & (size > 0x1p-100);
+    const lanes uu = d->f * d->f * lanes_dot(d->u, d->u), cc = d->c * d->c;
     if (by_alpha) {
         lanes add[3];
         const lanes dot = incremental(d->c, d->f, d->u, 1.0, q, add);
-        near &= (d->c > 0x1p-30) & (4.0 * (dot * dot) + 0x1p-56 * uu < cc) & (lanes_dot(q, q) < 0x1p58);
+        const lanes sizes = 0x1p-58 * lanes_square(q) + 0x1p-68 * cc;
+        const lanes_mask near = (4.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d->c * lanes_abs(d->c);
         for (int k = 0; k < 3; ++k)
             q[k] += add[k];
         return lanes_all(near);
@@ -138,7 +170,66 @@ VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes
     const lanes scale = 1.0 / lanes_sqrt(lanes_dot(r, r) + r[3] * r[3]);
     for (int k = 0; k < 4; ++k)
         q[k] = r[k] * scale;
-    return lanes_all(near);
+    return lanes_all(cc + uu < 0x1p100);
+}
+
+/** The increment of a drift; of spheres alone, without all that makes bodies differ from them. */
+VTI_INLINE void drift_general(int law, int rotor, double time, const vti_quat_view *principal, int64_t i,
+                              struct general *g, struct rotor_increment *d)
+{
+    const lanes t = lanes_of(time);
+    if (lanes_all(g->body.round)) {
+        lanes cf[2];
+        rotor_about_L(law, t, g->body.k[0], g->L, d->u, cf);
+        d->c = cf[0];
+        d->f = cf[1];
+    } else {
+        turned_body(principal, i, g);
+        rotor_drift(law, rotor, t, &g->body, g->L, d);
+    }
+}
+
+/** Bodies that show L and alpha, all packed, their axes the body's own. */
+VTI_INLINE void move_packed(int law, int rotor, const struct vti_move *move, const vti_bodies *b, int64_t begin,
+                            int64_t end)
+{
+    const vti_scalars one = {&unit_inertia, 0, 0};
+    const struct stream spin = stream_of(&b->spin), alpha = stream_of(&b->alpha), moments = stream_of(&b->moments);
+    const struct kicks k = kicks_of(move, &b->moment, &one);
+    const vti_quat_view own_axes = {{NULL, NULL, NULL, NULL}, 0, 0};
+    const double t = move->drift;
+    const struct vti_move drift = {0.0, 0.0, t, 1, law, VTI_FRAME_SPACE, rotor};
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        struct general g;
+        struct rotor_increment d;
+        lanes there[3];
+        load(PACKED, spin, i, there);
+        if (k.count > 0) {
+            kick(PACKED, k, i, there);
+            store(PACKED, spin, i, there);
+        }
+        lanes_split(there, g.L);
+        load(PACKED, moments, i, there);
+        lanes_split(there, g.body.m);
+        rotor_moments(&g.body);
+        load(PACKED, alpha, i, there);
+        lanes_split(there, g.attitude);
+        g.attitude[3] = lanes_of(2.0);
+        drift_general(law, rotor, t, &own_axes, i, &g, &d);
+        if (!turn_general(1, &d, g.attitude)) {
+            vti_rotor_move(&drift, b, i, i + WIDTH);
+            continue;
+        }
+        lanes_join(g.attitude, there);
+        store(PACKED, alpha, i, there);
+    }
+}
+
+VTI_INLINE int is_packed(const struct vti_move *move, const vti_bodies *b)
+{
+    return move->drifts && order_of(stream_of(&b->spin)) == PACKED && order_of(stream_of(&b->alpha)) == PACKED &&
+           order_of(stream_of(&b->moments)) == PACKED && !vti_has(&b->omega) && b->principal.xyzw[0] == NULL &&
+           (!kicks_general(move, b) || order_of(stream_of(&b->moment)) == PACKED);
 }
 
 /** law 0: kicks only. */
@@ -146,17 +237,16 @@ VTI_INLINE void move_general(int law, int rotor, const struct vti_move *move, co
                              int64_t end)
 {
     const int by_alpha = vti_has(&b->alpha), spins = vti_has(&b->spin), shows = vti_has(&b->omega);
-    const int kicks = vti_has(&b->moment) && (move->before != 0.0 || move->kick != 0.0);
     for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
         struct general g;
         struct rotor_increment d;
         load_general(move, b, i, &g);
         int sound = 1;
         if (law != 0) {
-            rotor_drift(law, rotor, lanes_of(move->drift), &g.body, g.L, &d);
+            drift_general(law, rotor, move->drift, &b->principal, i, &g, &d);
             sound = turn_general(by_alpha, &d, g.attitude);
             if (shows)
-                turned_body(b, i, &g);
+                turned_body(&b->principal, i, &g);
         } else if (by_alpha)
             sound = lanes_all(lanes_dot(g.attitude, g.attitude) < 0x1p58);
         if (!sound) {
@@ -165,7 +255,7 @@ VTI_INLINE void move_general(int law, int rotor, const struct vti_move *move, co
         }
         if (shows && (spins || law != 0))
             rotor_times(&g.body, g.body.k, g.L, g.omega);
-        if (spins && kicks)
+        if (spins && kicks_general(move, b))
             store_any(stream_of(&b->spin), i, g.L);
         if (shows)
             store_any(stream_of(&b->omega), i, g.omega);
@@ -177,50 +267,76 @@ VTI_INLINE void move_general(int law, int rotor, const struct vti_move *move, co
 }
 
 /* Literal arguments, so that each law and each rotor is a loop of its own. */
-#define MOVE_GENERAL(LAW, ROTOR)                                                                                       \
-    static void general_##LAW##_##ROTOR(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)  \
+#define MOVE_GENERAL(HOW, LAW, ROTOR)                                                                                  \
+    static void HOW##_##LAW##_##ROTOR(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)    \
     {                                                                                                                  \
-        move_general(VTI_LAW_##LAW, ROTOR, move, b, begin, end);                                                       \
+        move_##HOW(VTI_LAW_##LAW, ROTOR, move, b, begin, end);                                                         \
     }
-#define ALL_LAWS(ROTOR)                                                                                                \
-    MOVE_GENERAL(CLOSED, ROTOR)                                                                                        \
-    MOVE_GENERAL(CAYLEY, ROTOR)                                                                                        \
-    MOVE_GENERAL(EXACT, ROTOR)                                                                                         \
-    MOVE_GENERAL(EXACT9, ROTOR)
-ALL_LAWS(2)
-ALL_LAWS(4)
-ALL_LAWS(6)
+#define ALL_LAWS(HOW, ROTOR)                                                                                           \
+    MOVE_GENERAL(HOW, CLOSED, ROTOR)                                                                                   \
+    MOVE_GENERAL(HOW, CAYLEY, ROTOR)                                                                                   \
+    MOVE_GENERAL(HOW, EXACT, ROTOR)                                                                                    \
+    MOVE_GENERAL(HOW, EXACT9, ROTOR)
+ALL_LAWS(general, 2)
+ALL_LAWS(general, 4)
+ALL_LAWS(general, 6)
+ALL_LAWS(packed, 2)
+ALL_LAWS(packed, 4)
+ALL_LAWS(packed, 6)
 
 static void general_kicks(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
     move_general(0, 2, move, b, begin, end);
 }
 
-#define GENERAL_BY_LAW(ROTOR)                                                                                          \
+#define GENERAL_BY_LAW(HOW, KICKS, ROTOR)                                                                              \
     {                                                                                                                  \
-        general_kicks, general_CLOSED_##ROTOR, general_CAYLEY_##ROTOR, general_EXACT_##ROTOR, general_EXACT9_##ROTOR   \
+        KICKS, HOW##_CLOSED_##ROTOR, HOW##_CAYLEY_##ROTOR, HOW##_EXACT_##ROTOR, HOW##_EXACT9_##ROTOR                   \
     }
-/** [half of the rotor, less 1][law, or 0 without a drift] */
-static turn *const generals[3][VTI_LAW_EXACT9 + 1] = {GENERAL_BY_LAW(2), GENERAL_BY_LAW(4), GENERAL_BY_LAW(6)};
+/** [packed][half of the rotor, less 1][law, or 0 without a drift] */
+static turn *const generals[2][3][VTI_LAW_EXACT9 + 1] = {
+    {GENERAL_BY_LAW(general, general_kicks, 2), GENERAL_BY_LAW(general, general_kicks, 4),
+     GENERAL_BY_LAW(general, general_kicks, 6)},
+    {GENERAL_BY_LAW(packed, NULL, 2), GENERAL_BY_LAW(packed, NULL, 4), GENERAL_BY_LAW(packed, NULL, 6)}};
 
 static int64_t rotate_general(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
     if (end - begin < WIDTH || !vti_has_attitude(b))
         return begin;
+    const vti_scalars one = {&unit_inertia, 0, 0};
+    const struct stream spin = stream_of(&b->spin);
+    if (!move->drifts && !vti_has(&b->omega))
+        return kick_and_move_any(kicks_of(move, &b->moment, &one), 0.0, spin, 0, spin, begin, end);
     const int rotor = move->rotor == 0 ? 2 : move->rotor;
     const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
-    generals[rotor / 2 - 1][move->drifts ? move->law : 0](move, b, begin, stop);
+    generals[is_packed(move, b)][rotor / 2 - 1][move->drifts ? move->law : 0](move, b, begin, stop);
     return stop;
+}
+
+/** Whether |t| |L| is below the least moment in all lanes, by enough for what is rounded later: then no turn reaches 1,
+ *  as none is more than t |L|/min(m). */
+VTI_INLINE int is_slow(double t, const lanes m[3], const lanes L[3])
+{
+    const lanes u[3] = {t * L[0], t * L[1], t * L[2]};
+    const lanes low = lanes_where(m[0] < m[1], m[0], m[1]), least = lanes_where(low < m[2], low, m[2]);
+    return lanes_all(((1.0 + 0x1p-40) * lanes_dot(u, u) < least * least) & (least > 0x1p-500));
 }
 
 /** Whether a turn of the closed form is 1 or more, or NaN. */
 static int reaches_general(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end,
                            int64_t *stopped)
 {
+    const int spins = vti_has(&b->spin);
     lanes_mask below = lanes_of(0.0) < 1.0;
     int64_t i = begin;
     for (; i + WIDTH <= end; i += WIDTH) {
         struct general g;
+        if (spins) {
+            load_any(stream_of(&b->moments), i, g.body.m);
+            kicked_spin(move, b, i, g.L);
+            if (is_slow(move->drift, g.body.m, g.L))
+                continue;
+        }
         load_general(move, b, i, &g);
         below &= rotor_most(VTI_LAW_CLOSED, move->rotor, lanes_of(move->drift), &g.body, g.L) < 1.0;
     }

@@ -54,13 +54,20 @@ static vti_bodies many_bodies(int trial, struct many *m)
     return all;
 }
 
-/** Some are near or past half a turn, some turn beyond measure; closed: none turns by 1. */
+/** Some are near or past half a turn, some turn beyond measure; closed: none turns by 1, or if 2 some may. There are spheres among them,
+ *  and sometimes a row of them at the start. */
 static void fill(rng *g, int closed, const vti_bodies *all)
 {
+    const int64_t row = 8 * rng_below(g, 4);
     for (int64_t i = 0; i < MANY; ++i) {
-        const double size = closed ? 0.3 : i % 13 == 7 ? 9 : i == 31 ? 1e150 : i == 17 ? 1e-150 : 1;
+        const double size = closed > 1 && i % 13 == 7 ? 4
+                            : closed                  ? 0.3
+                            : i % 13 == 7             ? 9
+                            : i == 31                 ? 1e150
+                            : i == 17                 ? 1e-150
+                                                      : 1;
         top p = top_random(g, TOP_ALPHA, TOP_BOTH);
-        if (i % 9 == 4)
+        if (i % 9 == 4 || i < row)
             p.moments[2] = p.moments[1] = p.moments[0];
         for (int k = 0; k < 3; ++k) {
             all->moments.c[k][i * all->moments.stride] = p.moments[k];
@@ -104,7 +111,7 @@ TEST(many_are_as_one_by_one)
         static const int64_t counts[] = {MANY, MANY, 15, 7, 3}; /* for the kernels of each width */
         vti_bodies many = many_bodies(trial, &at_once);
         const vti_bodies single = many_bodies(trial, &alone);
-        fill(&g, own.law == VTI_LAW_CLOSED, &many);
+        fill(&g, own.law == VTI_LAW_CLOSED ? 2 : 0, &many);
         many.count = counts[trial / 2 % 5];
         alone = at_once;
         const int how = trial % 17;
@@ -137,7 +144,13 @@ TEST(the_bound_sees_every_body)
         vti_fault fault;
         fill(&g, 1, &many);
         assert_int_equal(vti_step_begin(vti_stepper_find("vti1"), 0.05, &many, &fault), VTI_OK);
-        many.spin.c[1][bad * many.spin.stride] = trial % 2 ? 1e3 : NAN;
+        for (int k = 0; k < 3 && many.moments.stride != 0; ++k) { /* two are the least; |L| is past them by a little */
+            many.moments.c[k][bad * many.moments.stride] = k == bad % 3 ? 2 : 1;
+            many.spin.c[k][bad * many.spin.stride] = 0;
+        }
+        many.spin.c[1][bad * many.spin.stride] = trial % 3 == 0 && many.moments.stride != 0 ? 1.01 / 0.05
+                                                 : trial % 2                                ? 1e3
+                                                                                            : NAN;
         alone = at_once;
         assert_int_equal(vti_step_begin(vti_stepper_find("vti1"), 0.05, &many, &fault), VTI_E_TOO_LARGE);
         assert_int_equal(fault.body, bad);
