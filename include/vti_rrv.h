@@ -93,29 +93,26 @@ static inline double vti_norm(const double a[3])
  *
  *      atan t = atan c + atan r,   r = (t - c)/(1 + t c),   atan r = r - r^3/3 + r^5/5 - ...,
  *
- *  where c is 0, 1/2 or 1, so that |r| <= 1/4. */
+ *  where c is 0, 1/2 or 1, so that |r| <= 1/4. Selections instead of branches: compilers make vectors of loops over
+ *  it. */
 static inline double vti_arc(double y, double x)
 {
-    static const double angle[2][3][2] = {
-        /* atan c and pi/2 - atan c, in two parts */
-        {{0.0, 0.0}, {0.4636476090008061, 2.2698777452961687e-17}, {0.7853981633974483, 3.061616997868383e-17}},
-        {{1.5707963267948966, 6.123233995736766e-17},
-         {1.1071487177940904, 9.40447137356638e-17},
-         {0.7853981633974483, 3.061616997868383e-17}}};
-    const int steep = y > x;
-    const double a = steep ? x : y, b = steep ? y : x;
-    const int k = a <= 0.25 * b ? 0 : a < 0.75 * b ? 1 : 2;
-    double r = b > 0.0 ? a / b : b;
-    if (k > 0) {
-        const double s = vti_scale(b), c = 0.5 * k;
-        r = (s * a - c * (s * b)) / (s * b + c * (s * a));
-    }
-    const double z = r * r;
+    const double a = y > x ? x : y, b = y > x ? y : x;
+    const double c = a <= 0.25 * b ? 0.0 : a < 0.75 * b ? 0.5 : 1.0;
+    const double s = vti_scale(b), sa = s * a, sb = s * b;
+    const double above = c > 0.0 ? sa - c * sb : a, below = c > 0.0 ? sb + c * sa : b;
+    const double r = below > 0.0 ? above / below : below, z = r * r;
     double sum = 1.0 / 21 - z * (1.0 / 23 - z * (1.0 / 25 - z * (1.0 / 27)));
     sum = 1.0 / 13 - z * (1.0 / 15 - z * (1.0 / 17 - z * (1.0 / 19 - z * sum)));
     sum = z * (1.0 / 3 - z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * (1.0 / 11 - z * sum)))));
     const double rest = r - r * sum;
-    return angle[steep][k][0] + (steep ? angle[steep][k][1] - rest : angle[steep][k][1] + rest);
+    /* atan c or pi/2 - atan c, in two parts */
+    const double none = y > x ? 1.5707963267948966 : 0.0, none_low = y > x ? 6.123233995736766e-17 : 0.0;
+    const double half = y > x ? 1.1071487177940904 : 0.4636476090008061;
+    const double half_low = y > x ? 9.40447137356638e-17 : 2.2698777452961687e-17;
+    const double angle = c < 0.5 ? none : c < 1.0 ? half : 0.7853981633974483;
+    const double low = c < 0.5 ? none_low : c < 1.0 ? half_low : 3.061616997868383e-17;
+    return angle + (low + (y > x ? -rest : rest));
 }
 
 /** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "plain.h"
+#include "wide.h"
 
 /** cos(j theta) and sin(j theta) of the nodes' theta = (2 k + 1) pi/(2 N). */
 static double cosine(int64_t j, int64_t k)
@@ -74,47 +75,54 @@ int64_t panels_find(const struct panels *panels, double t, double *tau)
     return p;
 }
 
-/** Barycentric shares of the nodes at n places of a panel, share[PANELS_NODES][n], which add up to 1 at each. n is a
- *  literal at every call: many places are done at once. */
-static inline void shares(const struct panels *restrict panels, const double *restrict tau, int n,
-                          double *restrict share)
+/** Barycentric shares of the nodes at n places of a panel, share[PANELS_NODES][n], which add up to 1 at each. Many
+ *  places are done at once. */
+VTI_INLINE void shares(const struct panels *restrict panels, const double *restrict tau, int64_t n,
+                       double *restrict share)
 {
-    double sum[PANELS_BLOCK] = {0.0};
+    double sum[PANELS_BLOCK];
     int at_node = 0;
+    for (int64_t i = 0; i < n; ++i)
+        sum[i] = 0.0;
     for (int k = 0; k < PANELS_NODES; ++k) {
         const double weight = panels->weight[k], node = panels->node[k];
-        for (int i = 0; i < n; ++i) {
+        for (int64_t i = 0; i < n; ++i) {
             share[k * n + i] = weight / (tau[i] - node);
             sum[i] += share[k * n + i];
         }
     }
-    for (int i = 0; i < n; ++i)
+    for (int64_t i = 0; i < n; ++i)
         at_node |= !isfinite(sum[i]);
     for (int k = 0; k < PANELS_NODES; ++k)
-        for (int i = 0; i < n; ++i)
+        for (int64_t i = 0; i < n; ++i)
             share[k * n + i] /= sum[i];
-    for (int i = 0; i < n && at_node; ++i)
+    for (int64_t i = 0; i < n && at_node; ++i)
         for (int k = 0; k < PANELS_NODES && !isfinite(sum[i]); ++k)
             share[k * n + i] = tau[i] == panels->node[k] ? 1.0 : 0.0;
 }
 
-void panels_read_block(const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], double *out)
+VTI_INLINE void panels_read_block_loops(const struct panels *panels, int64_t p, const double *tau, int64_t n,
+                                        double *restrict out)
 {
-    const int64_t width = panels->width;
+    const int64_t width = panels->width, all = (n + 7) & ~INT64_C(7); /* some more fill the vectors up */
     double share[PANELS_NODES * PANELS_BLOCK];
-    shares(panels, tau, PANELS_BLOCK, share);
+    shares(panels, tau, all, share);
     for (int64_t c = 0; c < width; ++c) {
         const double *value = panels_row(panels, p, 0) + c;
-        double sum[PANELS_BLOCK] = {0.0};
+        double *restrict sum = out + c * PANELS_BLOCK;
+        for (int64_t i = 0; i < all; ++i)
+            sum[i] = 0.0;
         for (int k = 0; k < PANELS_NODES; ++k) {
             const double v = value[k * width];
-            for (int i = 0; i < PANELS_BLOCK; ++i)
-                sum[i] += share[k * PANELS_BLOCK + i] * v;
+            for (int64_t i = 0; i < all; ++i)
+                sum[i] += share[k * all + i] * v;
         }
-        for (int i = 0; i < PANELS_BLOCK; ++i)
-            out[i * width + c] = sum[i];
     }
 }
+
+WIDE(panels_read_block,
+     (const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], int64_t n, double *out),
+     (panels, p, tau, n, out))
 
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out)
 {

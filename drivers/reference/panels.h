@@ -35,8 +35,9 @@ double panels_tail(const struct panels *panels, int64_t p);
 int64_t panels_find(const struct panels *panels, double t, double *tau);
 /** All components at tau of panel p. */
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out);
-/** All components at each of the tau of panel p, out[PANELS_BLOCK][width], with the bits of panels_read. */
-void panels_read_block(const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], double *out);
+/** All components at the first n of the tau of panel p, out[width][PANELS_BLOCK], with the bits of panels_read; what is
+ *  written behind the n is without meaning. The tau behind them are finite. */
+void panels_read_block(const struct panels *panels, int64_t p, const double tau[PANELS_BLOCK], int64_t n, double *out);
 /** One component at tau of panel p. */
 double panels_read_one(const struct panels *panels, int64_t p, double tau, int64_t component);
 

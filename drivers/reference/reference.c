@@ -180,17 +180,17 @@ vti_bodies reference_at(struct reference *r, double t)
     return r->interval == 0.0 ? smooth_at(&r->smooth, t) : sampled_state(&r->sampled, llrint(t / r->interval));
 }
 
-int reference_step(struct reference *r, double h, int64_t step, const struct watch *watch, const vti_bodies **bodies,
-                   struct message *message)
+const vti_bodies *reference_state(struct reference *r, double t)
 {
-    const double t = (double)step * h;
-    if (r->interval != 0.0) {
-        *bodies = sampled_step(&r->sampled, llrint(t / r->interval));
-        return 0;
-    }
-    const int failed = smooth_has(&r->smooth, h, step) ? 0 : smooth_seek(&r->smooth, t, watch, message);
+    return sampled_step(&r->sampled, llrint(t / r->interval));
+}
+
+int reference_block(struct reference *r, double h, int64_t step, const struct watch *watch, const double **states,
+                    int64_t *count, struct message *message)
+{
+    const int failed = smooth_seek(&r->smooth, (double)step * h, watch, message);
     if (failed == 0)
-        *bodies = smooth_step(&r->smooth, h, step);
+        *states = smooth_block(&r->smooth, h, step, count);
     return failed;
 }
 

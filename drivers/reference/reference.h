@@ -44,10 +44,13 @@ int reference_seek(struct reference *reference, double t, const struct watch *wa
 /** The bodies at t, attitudes as quaternions (not normalised). The views point into the reference and hold until the
  *  next call. */
 vti_bodies reference_at(struct reference *reference, double t);
-/** Both for t = step h, with the same bits, at less cost for those who go through the steps in order: bodies that are
- *  sealed and may be without mass and inertia. Returns 0 and *bodies, or what reference_seek returns. */
-int reference_step(struct reference *reference, double h, int64_t step, const struct watch *watch,
-                   const vti_bodies **bodies, struct message *message);
+/** The same at an interval, of a reference that has one: bodies that are sealed. */
+const vti_bodies *reference_state(struct reference *reference, double t);
+/** Both for t = step h and *count - 1 steps that follow, of a reference that is known at any time, with the same bits,
+ *  for those who go through the steps in order: *states side by side (states.h), which hold until the next call.
+ *  Returns 0, or what reference_seek returns. */
+int reference_block(struct reference *reference, double h, int64_t step, const struct watch *watch,
+                    const double **states, int64_t *count, struct message *message);
 
 /** ||q||^2_{H1(0,t)} = int_0^t |x|^2 + |v|^2 + theta^2 + |Omega|^2, exact to the reference's own error. */
 double reference_norm_squared(struct reference *reference, double t);

@@ -19,15 +19,8 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
     s->model = model;
     s->state = calloc((size_t)equations_width(model), sizeof *s->state);
     s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model)), sizeof *s->block);
-    if (s->state != NULL && s->block != NULL) {
-        /* as one row of bodies, of which a step's are a slice */
-        s->seen = equations_bodies(model, s->block);
-        s->seen.mass.p = s->seen.inertia.p = NULL;
-        s->seen.count *= PANELS_BLOCK;
-    }
-    if (s->state == NULL || s->block == NULL || vti_bodies_seal(&s->seen) != VTI_OK)
+    if (s->state == NULL || s->block == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
-    s->seen.count = model->bodies.count;
     return 0;
 }
 
@@ -72,7 +65,6 @@ int smooth_resize(struct smooth *s, int64_t count, int64_t held, double t_end)
     const int64_t width = equations_width(s->model);
     free(s->starts);
     free(s->sums);
-    s->block_count = 0;
     s->window = s->sums_window = -1;
     s->windows = (count + held - 1) / held;
     s->starts = calloc((size_t)(s->windows * (SMOOTH_START + width)), sizeof *s->starts);
@@ -223,27 +215,18 @@ vti_bodies smooth_at(struct smooth *s, double t)
     return equations_bodies(s->model, s->state);
 }
 
-static void read_block(struct smooth *s, double h, int64_t step)
+const double *smooth_block(struct smooth *s, double h, int64_t step, int64_t *count)
 {
     double tau[PANELS_BLOCK];
     const int64_t p = panels_find(&s->panels, (double)step * h, &tau[0]);
-    int n = 1;
+    int64_t n = 1;
     while (n < PANELS_BLOCK && panels_find(&s->panels, (double)(step + n) * h, &tau[n]) == p)
         ++n;
-    s->block_h = h;
-    s->block_first = step;
-    s->block_count = n;
+    *count = n;
     for (; n < PANELS_BLOCK; ++n)
         tau[n] = tau[0];
-    panels_read_block(&s->panels, p, tau, s->block);
-}
-
-const vti_bodies *smooth_step(struct smooth *s, double h, int64_t step)
-{
-    if (!smooth_has(s, h, step))
-        read_block(s, h, step);
-    s->seen.first = (step - s->block_first) * s->seen.count; /* among those that were sealed */
-    return &s->seen;
+    panels_read_block(&s->panels, p, tau, *count, s->block);
+    return s->block;
 }
 
 /* ---- the exact norm ---------------------------------------------------------------------------------------------- */

@@ -13,12 +13,9 @@
 
 struct smooth {
     struct model *model;
-    struct panels panels; /* of the bodies' part of a state: those of one window */
-    double *state;        /* where integration is, and where smooth_at writes */
-    double *block;        /* [PANELS_BLOCK][a state's width]: what smooth_step has read */
-    double block_h;       /* at these steps of so long */
-    int64_t block_first, block_count;
-    vti_bodies seen;            /* of the last smooth_step; sealed */
+    struct panels panels;       /* of the bodies' part of a state: those of one window */
+    double *state;              /* where integration is, and where smooth_at writes */
+    double *block;              /* [a state's width][PANELS_BLOCK]: what smooth_block has read */
     double t;                   /* of the integration */
     struct equations equations; /* that integrate */
     int64_t windows, window;    /* how many, and which one is in memory, -1 for none */
@@ -46,15 +43,9 @@ int smooth_resize(struct smooth *smooth, int64_t count, int64_t held, double t_e
 int smooth_seek(struct smooth *smooth, double t, const struct watch *watch, struct message *message);
 /** At a t whose window is in memory. */
 vti_bodies smooth_at(struct smooth *smooth, double t);
-/** At t = step h, likewise, with the bits of smooth_at. The steps that follow in the same panel are read along with it:
- *  for those who go through time in order. The bodies, without mass and inertia, are sealed and hold until the next
- *  call. */
-const vti_bodies *smooth_step(struct smooth *smooth, double h, int64_t step);
-/** 1 if smooth_step has step h at hand, whatever smooth_seek would say. */
-static inline int smooth_has(const struct smooth *smooth, double h, int64_t step)
-{
-    return h == smooth->block_h && step - smooth->block_first < smooth->block_count && step >= smooth->block_first;
-}
+/** At t = step h, likewise, with the bits of smooth_at, and at the steps that follow in the same panel, *count in all:
+ *  for those who go through time in order. States side by side (states.h), which hold until the next call. */
+const double *smooth_block(struct smooth *smooth, double h, int64_t step, int64_t *count);
 /** Exact ||q||^2_{H1(0,t)}, likewise: Gauss-Legendre on the panels, split where a body passes a half turn, since the
  *  integrand (theta in [0, pi]) has a kink there. */
 double smooth_norm_squared(struct smooth *smooth, double t);

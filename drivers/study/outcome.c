@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "norms.h"
+
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /** Everything that is summed up along a run. */
@@ -14,15 +16,14 @@ struct measures {
     struct outcome *outcome;
     struct columns columns;
     struct verdict verdict;
-    struct watch watch; /* while the reference is brought to where the run is */
+    struct watch watch; /* of norms */
+    struct norms norms;
     double h, t_end;
     double energy0, invariants0[MODEL_INVARIANTS];
     struct invariant invariant[MODEL_INVARIANTS];
-    int64_t invariants, sample_every, compare_every;
-    int64_t next_sample, next_compare; /* steps: no division at those between */
-    vti_integral energy_squared;       /* (E_h - E_0)^2 */
-    vti_integral norm_squared;         /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
-    vti_integral error_squared;        /* the same of q_h - q */
+    int64_t invariants, sample_every;
+    int64_t next_sample;         /* step: no division at those between */
+    vti_integral energy_squared; /* (E_h - E_0)^2 */
 };
 
 /** The energy that only steps change: with what effects have booked. */
@@ -40,13 +41,14 @@ static int measures_begin(struct measures *m, struct model *model, struct refere
     m->outcome = outcome;
     m->h = trial->h;
     m->t_end = trial->t_end;
-    m->compare_every = compare_every;
     m->energy0 = energy_of(m, &model->bodies);
     m->invariants = model_invariants(model, m->invariant);
     model_invariant_values(model, &model->bodies, m->invariants0);
     m->sample_every = (trial->steps + OUTCOME_SAMPLES - 2) / (OUTCOME_SAMPLES - 1);
     m->sample_every = m->sample_every > 0 ? m->sample_every : 1;
     columns_of(model, trial->stepper, &m->columns);
+    if (norms_create(&m->norms, model, trial, compare_every, reference, &m->watch, &outcome->message) != 0)
+        return -1;
     return verdict_create(&m->verdict, model, trial->stepper, trial->h, &m->columns, &outcome->message);
 }
 
@@ -58,29 +60,13 @@ static void sample(struct measures *m, double t, double energy_error, const doub
     memcpy(row + 2, deviations, sizeof m->invariants0);
 }
 
-/** The error against the reference, where that is known. */
-static int compare(struct measures *m, int64_t step, const vti_bodies *bodies)
-{
-    const vti_bodies *exact;
-    if (reference_step(m->reference, m->h, step, &m->watch, &exact, &m->outcome->message) != 0)
-        return -1;
-    vti_integral_add(&m->error_squared, (double)m->compare_every * m->h, vti_h1_distance(bodies, exact));
-    if (step == m->outcome->steps)
-        m->outcome->attitude_error = vti_attitude_distance(bodies, exact);
-    return 0;
-}
-
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct measures *m = self;
     const double energy_error = energy_of(m, bodies) - m->energy0;
     vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
-    vti_integral_add(&m->norm_squared, m->h, vti_h1_density(bodies));
-    if (step == m->next_compare) {
-        m->next_compare += m->compare_every;
-        if (compare(m, step, bodies) != 0)
-            return 1;
-    }
+    if (norms_take(&m->norms, step, bodies, &m->outcome->message) != 0)
+        return 1;
 
     const int sampled = step == m->next_sample;
     double deviation[MODEL_INVARIANTS] = {0.0};
@@ -112,8 +98,9 @@ static void measures_end(struct measures *m)
     const double norm_squared = reference_norm_squared(m->reference, m->t_end);
     const double energy_norm = (m->energy0 != 0.0 ? fabs(m->energy0) : 1.0) * sqrt(m->t_end);
     o->e_error = sqrt(vti_integral_value(&m->energy_squared)) / energy_norm;
-    o->q_error = sqrt(fabs(vti_integral_value(&m->norm_squared) - norm_squared) / norm_squared);
-    o->h1_error = sqrt(vti_integral_value(&m->error_squared) / norm_squared);
+    o->q_error = sqrt(fabs(vti_integral_value(&m->norms.norm_squared) - norm_squared) / norm_squared);
+    o->h1_error = sqrt(vti_integral_value(&m->norms.error_squared) / norm_squared);
+    o->attitude_error = m->norms.attitude_error;
     o->judgement = verdict_judge(&m->verdict, 0, &o->verdict);
 }
 
@@ -169,5 +156,6 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     outcome->force_evals =
         taken.stepper->evals > 0 ? trial->steps * taken.stepper->evals : travel_force_evals(&run.travel);
     verdict_destroy(&measures.verdict);
+    norms_destroy(&measures.norms);
     trial_end(&run);
 }

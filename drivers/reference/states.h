@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Many states of the same bodies side by side, and the integrands of the norms (EQUATIONS 4) of all of them at once,
+ * with the bits of vti_h1_density and vti_h1_distance of each. */
+#ifndef VTI_STATES_H
+#define VTI_STATES_H
+
+#include "model.h"
+#include "panels.h"
+
+/** What there is of each body: x v if it translates, q Omega if it turns, in this order. Numbers of state k are
+ *  state[...][k] of double state[bodies][states_width][PANELS_BLOCK]. */
+struct states {
+    int64_t bodies;
+    int translates, turns;
+};
+
+struct states states_of(const struct model *model);
+/** Numbers of a body. */
+int64_t states_width(const struct states *states);
+
+/** State k of bodies with the views of states, attitudes as alpha. */
+void states_put(const struct states *states, const vti_bodies *bodies, int64_t k, double *state);
+
+/** Of the first n states, sum over bodies of |x|^2 + |v|^2 + theta^2 + |Omega|^2; what is written behind the n is
+ *  without meaning. */
+void states_densities(const struct states *states, const double *state, int64_t n, double out[PANELS_BLOCK]);
+/** The same of their differences from those of other, attitudes by |log(R_h R^T)|. */
+void states_distances(const struct states *states, const double *state, const double *other, int64_t n,
+                      double out[PANELS_BLOCK]);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The norms of a run and of its error (EQUATIONS 4), taken along with its steps: many steps at once where the reference
+ * is known at all of them. */
+#ifndef VTI_NORMS_H
+#define VTI_NORMS_H
+
+#include "reference.h"
+#include "states.h"
+#include "trial.h"
+
+struct norms {
+    struct reference *reference;
+    const struct watch *watch; /* while the reference is brought to where the run is */
+    double h;
+    int64_t last;                        /* step */
+    int64_t compare_every, next_compare; /* steps: no division at those between */
+    vti_integral norm_squared;           /* |x|^2 + |v|^2 + theta^2 + |Omega|^2 of q_h */
+    vti_integral error_squared;          /* the same of q_h - q */
+    double attitude_error;               /* at the last step */
+
+    struct states states;
+    double *kept;        /* states of steps that wait (states.h), NULL where steps are taken one by one */
+    const double *exact; /* the reference's at the same steps */
+    int64_t held, room;  /* how many wait, and for how many there are the reference's */
+};
+
+/** For a run of *model over the trial, compared with the reference every compare_every steps. Returns 0, or -1 with one
+ *  line in *message. norms_destroy is due after either. */
+int norms_create(struct norms *norms, const struct model *model, const struct trial *trial, int64_t compare_every,
+                 struct reference *reference, const struct watch *watch, struct message *message);
+void norms_destroy(struct norms *norms);
+/** The next step, from 0 on. Returns 0, or what reference_seek returns. */
+int norms_take(struct norms *norms, int64_t step, const vti_bodies *bodies, struct message *message);
+
+#endif

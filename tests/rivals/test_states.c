@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Many states at once have the bits of each alone: integrands of the norms, and panels that are read in blocks. */
+#include "support.h"
+
+#include "states.h"
+
+enum { BODIES = 3, WIDTH = 13 };
+
+/** A state of some bodies, seen as alpha and as a quaternion: ordinary ones, and some at and near half turns. */
+struct sample {
+    double x[BODIES][3], v[BODIES][3], alpha[BODIES][3], omega[BODIES][3], quat[BODIES][4];
+};
+
+static void draw(rng *g, struct sample *s)
+{
+    for (int i = 0; i < BODIES; ++i) {
+        const double size = i == 1 ? ldexp(1.0, (int)uniform(g, -40, 80)) : 1.0;
+        for (int c = 0; c < 3; ++c) {
+            s->x[i][c] = uniform(g, -1, 1);
+            s->v[i][c] = uniform(g, -1, 1);
+            s->alpha[i][c] = size * uniform(g, -3, 3);
+            s->omega[i][c] = uniform(g, -1, 1);
+        }
+        vti_rrv_to_quat_xyzw(s->alpha[i], s->quat[i]);
+    }
+}
+
+static vti_bodies seen(const struct states *s, struct sample *a, int by_quat)
+{
+    vti_bodies b = vti_bodies_none(s->bodies);
+    const vti_quat_view quat = {{&a->quat[0][0], &a->quat[0][1], &a->quat[0][2], &a->quat[0][3]}, 4, 0};
+    if (s->translates) {
+        b.x = vti_view_packed(&a->x[0][0]);
+        b.v = vti_view_packed(&a->v[0][0]);
+    }
+    if (s->turns) {
+        if (by_quat)
+            b.quat = quat;
+        else
+            b.alpha = vti_view_packed(&a->alpha[0][0]);
+        b.omega = vti_view_packed(&a->omega[0][0]);
+    }
+    return b;
+}
+
+/** As the reference's states lie: attitudes as quaternions that need no length. */
+static void put_quats(const struct states *s, const struct sample *a, int64_t k, double *state)
+{
+    const int64_t width = states_width(s);
+    const int quat = s->translates ? 6 : 0;
+    for (int64_t i = 0; s->turns && i < s->bodies; ++i)
+        for (int c = 0; c < 4; ++c)
+            state[(i * width + quat + c) * PANELS_BLOCK + k] = a->quat[i][c];
+}
+
+static void compare(rng *g, const struct states *s, int64_t n)
+{
+    static struct sample one[PANELS_BLOCK], other[PANELS_BLOCK];
+    static double state[BODIES * WIDTH * PANELS_BLOCK], exact[BODIES * WIDTH * PANELS_BLOCK];
+    double density[PANELS_BLOCK], distance[PANELS_BLOCK];
+    for (int64_t k = 0; k < n; ++k) {
+        draw(g, &one[k]);
+        draw(g, &other[k]);
+        const vti_bodies a = seen(s, &one[k], 0), b = seen(s, &other[k], 0);
+        states_put(s, &a, k, state);
+        states_put(s, &b, k, exact);
+        put_quats(s, &other[k], k, exact);
+    }
+    states_densities(s, state, n, density);
+    states_distances(s, state, exact, n, distance);
+    for (int64_t k = 0; k < n; ++k) {
+        const vti_bodies a = seen(s, &one[k], 0), b = seen(s, &other[k], 1);
+        const double expected[2] = {vti_h1_density(&a), vti_h1_distance(&a, &b)}, found[2] = {density[k], distance[k]};
+        assert_true(all_finite(expected, 2) && expected[0] > 0 && expected[1] > 0);
+        assert_same_bits(found, expected, 2);
+    }
+}
+
+TEST(integrands)
+{
+    rng g = rng_seed(11);
+    for (int kind = 1; kind < 4; ++kind)
+        for (int64_t n = 1; n <= PANELS_BLOCK; ++n) {
+            const struct states s = {kind == 2 ? 1 : BODIES, kind & 1, kind >> 1};
+            compare(&g, &s, n);
+        }
+}
+
+/** tau anywhere and at nodes, where the formula divides by 0. */
+TEST(panels)
+{
+    enum { COUNT = 2, COMPONENTS = 5 };
+    static double block[COMPONENTS * PANELS_BLOCK];
+    struct panels p = {0};
+    rng g = rng_seed(12);
+    assert_int_equal(panels_create(&p, COMPONENTS, COUNT, COUNT, 1.0), 0);
+    for (int k = 0; k < COUNT * PANELS_NODES * COMPONENTS; ++k)
+        p.values[k] = uniform(&g, -1, 1);
+    for (int64_t n = 1; n <= PANELS_BLOCK; ++n) {
+        double tau[PANELS_BLOCK], one[COMPONENTS], exact;
+        for (int64_t k = 0; k < PANELS_BLOCK; ++k)
+            tau[k] = k % 5 == n % 5 ? p.node[k % PANELS_NODES] : uniform(&g, -1, 1);
+        panels_read_block(&p, n % COUNT, tau, n, block);
+        for (int k = 0; k < n; ++k) {
+            panels_read(&p, n % COUNT, tau[k], one);
+            for (int64_t c = 0; c < COMPONENTS; ++c) {
+                exact = panels_read_one(&p, n % COUNT, tau[k], c);
+                assert_same_bits(&block[c * PANELS_BLOCK + k], &one[c], 1);
+                assert_same_bits(&exact, &one[c], 1);
+                if (k % 5 == n % 5)
+                    assert_close(one[c], panels_row(&p, n % COUNT, k % PANELS_NODES)[c], 4 * EPS);
+            }
+        }
+    }
+    panels_destroy(&p);
+}
+
+RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(panels))
