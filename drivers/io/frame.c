@@ -71,6 +71,55 @@ void frame_directors(const struct frame_layout *layout, const double *frame, dou
         vti_rrv_rotate(frame + layout->alpha + 3 * i, x_axis, directors + 3 * i);
 }
 
+/** P of body i as a rescaled Rodrigues vector. */
+static void principal_of(const vti_quat_view *principal, int64_t i, double p[3])
+{
+    double q[4] = {0.0, 0.0, 0.0, 1.0};
+    for (int k = 0; k < 4 && principal->xyzw[0] != NULL; ++k)
+        q[k] = principal->xyzw[k][i * principal->stride];
+    vti_rrv_from_quat_xyzw(q, p);
+}
+
+void frame_principal(const struct frame_layout *layout, const double *frame, int64_t i, double xyzw[4])
+{
+    double p[3], r[3];
+    principal_of(&layout->model->bodies.principal, i, p);
+    vti_rrv_compose(p, frame + layout->alpha + 3 * i, r);
+    vti_rrv_to_quat_xyzw(r, xyzw);
+}
+
+void frame_ellipsoids(const struct frame_layout *layout, const double *frame, double *tensors)
+{
+    for (int64_t i = 0; i < layout->n; ++i) {
+        double axes[3], p[3], *tensor = tensors + 9 * i;
+        shape_axes(layout->model, i, axes);
+        principal_of(&layout->model->bodies.principal, i, p);
+        for (int k = 0; k < 9; ++k)
+            tensor[k] = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double unit[3] = {axis == 0, axis == 1, axis == 2};
+            double body[3], u[3];
+            vti_rrv_rotate(p, unit, body);
+            vti_rrv_rotate(frame + layout->alpha + 3 * i, body, u);
+            for (int k = 0; k < 9; ++k)
+                tensor[k] += axes[axis] * u[k / 3] * u[k % 3];
+        }
+    }
+}
+
+void frame_sphere(const struct frame_layout *layout, const double *frame, int64_t s, double x[3], double v[3])
+{
+    const vti_clumps *clumps = &layout->model->clumps.list;
+    const int64_t i = 3 * clumps->body[s];
+    double r[3], turn[3];
+    vti_rrv_rotate(frame + layout->alpha + i, clumps->offset + 3 * s, r);
+    vti_cross(frame + layout->omega + i, r, turn);
+    for (int k = 0; k < 3; ++k) {
+        x[k] = frame[layout->x + i + k] + r[k];
+        v[k] = frame[layout->v + i + k] + turn[k];
+    }
+}
+
 int frame_has_fragments(const struct frame_layout *layout)
 {
     return shape_breaking(layout->model) != NULL;

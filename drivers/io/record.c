@@ -47,17 +47,30 @@ struct box {
     double *low, *high;
 };
 
+/** By a sphere; it may be the first. */
+static void widen(const struct box *box, int first, const double centre[3], double r)
+{
+    for (int c = 0; c < 3; ++c) {
+        box->low[c] = first || centre[c] - r < box->low[c] ? centre[c] - r : box->low[c];
+        box->high[c] = first || centre[c] + r > box->high[c] ? centre[c] + r : box->high[c];
+    }
+}
+
 static int widen_box(void *self, int64_t k, const double *frame)
 {
     struct box *box = self;
     const struct frame_layout *layout = &box->record->frames;
-    for (int64_t i = 0; i < layout->n; ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double x = frame[layout->x + 3 * i + c], r = 0.5 * shape_diameter(box->record->model, i);
-            const int first = k == 0 && i == 0;
-            box->low[c] = first || x - r < box->low[c] ? x - r : box->low[c];
-            box->high[c] = first || x + r > box->high[c] ? x + r : box->high[c];
-        }
+    const struct clumps *clumps = &box->record->model->clumps;
+    const int64_t spheres = clumps->list.count;
+    for (int64_t i = 0; i < (spheres > 0 ? spheres : layout->n); ++i) {
+        double centre[3], v[3];
+        if (spheres > 0)
+            frame_sphere(layout, frame, i, centre, v);
+        else
+            memcpy(centre, frame + layout->x + 3 * i, sizeof centre);
+        const double r = 0.5 * (spheres > 0 ? clumps->diameter.p[i] : shape_diameter(box->record->model, i));
+        widen(box, k == 0 && i == 0, centre, r);
+    }
     return 0;
 }
 

@@ -30,6 +30,14 @@ void frame_attitudes_w_first(const struct frame_layout *layout, const double *fr
 /** The bodies' own x axes R e_x [n][3], along which arrows of ParaView and VTK point unturned. */
 void frame_directors(const struct frame_layout *layout, const double *frame, double *directors);
 
+/** Ellipsoids of bodies that have axes (shape.h) [n][9], rows of the symmetric tensor R_p diag(axes) R_p^T, by whose
+ *  eigenvectors and eigenvalues ParaView's tensor glyphs turn and stretch a sphere of diameter 1. */
+void frame_ellipsoids(const struct frame_layout *layout, const double *frame, double *tensors);
+/** Attitude of the principal axes of body i, R_p, as a unit quaternion x y z w. */
+void frame_principal(const struct frame_layout *layout, const double *frame, int64_t i, double xyzw[4]);
+/** Where sphere s of the model's clumps is, and its velocity. */
+void frame_sphere(const struct frame_layout *layout, const double *frame, int64_t s, double x[3], double v[3]);
+
 /** Whether bodies have fragments (struct effect_breaks), and which each of them is in [n]. */
 int frame_has_fragments(const struct frame_layout *layout);
 void frame_fragments(const struct frame_layout *layout, const double *frame, double *fragment);
@@ -77,7 +85,7 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
                   struct message *message);
 
-/** The box, low to high, that just holds the spheres of all frames; points where there are no diameters. Returns 0, or
+/** The box, low to high, that just holds the spheres of all frames, of clumps too; points where there are no diameters. Returns 0, or
  *  -1 with one line in *message. */
 int record_box(const struct record *record, double low[3], double high[3], struct message *message);
 

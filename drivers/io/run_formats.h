@@ -14,13 +14,14 @@
  *  what the scene says yes or no to for its effects, such as contact.bonded. /VTKHDF: the trajectory (below).
  *  /energies: a dataset per column of out.csv, and their order in its attribute "columns". /walls: planes n.x = d as
  *  rows nx, ny, nz, d, of the effect that has any, and beside it /wall_cylinders, /wall_velocities, /wall_spins if it has
- *  cylinders, if its walls move. /restart: what a complete run goes on from (run/run.h), as the
+ *  cylinders, if its walls move. /clumps: of each sphere of bodies that are clumps its
+ *  body, its offset in it, its diameter. /restart: what a complete run goes on from (run/run.h), as the
  *  bytes of its last checkpoint. The bytes of the file depend on the scene, the options and the results only. */
 int run_hdf5_write(const struct record *record, const char *path, struct message *message);
 
 /** The trajectory as /VTKHDF, PolyData over time by the VTKHDF format (2.0, ParaView 5.12 and later): points are the
  *  bodies' centres, vertices the bodies, lines those of effects. Point data: velocity, omega, alpha, attitude_xyzw,
- *  attitude_wxyz, director, of what the scene has; force and moment, if they are asked for; diameter, if it has one;
+ *  attitude_wxyz, director, ellipsoid, of what the scene has; force and moment, if they are asked for; diameter, if it has one;
  *  body, the index. Cell data, if there are lines: what effects say of theirs (effects/kind.h, struct effect_lines),
  *  first of the bodies' vertices, where all are 0, then of the lines; the index of each, -1 of all other cells.
  *  Bodies, lines, diameters and indices are written once, all else once per frame, frame after frame. Leaves
@@ -31,8 +32,9 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
 int run_csv_write(const struct record *record, FILE *file, struct message *message);
 
 /** out.dump: a LAMMPS text dump, as OVITO reads it. Columns id (from 1) type x y z, then vx vy vz if bodies
- *  translate, omegax omegay omegaz quati quatj quatk quatw if they turn, and radius if they have one. The box holds
- *  all of them at all times. */
+ *  translate, omegax omegay omegaz quati quatj quatk quatw if they turn, and radius if they have one; or shapex shapey
+ *  shapez, the whole axes of ellipsoids, whose quaternion then is that of the principal axes. Of clumps a row for each
+ *  sphere, and behind its type mol, its body from 1. The box holds all of them at all times. */
 int run_dump_write(const struct record *record, FILE *file, struct message *message);
 
 /** out.xdmf: an index of the trajectory in the HDF5 file called name, in the same folder, for readers that do not

@@ -129,6 +129,19 @@ static void scenery_write(const struct model *model, struct hdf5_sink *file)
     hdf5_attribute(file, "touching", H5T_NATIVE_INT64, 1, &touching);
 }
 
+/** /clumps: the body of each sphere, where it sits in the body, its diameter. */
+static void clumps_write(const struct clumps *clumps, struct hdf5_sink *file)
+{
+    const hsize_t dims[2] = {(hsize_t)clumps->list.count, 3};
+    if (clumps->list.count == 0)
+        return;
+    struct hdf5_sink group = hdf5_group(file, "clumps");
+    hdf5_dataset(&group, "body", H5T_NATIVE_INT64, 1, dims, clumps->list.body);
+    hdf5_dataset(&group, "offset", H5T_NATIVE_DOUBLE, 2, dims, clumps->list.offset);
+    hdf5_dataset(&group, "diameter", H5T_NATIVE_DOUBLE, 1, dims, clumps->diameter.p);
+    hdf5_close(file, &group);
+}
+
 /** What the scene says yes or no to, of the effects that it has, 1 or 0 by the key's path: "contact.bonded". */
 static void choices_write(const struct scene *scene, struct hdf5_sink *file)
 {
@@ -182,6 +195,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
         verdict_write(&record->judgement, &file);
         scenery_write(record->model, &file);
+        clumps_write(&record->model->clumps, &file);
         choices_write(record->model->scene, &file);
     }
     const int failed = file.failed || vtkhdf_write(record, &file, message) != 0 ||

@@ -88,7 +88,9 @@ static void attribute(const struct writer *w, const char *name, int64_t k, int64
     char path[64];
     snprintf(path, sizeof path, "PointData/%s", name);
     fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n", name,
-            columns == 3 ? "Vector" : "Matrix");
+            columns == 3   ? "Vector"
+            : columns == 9 ? "Tensor"
+                           : "Matrix");
     slab(w, path, k, columns);
     fputs("</Attribute>\n", w->file);
 }
@@ -159,6 +161,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
         attribute(w, "attitude_wxyz", k, 4);
         attribute(w, "director", k, 3);
     }
+    if (shape_has_axes(w->record->model))
+        attribute(w, "ellipsoid", k, 9);
     if ((w->record->fields & FIELD_FORCE) != 0)
         attribute(w, "force", k, 3);
     if ((w->record->fields & FIELD_MOMENT) != 0)

@@ -70,7 +70,7 @@ struct quantity {
     int field; /* 0; or the field, which is made for all bodies at once */
 };
 
-enum { QUANTITIES = 9 };
+enum { QUANTITIES = 10, WIDEST = 9 /* components */ };
 
 static void quantities_of(const struct record *record, struct quantity list[QUANTITIES])
 {
@@ -81,6 +81,7 @@ static void quantities_of(const struct record *record, struct quantity list[QUAN
                                              {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
                                              {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
                                              {"director", layout->alpha, 3, frame_directors, 0},
+                                             {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
                                              {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
                                              {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
                                              {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0}};
@@ -269,7 +270,7 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        &root,
                        &data,
                        &cell_data,
-                       malloc(sizeof(double) * (size_t)(4 * n + 1)),
+                       malloc(sizeof(double) * (size_t)(WIDEST * n + 1)),
                        calloc((size_t)(frames + 1), sizeof(double)),
                        malloc(sizeof(double) * (size_t)(6 * n + 1)),
                        message,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "shape.h"
 
+#include <math.h>
 #include <stddef.h>
 
 void shape_centre(const struct model *model, const vti_bodies *bodies, int64_t i, double x[3])
@@ -72,4 +73,21 @@ int shape_has_diameters(const struct model *model)
 double shape_diameter(const struct model *model, int64_t i)
 {
     return shape_has_diameters(model) ? model->diameter.p[i * model->diameter.stride] : 0.0;
+}
+
+int shape_has_axes(const struct model *model)
+{
+    return model->bodies.moments.c[0] != NULL && model->bodies.mass.p != NULL &&
+           (model->clumps.list.count > 0 || scene_first_with(model->scene, EFFECT_SPHERES) == NULL);
+}
+
+void shape_axes(const struct model *model, int64_t i, double axes[3])
+{
+    const vti_view *m = &model->bodies.moments;
+    const double mass = model->bodies.mass.p[i * model->bodies.mass.stride];
+    for (int k = 0; k < 3; ++k) {
+        const double others = m->c[(k + 1) % 3][i * m->stride] + m->c[(k + 2) % 3][i * m->stride];
+        /* of a plate, which has no thickness, the difference may round to less than 0 */
+        axes[k] = sqrt(fmax(0.0, 10.0 * (others - m->c[k][i * m->stride]) / mass));
+    }
 }

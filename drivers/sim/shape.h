@@ -13,6 +13,13 @@ int shape_has_diameters(const struct model *model);
 /** Of body i; 0 without diameters. */
 double shape_diameter(const struct model *model, int64_t i);
 
+/** Whether bodies can be drawn as ellipsoids: they have masses and three moments, and no surface that says otherwise;
+ *  those of clumps do not. */
+int shape_has_axes(const struct model *model);
+/** The whole axes of the solid ellipsoid of that mass and these moments, along the principal axes of body i:
+ *  5 (B + C - A) = m a^2/2, and so on. */
+void shape_axes(const struct model *model, int64_t i, double axes[3]);
+
 /** The lines of one effect: count of them from line first of all. */
 struct shape_group {
     const struct effect *effect; /* its kind has lines */

@@ -136,12 +136,40 @@ t_end: {u['s'] * 2!r}
     return path
 
 
+def shaped(base, u):
+    """Bodies that are no spheres: clumps, and ellipsoids with bonds. Their solids are known, their references are not."""
+    path = os.path.join(base, "clumps.yaml")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"""name: clumps
+bodies: {{chain: {{count: 2, spacing: {2 * u['m']!r}}}, v: [{u['m'] / u['s']!r}, 0, 0], omega: [0, {1 / u['s']!r}, 0],
+  clumps: {{density: {u['kg'] / u['m'] ** 3!r}, spheres: [[0, 0, 0, {u['m']!r}], [{u['m']!r}, {u['m']!r}, 0, {u['m']!r}]]}}}}
+contact: {{stiffness: {64 * u['J']!r}}}
+h: {u['s'] / 64!r}
+t_end: {u['s']!r}
+""")
+    return path
+
+
+def ellipsoids(base, u):
+    path = os.path.join(base, "ellipsoids.yaml")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"""name: ellipsoids
+bodies: {{chain: {{count: 2, spacing: {2 * u['m']!r}}}, v: [{u['m'] / u['s']!r}, 0, 0], omega: [0, {1 / u['s']!r}, 0],
+  mass: {u['kg']!r}, moments: [{2 * u['kg m^2']!r}, {3 * u['kg m^2']!r}, {4 * u['kg m^2']!r}], principal: [1, 0, 0]}}
+binder: {{moment: {8 * u['J']!r}, axial: {64 * u['J']!r}}}
+h: {u['s'] / 64!r}
+t_end: {u['s']!r}
+""")
+    return path
+
+
 def outputs(base, u):
     """All that is written of the scenes in these units, and once of two that are shipped, where other momenta are conserved."""
     steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
-            run(RUN, dissipating(base, u), "-o", f"{base}/dissipating.h5")]
+            run(RUN, dissipating(base, u), "-o", f"{base}/dissipating.h5"),
+            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "-o", f"{base}/ellipsoids.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",
                         "--no-plot", "-o", f"{base}/study-{name}"))
@@ -204,6 +232,8 @@ def written(base, u):
         found += [(f"`{file}`", "column", columns_of(f"{base}/study-{name}/{file}")) for file in ("study.csv", "timing.csv")]
     attributes, datasets = hdf5_of(f"{base}/dissipating.h5")
     found += [("`OUT.csv`", "column", columns_of(f"{base}/dissipating.csv")), ("`OUT.h5`", "dataset", datasets)]
+    for name in ("clumps", "ellipsoids"):
+        found += [("`OUT.dump`", "column", dump_of(f"{base}/{name}.dump")), ("`OUT.h5`", "dataset", hdf5_of(f"{base}/{name}.h5")[1])]
     for file in ("cost.csv", "errors.csv"):
         found += [("`cost.csv` and `errors.csv`", "column", columns_of(f"{base}/cost/{file}"))]
     more = {name: values for file in ("study.csv", "timing.csv") for name, values in columns_of(f"{base}/sweep/{file}").items()
@@ -239,7 +269,7 @@ def shapes(found):
             continue
         length = {name: len(next((v for n, v in content.items() if re.fullmatch(pattern, n)), ())) for name, pattern in (
             ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("planes", "/walls"),
-            ("cylinders", "/wall_cylinders"),
+            ("cylinders", "/wall_cylinders"), ("spheres", "/clumps/body"),
             ("runs", "/runs/h"), ("fits", "/orders/order"), ("scenes", "/scenes/name"), ("steppers", "/steppers/name"),
             ("points", "/points/scene"), ("groups", "/ensemble/point"), ("group_fits", "/ensemble_orders/point"))}
         length["bonds"] = len(content.get("/VTKHDF/Lines/Offsets", (0,))) - 1

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What files show of bodies that are no spheres: ellipsoids as tensors and as shapes, clumps as spheres.
+test_run_shapes.py VTI_RUN"""
+import os
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+from programs import run
+from tally import check, conclude
+
+RUN = os.path.abspath(sys.argv[1])
+MASS, HALF = 3.0, numpy.array([1.0, 2.0, 3.0])      # of solid ellipsoids
+MOMENTS = [MASS / 5 * (sum(HALF ** 2) - half ** 2) for half in HALF]
+ELLIPSOIDS = f"""bodies: {{chain: {{count: 2, spacing: 2}}, mass: {MASS!r}, moments: {MOMENTS!r}, principal: [0.5, 1, -2],
+         omega: [1, 2, 3], random: {{seed: 1, alpha: 2}}}}
+binder: {{axial: 10, moment: 3}}
+h: 1/64
+t_end: 1
+"""
+CLUMPS = """bodies: {chain: {count: 3, spacing: 3}, random: {seed: 2, v: 1, omega: 2, alpha: 2},
+         clumps: {spheres: [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 0, 3]], counts: [2, 1], density: 1}}
+contact: {stiffness: 10}
+h: 1/64
+t_end: 1
+"""
+
+
+def turn(q):
+    """Rotation matrices of unit quaternions x, y, z, w."""
+    x, y, z, w = numpy.moveaxis(q, -1, 0)
+    rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    return numpy.moveaxis(numpy.array(rows), (0, 1), (-2, -1))
+
+
+def written(folder, name, scene):
+    """Datasets of the HDF5 file, and columns of the dump, frame after frame."""
+    path = os.path.join(folder, name)
+    with open(path + ".yaml", "w", encoding="ascii") as file:
+        file.write(scene)
+    done = run(RUN, path + ".yaml", "-o", path + ".h5", "--frames", "16")
+    check(done.returncode == 0, f"{name}: runs {done.stderr}")
+    with h5py.File(path + ".h5") as file:
+        data = {key: file[key][...] for key in ("VTKHDF/Points", "VTKHDF/PointData/attitude_xyzw", "VTKHDF/PointData/ellipsoid",
+                                                "VTKHDF/PointData/velocity", "VTKHDF/PointData/omega")}
+        data.update({f"clumps/{key}": item[...] for key, item in file.get("clumps", {}).items()})
+    with open(path + ".dump", encoding="ascii") as file:
+        blocks = file.read().split("ITEM: ATOMS ")[1:]
+    rows = numpy.array([line.split() for block in blocks for line in block.split("ITEM:")[0].splitlines()[1:]], float)
+    return {key.rsplit("/", 1)[-1] if "clumps" not in key else key: item for key, item in data.items()}, dict(
+        zip(blocks[0].splitlines()[0].split(), rows.T))
+
+
+def stacked(dump, *names):
+    return numpy.stack([dump[name] for name in names], axis=-1)
+
+
+def near(one, other):
+    return one.shape == other.shape and numpy.allclose(one, other, rtol=0, atol=1e-12 * abs(other).max())
+
+
+def ellipsoids(folder):
+    data, dump = written(folder, "ellipsoids", ELLIPSOIDS)
+    tensors = data["ellipsoid"].reshape(-1, 3, 3)
+    check(near(numpy.linalg.eigvalsh(tensors), numpy.tile(2 * HALF, (len(tensors), 1))), "eigenvalues are the whole axes")
+    angle = 2 * numpy.arctan(numpy.linalg.norm([0.5, 1, -2]) / 2)       # of principal, 2 tan(angle/2) long
+    axis = numpy.array([0.5, 1, -2]) / numpy.linalg.norm([0.5, 1, -2])
+    principal = turn(numpy.append(axis * numpy.sin(angle / 2), numpy.cos(angle / 2)))
+    axes = turn(data["attitude_xyzw"]) @ principal
+    check(near(tensors, axes @ numpy.diag(2 * HALF) @ numpy.swapaxes(axes, -1, -2)), "they lie along the principal axes")
+    shape = stacked(dump, "shapex", "shapey", "shapez")
+    check("radius" not in dump and near(shape, numpy.tile(2 * HALF, (len(tensors), 1))), "the dump has them, too")
+    shown = turn(stacked(dump, "quati", "quatj", "quatk", "quatw"))
+    check(near(shown @ numpy.diag(2 * HALF) @ numpy.swapaxes(shown, -1, -2), tensors), "... and the same ellipsoids")
+
+
+def clumps(folder):
+    data, dump = written(folder, "clumps", CLUMPS)
+    body, frames = data["clumps/body"], len(data["Points"]) // 3
+    check(body.tolist() == [0, 0, 1, 2, 2], f"bodies of spheres: {body}")
+    all_bodies = (numpy.arange(frames)[:, None] * 3 + body).ravel()
+    lever = numpy.einsum("ijk,ik->ij", turn(data["attitude_xyzw"])[all_bodies], numpy.tile(data["clumps/offset"], (frames, 1)))
+    check(near(stacked(dump, "x", "y", "z"), data["Points"][all_bodies] + lever), "spheres are where R rho says")
+    check(near(stacked(dump, "vx", "vy", "vz"), data["velocity"][all_bodies] + numpy.cross(data["omega"][all_bodies], lever)),
+          "... with the velocities of their bodies there")
+    check(numpy.array_equal(dump["mol"], numpy.tile(body + 1.0, frames)), "mol is their body")
+    check(near(dump["radius"], numpy.tile(data["clumps/diameter"] / 2, frames)), "radius is theirs")
+    sphere = data["ellipsoid"].reshape(frames, 3, 3, 3)[:, 1]
+    check(near(sphere, numpy.tile(3.0 * numpy.eye(3), (frames, 1, 1))), "the ellipsoid of a single sphere is that sphere")
+    low, high = numpy.min(stacked(dump, "x", "y", "z") - dump["radius"][:, None], 0), numpy.max(
+        stacked(dump, "x", "y", "z") + dump["radius"][:, None], 0)
+    with open(os.path.join(folder, "clumps.dump"), encoding="ascii") as file:
+        bounds = numpy.array([line.split() for line in file.read().split("ff ff ff\n")[1].splitlines()[:3]], float)
+    check(near(bounds[:, 0], low) and near(bounds[:, 1], high), "the box holds all spheres of all frames")
+
+
+with tempfile.TemporaryDirectory() as root:
+    ellipsoids(root)
+    clumps(root)
+conclude()
