@@ -131,7 +131,8 @@ module vti_types
 
     !> One line of physics. apply(self, bodies) and energy(self, bodies, energies) are bind(c) subroutines with
     !> type(c_ptr), value :: self; type(vti_bodies), intent(in) :: bodies; real(c_double), intent(inout) :: energies(*).
-    !> flow(self, bodies, t, drift) is one with real(c_double), value :: t, drift, carry(self, bodies, drifted) one with
+    !> flow(self, bodies, t, drift) is one with real(c_double), value :: t, drift, flow_clumps(self, clumps, bodies, t,
+    !> drift) the same with type(vti_clumps), intent(in) :: clumps; carry(self, bodies, drifted) is one with
     !> type(vti_drifted), intent(in) :: drifted; rupture(self, bodies) is a bind(c) function of an integer(c_int64_t).
     !> needs and gives have a bit for each quantity: ibset(0_c_int64_t, VTI_QUANTITY_X). booked is the address of an
     !> array of as many type(vti_sum) as books says. springs(self, bodies, at, visit, context) is a bind(c) function of
@@ -142,7 +143,8 @@ module vti_types
     type, bind(c) :: vti_effect
         type(c_ptr) :: name = c_null_ptr
         type(c_funptr) :: apply = c_null_funptr, energy = c_null_funptr, check = c_null_funptr, &
-            springs = c_null_funptr, flow = c_null_funptr, carry = c_null_funptr, rupture = c_null_funptr
+            springs = c_null_funptr, flow = c_null_funptr, flow_clumps = c_null_funptr, carry = c_null_funptr, &
+            rupture = c_null_funptr
         type(c_ptr) :: self = c_null_ptr
         integer(c_int64_t) :: needs = 0, gives = 0, smooth = 0, breaks = 0, dissipates = 0, terms = 0
         type(c_ptr) :: term = c_null_ptr

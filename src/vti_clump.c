@@ -70,14 +70,6 @@ static int ready(const vti_clumps *c, const vti_bodies *b)
 
 /* ---- spread and gather ------------------------------------------------------------------------------------------- */
 
-/** r = R rho of sphere s, which belongs to body i. */
-static void lever(const vti_clumps *c, const vti_bodies *b, int64_t s, int64_t i, double r[3])
-{
-    double q[4];
-    vti_load_pair(b, i, q);
-    vti_pair_rotate(q, 1.0, c->offset + 3 * s, r);
-}
-
 /** What the view has of body i, 0 where it is absent. */
 static void load_or_zero(const vti_view *view, int64_t i, double a[3])
 {
@@ -144,7 +136,7 @@ static void spread(const vti_clumps *c, const vti_bodies *b, int64_t from, int64
     for (int64_t s = from; s < to; ++s) {
         const int64_t i = c->body[s] - c->base;
         double r[3], omega[3];
-        lever(c, b, s, i, r);
+        vti_clump_lever(c, b, s, i, r);
         turning(b, i, omega);
         if (vti_has(&c->spheres.x))
             put_place(c, b, s, i, r);
@@ -168,7 +160,7 @@ static void gather(const vti_clumps *c, const vti_bodies *b, int64_t from, int64
             vti_add(&b->force, i, force);
         if (!vti_has(&b->moment))
             continue;
-        lever(c, b, s, i, r);
+        vti_clump_lever(c, b, s, i, r);
         vti_cross(r, force, turn);
         for (int k = 0; k < 3; ++k)
             moment[k] += turn[k];
@@ -202,7 +194,13 @@ static int check(const void *self, const vti_bodies *b)
         return status;
     if (p->effect->carry != NULL && vti_has(&b->moments)) /* it takes turns over a drift from Omega */
         return VTI_E_MOMENTS;
-    return p->effect->flow != NULL ? VTI_E_CLUMP : vti_effects_fault(p->effect, 1, &p->clumps->spheres, NULL);
+    if (p->effect->flow != NULL && p->effect->flow_clumps == NULL)
+        return VTI_E_CLUMP;
+    if (p->effect->flow != NULL && vti_has(&b->v) && b->mass.p == NULL)
+        return VTI_E_MASS;
+    if (p->effect->flow != NULL && vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL)
+        return VTI_E_INERTIA;
+    return vti_effects_fault(p->effect, 1, &p->clumps->spheres, NULL);
 }
 
 /** All spheres where they are; returns those of the slice. */
@@ -227,6 +225,13 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     p->effect->energy(p->effect->self, &spheres, energies);
 }
 
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    const vti_clumped *p = self;
+    spread(p->clumps, b, 0, p->clumps->count);
+    p->effect->flow_clumps(p->effect->self, p->clumps, b, t, drift);
+}
+
 static int64_t rupture(const void *self, const vti_bodies *b)
 {
     const vti_clumped *p = self;
@@ -239,7 +244,7 @@ static void put_chord(const vti_clumps *c, const vti_bodies *b, const vti_drifte
 {
     const int64_t i = c->body[s] - c->base;
     double r[3], before[3], omega[3], turn[3], v[3];
-    lever(c, b, s, i, r);
+    vti_clump_lever(c, b, s, i, r);
     load_or_zero(&b->omega, i, omega);
     vti_drift_increment((int)drifted->law, drifted->t, omega, turn);
     vti_rrv_rotate_back(turn, r, before);
@@ -335,11 +340,12 @@ vti_effect vti_clumped_effect(const vti_clumped *clumped)
         return vti_effect_none();
     const vti_effect *e = clumped->effect;
     vti_effect effect = *e;
-    effect.apply = e->apply != NULL || e->flow != NULL ? apply : NULL;
+    effect.apply = e->apply != NULL ? apply : NULL;
     effect.energy = e->energy != NULL ? energy : NULL;
     effect.check = check;
     effect.springs = e->springs != NULL ? springs : NULL;
-    effect.flow = NULL;
+    effect.flow = e->flow != NULL ? flow : NULL;
+    effect.flow_clumps = NULL;
     effect.carry = e->carry != NULL ? carry : NULL;
     effect.rupture = e->rupture != NULL ? rupture : NULL;
     effect.self = clumped;

@@ -8,6 +8,7 @@
  * Forward in this order, backward reversed. An impulse that takes the velocity u to u' lowers the kinetic energy by
  * -p.(u + u')/2, which is booked. */
 #include "vti_damping.h"
+#include "vti_joint.h"
 
 enum { NORMAL = VTI_NORMAL, TANGENTIAL = VTI_TANGENTIAL, ROLLING = VTI_ROLLING, TWISTING = VTI_TWISTING, MOTIONS };
 
@@ -204,6 +205,10 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_dashpots *p = self;
     struct sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    if (vti_has(&b->moments)) {
+        vti_dashpots_flow_joints(p, NULL, b, t, drift);
+        return;
+    }
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
         visit_walls(&s);
@@ -271,7 +276,7 @@ static int check(const void *self, const vti_bodies *b)
     if (p->contacts != NULL &&
         (p->contacts->diameter.p == NULL || (p->contacts->count > 0 && p->contacts->pair == NULL)))
         return VTI_E_NULL;
-    return vti_has(&b->omega) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+    return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
 }
 
 vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
@@ -289,6 +294,7 @@ vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
                                .check = check,
                                .springs = vti_springs_none,
                                .flow = flow,
+                               .flow_clumps = vti_dashpots_flow_joints,
                                .self = p,
                                .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
                                         (turns ? 1 << VTI_QUANTITY_OMEGA : 0),

@@ -93,6 +93,17 @@ struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i);
 /** w = R_p diag(1/A, 1/B, 1/C) R_p^T L of body i with moments and an attitude, where L is what the view shows of it. */
 void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3]);
 
+/** Of such a body, which need not have an attitude: 1/A, 1/B, 1/C and the principal axes in space. */
+void vti_rotor_axes(const vti_bodies *b, int64_t i, double per[3], double axis[3][3]);
+
+/** r = R rho of sphere s, which belongs to body i (EQUATIONS 7.5). */
+static inline void vti_clump_lever(const vti_clumps *clumps, const vti_bodies *b, int64_t s, int64_t i, double r[3])
+{
+    double q[4];
+    vti_load_pair(b, i, q);
+    vti_pair_rotate(q, 1.0, clumps->offset + 3 * s, r);
+}
+
 /** F/m and RM/J of body i, 0 where there is no load. */
 static inline void vti_accelerations(const vti_bodies *b, int64_t i, double f[6])
 {

@@ -33,6 +33,17 @@ void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[
     rotor_times(&body, body.k, w, w);
 }
 
+void vti_rotor_axes(const vti_bodies *b, int64_t i, double per[3], double axis[3][3])
+{
+    struct rotor_body body;
+    body_of(b, i, &body);
+    for (int k = 0; k < 3; ++k) {
+        const double e[3] = {k == 0, k == 1, k == 2};
+        per[k] = body.k[k];
+        lanes_rotate(body.q, body.scale, 1.0, e, axis[k]);
+    }
+}
+
 /** L after the kicks: of spin, or by way of Omega += t R_p diag(k) R_p^T RM. Kicks are stored if they are to be. */
 static void kicked(const struct vti_move *move, const vti_bodies *b, int64_t i, const struct rotor_body *body,
                    int stores, double L[3])

@@ -82,6 +82,7 @@ static const int64_t layout[] = {
     AT(vti_effect, check),
     AT(vti_effect, springs),
     AT(vti_effect, flow),
+    AT(vti_effect, flow_clumps),
     AT(vti_effect, carry),
     AT(vti_effect, rupture),
     AT(vti_effect, self),

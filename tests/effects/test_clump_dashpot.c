@@ -1,0 +1,460 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Dashpots of bodies with moments and of clumps: flows against the exponential of the whole system in long double, what
+ * they keep and lose, spheres as the limit, impacts. */
+#include "matrix.h"
+#include "uneven.h"
+
+static uneven m;
+
+/* ---- reference: dy/dt = A y of the velocities and L of both bodies ------------------------------------------------ */
+
+/** Of one touch: places, and the coefficients of the four motions. */
+struct reference {
+    int plane, body[2];
+    vec n, arm[2];
+    long double c[4];
+};
+
+static vec over(int i, vec a, int per)
+{
+    const double once[3] = {(double)a.c[0], (double)a.c[1], (double)a.c[2]};
+    double low[3], r[3], s[3];
+    vec sum;
+    for (int k = 0; k < 3;
+         ++k) /* what double leaves out, so that the system is known to more digits than the library */
+        low[k] = (double)(a.c[k] - once[k]);
+    uneven_times(&m, i, per, once, r);
+    uneven_times(&m, i, per, low, s);
+    for (int k = 0; k < 3; ++k)
+        sum.c[k] = (long double)r[k] + s[k];
+    return sum;
+}
+
+static vec across(vec a, vec n)
+{
+    return vec_add(a, -vec_dot(a, n), n);
+}
+
+/** dv/dt and dL/dt of both sides. */
+static void rate(const struct reference *at, const vec y[4], vec f[4])
+{
+    const vec zero = {{0, 0, 0}};
+    vec u = zero, w = zero;
+    for (int j = 0; j < (at->plane ? 1 : 2); ++j) {
+        const vec omega = over(at->body[j], y[2 * j + 1], -1);
+        u = vec_add(u, j ? -1 : 1, vec_add(y[2 * j], 1, vec_cross(omega, at->arm[j])));
+        w = vec_add(w, j ? -1 : 1, omega);
+    }
+    vec force = vec_add(zero, -at->c[0] * vec_dot(u, at->n), at->n),
+        moment = vec_add(zero, -at->c[3] * vec_dot(w, at->n), at->n);
+    force = vec_add(force, -at->c[1], across(u, at->n));
+    moment = vec_add(moment, -at->c[2], across(w, at->n));
+    for (int j = 0; j < 2; ++j) {
+        const long double sign = j ? -1 : 1;
+        f[2 * j] = f[2 * j + 1] = zero;
+        if (j && at->plane)
+            continue;
+        f[2 * j] = vec_add(zero, sign / m.t.c.mass[at->body[j]], force);
+        f[2 * j + 1] = vec_add(vec_add(zero, sign, vec_cross(at->arm[j], force)), sign, moment);
+    }
+}
+
+/** y(t) by Taylor series of A t/2^k. */
+static void exponential(const struct reference *at, double t, int parts, vec y[4])
+{
+    for (int part = 0; part < parts; ++part) {
+        vec term[4], next[4];
+        memcpy(term, y, sizeof term);
+        for (int k = 1; k < 30; ++k) {
+            rate(at, term, next);
+            for (int q = 0; q < 4; ++q) {
+                for (int c = 0; c < 3; ++c)
+                    term[q].c[c] = next[q].c[c] * (long double)t / parts / k;
+                y[q] = vec_add(y[q], 1, term[q]);
+            }
+        }
+    }
+}
+
+/* ---- one touch --------------------------------------------------------------------------------------------------- */
+
+/** Moments of a real body, scale times 0.2 ... 2. */
+static void random_moments(rng *g, double scale, double moments[3])
+{
+    const double a = uniform(g, 0.1, 1), b = uniform(g, 0.1, 1), c = uniform(g, 0.1, 1);
+    moments[0] = scale * (a + b);
+    moments[1] = scale * (b + c);
+    moments[2] = scale * (c + a);
+}
+
+/** Bodies anyhow, each with so many spheres. */
+static void random_bodies(rng *g, int kind, int state, int n, int spheres)
+{
+    uneven_clear(&m, (enum uneven_kind)kind, rng_below(g, 2) ? CROWD_ALPHA : CROWD_QUAT, n);
+    crowd_tumble(&m.t.c, g);
+    for (int i = 0; i < n; ++i) {
+        m.t.c.mass[i] = uniform(g, 0.5, 2);
+        m.t.c.inertia[i] = uniform(g, 0.1, 0.5);
+        random_moments(g, 0.3, m.moments[i]);
+        random_unit(g, 4, m.principal[i]);
+        random_vector(g, 1, m.t.c.v[i]);
+        random_vector(g, 2, m.t.c.omega[i]);
+        for (int s = 0; s < spheres; ++s) {
+            double offset[3] = {0, 0, 0};
+            if (kind != UNEVEN_BODIES)
+                random_vector(g, 0.6, offset);
+            uneven_sphere(&m, i, offset, uniform(g, 0.4, 1));
+        }
+    }
+    uneven_link(&m, (enum uneven_state)state, 1, 1e4);
+    uneven_spin_up(&m);
+}
+
+static vec lever(int s)
+{
+    double r[3];
+    quat_rotate(crowd_attitude(&m.t.c, (int)m.t.body[s]), m.t.offset[s], r);
+    return vec_of(r);
+}
+
+/** Moves body 0 so that its sphere 0 and sphere 1 of body 1, or the plane through 0, overlap by a share o along n. */
+static void press(rng *g, int plane, double o, struct reference *at)
+{
+    double n[3];
+    random_unit(g, 3, n);
+    random_vector(g, 1, m.t.c.x[1]);
+    const vec r0 = lever(0), r1 = lever(1);
+    const double di = m.t.diameter[0], dj = m.t.diameter[1], length = plane ? 0.5 * di : 0.5 * (di + dj),
+                 r = length * (1 - o), si = plane ? 1 : di / (di + dj);
+    *at = (struct reference){.plane = plane, .body = {0, 1}, .n = vec_of(n)};
+    for (int k = 0; k < 3; ++k) {
+        m.plane[0][k] = n[k];
+        m.t.c.x[1][k] = plane ? 40 * n[k] : m.t.c.x[1][k];
+        m.t.c.x[0][k] = (plane ? 0 : m.t.c.x[1][k] + (double)r1.c[k]) + r * n[k] - (double)r0.c[k];
+        at->arm[0].c[k] = r0.c[k] - si * r * at->n.c[k];
+        at->arm[1].c[k] = r1.c[k] + (1 - si) * r * at->n.c[k];
+    }
+}
+
+static void state_of(vec y[4])
+{
+    for (int i = 0; i < 2; ++i) {
+        double w[3], spin[3];
+        uneven_omega(&m, i, w);
+        uneven_times(&m, i, 1, w, spin);
+        y[2 * i] = vec_of(m.t.c.v[i]);
+        y[2 * i + 1] = vec_of(spin);
+    }
+}
+
+/** Each of the four alone: the exponential of the whole system; P and L stay, and what kinetic energy goes is booked. */
+TEST(each_flow)
+{
+    rng g = rng_seed(5101);
+    for (int trial = 0; trial < 720; ++trial) {
+        const int plane = trial % 2, which = trial / 2 % 4;
+        const double c = pow(10, uniform(&g, -3, 0.3)), t = uniform(&g, 0.05, 1);
+        struct reference at;
+        double before[6], after[6];
+        vec y[4], is[4];
+        random_bodies(&g, trial / 8 % UNEVEN_KINDS, trial / 24 % UNEVEN_STATES, 2, 1);
+        press(&g, plane, 0.05, &at);
+        at.c[which] = c;
+        vti_dashpots dashpots = {.contacts = plane ? NULL : &m.t.contacts,
+                                 .walls = plane ? &m.walls : NULL,
+                                 .pull = 1,
+                                 .reach = 0,
+                                 .lost = m.lost};
+        double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
+        *coefficient[which] = c;
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        const double energy = vti_energy(m.effects, 1, &m.b);
+        uneven_momenta(&m, before);
+        state_of(y);
+        exponential(&at, t, 64, y); /* rates below 2 (1/m + a^2/J) < 200, so that terms fall from the first on */
+        assert_int_equal(vti_effects_flow(m.effects, 1, t, trial % 3 ? 0 : -0.0, &m.b), VTI_OK);
+        state_of(is);
+        for (int q = 0; q < 4; ++q) /* some 200 operations on numbers below 5 */
+            for (int k = 0; k < 3; ++k)
+                assert_close(is[q].c[k], y[q].c[k], 1000 * EPS);
+        if (m.b.omega.c[0] != NULL) { /* the read-out follows */
+            double w[3];
+            uneven_omega(&m, 0, w);
+            assert_close3(m.t.c.omega[0], w, 200 * EPS);
+        }
+        uneven_momenta(&m, after);
+        for (int k = 0; k < 6 && !plane; ++k)
+            assert_close(after[k], before[k], 200 * EPS);
+        const double left = vti_energy(m.effects, 1, &m.b);
+        assert_close(left + vti_booked(m.effects, 1), energy, 100 * EPS * energy);
+        assert_true(left <= energy * (1 + 4 * EPS) && m.lost[which].high > 0);
+    }
+}
+
+/** A dashpot pulls no harder than the contact pushes, and across the normal and about it no harder than friction lets it
+ *  together with what its springs hold. */
+TEST(limits)
+{
+    rng g = rng_seed(5102);
+    int limited = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        const int which = trial % 4, kind = trial / 4 % UNEVEN_KINDS;
+        const double t = 0.01, c = pow(10, uniform(&g, 0, 4)), mu = 0.3;
+        struct reference at;
+        double v[3], load[3], along = 0, size = 0;
+        vec before[4], after[4];
+        random_bodies(&g, kind, UNEVEN_BOTH, 2, 1);
+        press(&g, 0, 0.01, &at);
+        vti_friction friction = {.sliding = mu, .rolling = mu, .twisting = mu, .history = &m.history};
+        vti_dashpots dashpots = {.contacts = &m.t.contacts, .friction = &friction, .reach = 0, .lost = m.lost};
+        double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
+        *coefficient[which] = c;
+        const double length = 0.5 * (m.t.diameter[0] + m.t.diameter[1]),
+                     force = 1e4 * pow(0.01, 1.5) / length; /* Hertz: K/L o^{3/2} */
+        random_vector(&g, mu * force, load);
+        vti_held held = {m.t.pair[0][0] + 1, m.t.pair[0][1] + 1, {0}, {0}, 0};
+        for (int k = 0; k < 3; ++k) {
+            const double across_n = load[k] - vti_dot(load, m.plane[0]) * m.plane[0][k];
+            held.sliding[k] = held.rolling[k] = 0.5 * across_n;
+        }
+        held.twisting = 0.5 * load[0];
+        assert_int_equal(vti_history_add(&m.history, &held), VTI_OK);
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        for (int k = 0; k < 3; ++k) /* they part */
+            m.t.c.v[0][k] += 3 * m.plane[0][k];
+        const double energy = vti_energy(m.effects, 1, &m.b);
+        state_of(before);
+        assert_int_equal(vti_effects_flow(m.effects, 1, t, 0, &m.b), VTI_OK);
+        state_of(after);
+        for (int k = 0; k < 3; ++k) {
+            v[k] = which < 2 ? m.t.c.mass[0] * (double)(after[0].c[k] - before[0].c[k])
+                             : (double)(after[1].c[k] - before[1].c[k]);
+            along += v[k] * m.plane[0][k];
+        }
+        for (int k = 0; k < 3; ++k) { /* the impulse less what the spring has given by then */
+            const double f = which == 1   ? held.sliding[k]
+                             : which == 2 ? held.rolling[k]
+                                          : held.twisting * m.plane[0][k];
+            size += pow(v[k] - t * f, 2);
+        }
+        if (which == 0)
+            assert_below(-along, t * force * (1 + 1e-9));
+        else
+            assert_below(sqrt(size), t * mu * force * (1 + 1e-9));
+        limited += (which == 0 ? -along : sqrt(size)) > t * (which == 0 ? 1 : mu) * force * (1 - 1e-9);
+        assert_close(vti_energy(m.effects, 1, &m.b) + vti_booked(m.effects, 1), energy, 100 * EPS * energy);
+    }
+    print_message("%d of 600 are limited\n", limited);
+    assert_in_range(limited, 100, 500);
+}
+
+/* ---- many touches ------------------------------------------------------------------------------------------------ */
+
+/** All motions at many touches of the same bodies, forwards and backwards, and at a plane that moves: each sees the
+ *  velocities that those before it have left, as else energy would not be what is booked. */
+TEST(many_touches)
+{
+    rng g = rng_seed(5103);
+    for (int trial = 0; trial < 300; ++trial) {
+        const int planes = trial / 2 % 2;
+        double before[6], after[6];
+        vti_sum work = {0, 0};
+        vti_wall_motion motion = {.velocity = {0.3, -0.2, 0.1}, .spin = 0.5};
+        random_bodies(&g, trial % UNEVEN_KINDS, trial / 6 % UNEVEN_STATES, 3, trial % UNEVEN_KINDS ? 4 : 1);
+        crowd_scatter(&m.t.c, &g, 0.3, 0.1);
+        m.plane[0][2] = 1;
+        m.walls.motion = trial % 4 < 2 ? &motion : NULL;
+        m.walls.work = &work;
+        const vti_dashpots dashpots = {.contacts = &m.t.contacts,
+                                       .walls = planes ? &m.walls : NULL,
+                                       .zeta = 0.4,
+                                       .ratio = 2,
+                                       .rolling = 0.5,
+                                       .twisting = 0.4,
+                                       .pull = trial % 5 == 0,
+                                       .reach = 0.1,
+                                       .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        const double energy = vti_energy(m.effects, 1, &m.b);
+        uneven_momenta(&m, before);
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, trial % 2 ? -0.01 : 0.01, &m.b), VTI_OK);
+        uneven_momenta(&m, after);
+        for (int k = 0; k < 6 && !planes; ++k)
+            assert_close(after[k], before[k], 1e4 * EPS); /* up to 48 touches of some 200 operations */
+        assert_close(vti_energy(m.effects, 1, &m.b) + vti_booked(m.effects, 1) - vti_sum_value(&work), energy,
+                     1e4 * EPS * energy);
+        assert_true(m.lost[0].high > 0 && m.lost[3].high > 0);
+    }
+}
+
+/** Forwards and then backwards is a flow of its own reverse order: one flow forwards and the same steps undone touch by
+ *  touch are not needed to see it; two touches in one order and in the other differ, and the other order is what
+ *  backwards is. */
+TEST(backwards_is_the_other_order)
+{
+    rng g = rng_seed(5104);
+    for (int trial = 0; trial < 60; ++trial) {
+        static crowd start;
+        vec once[4], again[4];
+        random_bodies(&g, trial % 2 ? UNEVEN_CLUMPS : UNEVEN_SPHERICAL, UNEVEN_BOTH, 2, 4);
+        crowd_scatter(&m.t.c, &g, 0.2, 0.1);
+        const vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 3, .pull = 1, .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        start = m.t.c;
+        double spin[2][3];
+        memcpy(spin, m.spin, sizeof spin);
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, -1e-9, &m.b), VTI_OK);
+        state_of(once);
+        m.t.c = start;
+        memcpy(m.spin, spin, sizeof spin);
+        for (int64_t k = 0, n = m.t.contacts.count; k < n / 2; ++k)
+            for (int side = 0; side < 2; ++side) {
+                const int64_t other = m.t.pair[n - 1 - k][side];
+                m.t.pair[n - 1 - k][side] = m.t.pair[k][side];
+                m.t.pair[k][side] = other;
+            }
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, 1e-9, &m.b), VTI_OK);
+        state_of(again);
+        for (int q = 0; q < 4; ++q)
+            for (int k = 0; k < 3; ++k)
+                assert_close(once[q].c[k], again[q].c[k], 1e-6); /* the means over drifts of 1e-9 differ by as much */
+    }
+}
+
+/* ---- limits of what bodies may be -------------------------------------------------------------------------------- */
+
+/** Three equal moments are the sphere's flows to rounding, in steps with contacts and walls. */
+TEST(equal_moments_are_spheres)
+{
+    rng g = rng_seed(5105);
+    for (int trial = 0; trial < 12; ++trial) {
+        static crowd spheres;
+        random_bodies(&g, UNEVEN_BODIES, UNEVEN_BOTH, 3, 1);
+        crowd_scatter(&m.t.c, &g, 0.5, 0.5);
+        for (int i = 0; i < 3; ++i) {
+            const double j = m.t.c.inertia[i] = uniform(&g, 0.05, 0.2);
+            m.moments[i][0] = m.moments[i][1] = m.moments[i][2] = j;
+            m.t.diameter[i] = 0.6;
+        }
+        uneven_spin_up(&m);
+        m.plane[0][2] = 1;
+        m.plane[0][3] = -0.5;
+        vti_sum other[4] = {{0, 0}};
+        const vti_dashpots dashpots = {.contacts = &m.t.contacts,
+                                       .walls = &m.walls,
+                                       .zeta = 0.3,
+                                       .ratio = 0.5,
+                                       .rolling = 0.02,
+                                       .twisting = 0.01,
+                                       .reach = 0.1,
+                                       .lost = m.lost};
+        vti_dashpots of_spheres = dashpots;
+        of_spheres.lost = other;
+        const vti_effect contact = vti_contacts_effect(&m.t.contacts), wall = vti_walls_effect(&m.walls);
+        uneven_add(&m, contact);
+        uneven_add(&m, wall);
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        spheres = m.t.c;
+        const vti_effect effects[3] = {contact, wall, vti_dashpots_effect(&of_spheres)};
+        const vti_bodies b = crowd_bodies(&spheres);
+        const vti_stepper *vti2 = vti_stepper_find("vti2");
+        uneven_go(&m, vti2, 0.001, 400);
+        assert_int_equal(vti_apply(effects, 3, &b), VTI_OK);
+        for (int step = 0; step < 400; ++step) {
+            assert_int_equal(vti_effects_begin(vti2, 0.001, effects, 3, &b, NULL), VTI_OK);
+            assert_int_equal(vti_apply(effects, 3, &b), VTI_OK);
+            assert_int_equal(vti_effects_finish(vti2, 0.001, effects, 3, &b), VTI_OK);
+        }
+        for (int i = 0; i < 3; ++i) { /* rounding of 400 steps, which impacts make grow */
+            assert_close3(m.t.c.v[i], spheres.v[i], 1e-9);
+            assert_close3(m.t.c.omega[i], spheres.omega[i], 1e-9);
+        }
+        assert_true(m.lost[0].high > 0.01);
+        for (int k = 0; k < 4; ++k)
+            assert_close(m.lost[k].high, other[k].high, 1e-9);
+    }
+}
+
+/** Needles and plates, moments 1 : 1e6 and 1 : 1e20, by any coefficient: finite, and no energy is gained. */
+TEST(extreme_moments)
+{
+    rng g = rng_seed(5106);
+    for (int trial = 0; trial < 2000; ++trial) {
+        struct reference at;
+        const double thin = trial % 4 < 2 ? 1e-6 : 1e-20, c = pow(10, uniform(&g, -6, 12));
+        random_bodies(&g, trial % 2 ? UNEVEN_BODIES : UNEVEN_CLUMPS, UNEVEN_BOTH, 2, 1);
+        press(&g, trial / 4 % 2, 0.05, &at);
+        for (int i = 0; i < 2; ++i) {
+            m.moments[i][0] = thin;
+            m.moments[i][1] = m.moments[i][2] = 1;
+            random_vector(&g, 1, m.spin[i]);
+            for (int k = 0; k < 3; ++k) /* turning about the thin axis as about the others */
+                m.spin[i][k] *= thin == 1e-6 ? 1 : 0;
+            m.b.principal = quats_packed(m.principal[0]);
+        }
+        const vti_dashpots dashpots = {.contacts = trial / 4 % 2 ? NULL : &m.t.contacts,
+                                       .walls = trial / 4 % 2 ? &m.walls : NULL,
+                                       .normal = c,
+                                       .tangential = c,
+                                       .rolling = c,
+                                       .twisting = c,
+                                       .pull = 1,
+                                       .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        const double energy = vti_energy(m.effects, 1, &m.b);
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, trial % 3 ? 0.01 : -0.01, &m.b), VTI_OK);
+        const double left = vti_energy(m.effects, 1, &m.b);
+        assert_true(left <= energy * (1 + 1e-9)); /* the energy of L across a thin axis is known to eps 1e6 */
+        assert_true(all_finite(m.spin[0], 6) && all_finite(m.t.c.v[0], 6));
+    }
+}
+
+/** Bodies that only turn, or that nothing turns; a pair of one body, which does nothing. */
+TEST(absent_motions)
+{
+    rng g = rng_seed(5107);
+    struct reference at;
+    for (int kind = UNEVEN_CLUMPS; kind < UNEVEN_KINDS; ++kind) {
+        random_bodies(&g, kind, UNEVEN_SPIN, 2, 1);
+        press(&g, 0, 0.05, &at);
+        vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 1e9, .pull = 1, .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        const crowd start = m.t.c;
+        double spin[3], u[3];
+        memcpy(spin, m.spin[0], sizeof spin);
+        m.b.v = vti_view_none();
+        assert_int_equal(vti_effects_flow(m.effects, 1, 1, 0, &m.b), VTI_OK);
+        assert_same_bits(m.t.c.v, start.v, 6);
+        vti_clumps_spread(&m.t.clumps, &m.b);
+        for (int k = 0; k < 3; ++k)
+            u[k] = m.t.s.v[0][k] - m.t.s.v[1][k];
+        assert_close(vti_dot(u, m.plane[0]), 0, 1e-12); /* turning is all that there is, and it stops */
+        assert_true(m.lost[0].high > 0);
+        m.lost[0].high = 0;
+        memset(m.t.offset, 0, sizeof m.t.offset); /* where what acts on them does not turn them */
+        memcpy(m.t.c.x[0], m.t.c.x[1], sizeof m.t.c.x[0]);
+        m.t.c.x[0][2] += 0.5 * m.t.diameter[0];
+        dashpots.zeta = 1;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 1, 0, &m.b), VTI_OK);
+        assert_true(m.lost[0].high == 0);
+        assert_true(all_finite(m.spin[0], 6) && all_finite(m.t.c.omega[0], 6));
+        dashpots.zeta = 0;
+
+        m.b.v = crowd_bodies(&m.t.c).v;
+        m.b.omega = m.b.spin = m.b.moment = vti_view_none();
+        m.b.moments = vti_view_none();
+        m.b.principal = vti_bodies_none(1).quat;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 100, 0, &m.b), VTI_OK);
+        assert_close(m.t.c.v[0][2], m.t.c.v[1][2], 1e-12); /* one body as a whole */
+        assert_true(m.lost[0].high > 0);
+        m.t.body[1] = 0;
+        m.lost[0].high = 0;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 100, 0, &m.b), VTI_OK);
+        assert_true(m.lost[0].high == 0);
+    }
+}
+
+RUN_TESTS(cmocka_unit_test(each_flow), cmocka_unit_test(limits), cmocka_unit_test(many_touches),
+          cmocka_unit_test(backwards_is_the_other_order), cmocka_unit_test(equal_moments_are_spheres),
+          cmocka_unit_test(extreme_moments), cmocka_unit_test(absent_motions))
