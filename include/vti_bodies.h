@@ -94,8 +94,8 @@ typedef struct vti_scalars {
  *  With moments a body has the inertia R_p diag(A, B, C) R_p^T, R_p = R(attitude) R(principal), in the place of J, and
  *  turns by spin, L: kicks are L += t RM, drifts leave L as it is, to the bit. Where omega is shown beside spin, steps,
  *  kicks and drifts write Omega = R_p diag(1/A, 1/B, 1/C) R_p^T L there, and read it nowhere. Where it is shown alone,
- *  with an attitude, the same map is done on Omega. inertia and omega_low do not go with moments, nor do effects that
- *  damp by omega; where there is spin, there are moments. */
+ *  with an attitude, the same map is done on Omega. inertia and omega_low do not go with moments; where there is
+ *  spin, there are moments. */
 typedef struct vti_bodies {
     int64_t abi;         /**< VTI_ABI */
     int64_t sealed;      /**< 0, or what vti_bodies_seal has put here, good in this object only, not in a copy */

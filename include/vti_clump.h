@@ -80,9 +80,10 @@ typedef struct vti_clumped {
  *  of a drift, spheres have the velocity of their chord, (x_s - x_s before)/t. It conserves what the effect does, but
  *  for the sum of J Omega.
  *
- *  As it writes all spheres, slices of bodies may be done one after another, but not at once. An effect that flows
- *  (dashpots, drag) is refused, VTI_E_CLUMP: its exact decay is that of a sphere with the sphere's own mass.
- *  So is one that is told of drifts (friction) on bodies with moments, VTI_E_MOMENTS. */
+ *  As it writes all spheres, slices of bodies may be done one after another, but not at once. Flows (dashpots) change
+ *  the velocities of the bodies at once, from touch to touch, by mass and inertia of the whole body; the spheres' own
+ *  are not looked at. An effect that has a flow and none for clumps (drag) is refused, VTI_E_CLUMP, and so is one that
+ *  is told of drifts (friction) on bodies with moments, VTI_E_MOMENTS. */
 VTI_API vti_effect vti_clumped_effect(const vti_clumped *clumped);
 
 #ifdef __cplusplus

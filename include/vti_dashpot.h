@@ -23,7 +23,11 @@ enum { VTI_DASHPOT_BOOKS = 4 };
  *
  *  The normal coefficient is normal + 2 zeta sqrt((5/6) m_n k_n), m_n the reduced mass and k_n the stiffness of the
  *  contact where it is: with zeta alone restitution is the same at every speed, as vti_dashpots_zeta has it. The
- *  tangential one is tangential + ratio times the normal one. */
+ *  tangential one is tangential + ratio times the normal one.
+ *
+ *  Bodies with moments, and clumps by their spheres, lose by the tensor that says how the place of the touch gives way
+ *  to impulses, in which the whole body counts: m_n is 1/(n.K n), and what moves across the normal decays along two
+ *  directions, each by its own mass. */
 typedef struct vti_dashpots {
     const vti_contacts *contacts; /**< pairs, diameters and stiffness, or NULL; its list may change between steps, and
                                        holds the pairs that touch at either end of a drift */
@@ -51,7 +55,7 @@ typedef struct vti_dashpots {
 VTI_API double vti_dashpots_zeta(double e, int64_t pull);
 
 /** The effect of *dashpots, which must outlive it, as must the lists, of effects of their own. Needs x, v and mass, and
- *  inertia where bodies turn. Entries of booked energy: "lost_dashpot_normal", "lost_dashpot_tangential",
+ *  inertia or moments where bodies turn. Entries of booked energy: "lost_dashpot_normal", "lost_dashpot_tangential",
  *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient or the reach is negative
  *  or not a number, a coefficient is infinite. */
 VTI_API vti_effect vti_dashpots_effect(const vti_dashpots *dashpots);

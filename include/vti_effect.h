@@ -90,8 +90,8 @@ typedef struct vti_effect {
      *  > 0: a drift of that time follows, and pairs are gone through forwards; drift < 0: one of -drift has been, and
      *  they are gone through backwards. Coefficients that change with position are to be their mean over that drift. */
     void (*flow)(const void *self, const vti_bodies *bodies, double t, double drift);
-    /** The same of an effect on the spheres of clumps (vti_clumped), which stand where they are: moves the velocities of
-     *  the bodies that have them, by their mass and inertia. NULL: what flows is not for clumps. */
+    /** The same of an effect on the spheres of clumps (vti_clumped), which stand where they are: moves the velocities
+     *  of the bodies that have them, by their mass and inertia. NULL: what flows is not for clumps. */
     void (*flow_clumps)(const void *self, const struct vti_clumps *clumps, const vti_bodies *bodies, double t,
                         double drift);
     /** Takes what it remembers of its pairs along with a drift that has been done (EQUATIONS 6.5): velocities are those

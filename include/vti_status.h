@@ -86,8 +86,8 @@ extern "C" {
         "attitude; give spin and three moments for each body, or three for all")                                       \
     ROW(VTI_E_CLUMP, -25,                                                                                              \
         "a sphere of a clump belongs to no body that exists or to one before that of the last sphere, or its place is "\
-        "not finite or its diameter not positive, or an effect on the spheres damps by a flow, which acts on whole "   \
-        "bodies only; sort the spheres by body, or damp by drag on the bodies")
+        "not finite or its diameter not positive, or an effect on the spheres has a flow, but none for clumps; sort "  \
+        "the spheres by body, or give that effect flow_clumps")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

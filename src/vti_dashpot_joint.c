@@ -60,8 +60,8 @@ static void flow_of(const struct sweep *s, struct place *at, int motion)
         vti_sum_add(s->p->walls->work, -vti_dot(p, turns ? at->touch.w_j : at->touch.v_j));
 }
 
-/** Both sides of the touch; 0 where they are one body. */
-static int load(const struct sweep *s, struct place *at)
+/** Both sides of the touch. Spheres of one body have the same velocity there, and lose nothing. */
+static void load(const struct sweep *s, struct place *at)
 {
     static const struct vti_joint_side nothing = {.body = -1};
     const struct vti_touch *const touch = &at->touch;
@@ -79,7 +79,6 @@ static int load(const struct sweep *s, struct place *at)
         at->joint.side[1].v[k] = touch->v_j[k];
         at->joint.side[1].w[k] = touch->w_j[k];
     }
-    return at->joint.side[0].body != at->joint.side[1].body;
 }
 
 /** A touch within reach: skipped if it is none at both ends of the drift, as in vti_dashpot.c. */
@@ -87,8 +86,7 @@ static void visit(const struct sweep *s, struct place *at)
 {
     struct vti_joint_modes normal;
     double u[3];
-    if (!load(s, at))
-        return;
+    load(s, at);
     vti_joint_velocity(&at->joint, 0, u);
     const double other = at->touch.delta - s->drift * vti_dot(u, at->touch.n);
     if (at->touch.delta <= 0.0 && other <= 0.0)
@@ -96,9 +94,8 @@ static void visit(const struct sweep *s, struct place *at)
     vti_damping_at(&at->touch, other, &at->damping);
     vti_joint_across(at->touch.n, at->span + 1);
     vti_joint_modes_of(&at->joint, 0, 1, (const double(*)[3])at->span, &normal);
-    if (!(normal.yield[0] > 0.0)) /* the body turns only, and not by what acts here */
-        return;
-    vti_damping_coefficients(s->p, &at->damping, 1.0 / normal.yield[0], at->c);
+    const double yield = normal.yield[0]; /* 0 of a body that only turns, and not by what acts along the normal */
+    vti_damping_coefficients(s->p, &at->damping, yield > 0.0 ? 1.0 / yield : 0.0, at->c);
     at->held = vti_damping_held(s->p, &at->touch);
     for (int k = 0; k < VTI_DASHPOT_BOOKS; ++k) {
         const int motion = s->drift < 0.0 ? VTI_DASHPOT_BOOKS - 1 - k : k;

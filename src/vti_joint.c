@@ -142,8 +142,8 @@ static void rotate(double a[3][3], double g[3][3], int p, int q)
     }
 }
 
-/** What is not seen beside the largest is no less than its rounding error: a mode that gave way more than its yield says
- *  would gain. */
+/** What is not seen beside the largest is no less than its rounding error: a mode that gave way more than its yield
+ *  says would gain. */
 static const double least_yield = 0x1p-48;
 
 void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const double span[][3],

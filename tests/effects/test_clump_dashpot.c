@@ -264,7 +264,7 @@ TEST(many_touches)
         random_bodies(&g, trial % UNEVEN_KINDS, trial / 6 % UNEVEN_STATES, 3, trial % UNEVEN_KINDS ? 4 : 1);
         crowd_scatter(&m.t.c, &g, 0.3, 0.1);
         m.plane[0][2] = 1;
-        m.walls.motion = trial % 4 < 2 ? &motion : NULL;
+        m.walls.motion = trial % 8 < 4 ? &motion : NULL;
         m.walls.work = &work;
         const vti_dashpots dashpots = {.contacts = &m.t.contacts,
                                        .walls = planes ? &m.walls : NULL,
@@ -282,15 +282,13 @@ TEST(many_touches)
         uneven_momenta(&m, after);
         for (int k = 0; k < 6 && !planes; ++k)
             assert_close(after[k], before[k], 1e4 * EPS); /* up to 48 touches of some 200 operations */
-        assert_close(vti_energy(m.effects, 1, &m.b) + vti_booked(m.effects, 1) - vti_sum_value(&work), energy,
+        assert_close(vti_energy(m.effects, 1, &m.b) + vti_booked(m.effects, 1) + vti_sum_value(&work), energy,
                      1e4 * EPS * energy);
         assert_true(m.lost[0].high > 0 && m.lost[3].high > 0);
     }
 }
 
-/** Forwards and then backwards is a flow of its own reverse order: one flow forwards and the same steps undone touch by
- *  touch are not needed to see it; two touches in one order and in the other differ, and the other order is what
- *  backwards is. */
+/** Backwards is forwards with the list in the other order. */
 TEST(backwards_is_the_other_order)
 {
     rng g = rng_seed(5104);
@@ -435,11 +433,15 @@ TEST(absent_motions)
         memset(m.t.offset, 0, sizeof m.t.offset); /* where what acts on them does not turn them */
         memcpy(m.t.c.x[0], m.t.c.x[1], sizeof m.t.c.x[0]);
         m.t.c.x[0][2] += 0.5 * m.t.diameter[0];
-        dashpots.zeta = 1;
+        dashpots.zeta = dashpots.ratio = 1;
+        dashpots.tangential = 1e-6;
         assert_int_equal(vti_effects_flow(m.effects, 1, 1, 0, &m.b), VTI_OK);
-        assert_true(m.lost[0].high == 0);
+        assert_true(m.lost[0].high == 0 && m.lost[1].high > 0);
         assert_true(all_finite(m.spin[0], 6) && all_finite(m.t.c.omega[0], 6));
-        dashpots.zeta = 0;
+        dashpots.zeta = dashpots.ratio = dashpots.normal = 0;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 1, 0, &m.b), VTI_OK);
+        assert_true(all_finite(m.spin[0], 6) && all_finite(m.t.c.omega[0], 6));
+        dashpots.normal = 1e9;
 
         m.b.v = crowd_bodies(&m.t.c).v;
         m.b.omega = m.b.spin = m.b.moment = vti_view_none();
@@ -451,7 +453,7 @@ TEST(absent_motions)
         m.t.body[1] = 0;
         m.lost[0].high = 0;
         assert_int_equal(vti_effects_flow(m.effects, 1, 100, 0, &m.b), VTI_OK);
-        assert_true(m.lost[0].high == 0);
+        assert_below(fabs(m.lost[0].high), 100 * EPS);
     }
 }
 

@@ -76,6 +76,7 @@ TEST(effects_are_refused)
     troop_draw(&t, &g, 3, 3, 0.7, CROWD_ALPHA, CROWD_ALPHA);
     vti_bodies b = bodies();
     vti_fault fault;
+    vti_sum lost = {0, 0};
     vti_effect contact = vti_contacts_effect(&t.contacts);
     const vti_clumped clumped = {&t.clumps, &contact}, no_clumps = {NULL, &contact}, no_effect = {&t.clumps, NULL};
     vti_effect effect = vti_clumped_effect(&clumped);
@@ -98,6 +99,18 @@ TEST(effects_are_refused)
     contact.apply = NULL;
     effect = vti_clumped_effect(&clumped);
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_CLUMP);
+    const vti_dashpots dashpots = {.contacts = &t.contacts, .normal = 1, .lost = &lost};
+    contact = vti_dashpots_effect(&dashpots);
+    effect = vti_clumped_effect(&clumped);
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_OK);
+    b.force = b.moment = vti_view_none(); /* so that bodies by themselves need no mass */
+    b.mass.p = NULL;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_MASS);
+    b = bodies();
+    b.moment = vti_view_none();
+    b.inertia.p = NULL;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_INERTIA);
+    b = bodies();
     effect = vti_clumped_effect(&no_clumps);
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
     effect = vti_clumped_effect(&no_effect);
