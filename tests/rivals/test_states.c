@@ -115,4 +115,24 @@ TEST(panels)
     panels_destroy(&p);
 }
 
-RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(panels))
+/** tau^c comes back at any tau; at the ends, beyond all nodes, too. */
+TEST(powers)
+{
+    enum { COMPONENTS = PANELS_NODES };
+    struct panels p = {0};
+    rng g = rng_seed(13);
+    assert_int_equal(panels_create(&p, COMPONENTS, 1, 1, 1.0), 0);
+    for (int k = 0; k < PANELS_NODES; ++k)
+        for (int c = 0; c < COMPONENTS; ++c)
+            panels_row(&p, 0, k)[c] = pow(p.node[k], c);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const double tau = trial < 2 ? 2.0 * trial - 1.0 : uniform(&g, -1, 1);
+        double found[COMPONENTS];
+        panels_read(&p, 0, tau, found);
+        for (int c = 0; c < COMPONENTS; ++c)
+            assert_close(found[c], pow(tau, c), 32 * EPS); /* a rounding for each of 2 x 16 factors */
+    }
+    panels_destroy(&p);
+}
+
+RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(panels), cmocka_unit_test(powers))
