@@ -86,10 +86,6 @@ static int look_at(struct stages *g)
     vti_stable begin;
     if (model_create(s->scene, &model, s->message) != 0)
         return -1;
-    if (model_of_spheres(&model, "vti-advise", s->message) != 0) {
-        model_destroy(&model);
-        return -1;
-    }
     s->advice->checked = vti_stepper_find(model_dissipates(&model) != NULL ? "chin4" : "srkn11");
     s->bodies = model.bodies.count;
     s->omega0 = vti_max_turn(1.0, &model.bodies);

@@ -41,8 +41,7 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
     for (int64_t c = 0; c < w->plan->cases_count; ++c) {
         const struct cost_case *it = &w->plan->cases[c];
         struct model *model = &w->models[c];
-        if (anywhere(model_create(it->scene, model, message), comm) != 0 ||
-            model_of_spheres(model, "the reference", message) != 0)
+        if (anywhere(model_create(it->scene, model, message), comm) != 0)
             return -1;
         const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
         const int failed = reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "table.h"
 
 /* ---- comma lists ------------------------------------------------------------------------------------------------- */
 
@@ -24,10 +25,24 @@ static int next_part(const char **list, char *part, size_t size)
 
 /* ---- methods ----------------------------------------------------------------------------------------------------- */
 
+/** Its bodies have three moments. */
+static int is_general(const struct scene *scene)
+{
+    return scene->moments[0] != 0.0 || scene->clumps.given ||
+           (scene->tables != NULL && table_has(&scene->tables->bodies, BODY_MOMENTS));
+}
+
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message)
 {
-    for (plan->methods_count = 0; list == NULL && method_at(plan->methods_count) != NULL; ++plan->methods_count)
-        plan->methods[plan->methods_count] = method_at(plan->methods_count);
+    int64_t general = 0;
+    for (int64_t c = 0; c < plan->cases_count; ++c)
+        general += is_general(plan->cases[c].scene);
+    plan->methods_count = 0;
+    for (int64_t i = 0; list == NULL && general < plan->cases_count && method_at(i) != NULL; ++i)
+        plan->methods[plan->methods_count++] = method_at(i);
+    for (int64_t i = 0; list == NULL && general > 0 && method_general_at(i) != NULL; ++i)
+        if (general == plan->cases_count || method_rival(method_general_at(i)) != NULL)
+            plan->methods[plan->methods_count++] = method_general_at(i);
     if (list != NULL)
         plan->methods_count = methods_read("--steppers", list, plan->methods, COST_METHODS, message);
     return plan->methods_count > 0 ? 0 : -1;

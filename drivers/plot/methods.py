@@ -14,6 +14,9 @@ NAMES = {
     "dop853": "DOP853", "vern9": "Verner 9", "abm6": "Adams PECE 6", "abm8": "Adams PECE 8", "abm10": "Adams PECE 10",
     "abm12": "Adams PECE 12", "gbs8": "GBS 8", "gbs12": "GBS 12", "verlet-x8": "Verlet extrapolated 8",
     "verlet-x12": "Verlet extrapolated 12",
+    "no-squish": "NO_SQUISH", "lammps-asphere": "LAMMPS asphere", "fincham": "Fincham", "yade-aspherical": "YADE aspherical",
+    "buss": "Buss", "moser-veselov": "Moser-Veselov", "moser-veselov-newton": "Moser-Veselov by Newton",
+    "implicit-midpoint": "implicit midpoint", "spiral-aspherical": "SPIRAL aspherical",
 }
 
 # Verlet's scheme with a quaternion, each as its users have it

@@ -224,8 +224,9 @@ static int make_cost_plan(struct cost_scenes *read, struct cost_plan *plan, stru
     plan->most_evals = most_evals;
     plan->repeats = repeats > 0 ? (int)repeats : REPEATS;
     plan->memory = 1e6 * megabytes;
-    if (default_scene(message) != 0 || cost_plan_methods(plan, steppers, message) != 0 ||
-        cost_scenes_read(scenes, scenes_count, sets.text, sets.count, end_times, read, plan, message) != 0)
+    if (default_scene(message) != 0 ||
+        cost_scenes_read(scenes, scenes_count, sets.text, sets.count, end_times, read, plan, message) != 0 ||
+        cost_plan_methods(plan, steppers, message) != 0)
         return -1;
     return steps != NULL ? cost_plan_steps(plan, steps, message) : 0;
 }

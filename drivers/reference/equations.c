@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "control.h"
+#include "euler.h"
 
 /* ---- the state as bodies ----------------------------------------------------------------------------------------- */
 
@@ -46,6 +47,8 @@ vti_bodies equations_bodies(const struct model *model, double *state)
     vti_bodies b = vti_bodies_none(model->bodies.count);
     b.mass = model->bodies.mass;
     b.inertia = model->bodies.inertia;
+    b.moments = model->bodies.moments;
+    b.principal = model->bodies.principal;
     equations_look_at(model, &b, state);
     return b;
 }
@@ -88,7 +91,7 @@ static void translation_rate(const vti_bodies *b, int64_t i, const double force[
     }
 }
 
-/** One body's q' = (1/2) Omega q and Omega' = RM/J. */
+/** One body's q' = (1/2) Omega q and Omega' = RM/J, or Euler's equations of three moments. */
 static void rotation_rate(const vti_bodies *b, int64_t i, const double moment[3], double *rate)
 {
     double q[4], w[3], x[3];
@@ -100,7 +103,9 @@ static void rotation_rate(const vti_bodies *b, int64_t i, const double moment[3]
     for (int k = 0; k < 3; ++k)
         rate[k] = 0.5 * (q[3] * w[k] + x[k]);
     rate[3] = -0.5 * vti_dot(w, q);
-    for (int k = 0; k < 3; ++k)
+    if (b->moments.c[0] != NULL)
+        euler_rate(b, i, moment, rate + 4);
+    for (int k = 0; k < 3 && b->inertia.p != NULL; ++k)
         rate[4 + k] = moment[k] / b->inertia.p[i * b->inertia.stride];
 }
 

@@ -19,19 +19,6 @@
 
 enum { ITERATIONS = 60, MATRIX = 9 };
 
-/** x = A^-1 b by Cramer's rule, A given by its columns. */
-VTI_INLINE void solve(const double a0[3], const double a1[3], const double a2[3], const double b[3], double x[3])
-{
-    double c12[3], c20[3], c01[3];
-    vti_cross(a1, a2, c12);
-    vti_cross(a2, a0, c20);
-    vti_cross(a0, a1, c01);
-    const double k = 1.0 / vti_dot(a0, c12);
-    x[0] = k * vti_dot(b, c12);
-    x[1] = k * vti_dot(b, c20);
-    x[2] = k * vti_dot(b, c01);
-}
-
 /** G(f) = 0. Newton's iteration rises towards the root from f = u/2 for every |u| < 1 and doubles its digits: after a
  *  correction of 1e-9 the next one would be lost in rounding. */
 VTI_INLINE void implicit_increment(const double u[3], double f[3])
@@ -46,7 +33,7 @@ VTI_INLINE void implicit_increment(const double u[3], double f[3])
         const double a0[3] = {f[0] * u[0] + e, u[2] + f[1] * u[0], -u[1] + f[2] * u[0]};
         const double a1[3] = {-u[2] + f[0] * u[1], f[1] * u[1] + e, u[0] + f[2] * u[1]};
         const double a2[3] = {u[1] + f[0] * u[2], -u[0] + f[1] * u[2], f[2] * u[2] + e};
-        solve(a0, a1, a2, minus_g, d);
+        vector_solve(a0, a1, a2, minus_g, d);
         for (int k = 0; k < 3; ++k)
             f[k] += d[k];
         if (vti_dot(d, d) <= 1e-18 * vti_dot(f, f))

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Quaternions in the order x, y, z, w, as codes that hold attitudes in them multiply and normalise them. */
+ * Quaternions in the order x, y, z, w, as codes that hold attitudes in them multiply and normalise them; and three
+ * linear equations, for those whose turns are implicit. */
 #ifndef VTI_QUATERNION_H
 #define VTI_QUATERNION_H
 
@@ -53,6 +54,21 @@ VTI_INLINE void quat_turn_exactly(const double u[3], double q[4])
     double r[4];
     if (quat_turned_exactly(u, q, r))
         quat_unit_of(r, q);
+}
+
+/* ---- three equations ------------------------------------------------------------------------------------------- */
+
+/** x = A^-1 b by Cramer's rule, A given by its columns. */
+VTI_INLINE void vector_solve(const double a0[3], const double a1[3], const double a2[3], const double b[3], double x[3])
+{
+    double c12[3], c20[3], c01[3];
+    vti_cross(a1, a2, c12);
+    vti_cross(a2, a0, c20);
+    vti_cross(a0, a1, c01);
+    const double k = 1.0 / vti_dot(a0, c12);
+    x[0] = k * vti_dot(b, c12);
+    x[1] = k * vti_dot(b, c20);
+    x[2] = k * vti_dot(b, c01);
 }
 
 #endif

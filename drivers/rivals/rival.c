@@ -22,6 +22,20 @@ static const struct rival *const unlisted[] = {&rival_campello_0, &rival_campell
 
 enum { UNLISTED = sizeof unlisted / sizeof unlisted[0] };
 
+static const struct rival *const general[] = {
+    &rival_no_squish,
+    &rival_asphere,
+    &rival_fincham,
+    &rival_yade_aspherical,
+    &rival_buss,
+    &rival_moser_veselov,
+    &rival_moser_veselov_newton,
+    &rival_midpoint,
+    &rival_spiral_body,
+};
+
+enum { GENERAL = sizeof general / sizeof general[0] };
+
 int64_t rival_count(void)
 {
     return RIVALS;
@@ -35,6 +49,11 @@ const struct rival *rival_at(int64_t i)
 const struct rival *rival_unlisted(int64_t i)
 {
     return i >= 0 && i < UNLISTED ? unlisted[i] : NULL;
+}
+
+const struct rival *rival_general(int64_t i)
+{
+    return i >= 0 && i < GENERAL ? general[i] : NULL;
 }
 
 /* ---- a course ---------------------------------------------------------------------------------------------------- */
@@ -86,6 +105,7 @@ static int take_model(struct course *c, struct model *model)
     c->f = model->bodies.force.c[0];
     c->w = model->bodies.omega.c[0];
     c->m = model->bodies.moment.c[0];
+    c->L = model->bodies.spin.c[0];
     if (model->turns) {
         c->q = q;
         take_attitudes(c);

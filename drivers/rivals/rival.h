@@ -35,6 +35,7 @@ struct rival {
     void (*resume)(struct course *course);
     void (*dismiss)(struct course *course); /* NULL if there is nothing to free */
     int takes_forces;                       /* 1: go begins with the forces of the bodies as they stand */
+    int general;                            /* 1: of bodies of three moments, and of no spheres; 0: of spheres alone */
 };
 
 int64_t rival_count(void);
@@ -42,6 +43,8 @@ int64_t rival_count(void);
 const struct rival *rival_at(int64_t i);
 /** Members of a family that are found by name and not listed; NULL after the last. */
 const struct rival *rival_unlisted(int64_t i);
+/** Those of bodies of three moments, which are in a list of their own; NULL after the last. */
+const struct rival *rival_general(int64_t i);
 /** No rivals, but the library's own multistep methods, which go their way as rivals do; NULL outside 0 <= i <
  *  vti_multistep_count(). The first call for an i is not for two threads. */
 const struct rival *multistep_at(int64_t i);
@@ -51,13 +54,13 @@ const struct rival *multistep_at(int64_t i);
 const struct rival *controlled_at(int64_t i);
 
 /** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
- *  the model does not have are NULL. x, v, w, f and m are the model's own memory. */
+ *  the model does not have are NULL. x, v, w, L, f and m are the model's own memory. */
 struct course {
     const struct rival *rival;
     struct model *model;
     double h;
     int64_t n, steps, evals;
-    double *x, *v, *f, *w, *m, *q;
+    double *x, *v, *f, *w, *m, *q, *L; /* L: angular momenta, of bodies of three moments */
     vti_scalars per_mass, per_inertia; /* 1/m and 1/J, of all bodies or of each */
     vti_bodies bodies;                 /* the views on all these: what forces are taken at */
     double *memory, *own;

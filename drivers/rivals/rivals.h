@@ -21,4 +21,10 @@ extern const struct rival rival_gbs8, rival_gbs12, rival_verlet_x8, rival_verlet
 extern const struct rival rival_pefrl, rival_takahashi_imada;                           /* compositions.c */
 extern const struct rival rival_rk8pd, rival_rk8pd_adaptive;                            /* rk8pd.c */
 
+/* Of bodies of three moments, in inertia/. */
+extern const struct rival rival_asphere, rival_fincham, rival_yade_aspherical;             /* quaternions.c */
+extern const struct rival rival_no_squish, rival_buss;                                     /* rotations.c */
+extern const struct rival rival_moser_veselov, rival_moser_veselov_newton, rival_midpoint; /* moser_veselov.c */
+extern const struct rival rival_spiral_body;                                               /* spiral.c */
+
 #endif

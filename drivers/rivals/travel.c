@@ -10,7 +10,7 @@
 
 /* ---- what there is ----------------------------------------------------------------------------------------------- */
 
-enum { METHODS_MAX = 64 };
+enum { METHODS_MAX = 96 };
 
 static const vti_stepper *methods[METHODS_MAX];
 static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
@@ -25,6 +25,8 @@ static void collect(void)
     for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
         methods[methods_count++] = &rival_at(i)->stepper;
     methods_all = methods_count;
+    for (int64_t i = 0; rival_general(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &rival_general(i)->stepper;
     for (int64_t i = 0; controlled_at(i) != NULL && methods_all < METHODS_MAX; ++i)
         methods[methods_all++] = &controlled_at(i)->stepper;
     for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
@@ -34,11 +36,12 @@ static void collect(void)
 /** What scenes may name beside the steppers of the core. */
 static const vti_stepper *admitted_at(int64_t i)
 {
-    const int64_t ours = vti_multistep_count(), rivals = rival_count();
-    const struct rival *way = i < ours            ? multistep_at(i)
-                              : i < ours + rivals ? rival_at(i - ours)
-                                                  : controlled_at(i - ours - rivals);
-    return way != NULL ? &way->stepper : NULL;
+    const struct rival *(*const families[])(int64_t) = {multistep_at, rival_at, controlled_at, rival_general};
+    for (size_t family = 0; family < sizeof families / sizeof families[0]; ++family)
+        for (int64_t k = 0; families[family](k) != NULL; ++k)
+            if (i-- == 0)
+                return &families[family](k)->stepper;
+    return NULL;
 }
 
 void method_admit(void)
@@ -56,6 +59,15 @@ int64_t method_count(void)
 const vti_stepper *method_at(int64_t i)
 {
     return i >= 0 && i < method_count() ? methods[i] : NULL;
+}
+
+const vti_stepper *method_general_at(int64_t i)
+{
+    int64_t left = i;
+    for (int64_t k = 0; k < method_count() && vti_stepper_find(method_at(k)->name) != NULL; ++k)
+        if (left-- == 0)
+            return method_at(k);
+    return rival_general(left) != NULL ? &rival_general(left)->stepper : NULL;
 }
 
 const vti_stepper *method_find(const char *name)
@@ -76,6 +88,9 @@ const struct rival *method_rival(const vti_stepper *stepper)
     for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
         if (stepper == &rival_unlisted(i)->stepper)
             return rival_unlisted(i);
+    for (int64_t i = 0; rival_general(i) != NULL; ++i)
+        if (stepper == &rival_general(i)->stepper)
+            return rival_general(i);
     return NULL;
 }
 
@@ -152,10 +167,28 @@ int methods_width(const vti_stepper *const *list, int64_t n)
 
 /* ---- on the way -------------------------------------------------------------------------------------------------- */
 
+/** Lists of kicks and drifts take spheres and bodies of three moments, others only the ones or the others. */
+static int check_inertia(const struct rival *way, const struct model *model, struct message *message)
+{
+    if (way == NULL)
+        return 0;
+    if (way->general && model->bodies.moments.c[0] == NULL)
+        return message_set(message,
+                           "%s: %s moves bodies of three moments, and these have none; give bodies.moments, or take "
+                           "one of the rivals that vti-run --list steppers names",
+                           model->scene->name, way->stepper.name);
+    if (way->general)
+        return 0;
+    const int controlled = method_rival(&way->stepper) == NULL && way->table != NULL;
+    return model_of_spheres(model, controlled ? "step control" : way->stepper.name, message);
+}
+
 /** Only lists of kicks and drifts flow and carry, and of those only the ones that never step back. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message)
 {
     const struct rival *way = way_of(stepper);
+    if (check_inertia(way, model, message) != 0)
+        return -1;
     const vti_effect *e = model_dissipates(model);
     if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
@@ -185,8 +218,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
-    const char *const what = model->scene->tolerance > 0.0 ? "step control" : stepper->name;
-    if (travel_check(stepper, model, message) != 0 || (way != NULL && model_of_spheres(model, what, message) != 0))
+    if (travel_check(stepper, model, message) != 0)
         return -1;
     if (way != NULL) {
         travel->course = course_create(way, model, h, message);

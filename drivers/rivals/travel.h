@@ -18,6 +18,9 @@ void method_admit(void);
 int64_t method_count(void);
 /** NULL outside 0 <= i < method_count(). */
 const vti_stepper *method_at(int64_t i);
+/** The same of bodies of three moments: the steppers of the core, and the rivals that know such bodies, which
+ *  method_at does not list. NULL after the last. */
+const vti_stepper *method_general_at(int64_t i);
 /** Also those that are not listed. NULL if there is none. */
 const vti_stepper *method_find(const char *name);
 /** NULL for a method of the core. */

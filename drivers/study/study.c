@@ -221,8 +221,7 @@ static int prepare(const struct plan *plan, int rank, struct study *study, struc
     study->runs = plan->steppers_count * plan->h_count;
     if (!allocate(study, rank))
         return message_set(message, "out of memory for %lld runs", (long long)study->runs);
-    if (model_create(plan->scene, &study->model, message) != 0 ||
-        model_of_spheres(&study->model, "the study's reference", message) != 0 || choose_interval(study, message) != 0)
+    if (model_create(plan->scene, &study->model, message) != 0 || choose_interval(study, message) != 0)
         return -1;
     return make_trials(study, message);
 }

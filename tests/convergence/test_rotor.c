@@ -2,71 +2,11 @@
  *
  * Orders of convergence of bodies with three moments: free ones against Jacobi's elliptic functions, in orders 2, 4 and
  * 6 of the rotor; a heavy top against GSL's Prince-Dormand 8(9), in the orders of the steppers. */
-#include <gsl/gsl_integration.h>
-#include <gsl/gsl_sf_elljac.h>
-#include <gsl/gsl_sf_ellint.h>
-
 #include "fit.h"
+#include "free_body.h"
 #include "top.h"
 
 /* ---- free -------------------------------------------------------------------------------------------------------- */
-
-/** A free body of moments A < B < C, L along e3 and L^2 > 2 T B, which turns about C (Landau and Lifshitz, Mechanics,
- *  37): w_A = a cn, w_B = b sn, w_C = c dn of rate t, m. */
-struct free_body {
-    double I[3], w[3], rate, m, L;
-};
-
-static struct free_body free_body_of(const double I[3], double w_a, double w_c)
-{
-    struct free_body f = {{I[0], I[1], I[2]}, {w_a, 0, w_c}, 0, 0, 0};
-    const double A = I[0], B = I[1], C = I[2], L2 = A * A * w_a * w_a + C * C * w_c * w_c,
-                 T2 = A * w_a * w_a + C * w_c * w_c;
-    f.L = sqrt(L2);
-    f.w[1] = sqrt((T2 * C - L2) / (B * (C - B)));
-    f.rate = sqrt((C - B) * (L2 - T2 * A) / (A * B * C));
-    f.m = (B - A) * (T2 * C - L2) / ((C - B) * (L2 - T2 * A));
-    return f;
-}
-
-static void at_time(const struct free_body *f, double t, double w[3])
-{
-    double sn, cn, dn;
-    assert_int_equal(gsl_sf_elljac_e(f->rate * t, f->m, &sn, &cn, &dn), 0);
-    w[0] = f->w[0] * cn;
-    w[1] = f->w[1] * sn;
-    w[2] = f->w[2] * dn;
-}
-
-/** How fast the line of nodes turns about L: L (A w_A^2 + B w_B^2)/(A^2 w_A^2 + B^2 w_B^2). */
-static double precession(double t, void *params)
-{
-    const struct free_body *f = params;
-    double w[3], above = 0, below = 0;
-    at_time(f, t, w);
-    for (int k = 0; k < 2; ++k) {
-        above += f->I[k] * w[k] * w[k];
-        below += f->I[k] * f->I[k] * w[k] * w[k];
-    }
-    return f->L * above / below;
-}
-
-/** The attitude at t by Euler's angles z, x, z about L along e3: cos theta = C w_C/L, A w_A = L sin theta sin psi. */
-static rotor attitude_at(const struct free_body *f, double t)
-{
-    static const double e1[3] = {1, 0, 0}, e3[3] = {0, 0, 1};
-    double w[3], phi = 0, error = 0;
-    gsl_function speed = {precession, (void *)f};
-    gsl_integration_workspace *work = gsl_integration_workspace_alloc(1000);
-    if (t > 0)
-        assert_int_equal(gsl_integration_qag(&speed, 0, t, 0, 1e-13, 1000, GSL_INTEG_GAUSS61, work, &phi, &error), 0);
-    gsl_integration_workspace_free(work);
-    at_time(f, t, w);
-    const double across = hypot(f->I[0] * w[0], f->I[1] * w[1]);
-    const rotor nod = quat_turn(e1, atan2(across, f->I[2] * w[2])),
-                own = quat_turn(e3, atan2(f->I[0] * w[0], f->I[1] * w[1]));
-    return quat_times(quat_times(quat_turn(e3, phi), nod), own);
-}
 
 /** The error of attitude after n steps of the rotor, L kept to the bit. */
 static double free_error(const struct free_body *f, int order, int storage, double t_end, int n)
@@ -77,7 +17,7 @@ static double free_error(const struct free_body *f, int order, int storage, doub
     own.rotor = order;
     p.storage = (enum top_storage)storage;
     memcpy(p.moments, f->I, sizeof p.moments);
-    top_set_attitude(&p, attitude_at(f, 0));
+    top_set_attitude(&p, free_attitude(f, 0));
     p.spin[2] = f->L;
     const vti_bodies b = top_bodies(&p);
     for (int k = 0; k < n; ++k) {
@@ -85,7 +25,7 @@ static double free_error(const struct free_body *f, int order, int storage, doub
         assert_int_equal(vti_step_finish(&own, t_end / n, &b), VTI_OK);
     }
     assert_true(p.spin[0] == 0 && p.spin[1] == 0 && p.spin[2] == f->L);
-    return quat_distance(top_attitude(&p), attitude_at(f, t_end));
+    return quat_distance(top_attitude(&p), free_attitude(f, t_end));
 }
 
 static void free_order(int order, int coarsest)

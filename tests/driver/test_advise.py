@@ -190,10 +190,21 @@ def measures():
               f"by {measure}: {found:.2e}")
 
 
+def general_inertia():
+    """Bodies of three moments are advised on by the steppers that can take them, and all of these."""
+    for name, t_end, error in (("heavy-top", 10, 1e-5), ("dzhanibekov", 20, 1e-6)):
+        advice = json.loads(run(advise, "--json", *LONG, "--error", repr(error), "--t-end", str(t_end), scene(name)).stdout)
+        given = [advice["stepper"]] + [o["stepper"] for o in advice["alternatives"]]
+        check(sorted(given) == sorted(s for s in STEPPERS if not s.startswith("an")), f"{name}: {given}")
+        found = float(follow(name, t_end, advice["stepper"], advice["h"])["attitude_error"])
+        check(found <= 1.5 * error and advice["interval"][0] <= found <= advice["interval"][1],
+              f"{name}: {advice['stepper']} errs by {found:.2g}, in {advice['interval']}")
+
+
 def refusals():
     pendulum = scene("pendulum")
     refuses("rivals alone", "--steppers", "rk4,spiral", pendulum, says="name one of ours too")
-    refuses("bodies with moments", pendulum.replace("pendulum", "heavy-top"), says="bodies.moments: vti-advise knows")
+    refuses("a rival of spheres", "--steppers", "vti2,rk4", scene("heavy-top"), says="bodies.moments: rk4 knows")
     refuses("no scene", says="no scene is named")
     refuses("two scenes", pendulum, pendulum, says="only one scene")
     refuses("bad error", "--error", "tiny", pendulum, says="--error: 'tiny' is not a number from 1e-12 to 0.1")
@@ -217,5 +228,6 @@ known_to_its_share()
 rivals()
 always()
 measures()
+general_inertia()
 refusals()
 conclude()

@@ -89,8 +89,8 @@ def refused(base):
         ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),
         ("unknown stepper", lambda: [scene, "--steppers", "vti1,rk5"], ["--steppers", "'rk5'", "vti1, vti2, vti3"]),
         ("unknown option", lambda: [scene, "--frob"], ["--frob", "--help"]),
-        ("bodies with moments", lambda: [variant("inertia: 1 ", "moments: [1, 1, 1] ")],
-         ["bodies.moments", "the study's reference"]),
+        ("rival of spheres", lambda: [variant("inertia: 1 ", "moments: [1, 1, 1] "), "--steppers", "vti2,mercury"],
+         ["bodies.moments", "mercury"]),
         ("one scene twice", lambda: [scene, scene], ["two scenes have the name pendulum"]),
         ("VTI-1 turns too far", lambda: [scene, "--steppers", "vti1", "--h", "1"], ["vti1 at h = 1", "body 0", "h|Omega|", "vti2"]),
         ("VTI-1 turns too far among good runs", lambda: [scene, "--h", "2,1,1/64,1/128,2^-16"], ["vti1 at h = ", "reduce h"]),
@@ -164,6 +164,21 @@ def rivals(base):
     check(evals["rk4", "160"] == 640 and evals["lammps-richardson", "160"] == 160, "their force evaluations are counted")
 
 
+def general_inertia(base):
+    """Bodies of three moments: true errors of the steppers' orders, and of the rotor's where nothing gives a moment."""
+    scenes = os.path.join(os.path.dirname(STUDY), "..", "scenes")
+    for scene, steppers in (("dzhanibekov", {"vti2": 2, "exact": 4, "suzuki4": 4}), ("heavy-top", {"vti2": 2, "exact": 2, "suzuki4": 4})):
+        folder = f"{base}/{scene}"
+        result = study(2, os.path.join(scenes, f"{scene}.yaml"), "--h", "2^-4:2^-8", "--t-end", "10", "--steppers", ",".join(steppers),
+                       folder=folder)
+        check(result.returncode == 0, f"{scene}: a study {result.stderr}")
+        with h5py.File(os.path.join(folder, "study.h5")) as file:
+            found = dict(zip(file["orders/stepper"][3::4], zip(file["orders/order"][2::4], file["orders/interval"][2::4])))
+        for name, order in steppers.items():
+            fitted, interval = found[name.encode()]
+            check(abs(fitted - order) <= max(interval, 0.02) < 0.2, f"{scene}: {name} has order {fitted:.4f} +- {interval:.4f}")
+
+
 def keeps_what_was_there(base):
     """A study that fails does not touch the files of the one before it."""
     folder = f"{base}/kept"
@@ -185,5 +200,6 @@ with tempfile.TemporaryDirectory() as base:
     refused(base)
     from_tables(base)
     rivals(base)
+    general_inertia(base)
     keeps_what_was_there(base)
 conclude()

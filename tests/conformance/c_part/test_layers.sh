@@ -83,8 +83,10 @@ from "$(own_headers drivers/clumps/*.[ch])" include drivers/scene drivers/effect
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/effects drivers/clumps drivers/sim drivers/threads
 from "$(own_headers drivers/threads/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads
 from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/verdict
-from "$(own_headers drivers/rivals/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/rivals
+from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/rivals \
+    drivers/rivals/inertia
 below="drivers/check drivers/scene drivers/effects drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
+below="$below drivers/rivals/inertia"
 # shellcheck disable=SC2086  # several folders
 for room in reference study cost; do
     below="$below drivers/$room"
