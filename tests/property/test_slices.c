@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Slices and layouts do not change a bit: a block of bonded spheres, 1000 steps by every stepper of one stage, whole,
+ * Slices and layouts do not change a bit: a block of bonded spheres, 100 steps by every stepper of one stage, whole,
  * in slices of all sizes, which threads (OpenMP) step and load where there are any, and in every layout. The chain of
  * the same kind is in test_hosts.py. */
 #include "support.h"
 
-enum { NX = 7, NY = 6, NZ = 5, N = NX * NY * NZ, MOST = 3 * N, STEPS = 1000, MOVING = 12 };
+enum { NX = 7, NY = 6, NZ = 5, N = NX * NY * NZ, MOST = 3 * N, STEPS = 100, MOVING = 12 };
 
 enum layout { SEPARATE, PACKED, STRUCTS, BACKWARDS, LAYOUTS };
 
