@@ -33,8 +33,26 @@ void bench_bodies_free(struct bench_bodies *b);
 
 extern double bench_sums[];
 
+/** Uniform in [-1, 1). */
+double bench_random(uint64_t *seed);
+
 /** Adds steps of these bodies and loops that move the same bytes. Returns how many cases there are then. */
 int bench_bodies_cases(struct bench_bodies *b, struct bench_case *cases, int count);
+
+/** n bodies of three moments, packed, in memory of their own: as spheres that only drift, as tops that do, as spheres
+ *  and then tops, and as tops with all that a step needs. */
+struct bench_tops {
+    int64_t n;
+    double *memory;
+    vti_bodies spheres, tops, mixed, whole; /* sealed */
+};
+
+/** Returns 0, or -1 where there is no memory. */
+int bench_tops_make(struct bench_tops *b, int64_t n);
+void bench_tops_free(struct bench_tops *b);
+
+/** Adds their drifts and steps, and the drift of NO_SQUISH. Returns how many cases there are then. */
+int bench_tops_cases(struct bench_tops *b, struct bench_case *cases, int count);
 
 /** side^3 packed bodies on a lattice, displaced and turned at random, each with its neighbours in a list. */
 struct bench_lattice {

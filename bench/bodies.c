@@ -54,7 +54,7 @@ static void set_views(struct bench_bodies *b)
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 
 /** Uniform in [-1, 1), by Knuth's linear congruence modulo 2^64. */
-static double next(uint64_t *seed)
+double bench_random(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(*seed >> 11) / 4503599627370496.0 - 1.0;
@@ -64,7 +64,7 @@ static void fill(const vti_view *view, int64_t n, double size, uint64_t *seed)
 {
     for (int64_t i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k)
-            view->c[k][i * view->stride] = size * next(seed);
+            view->c[k][i * view->stride] = size * bench_random(seed);
 }
 
 static void set_values(struct bench_bodies *b)
@@ -77,8 +77,8 @@ static void set_values(struct bench_bodies *b)
     fill(&bodies->force, b->n, 1e-6, &seed); /* however long it runs, h|Omega| stays small */
     fill(&bodies->moment, b->n, 1e-6, &seed);
     for (int64_t i = 0; i < b->n; ++i) {
-        ((double *)bodies->mass.p)[i * bodies->mass.stride] = 1.5 + 0.5 * next(&seed);
-        ((double *)bodies->inertia.p)[i * bodies->inertia.stride] = 0.15 + 0.05 * next(&seed);
+        ((double *)bodies->mass.p)[i * bodies->mass.stride] = 1.5 + 0.5 * bench_random(&seed);
+        ((double *)bodies->inertia.p)[i * bodies->inertia.stride] = 0.15 + 0.05 * bench_random(&seed);
         for (int k = 0; k < 4 && b->layout == BENCH_QUATERNIONS; ++k)
             bodies->quat.xyzw[k][4 * i] = k == 3;
     }

@@ -14,8 +14,9 @@ static int64_t most = 1000000, rounds = 15, only;
 
 static const struct option_row rows[] = {
     OPTION_PARAGRAPH(
-        "Times steps of n bodies in each layout, n = 8 ... 1e6, loops that move the same bytes, and every\n"
-        "effect on lattices. Prints CSV: median and least of rounds, in each of which every case has its\n"
+        "Times steps of n bodies in each layout, n = 8 ... 1e6, loops that move the same bytes, drifts of\n"
+        "bodies of three moments, and every effect on lattices. Prints CSV: median and least of rounds, in each of "
+        "which every case has its\n"
         "turn. Times of other runs, or of other rounds, say little; ratios within a round do.\n"),
     {"--most", "N", OPTION_WHOLE, &most, 0, 1e8, "1e6", "largest n (default 1e6)"},
     {"--only", "N", OPTION_WHOLE, &only, 0, 1e8, "1000", "this n alone"},
@@ -111,6 +112,17 @@ static int bench_bodies(int64_t n)
     return result;
 }
 
+static int bench_tops(int64_t n)
+{
+    struct bench_tops tops;
+    struct bench_case cases[BENCH_CASES];
+    int result = bench_tops_make(&tops, n);
+    if (result == 0)
+        result = run(cases, bench_tops_cases(&tops, cases, 0), n);
+    bench_tops_free(&tops);
+    return result;
+}
+
 static int bench_lattice(int64_t n)
 {
     struct bench_lattice lattice;
@@ -125,7 +137,7 @@ static int bench_lattice(int64_t n)
 
 static int bench(int64_t n, struct message *message)
 {
-    if (bench_bodies(n) != 0 || bench_lattice(n) != 0)
+    if (bench_bodies(n) != 0 || bench_tops(n) != 0 || bench_lattice(n) != 0)
         return message_set(message, "no memory for %lld bodies; choose a smaller --most", (long long)n);
     return 0;
 }

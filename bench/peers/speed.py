@@ -24,6 +24,13 @@ CASES = (
         (10, 46),
         ("vti2", "vti2 next"),
     ),
+    (
+        "nve/asphere",
+        {"style": "ellipsoid", "move": "nve/asphere", "bonds": 0},
+        "Modify",
+        (10, 46),
+        ("three moments: vti2", "three moments: vti2 next"),
+    ),
     ("bpm/rotational", {"style": "bpm/sphere", "move": "nve/bpm/sphere", "bonds": 1}, "Bond", (20,), ("bond",)),
 )
 STEPS = {10: 400, 20: 10, 46: 8}

@@ -12,6 +12,8 @@ from tally import check, conclude
 COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
 LATTICE = {"bond": 54, "touching pair": 54, "pair apart": 54, "body between six walls": 27, "body of a bonded lattice": 27}
 STEPS = ("vti2", "vti1", "exact", "vti2 next")
+TOPS = ("drift: sphere", "drift: Strang", "drift: M4", "drift: S10", "drift: mixed", "drift: NO_SQUISH", "three moments: vti2",
+        "three moments: vti2 next")
 LAYOUTS = ("packed", "separate", "quaternions", "structs")
 
 
@@ -24,7 +26,7 @@ def test_rows(program):
     rows = list(csv.DictReader(done.stdout.splitlines()))
     check(done.returncode == 0 and list(rows[0]) == COLUMNS, "columns")
     found = {(row["what"], row["layout"]): row for row in rows}
-    wanted = {(step, layout) for step in STEPS for layout in LAYOUTS} | {(what, "packed") for what in LATTICE}
+    wanted = {(step, layout) for step in STEPS for layout in LAYOUTS} | {(what, "packed") for what in (*LATTICE, *TOPS)}
     check(set(found) == wanted | {("bytes", "packed"), ("bytes next", "packed")} and len(rows) == len(found), "every case once")
     check(all(int(row["items"]) == LATTICE.get(row["what"], 27) for row in rows), "3^3 bodies have 3 * 9 * 2 neighbours")
     check(all(0 < float(row["least_ns"]) <= float(row["median_ns"]) < float("inf") for row in rows), "times")
@@ -35,7 +37,7 @@ def test_page(vti_plot, folder, rows):
     """By times that are made up: twice those of the loop for vti2, three times for vti1."""
     text = ",".join(COLUMNS) + "\n"
     for row in csv.DictReader(rows.splitlines()):
-        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5}.get(row["what"], 7)
+        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5, "drift: Strang": 28, "drift: NO_SQUISH": 280}.get(row["what"], 7)
         text += ",".join([row["what"], row["layout"], row["n"], row["items"], row["bytes"], str(ns), "1"]) + "\n"
     for name, units in (("widest", "AVX2"), ("avx2", "AVX2"), ("baseline", "those of the build")):
         for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
@@ -46,6 +48,7 @@ def test_page(vti_plot, folder, rows):
     with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
         file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
                    "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
+                   "nve/asphere,1000,three moments: vti2,widest,10,80,8,7.5,8.5\n"
                    "bpm/rotational,8000,bond,widest,20,240,12,11,13\n")
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
@@ -58,6 +61,10 @@ def test_page(vti_plot, folder, rows):
     check("| `vti2 next` | x(3,n) | 7 (1.40) | 7 (1.40) |" in made, "one pass beside one pass")
     check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
     check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
+    check("| drift, rotor 2 (Strang) | 28 (4.0) | 28 (4.0) |" in made, "a drift of three moments beside a sphere's")
+    check("NO_SQUISH takes 10.0 times what Strang's list takes, and 40.0 times what M4 takes" in made, "beside NO_SQUISH")
+    check("| step of a body of three moments, `fix nve/asphere` | 1000 | 80 | `three moments: vti2` | 8.00 (7.50 to 8.50) | - |" in made,
+          "and beside LAMMPS")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
     check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | "
           "1.00 (0.90 to 1.10) |" in made, "LAMMPS beside two builds")

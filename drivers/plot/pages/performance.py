@@ -18,10 +18,14 @@ LAYOUTS = {"packed": "x(3,n)", "separate": "x(n,3), three arrays", "quaternions"
 STEPS = ("vti2", "vti1", "exact", "vti2 next")
 EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a touching pair", "pair apart": "contact of a pair that does not touch",
            "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
+TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (Strang)", "drift: M4": "drift, rotor 4 (M4)",
+        "drift: S10": "drift, rotor 6 (S10)", "drift: mixed": "drift, rotor 2, spheres and then tops, as many",
+        "drift: NO_SQUISH": "drift of NO_SQUISH, sine and cosine of libm", "three moments: vti2": "step, `vti2`",
+        "three moments: vti2 next": "step, `vti2 next`"}
 SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
-          "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`"}
+          "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "nve/asphere": "step of a body of three moments, `fix nve/asphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`"}
 CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
@@ -129,6 +133,27 @@ def effects_part(page, benches, sizes):
     page.table(["", "n", *(one.units for one in benches)], rows)
 
 
+def tops_part(page, benches, sizes):
+    """Bodies of three moments, where vti-bench knows them."""
+    page.heading("Bodies of three moments")
+    page.text("Nanoseconds per body, packed, all three moments different in each; of steps with kick, drift, kick. In brackets: over the "
+              "drift of a sphere by the same law (exact), in the same rounds. NO_SQUISH (Miller et al. 2002) turns about "
+              "the body's axes 3, 2, 1, 2, 3; the compiler's flags are the same.")
+    for n in sizes:
+        rows = [[text, *(beside_sphere(one, what, n) for one in benches)] for what, text in TOPS.items()]
+        page.text(f"**n = {size_text(n)}**")
+        page.table(["", *(one.units for one in benches)], rows)
+    first, n = benches[0], sizes[0]
+    times = [first.ns("drift: NO_SQUISH", "packed", n) / first.ns(what, "packed", n) for what in ("drift: Strang", "drift: M4")]
+    page.text(f"At n = {size_text(n)}, {first.units}, NO_SQUISH takes {times[0]:.1f} times what Strang's list takes, and {times[1]:.1f} "
+              "times what M4 takes.")
+
+
+def beside_sphere(bench, what, n):
+    ns = bench.ns(what, "packed", n)
+    return f"{short(ns)} ({ns / bench.ns('drift: sphere', 'packed', n):.1f})" if ns == ns else "-"
+
+
 def lammps_part(page, folder, benches):
     """Beside LAMMPS, where it was to be had."""
     page.heading("Beside LAMMPS")
@@ -206,6 +231,7 @@ def build(folder, into, below):
     steps_part(page, benches, sizes)
     memory_part(page, benches, sizes)
     effects_part(page, benches, sizes)
+    tops_part(page, benches, sizes)
     lammps_part(page, folder, benches)
     cores_part(page, folder)
     with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
