@@ -231,7 +231,7 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
 
 /** The incremental form of vti_rrv_increment, for numbers and for vectors of numbers, V; returns f u.alpha. */
 #define VTI_RRV_INCREMENTAL(NAME, V)                                                                                   \
-    VTI_INLINE V NAME(V c, V f, const V u[3], double side, const V a[3], V add[3])                                     \
+    VTI_INLINE V NAME(V c, V f, const V u[3], V side, const V a[3], V add[3])                                          \
     {                                                                                                                  \
         const V d = f * (u[0] * a[0] + u[1] * a[1] + u[2] * a[2]), inv = 1.0 / (2.0 * c - d);                          \
         const V x[3] = {u[1] * a[2] - u[2] * a[1], u[2] * a[0] - u[0] * a[2], u[0] * a[1] - u[1] * a[0]};              \

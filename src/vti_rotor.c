@@ -21,6 +21,7 @@ static void body_of(const vti_bodies *b, int64_t i, struct rotor_body *body)
     if (b->principal.xyzw[0] != NULL)
         rotor_principal(a, p, body->q);
     body->scale = 2.0 / vti_pair_square(body->q);
+    body->turned = b->principal.xyzw[0] != NULL;
     vti_load(&b->moments, i, body->m);
     rotor_moments(body);
 }
@@ -152,21 +153,24 @@ static void drift_hard(int law, int rotor, double t, const struct rotor_body *bo
                          size > 0.0 ? L[2] / size : L[2]};
     const double e_x = cut_off(t * at.d_x, size), e_y = cut_off(t * at.d_y, size);
     struct rotor_list list = {.law = law, .hard = 1};
-    rotor_list_of(rotor, body, &at, n, e_x, e_y, &list);
-    double u[3];
+    double p[3];
+    rotor_spin(body, &at, n, p);
+    rotor_list_of(rotor, e_x, e_y, p, &list);
     for (int k = 0; k < 3; ++k) {
-        u[k] = t == 0.0 ? 0.0 : t * (at.k_r * L[k]);
-        d->u[k] = u[k] = isinf(u[k]) ? copysign(0x1p1000, u[k]) : u[k];
+        const double u = t == 0.0 ? 0.0 : t * (at.k_r * (body->round ? L[k] : size * p[k]));
+        d->u[k] = isinf(u) ? copysign(0x1p1000, u) : u;
     }
-    const struct increment whole = increment(law, u);
-    const double most = fabs(whole.cf[1]) * vti_max3(u), s = vti_scale(most > fabs(whole.cf[0]) ? most : whole.cf[0]);
-    const double cf[2] = {s * whole.cf[0], s * whole.cf[1]};
-    rotor_join(rotor, body, &at, &list, n, e_x, cf, d);
-    if (body->round) {
-        d->c = whole.cf[0];
-        d->f = whole.cf[1];
+    const struct increment whole = increment(law, d->u);
+    d->c = whole.cf[0];
+    d->f = whole.cf[1];
+    if (!body->round) {
+        const double most = fabs(d->f) * vti_max3(d->u), s = vti_scale(most > fabs(d->c) ? most : d->c);
+        d->c *= s;
+        d->f *= s;
+    }
+    rotor_join(rotor, body, &at, &list, p, e_x, d);
+    if (body->round)
         return;
-    }
     const double largest_u = vti_max3(d->u), back = vti_scale(largest_u > fabs(d->c) ? largest_u : fabs(d->c));
     d->c *= back;
     for (int k = 0; k < 3; ++k)
@@ -184,11 +188,11 @@ static void turn_one(const struct vti_move *move, const vti_bodies *b, int64_t i
         drift_hard(move->law, rotor, move->drift, body, L, &d);
     const struct increment whole = {{d.c, d.f}, 0};
     if (!vti_has(&b->alpha))
-        turn_quat(whole, 1.0, d.u, &b->quat, i);
+        turn_quat(whole, d.side, d.u, &b->quat, i);
     else if (vti_has(&b->alpha_low))
-        turn_compensated(whole, 1.0, d.u, &b->alpha, &b->alpha_low, i);
+        turn_compensated(whole, d.side, d.u, &b->alpha, &b->alpha_low, i);
     else
-        turn_alpha(whole, 1.0, d.u, &b->alpha, i);
+        turn_alpha(whole, d.side, d.u, &b->alpha, i);
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */

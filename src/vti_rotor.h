@@ -39,8 +39,8 @@ VTI_INLINE void rotor_from_r(const struct rotor_axes *at, const lanes v[3], lane
     c[2] = lanes_where(at->later, lanes_where(at->last, v[1], v[0]), v[2]);
 }
 
-/** Of moments m and k = 1/m. An axis is in the middle if what follows it is above it and what precedes it is not, or the
- *  other way round. */
+/** Of moments m and k = 1/m. An axis is in the middle if the next one's moment is above its own and the other's is not,
+ *  or the other way round. */
 VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3], const lanes k[3])
 {
     struct rotor_axes at;
@@ -216,6 +216,7 @@ VTI_INLINE void rotor_s10(struct rotor_list *list)
 struct rotor_body {
     lanes q[4], scale, m[3], k[3];
     lanes_mask round;
+    int turned; /* its principal axes are not the body's own */
 };
 
 VTI_INLINE void rotor_moments(struct rotor_body *body)
@@ -245,19 +246,15 @@ VTI_INLINE void rotor_principal(const lanes a[4], const lanes p[4], lanes q[4])
     q[3] = a[3] * p[3] - lanes_dot(a, p);
 }
 
-/** The list of turns of a drift: by e_x = t d_x and e_y = t d_y of L. */
-VTI_INLINE void rotor_list_of(int rotor, const struct rotor_body *body, const struct rotor_axes *at, const lanes L[3],
-                              lanes e_x, lanes e_y, struct rotor_list *list)
+/** The list of turns of a drift by e_x = t d_x and e_y = t d_y of p along x, y and r. */
+VTI_INLINE void rotor_list_of(int rotor, lanes e_x, lanes e_y, const lanes p[3], struct rotor_list *list)
 {
-    lanes p[3];
-    lanes_rotate(body->q, body->scale, -1.0, L, p);
-    rotor_onto(at, p, list->p);
+    for (int n = 0; n < 3; ++n)
+        list->p[n] = rotor == 4 ? e_x * p[n] : p[n];
     list->sigma = list->most = lanes_of(0.0);
     list->by[0] = e_x;
     list->by[1] = e_y;
     if (rotor == 4) {
-        for (int n = 0; n < 3; ++n)
-            list->p[n] *= e_x;
         list->by[0] = lanes_of(1.0);
         list->by[1] = e_y / lanes_where(e_x == 0.0, list->by[0], e_x);
         rotor_m4(list);
@@ -267,47 +264,63 @@ VTI_INLINE void rotor_list_of(int rotor, const struct rotor_body *body, const st
         rotor_strang(list);
 }
 
-/** An increment 2 f u/c in space. */
+/** An increment 2 f u/c: side 1 in space, -1 in the body. */
 struct rotor_increment {
-    lanes c, f, u[3];
+    lanes c, f, u[3], side;
 };
 
-/** (c0, f0 u)(b_w, R_p b_v), the turn about L, to which M4 adds that by sigma L, after all others. Of a sphere it is the
- *  first of them, to the bit. */
-VTI_INLINE void rotor_join(int rotor, const struct rotor_body *body, const struct rotor_axes *at,
-                           const struct rotor_list *list, const lanes L[3], lanes e_x, const lanes cf[2],
-                           struct rotor_increment *d)
-{
-    const lanes_mask plain = body->round;
-    lanes b[3], x[3], v[3], w = cf[0];
-    rotor_off(at, list->b, b);
-    lanes_rotate(body->q, body->scale, 1.0, b, b);
-    for (int n = 0; n < 3; ++n)
-        v[n] = cf[1] * d->u[n];
-    if (rotor == 4) {
-        lanes s[3], more[2];
-        for (int n = 0; n < 3; ++n)
-            s[n] = list->sigma * (e_x * L[n]);
-        rotor_law(VTI_LAW_EXACT, lanes_dot(s, s), more);
-        for (int n = 0; n < 3; ++n)
-            s[n] *= more[1];
-        w = cf[0] * more[0] - lanes_dot(v, s);
-        for (int n = 0; n < 3; ++n)
-            v[n] = cf[0] * s[n] + more[0] * v[n];
-    }
-    lanes_cross(v, b, x);
-    d->c = lanes_where(plain, cf[0], w * list->b[3] - lanes_dot(v, b));
-    d->f = lanes_where(plain, cf[1], lanes_of(1.0));
-    for (int n = 0; n < 3; ++n)
-        d->u[n] = lanes_where(plain, d->u[n], (w * b[n] + list->b[3] * v[n]) + x[n]);
-}
-
-/** The turn about L: u, and the pair of its law. */
+/** The turn about L: u = t k_r L, and the pair of its law. */
 VTI_INLINE void rotor_about_L(int law, lanes t, lanes k_r, const lanes L[3], lanes u[3], lanes cf[2])
 {
     for (int n = 0; n < 3; ++n)
         u[n] = t * (k_r * L[n]);
     rotor_law(law, lanes_dot(u, u), cf);
+}
+
+/** L along x, y and r; of a sphere, in space. */
+VTI_INLINE void rotor_spin(const struct rotor_body *body, const struct rotor_axes *at, const lanes L[3], lanes p[3])
+{
+    lanes r[3];
+    lanes_rotate(body->q, body->scale, -1.0, L, r);
+    rotor_onto(at, r, p);
+    for (int n = 0; n < 3; ++n)
+        p[n] = lanes_where(body->round, L[n], p[n]);
+}
+
+/** All turns as one, d, which is that about L as it comes. In space the turn about L is the last; in the body it is one
+ *  about p = R_p^T L before all others: (c0, f0 u) b. M4 adds the turn by sigma L, of e_x p. Of a sphere there are no
+ *  others, and d stays, to the bit. */
+VTI_INLINE void rotor_join(int rotor, const struct rotor_body *body, const struct rotor_axes *at,
+                           const struct rotor_list *list, const lanes p[3], lanes e_x, struct rotor_increment *d)
+{
+    const lanes *const b = list->b;
+    lanes x[3], v[3], w = d->c;
+    for (int n = 0; n < 3; ++n)
+        v[n] = d->f * d->u[n];
+    if (rotor == 4) {
+        lanes s[3], more[2];
+        for (int n = 0; n < 3; ++n)
+            s[n] = list->sigma * (e_x * p[n]);
+        rotor_law(VTI_LAW_EXACT, lanes_dot(s, s), more);
+        for (int n = 0; n < 3; ++n)
+            s[n] *= more[1];
+        w = d->c * more[0] - lanes_dot(v, s);
+        for (int n = 0; n < 3; ++n)
+            v[n] = d->c * s[n] + more[0] * v[n];
+    }
+    lanes_cross(v, b, x);
+    const lanes c = w * b[3] - lanes_dot(v, b);
+    for (int n = 0; n < 3; ++n)
+        x[n] = (w * b[n] + b[3] * v[n]) + x[n];
+    rotor_off(at, x, v);
+    if (body->turned)
+        lanes_rotate(body->q, body->scale, 1.0, v, v);
+    const lanes in_space = lanes_of(1.0);
+    d->side = lanes_where(body->round, in_space, body->turned ? in_space : -in_space);
+    d->c = lanes_where(body->round, d->c, c);
+    d->f = lanes_where(body->round, d->f, in_space);
+    for (int n = 0; n < 3; ++n)
+        d->u[n] = lanes_where(body->round, d->u[n], v[n]);
 }
 
 /** The increment of a drift of time t, with spin L. */
@@ -317,12 +330,15 @@ VTI_INLINE void rotor_drift(int law, int rotor, lanes t, const struct rotor_body
     const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     const lanes e_x = t * at.d_x, e_y = t * at.d_y;
     struct rotor_list list;
+    lanes p[3], cf[2];
     list.law = law;
     list.hard = list.watches = 0;
-    rotor_list_of(rotor, body, &at, L, e_x, e_y, &list);
-    lanes cf[2];
-    rotor_about_L(law, t, at.k_r, L, d->u, cf);
-    rotor_join(rotor, body, &at, &list, L, e_x, cf, d);
+    rotor_spin(body, &at, L, p);
+    rotor_list_of(rotor, e_x, e_y, p, &list);
+    rotor_about_L(law, t, at.k_r, p, d->u, cf);
+    d->c = cf[0];
+    d->f = cf[1];
+    rotor_join(rotor, body, &at, &list, p, e_x, d);
 }
 
 /** The largest turn of it. */
@@ -330,13 +346,14 @@ VTI_INLINE lanes rotor_most(int law, int rotor, lanes t, const struct rotor_body
 {
     const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     struct rotor_list list;
-    lanes u[3];
+    lanes u[3], p[3];
     list.law = law;
     list.hard = 0;
     list.watches = 1;
-    rotor_list_of(rotor, body, &at, L, t * at.d_x, t * at.d_y, &list);
+    rotor_spin(body, &at, L, p);
+    rotor_list_of(rotor, t * at.d_x, t * at.d_y, p, &list);
     for (int n = 0; n < 3; ++n)
-        u[n] = t * (at.k_r * L[n]);
+        u[n] = t * (at.k_r * p[n]);
     return rotor_worst(list.most, lanes_sqrt(lanes_dot(u, u)));
 }
 

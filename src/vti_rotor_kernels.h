@@ -78,7 +78,8 @@ struct general {
 /** From the attitude on. */
 VTI_INLINE void turned_body(const vti_quat_view *principal, int64_t i, struct general *g)
 {
-    if (principal->xyzw[0] != NULL) {
+    g->body.turned = principal->xyzw[0] != NULL;
+    if (g->body.turned) {
         lanes p[4];
         load_quad(principal, i, p);
         rotor_principal(g->attitude, p, g->body.q);
@@ -153,7 +154,7 @@ VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes
     const lanes uu = d->f * d->f * lanes_dot(d->u, d->u), cc = d->c * d->c;
     if (by_alpha) {
         lanes add[3];
-        const lanes dot = incremental(d->c, d->f, d->u, 1.0, q, add);
+        const lanes dot = incremental(d->c, d->f, d->u, d->side, q, add);
         const lanes sizes = 0x1p-58 * lanes_square(q) + 0x1p-68 * cc;
         const lanes_mask near = (4.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d->c * lanes_abs(d->c);
         for (int k = 0; k < 3; ++k)
@@ -165,7 +166,7 @@ VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes
         u[k] = d->f * d->u[k];
     lanes_cross(u, q, x);
     for (int k = 0; k < 3; ++k)
-        r[k] = d->c * q[k] + q[3] * u[k] + x[k];
+        r[k] = d->c * q[k] + q[3] * u[k] + d->side * x[k];
     r[3] = d->c * q[3] - lanes_dot(u, q);
     const lanes scale = 1.0 / lanes_sqrt(lanes_dot(r, r) + r[3] * r[3]);
     for (int k = 0; k < 4; ++k)
@@ -183,6 +184,7 @@ VTI_INLINE void drift_general(int law, int rotor, double time, const vti_quat_vi
         rotor_about_L(law, t, g->body.k[0], g->L, d->u, cf);
         d->c = cf[0];
         d->f = cf[1];
+        d->side = lanes_of(1.0);
     } else {
         turned_body(principal, i, g);
         rotor_drift(law, rotor, t, &g->body, g->L, d);

@@ -63,7 +63,8 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
             for (int n = 0; n < 3; ++n)
                 a[n] = there[n];
         law_of(law, s2, cf);
-        const lanes d = incremental(cf[0], cf[1], u, side, a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add),
+                    aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
         const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
         if (!lanes_all(near)) {
             turn_one_by_one(move, b, i);

@@ -54,8 +54,8 @@ static vti_bodies many_bodies(int trial, struct many *m)
     return all;
 }
 
-/** Some are near or past half a turn, some turn beyond measure; closed: none turns by 1, or if 2 some may. There are spheres among them,
- *  and sometimes a row of them at the start. */
+/** Some are near or past half a turn, some turn beyond measure; closed: none turns by 1, or if 2 some may. There are
+ *  spheres among them, and sometimes a row of them at the start. */
 static void fill(rng *g, int closed, const vti_bodies *all)
 {
     const int64_t row = 8 * rng_below(g, 4);
