@@ -3,14 +3,14 @@
 !> vti_multisteps -- multistep methods: one force evaluation a step. Part of module vti; contracts are those of
 !> vti_multistep.h.
 module vti_multisteps
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_null_char, &
-        c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, &
+        c_null_char, c_null_ptr, c_ptr
     use vti_steps, only: from_one
     use vti_types
     implicit none
     private
     public :: vti_multistep_find, vti_multistep_at, vti_multistep_count, vti_multistep_record, vti_multistep_predict, &
-        vti_multistep_correct, vti_multistep_error
+        vti_multistep_correct, vti_multistep_error, vti_multistep_touch
 
     interface
         !> Number of methods that vti_multistep_at knows.
@@ -70,6 +70,15 @@ module vti_multisteps
             type(vti_fault), intent(inout) :: fault
             integer(c_int) :: status
         end function
+
+        function c_multistep_touch(h, before, contacts, walls, bodies) result(status) bind(c, name='vti_multistep_touch')
+            import :: c_double, c_int, c_ptr, vti_bodies, vti_view
+            real(c_double), value :: h
+            type(vti_view), intent(in) :: before
+            type(c_ptr), value :: contacts, walls
+            type(vti_bodies), intent(in) :: bodies
+            integer(c_int) :: status
+        end function
     end interface
 
 contains
@@ -110,6 +119,22 @@ contains
         type(vti_fault) :: found
         status = c_multistep_predict(method, h, past, bodies, found)
         if (present(fault)) fault = from_one(found)
+    end function
+
+    !> After vti_multistep_correct: takes off what the step missed of contacts and walls that have begun or ended to touch
+    !> in it. before is x as it was at its start.
+    function vti_multistep_touch(h, before, bodies, contacts, walls) result(status)
+        real(c_double), intent(in) :: h
+        type(vti_view), intent(in) :: before
+        type(vti_bodies), intent(in) :: bodies
+        type(vti_contacts), intent(in), target, optional :: contacts
+        type(vti_walls), intent(in), target, optional :: walls
+        integer(c_int) :: status
+        type(c_ptr) :: place(2)
+        place = c_null_ptr
+        if (present(contacts)) place(1) = c_loc(contacts)
+        if (present(walls)) place(2) = c_loc(walls)
+        status = c_multistep_touch(h, before, place(1), place(2), bodies)
     end function
 
 end module

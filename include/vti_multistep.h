@@ -4,7 +4,8 @@
 #ifndef VTI_MULTISTEP_H
 #define VTI_MULTISTEP_H
 
-#include "vti_bodies.h"
+#include "vti_contact.h"
+#include "vti_wall.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -12,8 +13,8 @@ extern "C" {
 
 /** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
  *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1. Linear momentum is kept to rounding, angular
- *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces; for long times,
- *  and for contacts, the steppers of vti_step.h.
+ *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces, and with
+ *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
  *  the rate of damping or gyration stays below 0.16, 0.046, 0.013 and 0.006 for K = 4, 6, 8 and 9: little of it, then,
@@ -69,6 +70,18 @@ VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti
                                 double *velocity, double *spin);
 /** Corrects by the difference D of the new accelerations from those that were foreseen, and records them. */
 VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *bodies);
+
+/** After vti_multistep_correct, where there are Hertzian contacts or walls: takes off v and x what the step's sums miss
+ *  where one begins or ends within it. For a force that grows as the power 3/2 of the overlap that is of order h^{5/2},
+ *  whatever K; what is left is of order h^{9/2}. No force is evaluated.
+ *
+ *  before is x at the start of the step, [n][3] in any layout; contacts and walls are those that the forces are of, the
+ *  list of contacts that of the new positions; NULL where there are none. Linear momentum is kept. One call for all
+ *  bodies, by one thread: it reads of others what it moves. A past that is recorded while something begins or ends to
+ *  touch does not know of it: a run that starts so takes its K - 1 steps back in time (v and Omega turned round, forces
+ *  recorded from the last to the first, the bodies put back). VTI_E_NEEDS without x, v or mass. */
+VTI_API int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *contacts, const vti_walls *walls,
+                                const vti_bodies *bodies);
 
 #ifdef __cplusplus
 }

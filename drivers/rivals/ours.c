@@ -4,7 +4,8 @@
  *
  * Multistep methods (EQUATIONS 8.1): K - 1 steps by a stepper that is accurate enough, the accelerations remembered
  * before each, then one force evaluation a step. What they remember is all that they keep beside the bodies, so that a
- * checkpoint goes on with it.
+ * checkpoint goes on with it. Where something touches, the K - 1 steps are back in time and undone, so that what begins
+ * to touch at the start does so within a step of theirs, which takes off what it would miss of that.
  *
  * Steps by a tolerance (EQUATIONS 8.3), of the steppers that estimate their error: vti_control chooses them. The
  * tolerance is the scene's, or, where it has none, SHARE (h f)^(q+1), f the fastest there is, so that steps are in
@@ -13,6 +14,8 @@
 #include "rival.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "plain.h"
 #include "travel.h"
@@ -43,12 +46,92 @@ static int start_step(struct course *c, int64_t depth)
     return status;
 }
 
+/** Where something touches: what, positions before a step, and for the start all bodies and the loads of its steps. */
+struct touching {
+    struct effect_surfaces surfaces;
+    double *before, *loads;
+    vti_kept now;
+    double memory[];
+};
+
+enum { KEPT = 19, LOADS = 6 };
+
+static int prepare_multistep(struct course *c, struct message *message)
+{
+    const size_t depth = (size_t)vti_multistep_at(c->rival - ways)->depth, n = (size_t)c->n;
+    struct effect_surfaces surfaces = {.contacts = NULL, .walls = NULL};
+    for (int64_t k = 0; k < c->model->rooms_count; ++k)
+        if (c->model->rooms[k].kind->surfaces != NULL)
+            c->model->rooms[k].kind->surfaces(&c->model->rooms[k], &surfaces);
+    if (surfaces.contacts == NULL && surfaces.walls == NULL)
+        return 0;
+    struct touching *t = calloc(1, sizeof *t + (3 + KEPT + LOADS * depth) * n * sizeof(double));
+    if (t == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", c->model->scene->name);
+    t->surfaces = surfaces;
+    t->before = t->memory;
+    t->now.memory = t->before + 3 * n;
+    t->now.width = KEPT;
+    t->loads = t->now.memory + KEPT * n;
+    c->tool = t;
+    return 0;
+}
+
+static void dismiss_multistep(struct course *c)
+{
+    free(c->tool);
+}
+
+static void turn_back(double *v, int64_t n)
+{
+    for (int64_t k = 0; v != NULL && k < 3 * n; ++k)
+        v[k] = -v[k];
+}
+
+/** Forces and moments to or from the loads of step k. */
+static void move_loads(struct course *c, int64_t k, int put)
+{
+    const size_t size = (size_t)(3 * c->n) * sizeof(double);
+    double *const now[2] = {c->f, c->m}, *const loads = ((struct touching *)c->tool)->loads + LOADS * c->n * k;
+    for (int which = 0; which < 2; ++which)
+        if (now[which] != NULL)
+            memcpy(put ? now[which] : loads + which * 3 * c->n, put ? loads + which * 3 * c->n : now[which], size);
+}
+
+/** K - 1 steps back in time, which are then undone. */
+static int start_back(struct course *c, int64_t depth, vti_past *past)
+{
+    const vti_kept *const now = &((struct touching *)c->tool)->now;
+    int status = vti_step_keep(&c->bodies, now);
+    turn_back(c->v, c->n);
+    turn_back(c->w, c->n);
+    for (int64_t k = 1; k < depth && status == VTI_OK; ++k) {
+        status = start_step(c, depth);
+        move_loads(c, k, 0);
+    }
+    for (int64_t k = depth - 1; k > 0 && status == VTI_OK; --k) {
+        move_loads(c, k, 1);
+        status = vti_multistep_record(past, &c->bodies);
+    }
+    if (status == VTI_OK)
+        status = vti_step_undo(&c->bodies, now);
+    return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
+}
+
 static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
 {
+    struct touching *const t = c->tool;
+    if (t != NULL)
+        memcpy(t->before, c->x, (size_t)(3 * c->n) * sizeof *t->before);
     int status = vti_multistep_predict(m, c->h, past, &c->bodies, &c->fault);
     if (status == VTI_OK)
         status = course_forces(c);
-    return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
+    if (status == VTI_OK)
+        status = vti_multistep_correct(m, c->h, past, &c->bodies);
+    if (status != VTI_OK || t == NULL)
+        return status;
+    const vti_view before = vti_view_packed(t->before);
+    return vti_multistep_touch(c->h, &before, t->surfaces.contacts, t->surfaces.walls, &c->bodies);
 }
 
 /** The numbers of the course: how many accelerations are known. */
@@ -56,7 +139,7 @@ static int go_multistep(struct course *c, int64_t steps)
 {
     const vti_multistep *const m = vti_multistep_at(c->rival - ways);
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
-    int status = VTI_OK;
+    int status = c->tool != NULL && past.known == 0 ? start_back(c, m->depth, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
         if (past.known < m->depth)
             status = vti_multistep_record(&past, &c->bodies);
@@ -78,7 +161,9 @@ const struct rival *multistep_at(int64_t i)
         const struct rival way = {
             .stepper = RIVAL_STEPPER(m->name, m->depth + 1, 0.0, 0, m->reach, m->about),
             .own_width = 6 * m->depth,
+            .prepare = prepare_multistep,
             .go = go_multistep,
+            .dismiss = dismiss_multistep,
             .takes_forces = 1,
         };
         ways[i] = way;

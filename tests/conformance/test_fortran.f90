@@ -258,6 +258,33 @@ contains
                 'the error is the correction')
         end do
         call expect(maxval(abs(s%v - other%v)) < 1e-6_c_double, 'an4 follows srkn11')
+        call touch(s, b)
+    end subroutine
+
+    !> A pair that has met in the last step moves, and a wall that nothing met does not; momentum stays.
+    subroutine touch(s, b)
+        type(state), intent(inout) :: s
+        type(vti_bodies), intent(in) :: b
+        real(c_double), target :: before(3, n), diameter, plane(4, 1)
+        real(c_double) :: velocity(3, n), stiffness
+        integer(c_int64_t), target :: pair(2, 1)
+        type(vti_contacts) :: contacts
+        type(vti_walls) :: walls
+        velocity = s%v
+        before = s%x
+        before(:, 1) = before(:, 1) + 0.5_c_double*h*(before(:, 1) - before(:, 2))
+        diameter = (1 + 0.25_c_double*h)*norm2(s%x(:, 1) - s%x(:, 2))
+        pair(:, 1) = [1, 2]
+        plane(:, 1) = [0, 0, 1, -100]
+        stiffness = 10
+        contacts = vti_contacts_between(pair, vti_scalars_one(diameter), stiffness)
+        walls = vti_walls_at(plane, vti_scalars_one(diameter), stiffness)
+        call expect_status(vti_multistep_touch(h, vti_view_columns(before), b, walls=walls), VTI_OK, 'touch a wall')
+        call expect(same_bits(s%v, velocity), 'no wall is near')
+        call expect_status(vti_multistep_touch(h, vti_view_columns(before), b, contacts), VTI_OK, 'touch')
+        velocity = s%v - velocity
+        call expect(norm2(velocity(:, 1)) > 0 .and. all(abs(velocity(:, 3:)) <= 0), 'the pair is moved')
+        call expect(norm2(s%mass(1)*velocity(:, 1) + s%mass(2)*velocity(:, 2)) < 1e-14_c_double, 'momentum is kept')
     end subroutine
 
     !> One step of method.
