@@ -157,5 +157,6 @@ void check_momentum(struct kit *kit); /* structure.c */
 void check_reversal(struct kit *kit); /* structure.c */
 void check_two_form(struct kit *kit); /* two_form.c */
 void check_energy(struct kit *kit);   /* structure.c */
+void check_inertia(struct kit *kit);  /* inertia.c: instead of all others, of bodies of three moments */
 
 #endif

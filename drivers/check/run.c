@@ -23,7 +23,7 @@ static void say_rest(struct kit *kit)
             kit_fault(kit, "fails: %s", r->line[k].name);
 }
 
-static int check_all(const char *name, vti_check_advance *advance, void *self, int rotates, vti_check_report *report)
+static struct kit kit_of(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)
 {
     struct kit kit;
     memset(&kit, 0, sizeof kit);
@@ -32,6 +32,12 @@ static int check_all(const char *name, vti_check_advance *advance, void *self, i
     kit.host.advance = advance;
     kit.host.self = self;
     kit.report = report;
+    return kit;
+}
+
+static int check_all(const char *name, vti_check_advance *advance, void *self, int rotates, vti_check_report *report)
+{
+    struct kit kit = kit_of(name, advance, self, report);
     kit.rotates = rotates;
     kit.host.constants = (struct constants){1.0, 1.0, {KICK_RIGHT, 1.0}, {KICK_RIGHT, 1.0}, 0};
     check_constants(&kit);
@@ -67,10 +73,19 @@ int vti_check_run_translation(const char *name, vti_check_advance *advance, void
     return check_all(name, advance, self, 0, report);
 }
 
-static int check_and_print(const char *name, vti_check_advance *advance, void *self, int rotates)
+int vti_check_run_inertia(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)
+{
+    struct kit kit = kit_of(name, advance, self, report);
+    check_inertia(&kit);
+    say_rest(&kit);
+    return report->faults;
+}
+
+static int check_and_print(const char *name, vti_check_advance *advance, void *self,
+                           int run(const char *, vti_check_advance *, void *, vti_check_report *))
 {
     vti_check_report report;
-    const int faults = check_all(name, advance, self, rotates, &report);
+    const int faults = run(name, advance, self, &report);
     vti_check_print(&report, stdout);
     fflush(stdout); /* the host may print by other means, as Fortran does */
     return faults;
@@ -78,10 +93,15 @@ static int check_and_print(const char *name, vti_check_advance *advance, void *s
 
 int vti_check(const char *name, vti_check_advance *advance, void *self)
 {
-    return check_and_print(name, advance, self, 1);
+    return check_and_print(name, advance, self, vti_check_run);
 }
 
 int vti_check_translation(const char *name, vti_check_advance *advance, void *self)
 {
-    return check_and_print(name, advance, self, 0);
+    return check_and_print(name, advance, self, vti_check_run_translation);
+}
+
+int vti_check_inertia(const char *name, vti_check_advance *advance, void *self)
+{
+    return check_and_print(name, advance, self, vti_check_run_inertia);
 }

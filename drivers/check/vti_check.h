@@ -72,6 +72,10 @@ int vti_check_run(const char *name, vti_check_advance *advance, void *self, vti_
 /** The same for a host that moves positions only: scenes without moments, and a remark that rotation was not looked at.
  *  What the host does to quat and omega does not matter, as long as they stay finite. */
 int vti_check_run_translation(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
+/** How a host moves bodies that are no spheres, and nothing else: some 7000 steps of one body. The callback is of the
+ *  same form; omega is the spatial angular momentum L[n][3] there, and inertia the principal moments A, B, C [n][3]
+ *  about the body's axes. */
+int vti_check_run_inertia(const char *name, vti_check_advance *advance, void *self, vti_check_report *report);
 
 /** The sentences, then a line for each check. */
 void vti_check_print(const vti_check_report *report, FILE *file);
@@ -82,6 +86,8 @@ void vti_check_print_json(const vti_check_report *report, FILE *file);
 int vti_check(const char *name, vti_check_advance *advance, void *self);
 /** The same of translation only. */
 int vti_check_translation(const char *name, vti_check_advance *advance, void *self);
+/** The same of bodies of three moments. */
+int vti_check_inertia(const char *name, vti_check_advance *advance, void *self);
 
 #ifdef __cplusplus
 }

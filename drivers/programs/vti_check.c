@@ -11,7 +11,7 @@
 #include "options.h"
 
 static const char *stepper, *rival, *plugin;
-static int translation, json, list;
+static int translation, inertia, json, list;
 
 static const struct option_row rows[] = {
     OPTION_PARAGRAPH(
@@ -23,6 +23,8 @@ static const struct option_row rows[] = {
      "a function vti_check_advance (vti_check.h) of a shared library"},
     {"--translation", NULL, OPTION_ON, &translation, OPTION_ANY,
      "for steppers that do not turn bodies: positions and velocities only"},
+    {"--inertia", NULL, OPTION_ON, &inertia, OPTION_ANY,
+     "for bodies that are no spheres: omega is the angular momentum L, inertia the moments A, B, C of each"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY, "one JSON object"},
     {"--list", NULL, OPTION_ON, &list, OPTION_ANY, "names of steppers and rivals"},
     OPTION_PARAGRAPH("Exit status: 0 if there is no fault, 1 if there is one, 2 if nothing could be checked."),
@@ -64,13 +66,15 @@ static int open_plugin(const char *name, vti_check_advance **advance, struct mes
 
 static void look_at(const char *name, vti_check_advance *advance, const vti_stepper *method, vti_check_report *report)
 {
-    (translation ? vti_check_run_translation : vti_check_run)(name, advance, (void *)method, report);
+    (inertia       ? vti_check_run_inertia
+     : translation ? vti_check_run_translation
+                   : vti_check_run)(name, advance, (void *)method, report);
 }
 
 static int check_one(const char *name, struct message *message)
 {
     vti_check_report report;
-    vti_check_advance *advance = method_check_advance;
+    vti_check_advance *advance = inertia ? method_check_advance_inertia : method_check_advance;
     const vti_stepper *method = NULL;
     if (plugin != NULL ? open_plugin(name, &advance, message) != 0 : find_method(name, &method, message) != 0)
         return 2;
@@ -79,14 +83,20 @@ static int check_one(const char *name, struct message *message)
     return report.faults > 0 ? 1 : 0;
 }
 
+/** Those that can take the bodies. */
+static const vti_stepper *known_at(int64_t i)
+{
+    return inertia ? method_general_at(i) : method_at(i);
+}
+
 /** Every method and what is said of it. */
 static int check_all(void)
 {
     int faults = 0;
-    for (int64_t i = 0; i < method_count(); ++i) {
-        const vti_stepper *m = method_at(i);
+    for (int64_t i = 0; known_at(i) != NULL; ++i) {
+        const vti_stepper *m = known_at(i);
         vti_check_report report;
-        look_at(m->name, method_check_advance, m, &report);
+        look_at(m->name, inertia ? method_check_advance_inertia : method_check_advance, m, &report);
         faults += report.faults;
         printf("%-24s %s\n", m->name, report.faults == 0 ? "no fault found" : report.word[0].text);
         for (int k = report.faults == 0 ? 0 : 1; k < report.words; ++k)
@@ -98,8 +108,8 @@ static int check_all(void)
 
 static int print_names(void)
 {
-    for (int64_t i = 0; i < method_count(); ++i) {
-        const vti_stepper *m = method_at(i);
+    for (int64_t i = 0; known_at(i) != NULL; ++i) {
+        const vti_stepper *m = known_at(i);
         printf("--%-8s %-24s %s\n", method_rival(m) != NULL ? "rival" : "stepper", m->name, m->about);
     }
     return 0;
@@ -114,7 +124,9 @@ int main(int argc, char **argv)
     if (asked == OPTIONS_TOLD)
         return 0;
     const char *const name = stepper != NULL ? stepper : rival != NULL ? rival : plugin;
-    if (asked == OPTIONS_GO && (stepper != NULL) + (rival != NULL) + (plugin != NULL) > 1)
+    if (asked == OPTIONS_GO && inertia && translation)
+        message_set(&message, "--inertia: looks at turning bodies, --translation at others; leave out one of them");
+    else if (asked == OPTIONS_GO && (stepper != NULL) + (rival != NULL) + (plugin != NULL) > 1)
         message_set(&message, "%s: only one stepper at a time; remove it", plugin != NULL ? plugin : rival);
     else if (asked == OPTIONS_GO && json && name == NULL)
         message_set(&message, "--json: needs the name of one stepper; see vti-check --help");

@@ -13,6 +13,7 @@ struct adapter {
     void *kit;
     double x[3 * VTI_CHECK_BODIES], v[3 * VTI_CHECK_BODIES], force[3 * VTI_CHECK_BODIES];
     double alpha[3 * VTI_CHECK_BODIES], omega[3 * VTI_CHECK_BODIES], moment[3 * VTI_CHECK_BODIES];
+    double spin[3 * VTI_CHECK_BODIES], moments[3 * VTI_CHECK_BODIES];
 };
 
 /** The attitude of body i, as alpha or quaternion, whichever the method holds. */
@@ -68,7 +69,8 @@ static void set_up(struct adapter *g, int64_t n, const double *x, const double *
     m->bodies.omega = vti_view_packed(g->omega);
     m->bodies.moment = vti_view_packed(g->moment);
     m->bodies.mass = vti_scalars_array(mass);
-    m->bodies.inertia = vti_scalars_array(inertia);
+    if (inertia != NULL)
+        m->bodies.inertia = vti_scalars_array(inertia);
     m->effects[0].name = "vti-check";
     m->effects[0].apply = ask;
     m->effects[0].springs =
@@ -89,25 +91,52 @@ static void read_back(const vti_bodies *b, double *x, double *v, double *quat, d
     }
 }
 
+/** Steps the adapter's model and reads it back, omega from the view of it or, where there are moments, that of L. */
+static int go(struct adapter *adapter, const vti_stepper *stepper, double h, int64_t steps, double *x, double *v,
+              double *quat, double *omega)
+{
+    struct travel travel;
+    struct message message;
+    if (travel_create(&travel, stepper, &adapter->model, h, &message) != 0)
+        return -1;
+    const int result = travel_go(&travel, steps, &message);
+    if (result == 0) {
+        vti_bodies b = travel_bodies(&travel);
+        if (b.spin.c[0] != NULL)
+            b.omega = b.spin;
+        read_back(&b, x, v, quat, omega);
+    }
+    travel_destroy(&travel);
+    return result;
+}
+
 int method_check_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
                          double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
     struct adapter adapter;
-    struct travel travel;
-    struct message message;
     memset(&adapter, 0, sizeof adapter);
     if (n < 1 || n > VTI_CHECK_BODIES)
         return -1;
     adapter.forces = forces;
     adapter.kit = kit;
     set_up(&adapter, n, x, v, quat, omega, mass, inertia);
-    if (travel_create(&travel, self, &adapter.model, h, &message) != 0)
+    return go(&adapter, self, h, steps, x, v, quat, omega);
+}
+
+int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
+                                 double *spin, const double *mass, const double *moments, vti_check_forces *forces,
+                                 void *kit)
+{
+    struct adapter adapter;
+    memset(&adapter, 0, sizeof adapter);
+    if (n < 1 || n > VTI_CHECK_BODIES)
         return -1;
-    const int result = travel_go(&travel, steps, &message);
-    if (result == 0) {
-        const vti_bodies b = travel_bodies(&travel);
-        read_back(&b, x, v, quat, omega);
-    }
-    travel_destroy(&travel);
-    return result;
+    adapter.forces = forces;
+    adapter.kit = kit;
+    set_up(&adapter, n, x, v, quat, spin, mass, NULL);
+    memcpy(adapter.spin, spin, (size_t)(3 * n) * sizeof *spin);
+    memcpy(adapter.moments, moments, (size_t)(3 * n) * sizeof *moments);
+    adapter.model.bodies.spin = vti_view_packed(adapter.spin);
+    adapter.model.bodies.moments = vti_view_packed(adapter.moments);
+    return go(&adapter, self, h, steps, x, v, quat, spin);
 }

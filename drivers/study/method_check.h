@@ -10,5 +10,9 @@
  *  refuses. */
 int method_check_advance(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
                          double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit);
+/** The same of bodies of three moments (vti_check_run_inertia): spin is L. */
+int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n, double *x, double *v, double *quat,
+                                 double *spin, const double *mass, const double *moments, vti_check_forces *forces,
+                                 void *kit);
 
 #endif

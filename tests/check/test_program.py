@@ -45,12 +45,17 @@ faulty = {line.split()[0] for line in out.splitlines() if not line.startswith(" 
 short_reach = {"an9", "abm8", "abm10", "abm12"}  # stable at smaller steps only than those that the check takes
 check(code == 1 and faulty == {"vti3", "quat-euler", "campello"} | short_reach and "spin" not in out, "all methods, translation only")
 
+code, out, err = run("--inertia")
+faulty = {line.split()[0] for line in out.splitlines() if not line.startswith(" ") and "no fault" not in line}
+check(code == 1 and faulty == {"vti3", "yade-aspherical"} and out.count("slender") == 2, "all methods for bodies of three moments")
+check(run("--inertia", "--rival", "no-squish")[0] == 0 and "--rival    buss" in run("--inertia", "--list")[1], "... each, and by name")
+
 code, out, err = run("--list")
 check(code == 0 and "--stepper vti2" in " ".join(out.split()) and "--rival lgvi" in " ".join(out.split()), "--list names both kinds")
 check(run("--help")[0] == 0 and "Usage" in run("--help")[1], "--help helps")
 for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--rival", "vti2"), "no rival of that name"),
                        (("--stepper",), "needs a value"), (("--nonsense",), "is not an option"), (("vti2",), "is not an option"),
-                       (("--json",), "needs the name"), (("--stepper", "vti1", "--rival", "lgvi"), "only one stepper"),
+                       (("--inertia", "--translation"), "leave out one"), (("--json",), "needs the name"), (("--stepper", "vti1", "--rival", "lgvi"), "only one stepper"),
                        (("--plugin", plugin), "is not FILE.so:SYMBOL"), (("--plugin", plugin + ":none"), "has no symbol none"),
                        (("--plugin", "/nowhere.so:x"), "nowhere.so")):
     code, out, err = run(*arguments)
