@@ -1,14 +1,17 @@
 #!/bin/sh
 # The same bits from both compilers, whatever the optimisation and vector width that this machine has.
 #
-#     bits.sh compare|store ROOT      with, or into, tests/hard/digest.txt
+#     bits.sh compare|store ROOT [COMPILER=LIBVTI.A...]      with, or into, tests/hard/digest.txt
 #
-# Builds the core and digest.c for each of them, without meson, and compares what they print.
+# Builds the core and digest.c for each of them, without meson, and compares what they print. Of libraries that are given, built
+# by -O3 with all kernels, the objects are taken as they are.
 # shellcheck disable=SC2046,SC2086  # flags and sources are words
 set -eu
 mode=$1
 root=$2
 here=$root/tests/hard
+shift 2
+libraries=$*
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -22,13 +25,19 @@ has() {
 }
 
 # What each build may do that another does not: keep the order of the source (-O0), do without vectors as compilers that
-# have none (VTI_WIDTH=1), write vectors of its own (-O3), fuse and write wider ones (v3 and v4). gcc, which takes twice as
-# long as clang, does only the wider of the last two.
+# have none (VTI_WIDTH=1), write vectors of its own (-O3), fuse and write the widest that there are (v3 or v4).
 wide=
 units=
 if [ "$(uname -m)" = x86_64 ]; then
-    has avx2 fma bmi2 && wide=v3 && units=AVX2
-    has avx512f avx512bw avx512cd avx512dq avx512vl && wide="v3 v4" && units="AVX2 AVX512"
+    has avx2 fma bmi2 && wide=-O3,-march=x86-64-v3 && units=AVX2
+    has avx512f avx512bw avx512cd avx512dq avx512vl && wide=-O3,-march=x86-64-v4 && units="AVX2 AVX512"
+fi
+
+# ./dev lint has built the library by clang
+lint=$root/build-lint-clang
+if [ -f "$lint/build.ninja" ]; then
+    ninja -C "$lint" --quiet src/libvti.a
+    libraries="$libraries clang=$lint/src/libvti.a"
 fi
 
 sources="$(ls "$root"/src/vti_*.c | grep -v '_avx') $here/digest.c"
@@ -41,47 +50,54 @@ run() {
 
 # objects FOLDER COMPILER-WITH-FLAGS SOURCE...
 objects() {
-    mkdir -p "$1"
     into=$1
     with=$2
     shift 2
     for source in "$@"; do
-        $with $flags -c "$source" -o "$into/$(basename "$source" .c).o"
+        $with $flags -c "$source" -o "$into/$(basename "$source").o"
     done
 }
 
-# picks COMPILER: with kernels for wide units, among which the library picks as it runs; other objects are those of -O3
-picks() {
-    defines=
+# core COMPILER: the objects of -O3, those of kernels for wide units among them
+core() {
+    mkdir "$work/$1-O3"
+    for library in $libraries; do
+        case $library in
+        "$1="*)
+            (cd "$work/$1-O3" && ar x "${library#*=}")
+            return
+            ;;
+        esac
+    done
+    objects "$work/$1-O3" "$1 -O3" $sources
     for unit in $units; do
         case $unit in
         AVX2) options=-mavx2 ;;
         AVX512) options="-mavx512f -mavx512dq -mavx512vl" ;;
         esac
-        defines="$defines -DVTI_HAS_$unit"
-        mine=$(ls "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c)
-        objects "$work/$1-kernels" "$1 -O3 $options" $mine
-        cp -r "$work/$1-O3" "$work/$1-$unit"
-        objects "$work/$1-$unit" "$1 -O3 $defines" $(grep -l VTI_HAS_ $sources)
-        "$1" "$work/$1-$unit"/*.o "$work/$1-kernels"/*.o -lm -o "$work/$1-picks-$unit"
+        objects "$work/$1-O3" "$1 -O3 $options" $(ls "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c)
+    done
+}
+
+# picks COMPILER: without and with kernels for wide units, among which the library picks as it runs
+picks() {
+    core "$1"
+    objects "$work/$1-O3" "$1 -O3" "$here/digest.c"
+    defines=
+    for unit in plain $units; do
+        [ $unit = plain ] || defines="$defines -DVTI_HAS_$unit"
+        objects "$work/$1-O3" "$1 -O3 $defines" $(grep -l VTI_HAS_ $sources)
+        "$1" "$work/$1-O3"/*.o -lm -o "$work/$1-picks-$unit"
         run "$work/$1-picks-$unit"
     done
 }
 
 # builds COMPILER: at each level, and with the kernels for wide units
 builds() {
-    marches=
-    for march in $wide; do
-        [ "$1" = gcc ] && marches=
-        marches="$marches -O3,-march=x86-64-$march"
-    done
-    for level in -O0 -O2,-DVTI_WIDTH=1 $marches; do
+    for level in -O0 -O2,-DVTI_WIDTH=1 $wide; do
         "$1" $flags $(echo "$level" | tr , ' ') $sources -lm -o "$work/$1$level"
         run "$work/$1$level"
     done
-    objects "$work/$1-O3" "$1 -O3" $sources
-    "$1" "$work/$1-O3"/*.o -lm -o "$work/$1-plain"
-    run "$work/$1-plain"
     picks "$1"
 }
 
