@@ -16,10 +16,13 @@ extern "C" {
 /** Entries of vti_dashpots.lost. */
 enum { VTI_DASHPOT_BOOKS = 4 };
 
-/** Dashpots of contacts and planes, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through in
- *  the order of the lists before a drift and backwards after it (6.4): none gains energy, whatever h, the coefficients
- *  and the number of contacts, and the stable step stays what it was. Total momentum and angular momentum are kept to
- *  rounding. A coefficient that depends on the overlap is its mean over the drift beside it.
+/** Dashpots of contacts and planes, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through
+ *  before a drift and backwards after it: none gains energy, whatever h, the coefficients and the number of contacts, and
+ *  the stable step stays what it was. Total momentum and angular momentum are kept to rounding. A coefficient that
+ *  depends on the overlap is its mean over the drift beside it.
+ *
+ *  Of the pairs within reach 256 at a time, in the order of the list, are given colours, each the smallest that neither
+ *  of its bodies has yet, and are worked colour by colour (6.4), many at once, as no two of a colour share a body.
  *
  *  The normal coefficient is normal + 2 zeta sqrt((5/6) m_n k_n), m_n the reduced mass and k_n the stiffness of the
  *  contact where it is: with zeta alone restitution is the same at every speed, as vti_dashpots_zeta has it. The

@@ -30,80 +30,71 @@ VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lan
 }
 
 /** n0, n_m, delta0 and the motion X over the drift. */
-VTI_INLINE void gather_motion(struct vti_carry *c, const struct side *i, const struct side *j, const vti_bodies *b,
-                              const vti_drifted *drifted)
+VTI_INLINE void gather_motion(enum touch_layout layout, struct vti_carry *c, const struct side *i, const struct side *j,
+                              const vti_bodies *b, const vti_drifted *drifted)
 {
     lanes v[3], w_i[3], w_j[3], a_i[3], a_j[3], d0[3];
-    gather(&b->v, i, c->slid);
-    gather(&b->v, j, v);
+    gather(layout, &b->v, i, c->slid);
+    gather(layout, &b->v, j, v);
     for (int k = 0; k < 3; ++k)
         c->slid[k] = drifted->t * (c->slid[k] - v[k]);
-    gather(&b->omega, i, w_i);
-    gather(&b->omega, j, w_j);
+    gather(layout, &b->omega, i, w_i);
+    gather(layout, &b->omega, j, w_j);
     increments(drifted, w_i, a_i);
     increments(drifted, w_j, a_j);
     vti_carry_apart(c, c->slid, d0);
     vti_carry_stretch(c, d0, a_i, a_j);
 }
 
-/** Loads begin at held->sliding, as many as a vti_held has. */
-enum { LOADS = 7 };
-
-VTI_INLINE void gather_loads(vti_held *const *held, struct vti_loads *f)
+VTI_INLINE void scatter_load(const vti_friction *p, vti_held *held, const struct vti_loads *f, int l)
 {
-    double row[LOADS][WIDTH];
-    for (int l = 0; l < WIDTH; ++l) {
-        for (int k = 0; k < 3; ++k) {
-            row[k][l] = held[l]->sliding[k];
-            row[3 + k][l] = held[l]->rolling[k];
-        }
-        row[6][l] = held[l]->twisting;
-    }
-    for (int k = 0; k < 3; ++k) {
-        f->sliding[k] = lanes_load(row[k]);
-        f->rolling[k] = lanes_load(row[3 + k]);
-    }
-    f->twisting = lanes_load(row[6]);
-}
-
-VTI_INLINE void scatter_load(vti_held *held, const struct vti_loads *f, int l)
-{
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3 && p->sliding > 0.0; ++k)
         held->sliding[k] = lanes_get(f->sliding[k], l);
+    for (int k = 0; k < 3 && p->rolling > 0.0; ++k)
         held->rolling[k] = lanes_get(f->rolling[k], l);
-    }
-    held->twisting = lanes_get(f->twisting, l);
+    if (p->twisting > 0.0)
+        held->twisting = lanes_get(f->twisting, l);
 }
 
 /** Pairs that were out of reach before the drift are left as they are: lists need not have them. */
+VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b,
+                            const vti_drifted *drifted, struct vti_carried *pairs, int64_t first)
+{
+    const double coefficient[VTI_FRICTION_BOOKS] = {p->sliding, p->rolling, p->twisting};
+    struct vti_carry c;
+    struct vti_loads loads;
+    struct vti_taken taken;
+    struct side i, j;
+    const vti_held *held[WIDTH];
+    double delta0[WIDTH];
+    gather_touches(layout, p->contacts, b, pairs->seat + first, &c.touch, &i, &j);
+    gather_motion(layout, &c, &i, &j, b, drifted);
+    for (int l = 0; l < WIDTH; ++l)
+        held[l] = pairs->held[first + l];
+    gather_loads(p, held, &loads);
+    vti_carry_loads(p, &c, p->sliding, &loads, &taken);
+    lanes_store(pairs->delta + first, c.touch.delta);
+    lanes_store(delta0, c.delta0);
+    for (int l = 0; l < WIDTH && first + l < pairs->count; ++l) {
+        if (!(delta0[l] >= -p->reach)) {
+            pairs->delta[first + l] = INFINITY;
+            continue;
+        }
+        scatter_load(p, pairs->held[first + l], &loads, l);
+        for (int k = 0; k < VTI_FRICTION_BOOKS; ++k)
+            if (coefficient[k] > 0.0)
+                vti_sum_add(&p->lost[k], lanes_get(taken.lost[k], l));
+    }
+}
+
 static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs)
 {
-    for (int64_t first = 0; first < pairs->count; first += WIDTH) {
-        struct vti_carry c;
-        struct vti_loads loads;
-        struct vti_taken taken;
-        struct side i, j;
-        double delta0[WIDTH];
-        gather_touches(p->contacts, b, pairs->seat + first, &c.touch, &i, &j);
-        gather_motion(&c, &i, &j, b, drifted);
-        gather_loads(pairs->held + first, &loads);
-        vti_carry_loads(p, &c, p->sliding, &loads, &taken);
-        lanes_store(pairs->delta + first, c.touch.delta);
-        lanes_store(delta0, c.delta0);
-        for (int l = 0; l < WIDTH && first + l < pairs->count; ++l) {
-            if (!(delta0[l] >= -p->reach)) {
-                pairs->delta[first + l] = INFINITY;
-                continue;
-            }
-            scatter_load(pairs->held[first + l], &loads, l);
-            if (p->sliding > 0.0)
-                vti_sum_add(&p->lost[0], lanes_get(taken.lost[0], l));
-            if (p->rolling > 0.0)
-                vti_sum_add(&p->lost[1], lanes_get(taken.lost[1], l));
-            if (p->twisting > 0.0)
-                vti_sum_add(&p->lost[2], lanes_get(taken.lost[2], l));
-        }
-    }
+    const int packed = is_packed(b);
+    for (int64_t first = 0; first < pairs->count; first += WIDTH)
+        if (packed)
+            carry_lanes(PACKED, p, b, drifted, pairs, first);
+        else
+            carry_lanes(ANY, p, b, drifted, pairs, first);
 }
 
 #endif

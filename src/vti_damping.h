@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * What dashpots of a touch depend on, whatever the bodies: their coefficients, as means over the drift beside the flow,
- * and the limits of friction (EQUATIONS 6.3). */
+ * and the limits of friction (EQUATIONS 6.3). For lanes of touches, or for one, as in vti_touch_motion.h. */
 #ifndef VTI_DAMPING_H
 #define VTI_DAMPING_H
 
 #include "vti_decay.h"
 #include "vti_history.h"
-#include "vti_touch.h"
+#include "vti_touch_motion.h"
 
 /** The four motions that are damped, in the order of vti_dashpots.lost. */
 enum vti_damped { VTI_NORMAL, VTI_TANGENTIAL, VTI_ROLLING, VTI_TWISTING };
@@ -24,66 +24,65 @@ static inline void vti_damping_all(const vti_dashpots *p, int damped[VTI_DASHPOT
 /* ---- coefficients, as their mean over the drift ------------------------------------------------------------------ */
 
 /** x^{5/4} of x > 0, else 0 */
-static inline double vti_damping_power_5_4(double x)
+VTI_INLINE lanes vti_damping_power_5_4(lanes x)
 {
-    return x > 0.0 ? x * sqrt(sqrt(x)) : 0.0;
+    const lanes y = lanes_where(x > 0.0, x, lanes_of(0.0));
+    return y * lanes_sqrt(lanes_sqrt(y));
 }
 
 /** The share of the way from delta to other on which they overlap, as they do at one end or at both. */
-static inline double vti_damping_share(double delta, double other)
+VTI_INLINE lanes vti_damping_share(lanes delta, lanes other)
 {
-    if (delta > 0.0 && other > 0.0)
-        return 1.0;
-    const double inside = delta > 0.0 ? delta : other, outside = delta > 0.0 ? other : delta;
-    return inside / (inside - outside);
+    const lanes_mask here = delta > 0.0, there = other > 0.0;
+    const lanes inside = lanes_where(here, delta, other), outside = lanes_where(here, other, delta);
+    return lanes_where(here & there, lanes_of(1.0), inside / (inside - outside));
 }
 
 /** Mean of delta_+^{1/4} on the same way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
-static inline double vti_damping_mean_power(double delta, double other)
+VTI_INLINE lanes vti_damping_mean_power(lanes delta, lanes other)
 {
-    if (fabs(delta - other) < 1e-6 * fabs(delta))
-        return sqrt(sqrt(delta));
-    return 0.8 * (vti_damping_power_5_4(delta) - vti_damping_power_5_4(other)) / (delta - other);
+    const lanes powers = 0.8 * (vti_damping_power_5_4(delta) - vti_damping_power_5_4(other)) / (delta - other);
+    return lanes_where(lanes_abs(delta - other) < 1e-6 * lanes_abs(delta), lanes_sqrt(lanes_sqrt(delta)), powers);
 }
 
 /** A touch, between here and the other end of the drift. */
 struct vti_damping {
-    double k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
-    double root;    /* of delta, 0 apart */
-    double delta;   /* overlap here, */
-    double other;   /* and at the other end */
-    double touched; /* share of the drift */
+    lanes k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
+    lanes root;    /* of delta, 0 apart */
+    lanes delta;   /* overlap here, */
+    lanes other;   /* and at the other end */
+    lanes touched; /* share of the drift */
     double zeta;
 };
 
 /** zeta is the caller's. */
-static inline void vti_damping_at(const struct vti_touch *touch, double other, struct vti_damping *at)
+VTI_INLINE void vti_damping_at(const struct vti_touch *touch, lanes other, struct vti_damping *at)
 {
     at->delta = touch->delta;
     at->other = other;
-    at->k_h = touch->stiffness / (touch->length * touch->length * sqrt(touch->length));
-    at->root = touch->delta > 0.0 ? sqrt(touch->delta) : 0.0;
+    at->k_h = touch->stiffness / (touch->length * touch->length * lanes_sqrt(touch->length));
+    at->root = lanes_sqrt(lanes_where(touch->delta > 0.0, touch->delta, lanes_of(0.0)));
     at->touched = vti_damping_share(touch->delta, other);
 }
 
 /** factor F_n; 0 apart */
-static inline double vti_damping_force(const struct vti_damping *at, double factor)
+VTI_INLINE lanes vti_damping_force(const struct vti_damping *at, double factor)
 {
     return factor * at->k_h * at->delta * at->root;
 }
 
 /** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4}, m_n being the mass. */
-static inline double vti_damping_normal(const vti_dashpots *p, const struct vti_damping *at, double mass)
+VTI_INLINE lanes vti_damping_normal(const vti_dashpots *p, const struct vti_damping *at, lanes mass)
 {
-    double c = p->normal * at->touched;
+    lanes c = p->normal * at->touched;
     if (at->zeta > 0.0)
-        c += sqrt(5.0) * at->zeta * sqrt(mass * at->k_h) * vti_damping_mean_power(at->delta, at->other);
+        c += sqrt(5.0) * at->zeta * lanes_sqrt(mass * at->k_h) * vti_damping_mean_power(at->delta, at->other);
     return c;
 }
 
 /** Those of all motions. */
-static inline void vti_damping_coefficients(const vti_dashpots *p, const struct vti_damping *at, double mass,
-                                            double c[VTI_DASHPOT_BOOKS])
+VTI_INLINE void vti_damping_coefficients(const vti_dashpots *p, const struct vti_damping *at, lanes mass,
+                                         lanes c[VTI_DASHPOT_BOOKS])
 {
     c[VTI_NORMAL] = vti_damping_normal(p, at, mass);
     c[VTI_TANGENTIAL] = p->tangential * at->touched + p->ratio * c[VTI_NORMAL];
@@ -93,15 +92,20 @@ static inline void vti_damping_coefficients(const vti_dashpots *p, const struct 
 
 /* ---- limits ------------------------------------------------------------------------------------------------------ */
 
-/** What the springs of friction hold at a touch; nothing where there is no friction. */
-static inline const vti_held *vti_damping_held(const vti_dashpots *p, const struct vti_touch *touch)
+/** What the springs of friction hold at a touch, by its bodies in vti_held; nothing where there is no friction. */
+static inline const vti_held *vti_damping_held_by(const vti_dashpots *p, int64_t i, int64_t j)
 {
     static const vti_held none;
     if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
         return &none;
-    const vti_held *held =
-        vti_history_find(p->friction->history, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
+    const vti_held *held = vti_history_find(p->friction->history, i, j);
     return held != NULL ? held : &none;
+}
+
+/** The same of one touch. */
+static inline const vti_held *vti_damping_held(const vti_dashpots *p, const struct vti_touch *touch)
+{
+    return vti_damping_held_by(p, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
 }
 
 /** How much of F_n the load of a motion may be; 0: there is no limit. */
@@ -117,15 +121,15 @@ static inline double vti_damping_share_of_force(const vti_dashpots *p, const str
 
 /** Spring and dashpot together obey the limit: the largest s in [0, 1] with |-t f + s p| <= t limit, f being what the
  *  spring holds. A = p.p, B = -t f.p, C = min(0, t^2 (f.f - limit^2)), q = sqrt(B^2 - A C). */
-static inline double vti_damping_limited(const double p[3], const double f[3], double t, double limit)
+VTI_INLINE lanes vti_damping_limited(const lanes p[3], const lanes f[3], double t, lanes limit)
 {
-    const double a = vti_dot(p, p), b = -t * vti_dot(f, p), over = t * t * (vti_dot(f, f) - limit * limit),
-                 c = over < 0.0 ? over : 0.0;
-    if (a + 2.0 * b + c <= 0.0 || !(a > 0.0)) /* within it as a whole */
-        return 1.0;
-    const double q = sqrt(b * b - a * c);
-    const double s = b > 0.0 ? -c / (b + q) : (q - b) / a;
-    return s < 1.0 ? s : 1.0;
+    const lanes one = lanes_of(1.0), a = lanes_dot(p, p), b = -t * lanes_dot(f, p),
+                over = t * t * (lanes_dot(f, f) - limit * limit), c = lanes_where(over < 0.0, over, lanes_of(0.0)),
+                q = lanes_sqrt(b * b - a * c);
+    const lanes_mask ahead = b > 0.0;
+    const lanes s = lanes_where(ahead, -c, q - b) / lanes_where(ahead, b + q, a);
+    const lanes_mask within = a + 2.0 * b + c <= 0.0; /* as a whole */
+    return lanes_where(within, one, lanes_where(a > 0.0, lanes_where(s < 1.0, s, one), one));
 }
 
 #endif

@@ -1,220 +1,222 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Dashpots of contacts and walls as flows of the time t (EQUATIONS 6.3), with u and w of the touch:
- *
- *     normal p = m_n expm1(-c_n t/m_n) (u.n) n            tangential p = m_t expm1(-c_t t/m_t) P u
- *     rolling l = J_r expm1(-c_r t/J_r) P w               twisting l = J_r expm1(-c_w t/J_r) (w.n) n
- *
- * Forward in this order, backward reversed. An impulse that takes the velocity u to u' lowers the kinetic energy by
- * -p.(u + u')/2, which is booked. */
-#include "vti_damping.h"
+ * Dashpots of contacts and walls as flows of velocities: the order of the touches (EQUATIONS 6.4), restitution, and the
+ * effect. What a touch does is in vti_dashpot_flow.h. */
+#include "vti_dashpot_flow.h"
 #include "vti_joint.h"
+#include "vti_touch.h"
+#include "vti_touch_table.h"
 
-enum { NORMAL = VTI_NORMAL, TANGENTIAL = VTI_TANGENTIAL, ROLLING = VTI_ROLLING, TWISTING = VTI_TWISTING, MOTIONS };
+/* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
-/** What the touch is between here and the other end of the drift. */
-struct place {
-    struct vti_touch touch;
-    struct vti_touch_motion motion;
-    double approach; /* u.n, which the flow of no other motion changes */
-    double spin;     /* w.n, likewise */
-    struct vti_damping damping;
-    double mass[MOTIONS]; /* what resists */
-    double gone[MOTIONS]; /* the share of the velocity that goes, where nothing limits it */
-    const vti_held *held; /* by the springs of friction */
+/** Pairs within reach are taken together, so many at once in the order of the list, and given colours: each the smallest
+ *  that neither of its bodies has yet. They are worked colour by colour; pairs of the last colour may share bodies, and
+ *  are worked one by one. What else the list holds does not matter. */
+enum { WINDOW = 256, COLOURS = 64, LAST = COLOURS - 1, BODIES = 4 * WINDOW };
+
+struct window {
+    int64_t count;
+    struct vti_seat seat[WINDOW]; /* in the order of the list */
+    int64_t touches[WINDOW];      /* whether they do where they are */
+    int64_t colour[WINDOW];
+    int64_t order[WINDOW];     /* of their numbers, colour by colour */
+    int64_t ends[COLOURS + 1]; /* of the colours in it */
+    int64_t body[BODIES];      /* table of bodies, from 1; 0: nobody */
+    uint64_t coloured[BODIES]; /* colours of their pairs, as bits */
 };
 
-/** mass and gone of all motions, in which velocities have no part. */
-static void find_decays(const vti_dashpots *p, double t, struct place *at)
+/** Whether pair k is within reach, and where. */
+static int find_seat(const struct vti_sweep *s, int64_t k, struct vti_seat *seat, int64_t *touches)
 {
-    const int turns = p->rolling > 0.0 || p->twisting > 0.0;
-    struct vti_decay d[MOTIONS];
-    at->mass[NORMAL] = vti_touch_normal_mass(&at->touch);
-    at->mass[TANGENTIAL] = vti_touch_tangential_mass(&at->touch);
-    at->mass[ROLLING] = at->mass[TWISTING] = at->motion.turns ? vti_touch_rolling_inertia(&at->touch) : 1.0;
-    double c[MOTIONS], z[MOTIONS];
-    vti_damping_coefficients(p, &at->damping, at->mass[NORMAL], c);
-    for (int k = 0; k < MOTIONS; ++k)
-        z[k] = c[k] * t / at->mass[k];
-    if (turns)
-        vti_decays(MOTIONS, z, d);
-    else
-        vti_decays(ROLLING, z, d);
-    for (int k = 0; k < (turns ? MOTIONS : ROLLING); ++k)
-        at->gone[k] = d[k].gone;
+    const vti_contacts *p = s->p->contacts;
+    double d[3], x[3];
+    seat->i = p->pair[2 * k] - p->base;
+    seat->j = p->pair[2 * k + 1] - p->base;
+    seat->k = k;
+    vti_load(&s->b->x, seat->i, d);
+    vti_load(&s->b->x, seat->j, x);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= x[c];
+    const double length = vti_contact_length(p, k, seat->i, seat->j), far = length + s->p->reach, r2 = vti_dot(d, d);
+    *touches = r2 < length * length;
+    return r2 <= far * far && r2 > VTI_COINCIDENT * VTI_COINCIDENT;
 }
 
-/* ---- impulses ---------------------------------------------------------------------------------------------------- */
-
-/** The impulse p at the touch; a wall that moves puts p.V in. */
-static void push(const vti_dashpots *dashpots, struct place *at, const double p[3])
+/** Where body i stands in the table of so many slots, a power of 2. */
+static int64_t slot_of(struct window *w, int64_t slots, int64_t i)
 {
-    vti_touch_push(&at->touch, p, &at->motion);
-    if (at->touch.moves)
-        vti_sum_add(dashpots->walls->work, -vti_dot(p, at->touch.v_j));
-}
-
-/** The moment impulse l; a wall that turns puts l.W in. */
-static void turn(const vti_dashpots *dashpots, struct place *at, const double l[3])
-{
-    vti_touch_turn(&at->touch, l, &at->motion);
-    if (at->touch.moves)
-        vti_sum_add(dashpots->walls->work, -vti_dot(l, at->touch.w_j));
-}
-
-/* ---- the four flows ---------------------------------------------------------------------------------------------- */
-
-/** Pulls no harder than the contact pushes, if it may not: p >= -t F_n. */
-static void flow_normal(const vti_dashpots *p, struct place *at, double t)
-{
-    const struct vti_touch *touch = &at->touch;
-    const double m = at->mass[NORMAL], un = at->approach;
-    double impulse[3];
-    double size = -m * at->gone[NORMAL] * un;
-    const double least = vti_damping_force(&at->damping, -t);
-    if (!p->pull && size < least)
-        size = least;
-    for (int k = 0; k < 3; ++k)
-        impulse[k] = size * touch->n[k];
-    push(p, at, impulse);
-    vti_sum_add(&p->lost[NORMAL], -size * (un + 0.5 * size / m));
-}
-
-/** a - (a.n) n */
-static void across(double a[3], const double n[3])
-{
-    const double along = vti_dot(a, n);
-    for (int k = 0; k < 3; ++k)
-        a[k] -= along * n[k];
-}
-
-/** Of the velocity a of a motion: becomes the impulse. Returns what is lost by it. */
-static double decay(const vti_dashpots *p, const struct place *at, int motion, double t, const double f[3], double a[3])
-{
-    const double mass = at->mass[motion], gone = at->gone[motion];
-    const double share = vti_damping_share_of_force(p, &at->touch, motion);
-    if (!(share > 0.0))
-        return vti_touch_decay(mass, gone, a);
-    const double whole[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
-    return vti_touch_decay(mass, gone * vti_damping_limited(whole, f, t, vti_damping_force(&at->damping, share)), a);
-}
-
-static void flow_tangential(const vti_dashpots *p, struct place *at, double t)
-{
-    double u[3];
-    vti_touch_slip(&at->touch, &at->motion, u);
-    across(u, at->touch.n);
-    vti_sum_add(&p->lost[TANGENTIAL], decay(p, at, TANGENTIAL, t, at->held->sliding, u));
-    push(p, at, u);
-}
-
-static void flow_rolling(const vti_dashpots *p, struct place *at, double t)
-{
-    double w[3];
-    vti_touch_roll(&at->motion, w);
-    across(w, at->touch.n);
-    vti_sum_add(&p->lost[ROLLING], decay(p, at, ROLLING, t, at->held->rolling, w));
-    turn(p, at, w);
-}
-
-static void flow_twisting(const vti_dashpots *p, struct place *at, double t)
-{
-    double w[3], load[3];
-    for (int k = 0; k < 3; ++k) {
-        w[k] = at->spin * at->touch.n[k];
-        load[k] = at->held->twisting * at->touch.n[k];
+    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (slots - 1);
+    while (w->body[at] != 0 && w->body[at] != i + 1)
+        at = (at + 1) & (slots - 1);
+    if (w->body[at] == 0) {
+        w->body[at] = i + 1;
+        w->coloured[at] = 0;
     }
-    vti_sum_add(&p->lost[TWISTING], decay(p, at, TWISTING, t, load, w));
-    turn(p, at, w);
+    return at;
 }
 
-static void flow_of(int motion, const vti_dashpots *p, struct place *at, double t)
+static void colour(struct window *w)
 {
-    if (motion == NORMAL)
-        flow_normal(p, at, t);
-    else if (motion == TANGENTIAL)
-        flow_tangential(p, at, t);
-    else if (motion == ROLLING)
-        flow_rolling(p, at, t);
-    else
-        flow_twisting(p, at, t);
+    int64_t slots = 8, begin = 0, of[COLOURS] = {0};
+    while (slots < 4 * w->count)
+        slots *= 2;
+    memset(w->body, 0, (size_t)slots * sizeof *w->body);
+    for (int64_t n = 0; n < w->count; ++n) {
+        uint64_t *const i = &w->coloured[slot_of(w, slots, w->seat[n].i)],
+                        *const j = &w->coloured[slot_of(w, slots, w->seat[n].j)];
+        int64_t c = 0;
+        while (c < LAST && ((*i | *j) >> c & 1) != 0)
+            ++c;
+        *i |= UINT64_C(1) << c;
+        *j |= UINT64_C(1) << c;
+        w->colour[n] = c;
+        ++of[c];
+    }
+    for (int c = 0; c < COLOURS; ++c) {
+        w->ends[c] = begin;
+        begin += of[c];
+    }
+    for (int64_t n = 0; n < w->count; ++n)
+        w->order[w->ends[w->colour[n]]++] = n;
 }
 
-/* ---- all of them ------------------------------------------------------------------------------------------------- */
-
-/** What each touch takes part in. */
-struct sweep {
-    const vti_dashpots *p;
-    const vti_bodies *b;
-    double t, drift;
-    int damped[MOTIONS];
-};
-
-/** A touch within reach: skipped if it is none at both ends of the drift. The other end is at delta - drift u.n, ahead
- *  of a drift that follows (drift > 0), behind one that has been. */
-static void visit(const struct sweep *s, struct place *at)
+/** Whether a pair that does not touch will at the other end of the drift: delta - drift u.n > 0. */
+static int will_touch(const struct vti_sweep *s, const struct vti_seat *seat)
 {
-    struct vti_touch *touch = &at->touch;
-    double u[3], w[3];
-    vti_touch_load(touch, s->b, &at->motion);
-    vti_touch_slip(touch, &at->motion, u);
-    at->approach = vti_dot(u, touch->n);
-    const double other = touch->delta - s->drift * at->approach;
-    if (touch->delta <= 0.0 && other <= 0.0)
+    double d[3], x[3], u[3], v[3];
+    vti_load(&s->b->x, seat->i, d);
+    vti_load(&s->b->x, seat->j, x);
+    vti_load(&s->b->v, seat->i, u);
+    vti_load(&s->b->v, seat->j, v);
+    for (int c = 0; c < 3; ++c) {
+        d[c] -= x[c];
+        u[c] -= v[c];
+    }
+    const double r = sqrt(vti_dot(d, d));
+    return !(vti_contact_length(s->p->contacts, seat->k, seat->i, seat->j) - r - s->drift * (vti_dot(u, d) / r) <= 0.0);
+}
+
+/** The pairs of one colour from begin on, forwards or backwards. */
+static void flow_colour(const struct vti_sweep *s, const struct window *w, int64_t begin, int64_t end)
+{
+    const int64_t most = w->colour[w->order[begin]] == LAST ? 1 : VTI_TOUCHES;
+    struct vti_seat seat[VTI_TOUCHES];
+    int64_t count = 0;
+    for (int64_t n = begin; n < end; ++n) {
+        const int64_t at = w->order[s->drift < 0.0 ? begin + end - 1 - n : n];
+        if (w->touches[at] || will_touch(s, &w->seat[at]))
+            seat[count++] = w->seat[at];
+        if (count == 0 || (count < most && n < end - 1))
+            continue;
+        for (int64_t k = count; k % VTI_LANES_MOST != 0; ++k)
+            seat[k] = seat[count - 1];
+        vti_touch_kernels_for(count)->flow(s, count, seat);
+        count = 0;
+    }
+}
+
+static void flow_window(const struct vti_sweep *s, struct window *w)
+{
+    if (w->count == 0)
         return;
-    vti_touch_roll(&at->motion, w);
-    at->spin = vti_dot(w, touch->n);
-    vti_touch_masses(touch, s->b);
-    vti_damping_at(touch, other, &at->damping);
-    at->held = vti_damping_held(s->p, touch);
-    find_decays(s->p, s->t, at);
-    for (int k = 0; k < MOTIONS; ++k) {
-        const int motion = s->drift < 0.0 ? MOTIONS - 1 - k : k;
-        if (s->damped[motion])
-            flow_of(motion, s->p, at, s->t);
+    colour(w);
+    for (int k = 0; k < COLOURS; ++k) {
+        const int c = s->drift < 0.0 ? LAST - k : k;
+        const int64_t begin = c > 0 ? w->ends[c - 1] : 0;
+        if (begin < w->ends[c])
+            flow_colour(s, w, begin, w->ends[c]);
     }
-    vti_touch_store(touch, s->b, &at->motion);
+    w->count = 0;
 }
 
-static void visit_pairs(const struct sweep *s)
+/** Windows from the first pair on. */
+static void flow_forwards(const struct vti_sweep *s, struct window *w)
 {
-    const vti_contacts *contacts = s->p->contacts;
-    struct place at = {.damping = {.zeta = s->p->zeta}};
-    for (int64_t k = 0; contacts != NULL && k < contacts->count; ++k)
-        if (vti_touch_pair(&at.touch, contacts, s->b, s->drift < 0.0 ? contacts->count - 1 - k : k, s->p->reach))
-            visit(s, &at);
+    for (int64_t k = 0; k < s->p->contacts->count; ++k) {
+        w->count += find_seat(s, k, &w->seat[w->count], &w->touches[w->count]);
+        if (w->count == WINDOW)
+            flow_window(s, w);
+    }
+    flow_window(s, w);
+}
+
+/** The same windows from the last on. */
+static void flow_backwards(const struct vti_sweep *s, struct window *w)
+{
+    const int64_t pairs = s->p->contacts->count;
+    int64_t all = 0;
+    for (int64_t k = 0; k < pairs; ++k)
+        all += find_seat(s, k, &w->seat[0], &w->touches[0]);
+    for (int64_t k = pairs - 1; all > 0; --k) {
+        const int64_t first = (all - 1) / WINDOW * WINDOW, at = all - 1 - first;
+        if (!find_seat(s, k, &w->seat[at], &w->touches[at]))
+            continue;
+        ++w->count;
+        if (--all > first)
+            continue;
+        flow_window(s, w);
+    }
+}
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** A body at a wall. */
+static void flow_at_wall(const struct vti_sweep *s, struct place *at)
+{
+    const vti_dashpots *p = s->p;
+    vti_touch_load(&at->touch, s->b, &at->motion);
+    vti_touch_masses(&at->touch, s->b);
+    const vti_held *const held = vti_damping_held(p, &at->touch);
+    for (int c = 0; c < 3; ++c) {
+        at->held.sliding[c] = held->sliding[c];
+        at->held.rolling[c] = held->rolling[c];
+    }
+    at->held.twisting = held->twisting;
+    at->damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[at->touch.wall] : p->zeta;
+    if (!flow_touch(s, at))
+        return;
+    vti_touch_store(&at->touch, s->b, &at->motion);
+    for (int k = 0; k < MOTIONS; ++k)
+        if (s->damped[k])
+            vti_sum_add(&p->lost[k], at->lost[k]);
+    if (at->touch.moves)
+        vti_sum_add(p->walls->work, at->worked);
 }
 
 /** Bodies one after the other, each with the walls in their order: flows of different bodies at walls do not meet. */
-static void visit_walls(const struct sweep *s)
+static void flow_walls(const struct vti_sweep *s)
 {
     const vti_walls *walls = s->p->walls;
     const int64_t first = s->b->first, n = s->b->count, count = vti_faces(walls);
-    struct place at;
+    struct place at = {.worked = 0.0};
     for (int64_t i = first; count > 0 && i < first + n; ++i)
         for (int64_t k = 0; k < count; ++k) {
-            at.touch.wall = s->drift < 0.0 ? count - 1 - k : k;
-            if (!vti_touch_wall(&at.touch, walls, s->b, at.touch.wall, i, s->p->reach))
-                continue;
-            at.damping.zeta = s->p->wall_zeta != NULL ? s->p->wall_zeta[at.touch.wall] : s->p->zeta;
-            visit(s, &at);
+            const int64_t w = s->drift < 0.0 ? count - 1 - k : k;
+            if (vti_touch_wall(&at.touch, walls, s->b, w, i, s->p->reach))
+                flow_at_wall(s, &at);
         }
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_dashpots *p = self;
-    struct sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    const int pairs = p->contacts != NULL && p->contacts->count > 0;
+    struct vti_sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    struct window w;
     if (vti_has(&b->moments)) {
         vti_dashpots_flow_joints(p, NULL, b, t, drift);
         return;
     }
+    w.count = 0;
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
-        visit_walls(&s);
-    visit_pairs(&s);
+        flow_walls(&s);
+    if (pairs && drift < 0.0)
+        flow_backwards(&s, &w);
+    else if (pairs)
+        flow_forwards(&s, &w);
     if (!(drift < 0.0))
-        visit_walls(&s);
+        flow_walls(&s);
 }
 
 /* ---- restitution ------------------------------------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
  * alike. m_n, by which zeta counts, is 1/(n.K n). */
 #include "vti_damping.h"
 #include "vti_joint.h"
+#include "vti_touch.h"
 
 /** What each touch takes part in. */
 struct sweep {

@@ -7,27 +7,16 @@
 #ifndef VTI_DECAY_H
 #define VTI_DECAY_H
 
-#include <string.h>
-
-#include "vti_internal.h"
+#include "vti_touch_motion.h"
 
 struct vti_decay {
-    double kept; /* exp(-z) */
-    double gone; /* 1 - exp(-z), small where z is */
+    lanes kept; /* exp(-z) */
+    lanes gone; /* 1 - exp(-z), small where z is */
 };
-
-/** 2^-k for 0 <= k <= 1022. */
-static inline double vti_half_to(int64_t k)
-{
-    const uint64_t bits = (uint64_t)(1023 - k) << 52;
-    double power;
-    memcpy(&power, &bits, sizeof power);
-    return power;
-}
 
 /** Of n <= 4 of z >= 0 at once, so that none waits for the other's polynomial; both members are NaN where z is. Errors: 2
  *  eps of each. */
-static inline void vti_decays(int n, const double *z, struct vti_decay *d)
+VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
 {
     /* 1/n! with alternating signs, n = 14 ... 2: what is left out is below r^15/15! < 2^-62 r */
     static const double taylor[] = {1.0 / 87178291200.0,
@@ -45,25 +34,26 @@ static inline void vti_decays(int n, const double *z, struct vti_decay *d)
                                     0.5};
     static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
     static const double most = 708.0; /* beyond, exp(-z) < 2^-1021 */
-    double r[4], power[4], p[4];
+    lanes r[4], power[4], p[4];
     for (int i = 0; i < n; ++i) {
-        const double z_i = z[i] > most ? most : z[i];
-        const int64_t k = z_i >= 0.0 ? (int64_t)(z_i * per_ln2 + 0.5) : 0;
-        r[i] = (z_i - (double)k * ln2_high) - (double)k * ln2_low;
-        power[i] = vti_half_to(k);
-        p[i] = taylor[0];
+        const lanes z_i = lanes_where(z[i] > most, lanes_of(most), z[i]);
+        const lanes x = z_i * per_ln2 + 0.5, near = (x + 0x1.8p52) - 0x1.8p52;
+        const lanes k = lanes_where(near > x, near - 1.0, near); /* the whole part of x */
+        r[i] = (z_i - k * ln2_high) - k * ln2_low;
+        power[i] = lanes_half_to(k);
+        p[i] = lanes_of(taylor[0]);
     }
     for (size_t c = 1; c < sizeof taylor / sizeof taylor[0]; ++c)
         for (int i = 0; i < n; ++i)
             p[i] = p[i] * r[i] + taylor[c];
     for (int i = 0; i < n; ++i) {
         p[i] = p[i] * r[i] * r[i] - r[i];
-        d[i].kept = z[i] > most ? 0.0 : power[i] + power[i] * p[i];
+        d[i].kept = lanes_where(z[i] > most, lanes_of(0.0), power[i] + power[i] * p[i]);
         d[i].gone = (1.0 - power[i]) - power[i] * p[i];
     }
 }
 
-static inline struct vti_decay vti_decay(double z)
+VTI_INLINE struct vti_decay vti_decay(lanes z)
 {
     struct vti_decay d;
     vti_decays(1, &z, &d);
@@ -71,9 +61,9 @@ static inline struct vti_decay vti_decay(double z)
 }
 
 /** (1 - exp(-z))/z, 1 at 0. */
-static inline double vti_decay_mean(double z, const struct vti_decay *d)
+VTI_INLINE lanes vti_decay_mean(lanes z, const struct vti_decay *d)
 {
-    return z > 0.0 ? d->gone / z : 1.0;
+    return lanes_where(z > 0.0, d->gone / z, lanes_of(1.0));
 }
 
 #endif

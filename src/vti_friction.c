@@ -127,20 +127,6 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /* ---- history ----------------------------------------------------------------------------------------------------- */
 
-static const struct vti_touch_kernels *kernels(int64_t count)
-{
-    (void)count;
-#ifdef VTI_HAS_AVX512
-    if (count > 4 && vti_serves_avx512())
-        return &vti_touch_avx512;
-#endif
-#ifdef VTI_HAS_AVX2
-    if (count > 2 && vti_serves_avx2())
-        return &vti_touch_avx2;
-#endif
-    return &vti_touch_baseline;
-}
-
 /** The slot of a touch that holds something or begins to; NULL if there is no room. */
 static vti_held *hold(vti_history *history, int64_t i, int64_t j)
 {
@@ -173,7 +159,7 @@ static void carry_waiting(struct carrying *c)
         pairs->held[k] = pairs->held[count - 1];
     }
     if (count > 0)
-        kernels(count)->carry(c->p, c->b, c->drifted, pairs);
+        vti_touch_kernels_for(count)->carry(c->p, c->b, c->drifted, pairs);
     for (int64_t k = 0; k < count; ++k)
         if (pairs->delta[k] <= 0.0)
             vti_history_remove(c->p->history,

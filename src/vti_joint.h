@@ -13,7 +13,7 @@
  *
  * A dashpot of coefficient c on the motion along some directions lets u decay as exp(-c t K) there: along the
  * eigenvectors of K among them, its modes, each by a decay of its own. For spheres these are the formulas of
- * vti_touch.h (EQUATIONS 6.2, 6.3). */
+ * vti_touch_motion.h (EQUATIONS 6.2, 6.3). */
 #ifndef VTI_JOINT_H
 #define VTI_JOINT_H
 

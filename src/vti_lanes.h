@@ -7,6 +7,7 @@
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
  *     lanes_where    a where a comparison holds, b elsewhere
+ *     lanes_half_to  2^-k of whole 0 <= k <= 1022
  *     lanes_gather   p[at[0]], p[at[1]], ...                                               lanes_scatter   the way back
  *     lanes_triples  the components of three-vectors that begin at p[at[0]], p[at[1]], ... lanes_untriple  the way back
  *     lanes_quads    those of four numbers that begin there                                lanes_unquad    the way back
@@ -16,6 +17,8 @@
  *     lanes_spread   k of each body three times, as the components of packed vectors lie */
 #ifndef VTI_LANES_H
 #define VTI_LANES_H
+
+#include <string.h>
 
 #include "vti_internal.h"
 
@@ -90,6 +93,12 @@ VTI_INLINE lanes lanes_copysign(lanes a, lanes b)
 VTI_INLINE lanes lanes_abs(lanes a)
 {
     return lanes_copysign(a, lanes_of(0.0));
+}
+
+VTI_INLINE lanes lanes_half_to(lanes k)
+{
+    typedef uint64_t bits VECTOR(VTI_WIDTH);
+    return (lanes)((UINT64_C(1023) << 52) - ((bits)(k + 0x1.8p52) << 52));
 }
 
 VTI_INLINE pair pair_load(const double *p)
@@ -461,6 +470,16 @@ VTI_INLINE lanes lanes_abs(lanes a)
 VTI_INLINE int lanes_all(lanes_mask m)
 {
     return m;
+}
+
+VTI_INLINE lanes lanes_half_to(lanes k)
+{
+    uint64_t bits;
+    double power = k + 0x1.8p52;
+    memcpy(&bits, &power, sizeof bits);
+    bits = (UINT64_C(1023) << 52) - (bits << 52);
+    memcpy(&power, &bits, sizeof power);
+    return power;
 }
 
 VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[1])

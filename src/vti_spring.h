@@ -23,11 +23,6 @@ struct vti_carry {
     lanes turned[3];       /* and turned */
 };
 
-/** What the springs of touches hold: vti_held for lanes. */
-struct vti_loads {
-    lanes sliding[3], rolling[3], twisting;
-};
-
 /** What a drift takes, of sliding, rolling and twisting: what is lost, and what a wall that moves has taken. */
 struct vti_taken {
     lanes lost[VTI_FRICTION_BOOKS], worked[VTI_FRICTION_BOOKS];

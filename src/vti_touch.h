@@ -41,12 +41,6 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
     return at->r > VTI_COINCIDENT;
 }
 
-/** mu of wall w. */
-static inline double vti_friction_of_wall(const vti_friction *p, int64_t w)
-{
-    return p->wall_sliding != NULL ? p->wall_sliding[w] : p->sliding;
-}
-
 /** Of body i and wall w, where they are now. Returns 1, or 0 where the gap is above reach, or there is no direction. */
 static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const vti_bodies *b, int64_t w, int64_t i,
                                  double reach)

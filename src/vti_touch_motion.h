@@ -51,6 +51,17 @@ struct vti_touch_motion {
     lanes v_i[3], v_j[3], w_i[3], w_j[3];
 };
 
+/** What the springs of friction hold there: vti_held for lanes. */
+struct vti_loads {
+    lanes sliding[3], rolling[3], twisting;
+};
+
+/** mu of wall w. */
+static inline double vti_friction_of_wall(const vti_friction *p, int64_t w)
+{
+    return p->wall_sliding != NULL ? p->wall_sliding[w] : p->sliding;
+}
+
 /** u */
 VTI_INLINE void vti_touch_slip(const struct vti_touch *at, const struct vti_touch_motion *m, lanes u[3])
 {

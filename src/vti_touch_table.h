@@ -23,11 +23,30 @@ struct vti_carried {
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
 };
 
+struct vti_sweep; /* of dashpots (vti_dashpot_flow.h) */
+
 struct vti_touch_kernels {
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
+    /** The dashpots of pairs no two of which share a body; beyond count as in vti_carried. */
+    void (*flow)(const struct vti_sweep *s, int64_t count, const struct vti_seat *seat);
 };
 
 /** The same bits from each. */
 extern const struct vti_touch_kernels vti_touch_baseline, vti_touch_avx2, vti_touch_avx512;
+
+/** Those for so many pairs. */
+static inline const struct vti_touch_kernels *vti_touch_kernels_for(int64_t count)
+{
+    (void)count;
+#ifdef VTI_HAS_AVX512
+    if (count > 4 && vti_serves_avx512())
+        return &vti_touch_avx512;
+#endif
+#ifdef VTI_HAS_AVX2
+    if (count > 2 && vti_serves_avx2())
+        return &vti_touch_avx2;
+#endif
+    return &vti_touch_baseline;
+}
 
 #endif

@@ -6,6 +6,7 @@
 #include "support.h"
 
 #include "../../src/vti_carry.h"
+#include "../../src/vti_dashpot_flow.h"
 #include "../../src/vti_touch_table.h"
 
 enum { PAIRS = 21, N = 2 * PAIRS, ROOM = 8 * N };
@@ -165,16 +166,218 @@ static void carries(const struct vti_touch_kernels *kernels)
     }
 }
 
+/* ---- dashpots ---------------------------------------------------------------------------------------------------- */
+
+static vti_held slots[4 * PAIRS];
+
+/** The flow of each pair alone. */
+static void expect_flow(const struct vti_sweep *s)
+{
+    for (int64_t k = 0; k < PAIRS; ++k) {
+        struct place at = {.damping = {.zeta = s->p->zeta}};
+        if (!vti_touch_pair(&at.touch, s->p->contacts, s->b, k, INFINITY))
+            continue;
+        vti_touch_load(&at.touch, s->b, &at.motion);
+        vti_touch_masses(&at.touch, s->b);
+        const vti_held *held = vti_damping_held(s->p, &at.touch);
+        for (int c = 0; c < 3; ++c) {
+            at.held.sliding[c] = held->sliding[c];
+            at.held.rolling[c] = held->rolling[c];
+        }
+        at.held.twisting = held->twisting;
+        if (!flow_touch(s, &at))
+            continue;
+        vti_touch_store(&at.touch, s->b, &at.motion);
+        for (int m = 0; m < MOTIONS; ++m)
+            if (s->damped[m])
+                vti_sum_add(&s->p->lost[m], at.lost[m]);
+    }
+}
+
+static vti_dashpots dashpots_in(int trial, const vti_contacts *contacts, const vti_friction *friction, vti_sum *lost)
+{
+    const vti_dashpots p = {.contacts = contacts,
+                            .friction = trial % 4 ? friction : NULL,
+                            .zeta = trial % 3 ? 0.4 : 0.0,
+                            .normal = trial % 5 ? 0.2 : 0.0,
+                            .tangential = trial % 7 ? 0.3 : 0.0,
+                            .ratio = trial % 2 ? 0.5 : 0.0,
+                            .rolling = trial % 11 ? 0.1 : 0.0,
+                            .twisting = trial % 13 ? 1e3 : 0.0,
+                            .pull = trial / 2 % 2,
+                            .reach = INFINITY,
+                            .lost = lost};
+    return p;
+}
+
+static void flows(const struct vti_touch_kernels *kernels)
+{
+    rng g = rng_seed(13);
+    double weight[2][N];
+    for (int trial = 0; trial < LAYOUTS * 4 * 64; ++trial) {
+        vti_bodies b = bodies_in(trial % LAYOUTS);
+        vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}}, lost_too[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
+        draw(&g, &b);
+        for (int i = 0; i < 2 * N; ++i)
+            weight[i / N][i % N] = uniform(&g, 0.5, 2);
+        b.mass = trial % 5 ? vti_scalars_array(weight[0]) : vti_scalars_one(weight[0]);
+        b.inertia = trial % 3 ? vti_scalars_array(weight[1]) : vti_scalars_one(weight[1]);
+        const vti_contacts contacts = contacts_in(trial / LAYOUTS);
+        vti_history history = {4 * PAIRS, 0, 0, slots};
+        while (history.slots & (history.slots - 1))
+            history.slots &= history.slots - 1;
+        memset(slots, 0, sizeof slots);
+        for (int64_t k = 0; k < PAIRS; k += 1 + k % 2) /* some hold nothing */
+            assert_int_equal(vti_history_add(&history, &bodies.held[k]), VTI_OK);
+        vti_friction friction = friction_in(trial / LAYOUTS, &contacts, NULL);
+        friction.history = trial % 8 == 7 ? NULL : &history;
+        const vti_dashpots one = dashpots_in(trial / LAYOUTS, &contacts, &friction, lost);
+        vti_dashpots many = one;
+        many.lost = lost_too;
+        struct vti_sweep s = {.p = &one, .b = &b, .t = 0.05, .drift = trial % 2 ? 0.1 : -0.1};
+        vti_damping_all(&one, s.damped);
+        if (trial / LAYOUTS % 9 == 0) {
+            b.omega = vti_view_none();
+            s.damped[ROLLING] = s.damped[TWISTING] = 0;
+        }
+        start = bodies;
+        expect_flow(&s);
+        double moved[2][ROOM];
+        memcpy(moved, bodies.all[1], sizeof moved);
+        bodies = start;
+        s.p = &many;
+        struct vti_seat seat[VTI_TOUCHES];
+        for (int64_t k = 0; k < VTI_TOUCHES; ++k) {
+            const int64_t at = k < PAIRS ? k : PAIRS - 1;
+            const struct vti_seat there = {bodies.pair[at][0] - 1, bodies.pair[at][1] - 1, at};
+            seat[k] = there;
+        }
+        kernels->flow(&s, PAIRS, seat);
+        assert_same_bits(bodies.all[1], moved, 2 * ROOM);
+        assert_same_bits(lost_too, lost, 2 * VTI_DASHPOT_BOOKS);
+    }
+}
+
+/* ---- the order of the pairs (EQUATIONS 6.4) ---------------------------------------------------------------------- */
+
+enum { MANY = 130, LIST = 700, TOGETHER = 256 };
+
+static double place_of[MANY][3], velocity[MANY][3], spin[MANY][3];
+static int64_t listed[LIST][2], order[LIST], count, all;
+
+static int64_t near_pairs(double reach)
+{
+    int64_t n = 0;
+    for (int64_t k = 0; k < all; ++k) {
+        double d[3];
+        for (int c = 0; c < 3; ++c)
+            d[c] = place_of[listed[k][0]][c] - place_of[listed[k][1]][c];
+        if (sqrt(vti_dot(d, d)) <= 1.0 + reach)
+            order[n++] = k;
+    }
+    return n;
+}
+
+/** Of the pairs within reach, as many together as TOGETHER, into order: colour by colour, the smallest that neither body
+ *  has; what finds none below 63 comes last. */
+static void expect_order(double reach)
+{
+    static int has[MANY][64];
+    int64_t sorted[LIST], to = 0;
+    count = near_pairs(reach);
+    for (int64_t from = 0; from < count; from += TOGETHER) {
+        const int64_t end = from + TOGETHER < count ? from + TOGETHER : count;
+        int colour[LIST];
+        memset(has, 0, sizeof has);
+        for (int64_t n = from; n < end; ++n) {
+            const int64_t i = listed[order[n]][0], j = listed[order[n]][1];
+            int c = 0;
+            while (c < 63 && (has[i][c] || has[j][c]))
+                ++c;
+            has[i][c] = has[j][c] = 1;
+            colour[n] = c;
+        }
+        for (int c = 0; c < 64; ++c)
+            for (int64_t n = from; n < end; ++n)
+                if (colour[n] == c)
+                    sorted[to++] = order[n];
+    }
+    memcpy(order, sorted, (size_t)count * sizeof *order);
+}
+
+/** A crowd of which the first touches nearly all, so that it has more pairs than there are colours. */
+static void draw_crowd(rng *g)
+{
+    all = 0;
+    for (int i = 0; i < MANY; ++i) {
+        random_vector(g, i ? 1.0 : 0.05, place_of[i]);
+        random_vector(g, 1.0, velocity[i]);
+        random_vector(g, 1.0, spin[i]);
+    }
+    for (int64_t i = 0; i < MANY; ++i)
+        for (int64_t j = i + 1; j < MANY && all < LIST; ++j)
+            if (i == 0 || (i + j) % 7 == 0) {
+                listed[all][0] = i;
+                listed[all++][1] = j;
+            }
+}
+
+TEST(order_of_the_pairs)
+{
+    static const double one = 1.0;
+    rng g = rng_seed(17);
+    for (int trial = 0; trial < 12; ++trial) {
+        vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}}, lost_too[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
+        double v[MANY][3], w[MANY][3];
+        draw_crowd(&g);
+        memcpy(v, velocity, sizeof v);
+        memcpy(w, spin, sizeof w);
+        vti_bodies b = vti_bodies_none(MANY);
+        b.x = vti_view_packed(place_of[0]);
+        b.v = vti_view_packed(velocity[0]);
+        b.omega = vti_view_packed(spin[0]);
+        b.mass = b.inertia = vti_scalars_one(&one);
+        const double reach = trial % 3 ? 0.2 : INFINITY, drift = trial % 2 ? -0.01 : 0.01;
+        vti_contacts contacts = {.count = all, .pair = listed[0], .diameter = vti_scalars_one(&one), .stiffness = 1.0};
+        vti_dashpots p = {
+            .contacts = &contacts, .zeta = 0.3, .ratio = 0.5, .rolling = 0.1, .reach = reach, .lost = lost};
+        vti_effect effect = vti_dashpots_effect(&p);
+        assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &b), VTI_OK);
+        expect_order(reach);
+        assert_true(count > TOGETHER);
+        p.lost = lost_too;
+        b.v = vti_view_packed(v[0]);
+        b.omega = vti_view_packed(w[0]);
+        contacts.count = 1;
+        for (int64_t n = 0; n < count; ++n) {
+            contacts.pair = listed[order[drift < 0.0 ? count - 1 - n : n]];
+            effect = vti_dashpots_effect(&p);
+            assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &b), VTI_OK);
+        }
+        assert_same_bits(velocity, v, 3 * MANY);
+        assert_same_bits(spin, w, 3 * MANY);
+        assert_same_bits(lost, lost_too, 2 * VTI_DASHPOT_BOOKS);
+    }
+}
+
+/* ---- the units --------------------------------------------------------------------------------------------------- */
+
+static void agree(const struct vti_touch_kernels *kernels)
+{
+    carries(kernels);
+    flows(kernels);
+}
+
 TEST(baseline)
 {
-    carries(&vti_touch_baseline);
+    agree(&vti_touch_baseline);
 }
 
 TEST(avx2)
 {
 #ifdef VTI_HAS_AVX2
     if (__builtin_cpu_supports("avx2")) {
-        carries(&vti_touch_avx2);
+        agree(&vti_touch_avx2);
         return;
     }
 #endif
@@ -185,11 +388,12 @@ TEST(avx512)
 {
 #ifdef VTI_HAS_AVX512
     if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-        carries(&vti_touch_avx512);
+        agree(&vti_touch_avx512);
         return;
     }
 #endif
     skip();
 }
 
-RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))
+RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(baseline), cmocka_unit_test(avx2),
+          cmocka_unit_test(avx512))
