@@ -40,6 +40,8 @@ int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *
     plan->methods_count = 0;
     for (int64_t i = 0; list == NULL && general < plan->cases_count && method_at(i) != NULL; ++i)
         plan->methods[plan->methods_count++] = method_at(i);
+    if (plan->methods_count > 0) /* of those with steps by a tolerance the cheapest */
+        plan->methods[plan->methods_count++] = method_find("srkn11-tol");
     for (int64_t i = 0; list == NULL && general > 0 && method_general_at(i) != NULL; ++i)
         if (general == plan->cases_count || method_rival(method_general_at(i)) != NULL)
             plan->methods[plan->methods_count++] = method_general_at(i);

@@ -34,8 +34,9 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
                     "%s: the start (t = 0): %.200s; the scene begins with numbers too large: smaller ones",
                     run->scene.name, what.text);
     else
-        message_set(run->message, "%s at h = %s: step %lld (t = %.10g): %.200s; reduce h", run->scene.stepper->name,
-                    NUMBER(run->scene.h), (long long)step, t, what.text);
+        message_set(run->message, "%s at h = %s: step %lld (t = %.10g): %.200s; reduce %s", run->scene.stepper->name,
+                    NUMBER(run->scene.h), (long long)step, t, what.text,
+                    run->scene.tolerance > 0.0 ? "the tolerance" : "h");
     return stop(run, RUN_BROKEN);
 }
 

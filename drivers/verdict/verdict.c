@@ -248,6 +248,12 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
+/** Where a tolerance chooses the steps, h is not theirs. */
+static const char *remedy(const struct verdict *v)
+{
+    return v->model->scene->tolerance > 0.0 ? "reduce the tolerance" : "reduce h";
+}
+
 /** Appends to the line. */
 #define SAY(...) snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text), __VA_ARGS__)
 
@@ -257,7 +263,8 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
     if (broken || f->broken != 0.0)
         SAY("broke off; ");
     if (f->gain > most_gain) {
-        SAY("the energy grew from %.6g to %.6g, too much from t = %.6g on: reduce h", f->first, f->highest, f->gain_t);
+        SAY("the energy grew from %.6g to %.6g, too much from t = %.6g on: %s", f->first, f->highest, f->gain_t,
+            remedy(v));
         return;
     }
     if (f->loss > most_gain)
@@ -317,15 +324,17 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
 {
     int n = 0;
     const double far = v->diameter > 0.0 ? travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
-    if (far > some_travel)
-        message_set(
-            &lines[n++],
-            "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; reduce h to %.3g", far,
-            far > most_travel ? " or not at all" : "", v->h * some_travel / far);
-    if (turning_error(v->stepper, turn) > turning_tolerance(v->stepper))
+    if (far > some_travel) {
+        char to[32] = "";
+        if (!(v->model->scene->tolerance > 0.0))
+            snprintf(to, sizeof to, " to %.3g", v->h * some_travel / far);
         message_set(&lines[n++],
-                    "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; reduce h", turn,
-                    v->stepper->name, turning_error(v->stepper, turn));
+                    "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; %s%s", far,
+                    far > most_travel ? " or not at all" : "", remedy(v), to);
+    }
+    if (turning_error(v->stepper, turn) > turning_tolerance(v->stepper))
+        message_set(&lines[n++], "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; %s",
+                    turn, v->stepper->name, turning_error(v->stepper, turn), remedy(v));
     return n;
 }
 

@@ -206,5 +206,41 @@ TEST(bonds)
     assert_int_equal(turned(3.0), 1);
 }
 
-RUN_TESTS_IN_FOLDER(cmocka_unit_test(angles), cmocka_unit_test(errors), cmocka_unit_test(orders),
-                    cmocka_unit_test(elsewhere), cmocka_unit_test(slopes), cmocka_unit_test(bonds))
+/* ---- what to do -------------------------------------------------------------------------------------------------- */
+
+/** Warnings at a step of 1: where a tolerance chooses the steps, it is what has to be smaller. */
+static void warned(const char *text, const char *remedy)
+{
+    static struct scene scene;
+    static struct model model;
+    static struct verdict v;
+    struct columns columns;
+    struct message message, lines[2];
+    make_model(text, &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
+    const int n = verdict_warnings(&v, &model.bodies, lines);
+    assert_true(n > 0);
+    for (int k = 0; k < n; ++k)
+        assert_non_null(strstr(lines[k].text, remedy));
+    verdict_destroy(&v);
+    model_destroy(&model);
+}
+
+TEST(remedies)
+{
+    static const char fast[] = "bodies: {x: [0, 0, 3], v: [0, 0, 40], mass: 2, diameter: 1}\n"
+                               "wall: {stiffness: 10, planes: [[0, 0, 1, 0]]}\nstepper: srkn11\nh: 1\nt_end: 1\n";
+    char text[TEXT_SIZE];
+    warned(fast, "; reduce h to ");
+    snprintf(text, sizeof text, "%stolerance: 1e-6\n", fast);
+    warned(text, "; reduce the tolerance");
+    snprintf(text, sizeof text, "%sstepper: vti2\n", pendulum);
+    warned(text, "; reduce h");
+    snprintf(text, sizeof text, "%sstepper: vti2\ntolerance: 1e-6\n", pendulum);
+    warned(text, "; reduce the tolerance");
+}
+
+RUN_TESTS_IN_FOLDER(cmocka_unit_test(remedies), cmocka_unit_test(angles), cmocka_unit_test(errors),
+                    cmocka_unit_test(orders), cmocka_unit_test(elsewhere), cmocka_unit_test(slopes),
+                    cmocka_unit_test(bonds))

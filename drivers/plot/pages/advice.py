@@ -42,13 +42,17 @@ def write(page, cost):
     page.text(_beaten(cost))
     page.text(f"- **Smooth forces, accuracy wanted** (bonds, joints, gravity; no contacts): `srkn11` or `srkn14`, below 1e-8 "
               f"`kl8` as well. {_gain(cost, False)}")
-    page.text("- **Trajectories, and forces that are dear**: `an8`, below 1e-8 `an9`, with contacts `an4` or `an6`. They need the fewest "
+    page.text("- **Trajectories, and forces that are dear**: `an8`, below 1e-8 `an9`. They need the fewest "
               "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a "
               "force, the more they gain (the table above has forces that are cheap). They are not symplectic: energy "
               "drifts linearly and angular momentum is kept to their order alone; over long times take the symplectic "
               "lists.")
-    page.text("- **Contacts or walls**: begin with `exact` (or `vti2`): a step costs one force evaluation, and there is no "
-              f"order to lose. What a longer list of stages still gains depends on the scene. {_gain(cost, True)}")
+    page.text("- **Contacts or walls, accuracy wanted**: `an4`, `an6` or `an8`. Where a contact begins or ends within a step they "
+              "take off what the step misses by that, which no other method of equal steps does; so they are of order 4.5 "
+              "there, and the others of 2.5. Where quiet times and touches take turns, `srkn11` with a tolerance "
+              "(`srkn11-tol` in the tables).")
+    page.text("- **Contacts or walls, long times or large errors**: begin with `exact` (or `vti2`): a step costs one force "
+              f"evaluation, and its energy does not drift. What the best of ours gains depends on the scene. {_gain(cost, True)}")
     page.text("- **Dissipation** (damping, friction): `exact`, `vti2` or `chin4`. Their coefficients are positive; the others "
               "step backwards in time, which turns damping into pumping, and the library refuses them there.")
     page.text("- **The answer of an older code**: `vti2`. It is the quaternion update q <- normalise(q + (h/2) Omega q) of "
