@@ -31,11 +31,6 @@ static int start_threads(struct run *run, struct message *message)
 {
     const int64_t asked = run->request->threads;
     run->threads = asked > 0 ? asked : run_threads(run->model.bodies.count);
-    if (run->threads > 1 && !threads_are_there())
-        return message_set(message,
-                           "--threads: %lld are not to be had, this vti-run was built by a compiler without OpenMP; "
-                           "leave it out",
-                           (long long)asked);
     threads_use(run->threads);
     return slices_create(&run->model, message);
 }

@@ -106,8 +106,6 @@ with tempfile.TemporaryDirectory() as root:
     together = os.path.join(root, "together.yaml")
     with open(together, "w", encoding="ascii") as file:
         file.write(TOGETHER)
-    if "without OpenMP" in run(RUN, together, "--threads", "2", "-o", os.path.join(root, "try.h5")).stderr:
-        sys.exit(77)
     same_bytes(together, root)
     for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM), ("clumps", CLUMPS)):
         path = os.path.join(root, name + ".yaml")

@@ -11,5 +11,8 @@ for compiler in gcc clang; do
     "$compiler" -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -I"$root/include" \
         $(ls "$root"/src/vti_*.c | grep -v _avx) "$root/tests/hard/test_threads.c" -lm -pthread -o "$work/threads"
     "$work/threads"
+    "$compiler" -std=c99 -O1 -g -fsanitize=thread -I"$root/include" -I"$root/tests" -I"$root/drivers/threads" \
+        "$root/drivers/threads/threads.c" "$root/tests/driver/test_parts.c" -lcmocka -lm -pthread -o "$work/parts"
+    "$work/parts" >"$work/log" 2>&1 || { cat "$work/log" && exit 1; }
     echo "threads: $compiler finds no race, and the bits are those of one thread"
 done
