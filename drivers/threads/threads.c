@@ -15,6 +15,8 @@ enum { PATIENCE = 64 }; /* looks, with the processor offered to others in betwee
 /** Of a part: 2 c while it is open in call c, 2 c + 1 once somebody has taken it. Numbers of calls only grow, so that
  *  one who comes late takes nothing twice. */
 static uint64_t part_state[THREADS_MOST];
+/** Of threads. */
+static int64_t numbers[THREADS_MOST];
 
 static struct {
     int64_t used, started; /* threads; the caller's is not started */
@@ -98,10 +100,10 @@ static uint64_t wait_for_call(uint64_t last)
 
 static void *live(void *number)
 {
-    const int64_t own = (int64_t)(intptr_t)number;
+    const int64_t *own = number;
     uint64_t call = 0;
     while ((call = wait_for_call(call)) > 0)
-        try_all(own);
+        try_all(*own);
     return NULL;
 }
 
@@ -115,7 +117,9 @@ static void start(int64_t count)
     pthread_attr_setdetachstate(&detached, PTHREAD_CREATE_DETACHED);
     while (pool.started < count) {
         pthread_t thread;
-        if (pthread_create(&thread, &detached, live, (void *)(intptr_t)(pool.started + 1)) != 0)
+        int64_t *number = &numbers[pool.started];
+        *number = pool.started + 1;
+        if (pthread_create(&thread, &detached, live, number) != 0)
             break;
         ++pool.started;
     }
