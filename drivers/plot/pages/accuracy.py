@@ -32,6 +32,7 @@ def opening(page, cost):
               "quaternion points to. Verlet extrapolated, PEFRL and Takahashi-Imada turn by the exponential map. Steps to start "
               "an Adams method are DOP853's and count. Forces use the machine's vector units for all alike; the steps of ours choose "
               "among kernels for them as well, the loops of rivals beside the forces are compiled for every processor of the kind.")
+    page.text("These are spheres; bodies of three moments have a page of their own, docs/inertia.md.")
     page.text("An error is the distance from a reference at the end of the run. Its price is found among runs at falling "
               "steps: the cheapest one from which on the errors stay below, interpolated to the error itself; nothing is "
               "extrapolated. Prices within 5 % of each other are a tie. Times are of the run alone, without observers, one run per "

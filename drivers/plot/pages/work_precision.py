@@ -113,7 +113,7 @@ def _panel(axes, lines, looks, best):
     style.log_axis(axes.yaxis, np.min(costs) / 1.3, np.max(costs) * 1.3)
     style.log_axis(axes.xaxis, np.min(errors) / 1.5, np.max(errors) * 1.5)
     axes.invert_xaxis()
-    _names(axes, ends)
+    name_ends(axes, ends)
 
 
 def _band(axes, lines):
@@ -126,7 +126,7 @@ def _band(axes, lines):
     return [(errors[-1], float(np.sqrt(min(costs[-1]) * max(costs[-1]))), "all of order 2", "#A8641A", False)]
 
 
-def _names(axes, ends):
+def name_ends(axes, ends):
     """In one column right of the panel, by the height of the lines' ends. Those that would cover each other are moved
     apart, up from the lowest and back from the top."""
     low, high = axes.get_ylim()

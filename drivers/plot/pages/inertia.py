@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of `./dev inertia`:  python3 -m plot.pages.inertia FOLDER [--into DIR].  Bodies of three moments: errors, orders and prices
+of our steppers and of what others use. FOLDER holds table-SCENE and orders-SCENE, which vti-study wrote, and cost, of vti-study
+--cost; the page inertia.md and its picture go beside them, or with --into as DIR/inertia.md and DIR/inertia/prices.png."""
+import csv
+import os
+
+import h5py
+import numpy as np
+
+from .. import methods, style, words
+from ..trouble import Trouble
+from .cost_file import read_cost
+from .page import Page, write_page
+from .price_list import count_text, errors, in_words, power, price, table, three
+from .work_precision import AXES, COSTS, name_ends
+
+SCENES = {"free-body": "free (1, 1.7, 2.3)", "slender-body": "free (1.7231, 0.0658, 1.7243)", "heavy-top": "heavy top (0.6, 1, 1.5)",
+          "bonded-pair": "bonded pair (0.06, 0.1, 0.15)"}
+OUR_COLOURS = ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F")
+THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#777777", "#C03030", "#B8860B", "#555555")
+HEIGHT = 8.4
+LEFT_OUT = ("vti1", "vti3", "vti3-leapfrog", "kl6", "srkn6", "srkn14", "moser-veselov-newton")   # of the picture: near to others
+
+
+def rows_of(folder, name):
+    path = os.path.join(folder, name, "study.csv")
+    try:
+        with open(path, encoding="ascii", newline="") as file:
+            return list(csv.DictReader(file))
+    except OSError as error:
+        raise Trouble(path, "is not there", "make it with ./dev inertia") from error
+
+
+def attitude_errors(folder):
+    """scene -> stepper -> error of the attitude at the end; and of the spins, largest change of a conserved momentum."""
+    found = {scene: rows_of(folder, f"table-{scene}") for scene in SCENES}
+    return tuple({scene: {row["stepper"]: float(row[column]) for row in rows} for scene, rows in found.items()}
+                 for column in ("attitude_error", "momentum_error"))
+
+
+def fitted(folder, scene):
+    """stepper -> order of the trajectories' true error and its interval; NaN where rounding leaves none."""
+    path = os.path.join(folder, f"orders-{scene}", "study.h5")
+    if not os.path.isfile(path):
+        raise Trouble(path, "is not there", "make it with ./dev inertia")
+    with h5py.File(path) as file:
+        read = {column: file["orders"][column][...] for column in ("stepper", "measure", "order", "interval")}
+    return {stepper.decode(): (float(order), float(interval)) for stepper, measure, order, interval in zip(*read.values())
+            if measure == b"h1_error"}
+
+
+# ---- the picture ----------------------------------------------------------------------------------------------------
+
+def prices_figure(cost):
+    figure = style.new_figure(HEIGHT)
+    figure.suptitle("bodies of three moments: what accuracy costs")
+    for row, scene in enumerate(cost.scenes()):
+        for column, quantity in enumerate(COSTS):
+            axes = figure.add_subplot(len(cost.scenes()), 2, 2 * row + column + 1)
+            _panel(axes, cost.prices[scene], quantity)
+            axes.set_title(f"{words.plain(scene)}, to t = {cost.ends(scene)[0]:g}")
+            axes.set_xlabel(AXES["attitude"])
+            axes.set_ylabel(COSTS[quantity])
+    return figure
+
+
+def _panel(axes, ladders, quantity):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    ends, shown, taken = [], [], {True: 0, False: 0}
+    for method, ladder in ladders.items():
+        theirs = ladder.kind == "rival"
+        good = np.isfinite(ladder[quantity]) & (ladder[quantity] > 0)
+        if method in LEFT_OUT or not np.any(good):
+            continue
+        palette = THEIR_COLOURS if theirs else OUR_COLOURS
+        colour = palette[taken[theirs] % len(palette)]
+        taken[theirs] += 1
+        x, y = ladder["error"][good], ladder[quantity][good]
+        axes.plot(x, y, "--" if theirs else "-", color=colour, linewidth=1.3 if theirs else 2, marker="o", markersize=3)
+        ends.append((x[-1], y[-1], methods.name(method), colour, not theirs))
+        shown.append((x, y))
+    for axis, values, wider in ((axes.xaxis, [x for x, _ in shown], 1.5), (axes.yaxis, [y for _, y in shown], 1.3)):
+        values = np.concatenate(values)
+        style.log_axis(axis, np.min(values) / wider, np.max(values) * wider)
+    axes.invert_xaxis()
+    name_ends(axes, ends)
+
+
+# ---- the page -------------------------------------------------------------------------------------------------------
+
+def opening(page):
+    page.text("Made by `./dev inertia`: every number is from its files. A body of three principal moments A, B, C is moved by its angular "
+              "momentum L in space (`spin`), which a kick changes by the moment and a drift leaves as it is, to the bit; `docs/linking.md` "
+              "has the views.")
+    page.text("**Ours** is the drift: a turn about L in space, which is a sphere's, and turns about two of the body's axes, of "
+              "which one is the list of three (order 2, `vti1`, `vti2`, `suzuki4`, `kl6`, `kl8`), another of five, each with a turn of its own "
+              "about the same axis that takes off what the list leaves (order 4, `exact`, `srkn6`, `chin4`), and one of 21 by Blanes and Moan (order 6, "
+              "`srkn11`, `srkn14`). All are explicit, exactly symplectic and keep L, take no sine or cosine, and evaluate no force more. **Moser and "
+              "Veselov's** is the discrete body that the paper's VTI-1 is for a sphere: its implicit equation is solved in closed form by "
+              "the largest root of a quartic (`moser-veselov`), which agrees with Newton's method to rounding; flat bodies (C = A + B), "
+              "where the closed form divides by zero, take Newton's. The paper's VTI-2 is the implicit midpoint rule there, which keeps "
+              "the energy of a free body and is not symplectic. Rivals are written from the literature, turn the attitude with L kept "
+              "between two half kicks, and are compiled with the same flags; SPIRAL moves Omega by Euler's equations instead. Methods for any differential equation (Runge-Kutta, "
+              "Adams, extrapolation), which compete with ours of high order on docs/accuracy.md, know spheres only and are not here: "
+              "what is said below of orders above 2 is said against rivals of order 2.")
+
+
+def errors_part(page, found, spins):
+    page.heading("Errors at one step")
+    page.text("Attitude at the end, in radians. Free bodies begin with Omega = (0.3, 1.1, -0.4) along their axes, h = 0.1, t = 20; the "
+              "top h = 0.05, t = 8; the pair h = 1/160, t = 4. Where forces are stiff, as in bonds, they hide the error of the "
+              "rotation: a drift of high order pays in free flight and in steppers of high order.")
+    steppers = list(found["free-body"])
+    page.table(["method", *SCENES.values()],
+               [[methods.typed(stepper), *(three(found[scene].get(stepper, np.nan)) for scene in SCENES)] for stepper in steppers])
+    changed = max(spins["free-body"][stepper] for stepper in steppers if stepper != "spiral-aspherical")
+    page.text(f"L of the free body changes by {changed:.1g} in all of them but SPIRAL, by {spins['free-body']['spiral-aspherical']:.1e} there.")
+
+
+def orders_part(page, orders):
+    page.heading("Orders")
+    page.text("Of the true error (H1) at four steps, each half of the one before, with the interval of the fit. `-`: the errors are rounding.")
+    steppers = list(next(iter(orders.values())))
+    page.table(["method", *(SCENES[scene] for scene in orders)],
+               [[methods.typed(stepper), *(_order(*orders[scene][stepper]) for scene in orders)] for stepper in steppers])
+
+
+def _order(order, interval):
+    return f"{order:.3f} ± {interval:.1g}" if np.isfinite(order) else "-"
+
+
+def prices_part(page, cost, picture):
+    page.heading("Prices")
+    page.text("An error is that of the attitude at the end; a price is found among runs at falling steps, as on docs/accuracy.md, and "
+              "times are of one run on one core, the least of several. Steppers of ours run through the library's calls, which check the "
+              "bodies and choose kernels by the processor; rivals are one loop each."
+              + (f" The machine: {cost.machine}." if cost.machine else ""))
+    page.picture(picture)
+    page.text(against_text())
+    for scene in cost.scenes():
+        page.heading(f"Prices: {words.plain(scene)}")
+        page.text("Time / force evaluations.")
+        page.table(*table(cost, scene))
+        page.text(in_words(cost, scene))
+        page.text(against(cost, scene))
+
+
+def against(cost, scene):
+    """Ours and the rival that are the cheapest, at each error that both reach."""
+    said = []
+    for error in errors(cost, scene):
+        cheapest = {}
+        for kinds in (("ours", "paper"), ("rival",)):
+            found = {method: price(ladder, error, "force_evals") for method, ladder in cost.prices[scene].items() if ladder.kind in kinds}
+            found = {method: value for method, value in found.items() if np.isfinite(value)}
+            if found:
+                best = min(found, key=found.get)
+                cheapest[kinds[0]] = best, found[best], price(cost.prices[scene][best], error)
+        if len(cheapest) == 2:
+            (mine, own, time), (other, theirs, others_time) = cheapest["ours"], cheapest["rival"]
+            said.append(f"{power(error)}: {methods.name(mine)} {count_text(own)} against {methods.name(other)} {count_text(theirs)} "
+                        f"({three(theirs / own)} times; in time {three(others_time / time)})")
+    return "Evaluations of the cheapest of ours against the cheapest rival: " + "; ".join(said) + "."
+
+
+def build(folder, root, into):
+    found, spins = attitude_errors(folder)
+    orders = {scene: fitted(folder, scene) for scene in SCENES if scene != "slender-body"}
+    cost = read_cost(os.path.join(folder, "cost"))
+    picture = os.path.join(into or "", "prices.png")
+    style.save(prices_figure(cost), os.path.join(root, picture))
+    page = Page(root, "Bodies that are no spheres")
+    opening(page)
+    errors_part(page, found, spins)
+    orders_part(page, orders)
+    prices_part(page, cost, picture)
+    path = os.path.join(root, "inertia.md")
+    style.write(page.markdown().encode("utf-8"), path)
+    print(path)
+
+
+def against_text():
+    """What one has to know of the prices."""
+    return ("At the same order the turn alone decides: where L changes little within a step, a drift of order 4 pays at once; under a moment, at "
+            "order 2, schemes that are simpler can be cheaper, and orders of 4 and more are what pays.")
+
+
+def main():
+    write_page("inertia", "what ./dev inertia measured", build)
+
+
+if __name__ == "__main__":
+    main()

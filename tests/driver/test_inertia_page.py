@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of ./dev inertia, made of studies that are shorter than its own.      test_inertia_page.py VTI_STUDY PROJECT"""
+import os
+import sys
+import tempfile
+
+try:
+    import matplotlib  # noqa: F401
+    import h5py  # noqa: F401
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+from programs import run
+from tally import check, conclude
+
+study, project = map(os.path.abspath, sys.argv[1:3])
+sys.path.insert(0, os.path.join(project, "drivers"))
+from plot.pages import inertia  # noqa: E402
+from plot.trouble import Trouble  # noqa: E402
+
+STEPPERS = "exact,suzuki4,no-squish,spiral-aspherical"
+
+
+def measured(base, folder, *arguments):
+    done = run(study, "--no-plot", "--steppers", STEPPERS, "-o", os.path.join(base, folder), *arguments,
+               os.path.join(project, "scenes", "dzhanibekov.yaml"))
+    check(done.returncode == 0, f"{folder} {done.stderr}")
+
+
+def refuses(base, what):
+    try:
+        inertia.build(base, base, None)
+        check(False, f"without {what} there is no page")
+    except Trouble as trouble:
+        check(what in str(trouble), f"without {what}: {trouble}")
+
+
+with tempfile.TemporaryDirectory() as base:
+    refuses(base, "table-free-body")
+    for scene in inertia.SCENES:
+        measured(base, f"table-{scene}", "--h", "0.1", "--t-end", "10")
+    refuses(base, "orders-free-body")
+    for scene in inertia.SCENES:
+        measured(base, f"orders-{scene}", "--h", "1/4:1/32", "--t-end", "10")
+    measured(base, "cost", "--cost", "--repeats", "1", "--evals", "3000", "--t-end", "2")
+    into = os.path.join(base, "docs")
+    os.mkdir(into)
+    inertia.build(base, into, "inertia")
+    with open(os.path.join(into, "inertia.md"), encoding="utf-8") as file:
+        page = file.read()
+    errors = inertia.attitude_errors(base)[0]["free-body"]
+    check(f"| NO_SQUISH (`no-squish`) | {errors['no-squish']:.2g} |" in page, "errors are those of the study")
+    orders = inertia.fitted(base, "free-body")
+    check(abs(orders["suzuki4"][0] - 4) < 0.1 and f"| {orders['suzuki4'][0]:.3f} ± " in page, f"orders too: {orders}")
+    check("1e-4: " in page and "against " in page and "inertia/prices.png" in page, "prices, ours against rivals")
+    size = os.path.getsize(os.path.join(into, "inertia", "prices.png"))
+    check(10_000 < size < 300_000, f"the picture has {size} bytes")
+conclude()
