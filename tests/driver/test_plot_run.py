@@ -118,7 +118,7 @@ def test_scenes(program, folder):
     _, said = draws(program, run, os.path.join(folder, "turns-only"), pictures=ALL[:3])
     assert "shapes.png: not drawn" in said and "no positions" in said, said
     write_run(run, turns=False, count=2500, frames=9)
-    draws(program, run, os.path.join(folder, "many"), dpi=FINE)
+    draws(program, run, os.path.join(folder, "many"), pictures=ALL[3:], only=ALL[3:], dpi=FINE)
     write_run(run, count=1, frames=1, rows=2)
     draws(program, run, os.path.join(folder, "one-body"))
     write_run(run, t_end=100.0)

@@ -105,6 +105,11 @@ class Topic:
                 check(False, f"{self.name}, {how} at call {at}, {self.calls[at - 1]}: {wrong}")
         check(wrongs == 0 < len(numbers), f"{self.name}, {how} at {len(numbers)} calls; {time.monotonic() - begin:.1f} s")
 
+    def ends(self):
+        """Killed, or asked to end; in the short test by turns."""
+        self.meets("kill", self.numbers()[::1 if LONG else 2])
+        self.meets("term", self.numbers()[0 if LONG else 1::1 if LONG else 2])
+
 
 def run(*words):
     return lambda folder: [RUN, f"{SCENES}/pendulum.yaml", "--h", "2^-14", "--record", "1024", "--frames", "4096", *words,
@@ -122,8 +127,8 @@ def cost(*words):
 
 def runs(base):
     topic = Topic(base, run("--t-end", "1"), run("--t-end", "1/2"), "out.run", 2)
-    for how in ("kill", "term", "full"):
-        topic.meets(how, topic.numbers())
+    topic.ends()
+    topic.meets("full", topic.numbers())
     topic.meets("torn", topic.numbers("pwrite"))
     topic.meets("once", topic.numbers("" if LONG else ("fclose", "fsync")))
 
@@ -135,8 +140,7 @@ def studies(base, *arguments, short=()):
     topic.meets("full", topic.numbers("" if LONG or "full" in short else "fclose"))
     topic.meets("once", topic.numbers("" if LONG else ("fclose", "fsync")))
     if LONG or "kill" in short:
-        topic.meets("kill", topic.numbers()[::1 if LONG else 2])
-        topic.meets("term", topic.numbers()[0 if LONG else 1::1 if LONG else 2])
+        topic.ends()
 
 
 def lockless(base):
