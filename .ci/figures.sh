@@ -44,7 +44,7 @@ figures() {
     study "$1/torus-study" torus --t-end 10 --h $steps
     study "$1/torus-printed-study-short" torus-printed --t-end 2 --h $steps
     study "$1/torus-printed-study" torus-printed --t-end 10 --h 1/2000:1/32000
-    for scene in billiards incline heap column drum agglomerate; do
+    for scene in billiards incline heap column drum agglomerate ellipsoid-chain clump-pile; do
         run "$1/$scene" $scene
         [ ! -f "$1/$scene/out.h5" ] || build/drivers/vti-plot --film "$1/$scene/out.h5" >>"$1/$scene/run.txt"
     done

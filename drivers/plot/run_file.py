@@ -8,12 +8,14 @@
     /<what>s                 planes n.x = d at t = 0 as rows nx, ny, nz, d, if the scene has walls
     /<what>_cylinders        cylinders at t = 0 as rows ax, ay, az, x, y, z, R (axis, a point on it, radius), if it has any
     /<what>_velocities       of planes, then of cylinders, and /<what>_spins about their axes, if walls move
+    /clumps                  body, offset and diameter of each sphere of bodies that are several
     /VTKHDF                  the trajectory, frame after frame: Points, PointData, Lines (pairs of bodies), Steps/Values (times)
 """
 from dataclasses import dataclass
 
 import numpy as np
 
+from . import outlines
 from .hdf5_file import RUN, Reader, opened, text
 
 NOT_ENERGIES = ("t", "total", "energy_modified", "bonds", "fragments")
@@ -29,6 +31,16 @@ class Frame:
     attitude: np.ndarray    # n, 4: unit quaternions x, y, z, w
     lines: np.ndarray       # k, 2: pairs of bodies that something holds at that time
     fragment: np.ndarray = None     # n: the first body of the fragment, where lines may break
+    spheres: np.ndarray = None      # m, 3: centres of the spheres of clumps
+    ellipsoid: np.ndarray = None    # n, 3, 3: R diag(axes) R^T of bodies that are drawn so
+
+
+@dataclass
+class Clumps:
+    """The spheres of bodies that are several each."""
+    body: np.ndarray        # m
+    offset: np.ndarray      # m, 3: from the body's centre, in the body
+    diameter: np.ndarray    # m
 
 
 @dataclass
@@ -69,6 +81,8 @@ class Run:
     touching: int           # pairs that overlap are in contact: 0 none, 1 those without a line, 2 all
     looks: dict             # name of an energy -> symbol, meaning, colour
     breaks: bool = False    # lines may break
+    clumps: Clumps = None
+    ellipsoids: bool = False    # bodies have three moments, by which they are drawn
     lost: float = None      # when the run blew up; what follows is left out of all but total_to_the_end
     total_to_the_end: tuple = None  # t, total
 
@@ -93,12 +107,21 @@ class Run:
             reader = Reader(self.path, file, RUN)
             x = reader.numbers("/VTKHDF/Points", 2, rows)
             attitude = reader.numbers("/VTKHDF/PointData/attitude_xyzw", 2, rows) if self.turns else None
+            shapes = self._shapes(reader, rows, x, attitude)
             if not self.breaks:
-                return Frame(float(self.times[k]), x, attitude, self.lines)
+                return Frame(float(self.times[k]), x, attitude, self.lines, **shapes)
             cells = self.bodies + len(self.lines)
             holds = reader.numbers("/VTKHDF/CellData/bond_holds", 1, slice(k * cells + self.bodies, (k + 1) * cells))
             fragment = reader.numbers("/VTKHDF/PointData/fragment", 1, rows)
-        return Frame(float(self.times[k]), x, attitude, self.lines[holds == 1], fragment)
+        return Frame(float(self.times[k]), x, attitude, self.lines[holds == 1], fragment, **shapes)
+
+    def _shapes(self, reader, rows, x, attitude):
+        if self.clumps is not None:
+            body = self.clumps.body
+            return {"spheres": x[body] + outlines.turned(attitude[body], self.clumps.offset)}
+        if self.ellipsoids:
+            return {"ellipsoid": reader.numbers("/VTKHDF/PointData/ellipsoid", 2, rows).reshape(-1, 3, 3)}
+        return {}
 
 
 def read_run(path):
@@ -128,7 +151,10 @@ def read_run(path):
         run = Run(path, text(reader.attribute("scene")), text(reader.attribute("stepper")), reader.number("h"),
                   text(reader.attribute("vti_version")), columns, times, bodies, "velocity" in data,
                   "attitude_xyzw" in data, diameter, lines.reshape(-1, 2), walls,
-                  int(reader.number("touching")) if "touching" in file.attrs else 0, looks, "fragment" in data)
+                  int(reader.number("touching")) if "touching" in file.attrs else 0, looks, "fragment" in data,
+                  _clumps(reader, bodies), "ellipsoid" in data and "clumps" not in file)
+        if run.ellipsoids:
+            _must_have_shape(reader, "/VTKHDF/PointData/ellipsoid", (bodies * len(times), 9))
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
             raise reader.trouble("holds no number that is finite")
@@ -149,6 +175,17 @@ def _cut(run):
         run.total_to_the_end = run.columns["t"], run.columns["total"]
         run.columns = {name: column[:first] for name, column in run.columns.items()}
         run.times = run.times[run.times < run.lost]
+
+
+def _clumps(reader, bodies):
+    if "clumps" not in reader.file:
+        return None
+    body = reader.numbers("/clumps/body").astype(int)
+    _must_have_shape(reader, "/clumps/offset", (len(body), 3))
+    _must_have_shape(reader, "/clumps/diameter", (len(body),))
+    if len(body) == 0 or not 0 <= body.min() <= body.max() < bodies:
+        raise reader.trouble("/clumps/body names a body that does not exist, or none")
+    return Clumps(body, reader.numbers("/clumps/offset", 2), reader.numbers("/clumps/diameter"))
 
 
 def _walls(reader, names):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies as circles in a plane, with what shapes.png and the film have in common: one plane and one window for all
+"""Bodies as circles and ellipses in a plane, with what shapes.png and the film have in common: one plane and one window for all
 frames, planes, lines between bodies, marks that turn with the bodies, and contacts."""
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from . import style, walls
+from . import outlines, style, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
@@ -23,7 +23,7 @@ class Scenery:
         self.run = run
         self.detailed = run.bodies <= MOST_MARKED
         self.plane = _plane(frames)
-        self.radius = _radius(run, frames[0])
+        self.radius = outlines.radius(run, frames[0])
         extents = [self._extent(frame) for frame in frames]
         largest = max(np.max(high - low) for low, high in extents)
         low, high = np.min([low for low, _ in extents], axis=0), np.max([high for _, high in extents], axis=0)
@@ -34,13 +34,14 @@ class Scenery:
             low, high = self._with_cylinders(frames, low, high)
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
-        self.outward = _outward(frames[0], self.plane) if run.turns else None
+        self.marked = run.turns and self.detailed and not run.breaks and run.clumps is None
+        self.outward = _outward(frames[0], self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
 
     def _extent(self, frame):
-        radius = self.radius[:, None]
-        return np.min(frame.x - radius, axis=0)[self.plane], np.max(frame.x + radius, axis=0)[self.plane]
+        seen = outlines.of(self.run, frame, self.radius)
+        return np.min(seen.x - seen.reach, axis=0)[self.plane], np.max(seen.x + seen.reach, axis=0)[self.plane]
 
     def _with_cylinders(self, frames, low, high):
         """The window that shows the cylinders seen along their axes, too, but for those that dwarf the bodies."""
@@ -59,9 +60,11 @@ class Scenery:
 
     def meaning(self):
         """What marks and colours stand for, of those that can appear: a line or none."""
-        said = ["black: a direction fixed in each body"] if self.run.turns and self.detailed and not self.run.breaks else []
+        said = ["black: a direction fixed in each body"] if self.marked else []
         if self.run.breaks:
             said.append("colours: fragments, single bodies pale")
+        elif self.run.clumps is not None:
+            said.append("colours: clumps")
         elif self.run.diameter is not None and self.detailed and (self.run.walls.names or self.run.touching):
             said.append("orange: in contact")
         return ["; ".join(said)] if said else []
@@ -69,16 +72,18 @@ class Scenery:
     def draw(self, axes, frame):
         """Returns whether any body is in contact."""
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
-        behind_first = np.argsort(frame.x[:, 3 - sum(self.plane)], kind="stable")
-        touching = np.zeros(len(xy), bool) if run.breaks else self._touching(frame)
+        seen = outlines.of(run, frame, self.radius)
+        behind_first = np.argsort(seen.x[:, 3 - sum(self.plane)], kind="stable")
+        touching = np.zeros(len(seen.x), bool) if run.breaks else self._touching(frame)
         walls.draw(axes, self.plane, run.walls, frame.t, window)
-        axes.add_collection(_circles(axes, xy[behind_first], self.radius[behind_first],
-                                     np.where(touching, CONTACT, _fills(frame))[behind_first]))
+        fills = np.where(touching, CONTACT, _fills(run, frame, seen))[behind_first]
+        ellipses = [part[behind_first] for part in seen.ellipses(self.plane)]
+        axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills))
         if self.detailed:
             if len(frame.lines):
                 axes.add_collection(LineCollection(xy[frame.lines], colors=RIM, linewidths=0.7))
-            if run.turns and not run.breaks:    # marks would hide the fragments
-                tips = xy + 2 * self.radius[:, None] * _turned(frame.attitude, self.outward)[:, self.plane]
+            if self.marked:     # marks would hide the fragments, and clumps have a shape that turns
+                tips = xy + 2 * self.radius[:, None] * outlines.turned(frame.attitude, self.outward)[:, self.plane]
                 axes.add_collection(LineCollection(np.stack([xy, tips], axis=1), colors=MARK, linewidths=0.6))
         (left, bottom), (right, top) = window
         axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
@@ -86,9 +91,9 @@ class Scenery:
         return bool(np.any(touching))
 
     def _touching(self, frame):
-        """Bodies that overlap a plane, or another body which the scene lets them touch."""
-        touching = np.zeros(len(frame.x), bool)
-        if self.run.diameter is None or not self.detailed:
+        """Bodies that overlap a plane, or another body which the scene lets them touch; of clumps the colours say more."""
+        touching = np.zeros(len(self.radius), bool)
+        if self.run.diameter is None or self.run.clumps is not None or not self.detailed:
             return touching
         for gap in walls.gaps(self.run.walls, frame):
             touching |= gap < self.radius
@@ -107,13 +112,6 @@ def _plane(frames):
     return [axis for axis in range(3) if axis != least]
 
 
-def _radius(run, frame):
-    """Half the diameters; bodies without any are drawn as dots a fiftieth of the scene wide."""
-    if run.diameter is not None:
-        return 0.5 * run.diameter
-    return np.full(run.bodies, 0.01 * max(np.max(np.ptp(frame.x, axis=0)), 1e-3))
-
-
 def _outward(frame, plane):
     """The body-fixed direction of each mark. At t = 0 it is in the picture's plane and points away from the middle of all
     bodies; bodies in a row have it across the row, where it cannot be taken for a bond."""
@@ -124,18 +122,13 @@ def _outward(frame, plane):
     length = np.linalg.norm(away, axis=1, keepdims=True)
     marks = np.zeros((len(away), 3))
     marks[:, plane] = np.where(length > 1e-12 * max(np.max(length), 1e-300), away / np.maximum(length, 1e-300), (1.0, 0.0))
-    return _turned(frame.attitude * (-1, -1, -1, 1), marks)
+    return outlines.turned(frame.attitude * (-1, -1, -1, 1), marks)
 
 
-def _turned(attitude, vectors):
-    """R(attitude) vectors for unit quaternions x, y, z, w."""
-    axis, w = attitude[:, :3], attitude[:, 3:]
-    twice = 2 * np.cross(axis, vectors)
-    return vectors + w * twice + np.cross(axis, twice)
-
-
-def _fills(frame):
-    """Colours of the bodies: one for all, or those of the fragments that they are in."""
+def _fills(run, frame, seen):
+    """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its own."""
+    if run.clumps is not None:
+        return np.array(FRAGMENTS)[(seen.body + seen.body // len(FRAGMENTS)) % len(FRAGMENTS)]
     if frame.fragment is None:
         return np.full(len(frame.x), BODY)
     first = np.maximum(frame.fragment.astype(int), 0)
@@ -143,6 +136,6 @@ def _fills(frame):
     return np.where(alone, SINGLE, np.array(FRAGMENTS)[first % len(FRAGMENTS)])
 
 
-def _circles(axes, centres, radius, colours):
-    return EllipseCollection(2 * radius, 2 * radius, np.zeros(len(radius)), units="xy", offsets=centres,
+def _ellipses(axes, centres, widths, heights, angles, colours):
+    return EllipseCollection(widths, heights, angles, units="xy", offsets=centres,
                              transOffset=axes.transData, facecolors=colours, edgecolors=RIM, linewidths=0.5)

@@ -50,7 +50,11 @@ def _grid(count, width, height):
 
 def _facts(run, scene, touched):
     parts = []
-    if scene.detailed and run.turns and not run.breaks:
+    if run.clumps is not None:
+        parts.append("Circles: spheres of clumps, which share a colour.")
+    if run.ellipsoids:
+        parts.append("Ellipses: outlines of solids that have the bodies' mass and moments.")
+    if scene.marked:
         parts.append("Black marks are fixed to the bodies and point outwards at $t$ = 0.")
     if run.breaks:
         parts.append("Colours: fragments, single bodies pale.")
@@ -60,6 +64,6 @@ def _facts(run, scene, touched):
                                                                    [other] * (run.touching > 0)) + ".")
     if scene.follows:
         parts.append("The window moves with the bodies, the scale stays.")
-    if run.diameter is None:
+    if run.diameter is None and run.clumps is None and not run.ellipsoids:
         parts.append("The bodies have no diameter; dots are not to scale.")
     return "  ".join([*parts, f"vti {words.plain(run.version)}"])

@@ -57,10 +57,16 @@ static int check_effects(const struct model *model, struct message *message)
                                "%s do that",
                                model->scene->name, model->effects[k].name);
     const int status = vti_effects_check(model->effects, model->effects_count, &model->bodies, &fault);
-    if (status != VTI_E_CLUMP || fault.body < 0)
+    /* what else may be wrong, the first evaluation says */
+    if ((status != VTI_E_CLUMP && status != VTI_E_MOMENTS && status != VTI_E_NEEDS) || fault.body < 0)
         return 0;
-    return message_set(message, "%s: %s does not act on the spheres of bodies.clumps; leave it out", model->scene->name,
-                       model->effects[fault.body].name);
+    const char *name = model->effects[fault.body].name;
+    if (has_clumps(model))
+        return message_set(message, "%s: %s does not act on bodies.clumps; leave it out", model->scene->name, name);
+    return message_set(message,
+                       "%s: %s dissipates, which it does by the one moment of inertia of a sphere; leave it out, or "
+                       "give bodies.inertia in the place of bodies.moments",
+                       model->scene->name, name);
 }
 
 static int make(struct model *model, const struct tables *tables, struct message *message)
@@ -70,12 +76,6 @@ static int make(struct model *model, const struct tables *tables, struct message
     for (int k = 0; k < EFFECT_COUNT; ++k)
         if (model->scene->has[k] && add_effect(model, kinds_at(k), tables, message) != 0)
             return -1;
-    const vti_effect *dissipates = model->bodies.moments.c[0] != NULL ? model_dissipates(model) : NULL;
-    if (dissipates != NULL)
-        return message_set(message,
-                           "%s: %s dissipates, which it does by the one moment of inertia of a sphere; leave it "
-                           "out, or give bodies.inertia in the place of bodies.moments",
-                           model->scene->name, dissipates->name);
     if (check_effects(model, message) != 0)
         return -1;
     /* once and for all: what checks the views again at every step would cost a lone body more than its step */

@@ -146,7 +146,7 @@ static vti_scalars weighed(const struct model *model, const struct tables *table
     return vti_scalars_array(mass);
 }
 
-/** Moments of inertia of bodies of which mass and diameter are known, the latter from their template if they have one. */
+/** Moments of inertia of bodies of which mass and diameter are known; clumps have those of their template. */
 static vti_scalars derived(const struct model *model, const struct tables *tables, const vti_scalars *mass,
                            double **block)
 {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What files show of bodies that are no spheres: ellipsoids as tensors and as shapes, clumps as spheres.
-test_run_shapes.py VTI_RUN"""
+"""What files and pictures show of bodies that are no spheres: ellipsoids as tensors, shapes and outlines, clumps as spheres.
+test_run_shapes.py VTI_RUN VTI_PLOT"""
 import os
 import sys
 import tempfile
@@ -9,10 +9,15 @@ import tempfile
 import h5py
 import numpy
 
+from plot_support import plot
 from programs import run
 from tally import check, conclude
 
-RUN = os.path.abspath(sys.argv[1])
+RUN, PLOT = map(os.path.abspath, sys.argv[1:3])
+sys.path.insert(0, os.path.dirname(PLOT))
+from plot import outlines  # noqa: E402
+from plot.run_file import read_run  # noqa: E402
+
 MASS, HALF = 3.0, numpy.array([1.0, 2.0, 3.0])      # of solid ellipsoids
 MOMENTS = [MASS / 5 * (sum(HALF ** 2) - half ** 2) for half in HALF]
 ELLIPSOIDS = f"""bodies: {{chain: {{count: 2, spacing: 2}}, mass: {MASS!r}, moments: {MOMENTS!r}, principal: [0.5, 1, -2],
@@ -99,7 +104,38 @@ def clumps(folder):
     check(near(bounds[:, 0], low) and near(bounds[:, 1], high), "the box holds all spheres of all frames")
 
 
+def outline(folder):
+    """Widths, heights and angles of ellipses against the support of points on the surface."""
+    run = read_run(os.path.join(folder, "ellipsoids.h5"))
+    frame = run.frame(3)
+    seen = outlines.of(run, frame, outlines.radius(run, frame))
+    around = numpy.linspace(0, 2 * numpy.pi, 7)[:-1]
+    for plane in ([0, 1], [0, 2], [1, 2]):
+        wide, high, angle = seen.ellipses(plane)
+        turned = numpy.radians(angle)[:, None] - around
+        drawn = numpy.hypot(wide[:, None] / 2 * numpy.cos(turned), high[:, None] / 2 * numpy.sin(turned))
+        normal = numpy.zeros((len(around), 3))
+        normal[:, plane] = numpy.stack([numpy.cos(around), numpy.sin(around)], axis=1)
+        reach = numpy.linalg.norm(normal @ (frame.ellipsoid / 2), axis=-1)
+        check(near(drawn, reach), f"in the plane {plane} ellipses reach as far as ellipsoids")
+    check(near(seen.reach, numpy.linalg.norm(frame.ellipsoid / 2, axis=-1)), "... and so along the axes")
+
+
+def spheres_seen(folder):
+    run = read_run(os.path.join(folder, "clumps.h5"))
+    frame = run.frame(run.times.argmax())
+    seen = outlines.of(run, frame, outlines.radius(run, frame))
+    with open(os.path.join(folder, "clumps.dump"), encoding="ascii") as file:
+        x = numpy.array([line.split()[3:6] for line in file.read().splitlines()[-5:]], float)
+    check(near(seen.x, x) and seen.body.tolist() == [0, 0, 1, 2, 2], "spheres of clumps are drawn where the dump has them")
+
+
 with tempfile.TemporaryDirectory() as root:
     ellipsoids(root)
     clumps(root)
+    outline(root)
+    spheres_seen(root)
+    for scene in ("ellipsoids", "clumps"):
+        done = plot(PLOT, os.path.join(root, scene + ".h5"), "-o", os.path.join(root, scene), only=("shapes.png",))
+        check(done.returncode == 0 and os.path.getsize(os.path.join(root, scene, "shapes.png")) > 3000, f"{scene} are drawn {done.stderr}")
 conclude()

@@ -212,11 +212,24 @@ DISSIPATING = {
 }
 
 
-def dissipating(page, folder):
+NO_SPHERES = {
+    "ellipsoid-chain": "Eight bonded bodies of three moments, free in space.",
+    "clump-pile": "Tetrapods of five spheres each fall into a bin and settle.",
+}
+
+
+def beyond_the_paper(page, folder):
     page.heading("Beyond the paper: scenes that lose energy")
     page.text("Not in the paper: drag, dashpots, friction and rupture, which `docs/dissipation.md` explains. What is "
               "lost is booked, and the sum with it stays to second order in h.")
-    for name, about in DISSIPATING.items():
+    runs(page, folder, DISSIPATING)
+    page.heading("Beyond the paper: bodies that are not spheres")
+    page.text("Bodies of three moments of inertia, and clumps of several spheres (`docs/linking.md`).")
+    runs(page, folder, NO_SPHERES)
+
+
+def runs(page, folder, scenes):
+    for name, about in scenes.items():
         run = read_run(os.path.join(folder, name, "out.h5"))
         total = run.columns["total"]
         scale = np.max(np.abs(total)) + max(np.max(np.abs(values)) for values in run.energies().values())
@@ -243,7 +256,7 @@ def main():
         long_time(page, folder)
         conserved(page, folder)
         torus_orders(page, folder)
-        dissipating(page, folder)
+        beyond_the_paper(page, folder)
         for name, content in (("index.md", page.markdown()), ("index.html", page.html())):
             style.write(content.encode("utf-8"), os.path.join(folder, name))
             print(os.path.join(folder, name))
