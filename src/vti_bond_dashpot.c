@@ -49,9 +49,9 @@ static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, str
     const vti_scalars *stiffness = motion == AXIAL ? &bonds->axial : motion == SHEAR ? &bonds->shear : &bonds->moment;
     if (turns && !m->turns)
         return;
-    const double mass = turns             ? vti_touch_rolling_inertia(at)
-                        : motion == AXIAL ? vti_touch_normal_mass(at)
-                                          : vti_touch_tangential_mass(at);
+    const double mass = 1.0 / (turns             ? vti_touch_per_rolling(at)
+                               : motion == AXIAL ? vti_touch_per_normal(at)
+                                                 : vti_touch_per_tangential(at));
     const double c = coefficient(constants[motion], p->zeta, mass, stiffness, k, turns ? 1.0 : bonds->rest[4 * k + 3]);
     double a[3], along[3];
     if (!(c > 0.0))

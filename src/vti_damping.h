@@ -23,13 +23,6 @@ static inline void vti_damping_all(const vti_dashpots *p, int damped[VTI_DASHPOT
 
 /* ---- coefficients, as their mean over the drift ------------------------------------------------------------------ */
 
-/** x^{5/4} of x > 0, else 0 */
-VTI_INLINE lanes vti_damping_power_5_4(lanes x)
-{
-    const lanes y = lanes_where(x > 0.0, x, lanes_of(0.0));
-    return y * lanes_sqrt(lanes_sqrt(y));
-}
-
 /** The share of the way from delta to other on which they overlap, as they do at one end or at both. */
 VTI_INLINE lanes vti_damping_share(lanes delta, lanes other)
 {
@@ -41,8 +34,10 @@ VTI_INLINE lanes vti_damping_share(lanes delta, lanes other)
 /** Mean of delta_+^{1/4} on the same way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
 VTI_INLINE lanes vti_damping_mean_power(lanes delta, lanes other)
 {
-    const lanes powers = 0.8 * (vti_damping_power_5_4(delta) - vti_damping_power_5_4(other)) / (delta - other);
-    return lanes_where(lanes_abs(delta - other) < 1e-6 * lanes_abs(delta), lanes_sqrt(lanes_sqrt(delta)), powers);
+    const lanes zero = lanes_of(0.0), from = lanes_where(delta > 0.0, delta, zero),
+                to = lanes_where(other > 0.0, other, zero), power = lanes_sqrt(lanes_sqrt(from));
+    const lanes powers = 0.8 * (from * power - to * lanes_sqrt(lanes_sqrt(to))) / (delta - other);
+    return lanes_where(lanes_abs(delta - other) < 1e-6 * lanes_abs(delta), power, powers);
 }
 
 /** A touch, between here and the other end of the drift. */

@@ -160,41 +160,67 @@ static void flow_backwards(const struct vti_sweep *s, struct window *w)
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** A body at a wall. */
-static void flow_at_wall(const struct vti_sweep *s, struct place *at)
+/** The bodies that wait. */
+static void flow_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
 {
-    const vti_dashpots *p = s->p;
-    vti_touch_load(&at->touch, s->b, &at->motion);
-    vti_touch_masses(&at->touch, s->b);
-    const vti_held *const held = vti_damping_held(p, &at->touch);
-    for (int c = 0; c < 3; ++c) {
-        at->held.sliding[c] = held->sliding[c];
-        at->held.rolling[c] = held->rolling[c];
+    const int64_t last = at->count - 1;
+    for (int64_t to = at->count; at->count > 0 && to % VTI_LANES_MOST != 0; ++to) {
+        at->body[to] = at->body[last];
+        at->r[to] = at->r[last];
+        at->delta[to] = at->delta[last];
+        at->length[to] = at->length[last];
+        at->stiffness[to] = at->stiffness[last];
+        for (int c = 0; c < 3; ++c) {
+            at->n[c][to] = at->n[c][last];
+            at->v_j[c][to] = at->v_j[c][last];
+            at->w_j[c][to] = at->w_j[c][last];
+        }
     }
-    at->held.twisting = held->twisting;
-    at->damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[at->touch.wall] : p->zeta;
-    if (!flow_touch(s, at))
-        return;
-    vti_touch_store(&at->touch, s->b, &at->motion);
-    for (int k = 0; k < MOTIONS; ++k)
-        if (s->damped[k])
-            vti_sum_add(&p->lost[k], at->lost[k]);
-    if (at->touch.moves)
-        vti_sum_add(p->walls->work, at->worked);
+    if (at->count > 0)
+        vti_touch_kernels_for(at->count)->flow_at(s, at);
+    at->count = 0;
 }
 
-/** Bodies one after the other, each with the walls in their order: flows of different bodies at walls do not meet. */
+/** A body within reach joins those that wait, if it touches, or will at the other end of the drift. */
+static void wait_at_wall(const struct vti_sweep *s, const struct vti_touch *touch, struct vti_at_wall *at)
+{
+    const int64_t to = at->count;
+    double u[3];
+    vti_load(&s->b->v, touch->i, u);
+    for (int c = 0; c < 3 && touch->moves; ++c)
+        u[c] -= touch->v_j[c];
+    if (touch->delta <= 0.0 && touch->delta - s->drift * vti_dot(u, touch->n) <= 0.0)
+        return;
+    at->moves = touch->moves;
+    at->body[to] = touch->i;
+    at->r[to] = touch->r;
+    at->delta[to] = touch->delta;
+    at->length[to] = touch->length;
+    at->stiffness[to] = touch->stiffness;
+    for (int c = 0; c < 3; ++c) {
+        at->n[c][to] = touch->n[c];
+        at->v_j[c][to] = touch->moves ? touch->v_j[c] : 0.0;
+        at->w_j[c][to] = touch->moves ? touch->w_j[c] : 0.0;
+    }
+    if (++at->count == VTI_TOUCHES)
+        flow_waiting(s, at);
+}
+
+/** Wall by wall, in the order of the walls, forwards or backwards: flows of different bodies at walls do not meet. */
 static void flow_walls(const struct vti_sweep *s)
 {
     const vti_walls *walls = s->p->walls;
-    const int64_t first = s->b->first, n = s->b->count, count = vti_faces(walls);
-    struct place at = {.worked = 0.0};
-    for (int64_t i = first; count > 0 && i < first + n; ++i)
-        for (int64_t k = 0; k < count; ++k) {
-            const int64_t w = s->drift < 0.0 ? count - 1 - k : k;
-            if (vti_touch_wall(&at.touch, walls, s->b, w, i, s->p->reach))
-                flow_at_wall(s, &at);
-        }
+    const int64_t first = s->b->first, count = vti_faces(walls);
+    struct vti_touch touch;
+    struct vti_at_wall at;
+    at.count = 0;
+    for (int64_t k = 0; k < count; ++k) {
+        at.wall = s->drift < 0.0 ? count - 1 - k : k;
+        for (int64_t i = first; i < first + s->b->count; ++i)
+            if (vti_touch_wall(&touch, walls, s->b, at.wall, i, s->p->reach))
+                wait_at_wall(s, &touch, &at);
+        flow_waiting(s, &at);
+    }
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)

@@ -29,7 +29,8 @@ struct place {
     lanes approach; /* u.n, which the flow of no other motion changes */
     lanes spin;     /* w.n, likewise */
     struct vti_damping damping;
-    lanes mass[MOTIONS];   /* what resists */
+    lanes per[MOTIONS];    /* 1/m_n, 1/m_t, 1/J_r, 1/J_r, */
+    lanes mass[MOTIONS];   /* and their inverse */
     lanes gone[MOTIONS];   /* the share of the velocity that goes, where nothing limits it */
     struct vti_loads held; /* by the springs of friction */
     lanes lost[MOTIONS];   /* of energy */
@@ -41,14 +42,15 @@ VTI_INLINE void find_decays(const struct vti_sweep *s, lanes_mask idle, struct p
 {
     const int turns = s->damped[ROLLING] || s->damped[TWISTING], motions = turns ? MOTIONS : ROLLING;
     struct vti_decay d[MOTIONS];
-    at->mass[NORMAL] = vti_touch_normal_mass(&at->touch);
-    at->mass[TANGENTIAL] = vti_touch_tangential_mass(&at->touch);
-    if (turns)
-        at->mass[ROLLING] = at->mass[TWISTING] = vti_touch_rolling_inertia(&at->touch);
     lanes c[MOTIONS], z[MOTIONS];
+    at->per[NORMAL] = vti_touch_per_normal(&at->touch);
+    at->per[TANGENTIAL] = vti_touch_per_tangential(&at->touch);
+    at->per[ROLLING] = at->per[TWISTING] = vti_touch_per_rolling(&at->touch);
+    for (int k = 0; k < motions; ++k)
+        at->mass[k] = 1.0 / at->per[k];
     vti_damping_coefficients(s->p, &at->damping, at->mass[NORMAL], c);
     for (int k = 0; k < motions; ++k)
-        z[k] = c[k] * s->t / at->mass[k];
+        z[k] = c[k] * s->t * at->per[k];
     if (turns)
         vti_decays(MOTIONS, z, d);
     else
@@ -87,7 +89,7 @@ VTI_INLINE void flow_normal(const vti_dashpots *p, struct place *at, double t)
     for (int k = 0; k < 3; ++k)
         impulse[k] = size * at->touch.n[k];
     push(at, impulse);
-    at->lost[NORMAL] = -size * (un + 0.5 * size / m);
+    at->lost[NORMAL] = -size * (un + 0.5 * size * at->per[NORMAL]);
 }
 
 /** a - (a.n) n */

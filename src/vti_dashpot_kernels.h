@@ -9,7 +9,7 @@
 /** 1/m, or 1/J */
 VTI_INLINE lanes per(const vti_scalars *s, const struct side *side)
 {
-    return 1.0 / scalars(s, side);
+    return s->stride == 0 ? lanes_of(1.0 / *s->p) : 1.0 / scalars(s, side);
 }
 
 /** Velocities, and what resists their change. */
@@ -49,6 +49,8 @@ VTI_INLINE void scatter_velocities(enum touch_layout layout, const vti_bodies *b
 /** Of the first count pairs, in their order. */
 VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t count)
 {
+    for (int l = 0; at->touch.moves && l < WIDTH && l < count; ++l)
+        vti_sum_add(s->p->walls->work, lanes_get(at->worked, l));
     for (int k = 0; k < MOTIONS; ++k)
         for (int l = 0; s->damped[k] && l < WIDTH && l < count; ++l)
             vti_sum_add(&s->p->lost[k], lanes_get(at->lost[k], l));
@@ -82,6 +84,75 @@ static void flow_pairs(const struct vti_sweep *s, int64_t count, const struct vt
             flow_lanes(PACKED, s, seat + first, count - first);
         else
             flow_lanes(ANY, s, seat + first, count - first);
+}
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** Of bodies from the first on: where they touch, their velocities and the wall's, and what resists. */
+VTI_INLINE void load_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
+                             int64_t first, const struct side *i, struct place *at)
+{
+    struct vti_touch *const touch = &at->touch;
+    struct vti_touch_motion *const m = &at->motion;
+    const lanes zero = lanes_of(0.0);
+    touch->i = 0;
+    touch->j = -1;
+    touch->wall = from->wall;
+    touch->moves = from->moves;
+    touch->r = lanes_load(from->r + first);
+    touch->delta = lanes_load(from->delta + first);
+    touch->length = lanes_load(from->length + first);
+    touch->stiffness = lanes_load(from->stiffness + first);
+    touch->s_i = lanes_of(1.0);
+    touch->s_j = touch->per_m_j = touch->per_j_j = touch->per_j_i = zero;
+    touch->per_m_i = per(&s->b->mass, i);
+    m->turns = vti_has(&s->b->omega);
+    gather(layout, &s->b->v, i, m->v_i);
+    for (int k = 0; k < 3; ++k) {
+        touch->n[k] = lanes_load(from->n[k] + first);
+        touch->v_j[k] = m->v_j[k] = from->moves ? lanes_load(from->v_j[k] + first) : zero;
+        touch->w_j[k] = m->w_j[k] = from->moves ? lanes_load(from->w_j[k] + first) : zero;
+        m->w_i[k] = zero;
+    }
+    if (!m->turns)
+        return;
+    gather(layout, &s->b->omega, i, m->w_i);
+    touch->per_j_i = per(&s->b->inertia, i);
+}
+
+VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
+                                   int64_t first)
+{
+    static const vti_friction none;
+    const vti_dashpots *const p = s->p;
+    const vti_held *held[WIDTH];
+    struct place at;
+    struct side i;
+    for (int l = 0; l < WIDTH; ++l) {
+        i.body[l] = from->body[first + l];
+        i.packed[l] = 3 * i.body[l];
+    }
+    load_at_wall(layout, s, from, first, &i, &at);
+    at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[from->wall] : p->zeta;
+    for (int l = 0; l < WIDTH && p->friction != NULL; ++l)
+        held[l] = vti_damping_held_by(p, i.body[l] + 1, -1 - from->wall);
+    gather_loads(p->friction != NULL ? p->friction : &none, held, &at.held);
+    if (!flow_touch(s, &at))
+        return;
+    scatter(layout, &s->b->v, &i, at.motion.v_i);
+    if (at.motion.turns)
+        scatter(layout, &s->b->omega, &i, at.motion.w_i);
+    book(s, &at, from->count - first);
+}
+
+static void flow_at_wall(const struct vti_sweep *s, const struct vti_at_wall *at)
+{
+    const int packed = is_packed(s->b);
+    for (int64_t first = 0; first < at->count; first += WIDTH)
+        if (packed)
+            flow_lanes_at_wall(PACKED, s, at, first);
+        else
+            flow_lanes_at_wall(ANY, s, at, first);
 }
 
 #endif

@@ -35,7 +35,7 @@ int vti_history_add(vti_history *history, const vti_held *held)
 typedef void visitor(void *context, const struct vti_touch *touch, vti_held *held);
 
 /** Calls visit for all touches that hold something. */
-static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+VTI_INLINE void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
 {
     const int64_t walls = vti_faces(p->walls);
     struct vti_touch touch;
@@ -59,33 +59,31 @@ static void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visi
 
 /* ---- forces and energies ----------------------------------------------------------------------------------------- */
 
-/** To bodies of the slice only. */
-static void add_load(const vti_bodies *b, const vti_view *view, int64_t i, double s, const double a[3])
+/** To bodies of the slice only: s f, and the moment. */
+static void add_loads(const vti_bodies *b, int64_t i, double s, const double f[3], const double moment[3])
 {
-    for (int c = 0; c < 3 && vti_owns(b, i); ++c)
-        view->c[c][i * view->stride] += s * a[c];
+    if (!vti_owns(b, i))
+        return;
+    for (int c = 0; c < 3 && vti_has(&b->force); ++c)
+        b->force.c[c][i * b->force.stride] += s * f[c];
+    if (vti_has(&b->moment))
+        vti_add(&b->moment, i, moment);
 }
 
 static void push(void *context, const struct vti_touch *touch, vti_held *held)
 {
     const vti_bodies *b = context;
-    double arm[3], moment[3];
-    vti_cross(touch->n, held->sliding, arm);
-    if (vti_has(&b->force)) {
-        add_load(b, &b->force, touch->i, -1.0, held->sliding);
-        if (touch->j >= 0)
-            add_load(b, &b->force, touch->j, 1.0, held->sliding);
+    const double arm_i = touch->s_i * touch->r, arm_j = touch->s_j * touch->r;
+    double across[3], on_i[3], on_j[3];
+    vti_cross(touch->n, held->sliding, across);
+    for (int k = 0; k < 3; ++k) {
+        const double moment = held->rolling[k] + held->twisting * touch->n[k];
+        on_i[k] = arm_i * across[k] - moment;
+        on_j[k] = arm_j * across[k] + moment;
     }
-    if (!vti_has(&b->moment))
-        return;
-    for (int k = 0; k < 3; ++k)
-        moment[k] = held->rolling[k] + held->twisting * touch->n[k];
-    add_load(b, &b->moment, touch->i, touch->s_i * touch->r, arm);
-    add_load(b, &b->moment, touch->i, -1.0, moment);
-    if (touch->j < 0)
-        return;
-    add_load(b, &b->moment, touch->j, touch->s_j * touch->r, arm);
-    add_load(b, &b->moment, touch->j, 1.0, moment);
+    add_loads(b, touch->i, -1.0, held->sliding, on_i);
+    if (touch->j >= 0)
+        add_loads(b, touch->j, 1.0, held->sliding, on_j);
 }
 
 static void apply(const void *self, const vti_bodies *b)

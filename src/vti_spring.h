@@ -43,10 +43,10 @@ VTI_INLINE void vti_carry_apart(struct vti_carry *c, const lanes way[3], lanes d
     const struct vti_touch *const at = &c->touch;
     for (int k = 0; k < 3; ++k)
         d0[k] = at->r * at->n[k] - way[k];
-    const lanes r0 = lanes_sqrt(lanes_dot(d0, d0));
+    const lanes r0 = lanes_sqrt(lanes_dot(d0, d0)), per_r0 = 1.0 / r0;
     c->delta0 = at->length - r0;
     for (int k = 0; k < 3; ++k)
-        c->n0[k] = lanes_where(r0 > VTI_COINCIDENT, d0[k] / r0, at->n[k]);
+        c->n0[k] = lanes_where(r0 > VTI_COINCIDENT, d0[k] * per_r0, at->n[k]);
 }
 
 /** n_m and the motion X, of d0, n0, delta0 and, in slid, the way of the centres; a_i and a_j are the increments of the
@@ -60,10 +60,10 @@ VTI_INLINE void vti_carry_stretch(struct vti_carry *c, const lanes d0[3], const 
         turn[k] = at->s_i * a_i[k] + at->s_j * a_j[k];
         sum[k] = 0.5 * (d0[k] + at->r * at->n[k]);
     }
-    const lanes length = lanes_sqrt(lanes_dot(s, s));
+    const lanes length = lanes_sqrt(lanes_dot(s, s)), per_length = 1.0 / length;
     c->turns_over = length <= 0.0;
     for (int k = 0; k < 3; ++k)
-        c->n_m[k] = lanes_where(c->turns_over, at->n[k], s[k] / length);
+        c->n_m[k] = lanes_where(c->turns_over, at->n[k], s[k] * per_length);
     lanes_cross(turn, sum, middle);
     for (int k = 0; k < 3; ++k) {
         c->slid[k] -= middle[k];
@@ -128,19 +128,20 @@ VTI_INLINE void vti_carry_swing(const lanes a[3], const lanes b[3], lanes f[3])
 VTI_INLINE void vti_carry_twirl(const struct vti_carry *c, const lanes z[3], lanes turned[3])
 {
     lanes side[3];
-    const lanes t2 = c->tau * c->tau;
+    const lanes t2 = c->tau * c->tau, per = 1.0 / (1.0 + t2), along = (1.0 - t2) * per, aside = 2.0 * c->tau * per;
     lanes_cross(c->n_m, z, side);
     for (int k = 0; k < 3; ++k)
-        turned[k] = ((1.0 - t2) * z[k] + 2.0 * c->tau * side[k]) / (1.0 + t2);
+        turned[k] = along * z[k] + aside * side[k];
 }
 
 /** z on the limit a1: along the mean of the old load, e = W y/a0, and the new one. */
 VTI_INLINE void vti_carry_return(const lanes z[3], const lanes turned[3], lanes a0, lanes a1, lanes y1[3])
 {
     const lanes zero = lanes_of(0.0), one = lanes_of(1.0), z2 = lanes_dot(z, z), over = z2 - a1 * a1;
+    const lanes per_a0 = lanes_where(a0 > 0.0, 1.0 / a0, zero);
     lanes e[3];
     for (int k = 0; k < 3; ++k)
-        e[k] = lanes_where(a0 > 0.0, turned[k] / a0, zero);
+        e[k] = turned[k] * per_a0;
     const lanes ahead = lanes_dot(z, e), half = a1 + ahead, e2 = lanes_dot(e, e);
     const lanes beyond = over / (half + lanes_sqrt(half * half + (1.0 - lanes_where(e2 < 1.0, e2, one)) * over));
     const lanes_mask holds = z2 <= a1 * a1, follows = ahead > 0.0;

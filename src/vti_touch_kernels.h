@@ -5,4 +5,4 @@
 #include "vti_carry_kernels.h"
 #include "vti_dashpot_kernels.h"
 
-const struct vti_touch_kernels TOUCH_KERNELS = {carry, flow_pairs};
+const struct vti_touch_kernels TOUCH_KERNELS = {carry, flow_pairs, flow_at_wall};

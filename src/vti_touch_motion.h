@@ -38,8 +38,9 @@ struct vti_touch {
 VTI_INLINE void vti_touch_between(struct vti_touch *at, const lanes d[3], lanes diameter_i, lanes diameter_j)
 {
     at->r = lanes_sqrt(lanes_dot(d, d));
+    const lanes per_r = 1.0 / at->r;
     for (int c = 0; c < 3; ++c)
-        at->n[c] = d[c] / at->r;
+        at->n[c] = d[c] * per_r;
     at->delta = at->length - at->r;
     at->s_i = diameter_i / (diameter_i + diameter_j);
     at->s_j = 1.0 - at->s_i;
@@ -130,20 +131,23 @@ VTI_INLINE void vti_touch_split(const struct vti_touch *at, lanes a[3], lanes al
     }
 }
 
-VTI_INLINE lanes vti_touch_normal_mass(const struct vti_touch *at)
+/** 1/m_n */
+VTI_INLINE lanes vti_touch_per_normal(const struct vti_touch *at)
 {
-    return 1.0 / (at->per_m_i + at->per_m_j);
+    return at->per_m_i + at->per_m_j;
 }
 
-VTI_INLINE lanes vti_touch_tangential_mass(const struct vti_touch *at)
+/** 1/m_t */
+VTI_INLINE lanes vti_touch_per_tangential(const struct vti_touch *at)
 {
     const lanes turning = at->s_i * at->s_i * at->per_j_i + at->s_j * at->s_j * at->per_j_j;
-    return 1.0 / (at->per_m_i + at->per_m_j + at->r * at->r * turning);
+    return at->per_m_i + at->per_m_j + at->r * at->r * turning;
 }
 
-VTI_INLINE lanes vti_touch_rolling_inertia(const struct vti_touch *at)
+/** 1/J_r */
+VTI_INLINE lanes vti_touch_per_rolling(const struct vti_touch *at)
 {
-    return 1.0 / (at->per_j_i + at->per_j_j);
+    return at->per_j_i + at->per_j_j;
 }
 
 #endif

@@ -23,12 +23,24 @@ struct vti_carried {
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
 };
 
+/** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the last
+ *  one is repeated. */
+struct vti_at_wall {
+    int64_t wall, count;
+    int moves; /* 1: the wall does, by v_j and w_j */
+    int64_t body[VTI_TOUCHES];
+    double n[3][VTI_TOUCHES], r[VTI_TOUCHES], delta[VTI_TOUCHES], length[VTI_TOUCHES], stiffness[VTI_TOUCHES];
+    double v_j[3][VTI_TOUCHES], w_j[3][VTI_TOUCHES];
+};
+
 struct vti_sweep; /* of dashpots (vti_dashpot_flow.h) */
 
 struct vti_touch_kernels {
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
     /** The dashpots of pairs no two of which share a body; beyond count as in vti_carried. */
     void (*flow)(const struct vti_sweep *s, int64_t count, const struct vti_seat *seat);
+    /** And those of bodies at a wall. */
+    void (*flow_at)(const struct vti_sweep *s, const struct vti_at_wall *at);
 };
 
 /** The same bits from each. */

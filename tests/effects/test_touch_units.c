@@ -360,6 +360,78 @@ TEST(order_of_the_pairs)
     }
 }
 
+/** Bodies at walls that stand and move, all at once and one by one: the same bits of each. */
+TEST(walls)
+{
+    static const double plane[2][4] = {{0.0, 0.0, 1.0, -0.8}, {0.6, 0.8, 0.0, -0.7}},
+                        cylinder[1][7] = {{0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.9}};
+    rng g = rng_seed(19);
+    for (int trial = 0; trial < 48; ++trial) {
+        vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}}, lost_too[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}},
+                work[2] = {{0.0, 0.0}};
+        double v[MANY][3], w[MANY][3], diameter[MANY];
+        draw_crowd(&g);
+        for (int i = 0; i < MANY; ++i)
+            diameter[i] = uniform(&g, 0.1, 0.4);
+        memcpy(v, velocity, sizeof v);
+        memcpy(w, spin, sizeof w);
+        vti_wall_motion motion[3] = {
+            {{0.1, 0.0, 0.2}, 0.3, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, {.spin = 0.5}, {.spin = 2.0}};
+        vti_walls of = {.count = 2,
+                        .plane = plane[0],
+                        .diameter = vti_scalars_array(diameter),
+                        .stiffness = 3.0,
+                        .cylinders = 1,
+                        .cylinder = cylinder[0],
+                        .motion = trial % 2 ? motion : NULL,
+                        .work = &work[0]};
+        vti_held table[512];
+        memset(table, 0, sizeof table);
+        vti_history history = {512, 0, 0, table};
+        for (int i = 0; i < MANY; i += 2) {
+            const vti_held held = {1 + i, -1 - i % 3, {0.01, 0.02, 0.0}, {0.0, 0.01, 0.0}, 0.003};
+            assert_int_equal(vti_history_add(&history, &held), VTI_OK);
+        }
+        const vti_friction friction = {
+            .walls = &of, .sliding = 0.4, .rolling = 0.1, .twisting = 0.1, .history = &history};
+        static const double zeta[3] = {0.1, 0.5, 0.9};
+        vti_dashpots p = {.walls = &of,
+                          .friction = trial % 3 ? &friction : NULL,
+                          .zeta = 0.3,
+                          .wall_zeta = trial % 5 ? zeta : NULL,
+                          .ratio = 0.5,
+                          .rolling = trial % 7 ? 0.1 : 0.0,
+                          .twisting = trial % 7 ? 0.2 : 0.0,
+                          .reach = trial % 4 ? 0.1 : INFINITY,
+                          .lost = lost};
+        vti_bodies b = vti_bodies_none(MANY);
+        b.x = vti_view_packed(place_of[0]);
+        b.v = vti_view_packed(velocity[0]);
+        if (trial % 7)
+            b.omega = vti_view_packed(spin[0]);
+        b.mass = b.inertia = vti_scalars_array(diameter);
+        const double drift = trial % 8 < 4 ? 0.05 : -0.05;
+        vti_effect effect = vti_dashpots_effect(&p);
+        assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &b), VTI_OK);
+        const vti_view strided = {{v[0], v[0] + 1, v[0] + 2}, 3, 0};
+        b.v = strided;
+        if (trial % 7)
+            b.omega = vti_view_packed(w[0]);
+        p.lost = lost_too;
+        of.work = &work[1];
+        for (int64_t i = 0; i < MANY; ++i) {
+            const vti_bodies slice = vti_bodies_slice(b, i, 1);
+            assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &slice), VTI_OK);
+        }
+        assert_same_bits(velocity, v, 3 * MANY);
+        assert_same_bits(spin, w, 3 * MANY);
+        for (int k = 0; k < VTI_DASHPOT_BOOKS; ++k) /* compensated: in any order within the rounding of the whole */
+            assert_close(vti_sum_value(&lost[k]), vti_sum_value(&lost_too[k]), 4 * EPS * (1.0 + fabs(lost[k].high)));
+        assert_close(vti_sum_value(&work[0]), vti_sum_value(&work[1]), 4 * EPS * (1.0 + fabs(work[0].high)));
+        assert_true(lost[NORMAL].high > 0.0 && (trial % 2 == 0 || work[0].high != 0.0));
+    }
+}
+
 /* ---- the units --------------------------------------------------------------------------------------------------- */
 
 static void agree(const struct vti_touch_kernels *kernels)
@@ -395,5 +467,5 @@ TEST(avx512)
     skip();
 }
 
-RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(baseline), cmocka_unit_test(avx2),
-          cmocka_unit_test(avx512))
+RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(walls), cmocka_unit_test(baseline),
+          cmocka_unit_test(avx2), cmocka_unit_test(avx512))
