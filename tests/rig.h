@@ -41,12 +41,7 @@ static inline rotor rig_attitude(const rig *p)
 
 static inline void rig_set_attitude(rig *p, rotor q)
 {
-    q = quat_unit(q);
-    const double r[4] = {(double)q.x, (double)q.y, (double)q.z, (double)q.w};
-    for (int k = 0; k < 4; ++k)
-        p->quat[k] = r[k];
-    for (int k = 0; k < 3; ++k)
-        p->alpha[k] = 2 * r[k] / r[3];
+    quat_store(q, p->quat, p->alpha);
 }
 
 /** A random pendulum of moderate numbers, |Omega| <= sqrt 3. */

@@ -217,6 +217,17 @@ static inline rotor quat_of_alpha(const double a[3])
     return quat_unit(q);
 }
 
+/** An attitude as bodies hold it: the quaternion x, y, z, w of length 1 and alpha = 2 v/w. */
+static inline void quat_store(rotor q, double xyzw[4], double alpha[3])
+{
+    q = quat_unit(q);
+    const double r[4] = {(double)q.x, (double)q.y, (double)q.z, (double)q.w};
+    for (int k = 0; k < 4; ++k)
+        xyzw[k] = r[k];
+    for (int k = 0; k < 3; ++k)
+        alpha[k] = 2 * r[k] / r[3];
+}
+
 /** The angle in [0, pi] by which p and q differ. */
 static inline double quat_distance(rotor p, rotor q)
 {

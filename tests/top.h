@@ -55,12 +55,7 @@ static inline rotor top_axes(const top *p)
 
 static inline void top_set_attitude(top *p, rotor q)
 {
-    q = quat_unit(q);
-    const double r[4] = {(double)q.x, (double)q.y, (double)q.z, (double)q.w};
-    for (int k = 0; k < 4; ++k)
-        p->quat[k] = r[k];
-    for (int k = 0; k < 3; ++k)
-        p->alpha[k] = 2 * r[k] / r[3];
+    quat_store(q, p->quat, p->alpha);
 }
 
 /** R_p diag(1/moments) R_p^T L */

@@ -4,6 +4,7 @@
  * ones: every combination of terms and forms, few bonds and many, alpha and quaternions, at half a turn among them.
  * Their tables are private to the library. */
 #include "crowd.h"
+#include "units.h"
 
 #include "../../src/vti_binder_table.h"
 
@@ -115,26 +116,7 @@ TEST(baseline)
     agree(&vti_binder_baseline);
 }
 
-TEST(avx2)
-{
-#ifdef VTI_HAS_AVX2
-    if (__builtin_cpu_supports("avx2")) {
-        agree(&vti_binder_avx2);
-        return;
-    }
-#endif
-    skip();
-}
-
-TEST(avx512)
-{
-#ifdef VTI_HAS_AVX512
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-        agree(&vti_binder_avx512);
-        return;
-    }
-#endif
-    skip();
-}
+ON_AVX2(agree(&vti_binder_avx2))
+ON_AVX512(agree(&vti_binder_avx512))
 
 RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))

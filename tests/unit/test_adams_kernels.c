@@ -5,7 +5,7 @@
  * touched. */
 #include "../../src/vti_adams.h"
 #include "../../src/vti_move.h"
-#include "support.h"
+#include "units.h"
 
 enum { N = 11, FIRST = 2, END = 9, DEPTH = 9, ROOM = 21 * N };
 enum { PACKED, SEPARATE, STRUCTS, LAYOUTS };
@@ -133,26 +133,7 @@ TEST(baseline)
     agree(&vti_move_baseline);
 }
 
-TEST(avx2)
-{
-#ifdef VTI_HAS_AVX2
-    if (__builtin_cpu_supports("avx2")) {
-        agree(&vti_move_avx2);
-        return;
-    }
-#endif
-    skip();
-}
-
-TEST(avx512)
-{
-#ifdef VTI_HAS_AVX512
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-        agree(&vti_move_avx512);
-        return;
-    }
-#endif
-    skip();
-}
+ON_AVX2(agree(&vti_move_avx2))
+ON_AVX512(agree(&vti_move_avx512))
 
 RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))

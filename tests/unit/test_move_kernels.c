@@ -4,7 +4,7 @@
  * layouts, laws and frames, no kick, one and two, attitudes past half a turn and of any size, spins of any size. And
  * vti_step_next against the finish and the begin that it stands for. The kernels' tables are private to the library. */
 #include "../../src/vti_move.h"
-#include "support.h"
+#include "units.h"
 
 enum { N = 43, ROOM = 24 * N };
 enum { PACKED, SEPARATE, STRUCTS, BESIDE, LAYOUTS }; /* BESIDE: omega and v packed, all else separate */
@@ -130,27 +130,8 @@ TEST(baseline)
     agree(&vti_move_baseline, 2);
 }
 
-TEST(avx2)
-{
-#ifdef VTI_HAS_AVX2
-    if (__builtin_cpu_supports("avx2")) {
-        agree(&vti_move_avx2, 4);
-        return;
-    }
-#endif
-    skip();
-}
-
-TEST(avx512)
-{
-#ifdef VTI_HAS_AVX512
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-        agree(&vti_move_avx512, 8);
-        return;
-    }
-#endif
-    skip();
-}
+ON_AVX2(agree(&vti_move_avx2, 4))
+ON_AVX512(agree(&vti_move_avx512, 8))
 
 /** The bound sees a body that reaches 1, or is NaN, wherever it stands; nothing is written then. */
 TEST(the_bound_sees_every_body)
