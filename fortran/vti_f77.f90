@@ -8,7 +8,10 @@
 !>                 side by side in a COMMON block, has LB = 1, LC = NMAX. X(I,1) in place of X begins at body I.
 !>     X V F       positions, velocities, forces
 !>     A W T       attitudes (rescaled Rodrigues vectors), angular velocities, moments
-!>     NM RM       masses: one for all (NM = 1), or N of them;  NI RI  the same of moments of inertia
+!>     NM RM       masses: one for all (NM = 1), or N of them;  NI RI  the same of moments of inertia; or, for bodies
+!>                 that are not spheres, NI = 3*N: then RI is laid out as X and holds the three moments of each body
+!>                 about its own axes, and W its angular momentum L. Not for VTIKEN; VTIKCK kicks L by RM = 1, and
+!>                 VTITRN and VTITRQ turn spheres
 !>     IBODY VALUE the body that is refused, from 1 (0: none), and the value that is wrong; VTIQTY says of what
 !>     IER         0, or a negative status, and then nothing has changed; VTITXT says what it means
 !>
@@ -68,7 +71,8 @@ subroutine vtichk(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, ibody, value, ier
 end subroutine
 
 !> NAME = which of its arrays VTICHK refuses, as vti_quantity_text has it: 'x', 'v', 'force', 'alpha' (A), 'omega' (W),
-!> 'moment' (T), 'mass' (RM), 'inertia' (RI); of two that are the same memory, the one that this list has later. LB and
+!> 'moment' (T), 'mass' (RM), 'inertia' (RI), 'moments' and 'spin' (RI and W of NI = 3*N); of two
+!> that are the same memory, the one that this list has later. LB and
 !> LC are those of all arrays: if they are wrong, 'x' is. 'value' if VTICHK refuses none of them.
 subroutine vtiqty(n, lb, lc, x, v, f, a, w, t, nm, rm, ni, ri, name)
     use vti_f77_arrays
@@ -230,7 +234,7 @@ subroutine vtiken(n, lb, lc, v, nm, rm, e, ier)
     call arrays_kinetic(n, lb, lc, v, nm, rm, e, ier)
 end subroutine
 
-!> P(3) = sum of RM V, SL(3) = sum of (X - ABOUT) x RM V + RI W.
+!> P(3) = sum of RM V, SL(3) = sum of (X - ABOUT) x RM V + RI W, or W of NI = 3*N.
 subroutine vtimom(n, lb, lc, x, v, w, nm, rm, ni, ri, about, p, sl, ier)
     use vti_f77_arrays
     implicit none

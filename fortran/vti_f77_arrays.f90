@@ -61,7 +61,13 @@ contains
         bodies%omega = view_of(n, lb, lc, w)
         bodies%moment = view_of(n, lb, lc, t)
         bodies%mass = scalars_of(n, nm, rm, status)
-        bodies%inertia = scalars_of(n, ni, ri, status)
+        if (n > 0 .and. modulo(ni, 3) == 0 .and. ni/3 == n) then ! three moments of each, and w is L
+            bodies%moments = view_of(n, lb, lc, ri)
+            bodies%spin = bodies%omega
+            bodies%omega = vti_view()
+        else
+            bodies%inertia = scalars_of(n, ni, ri, status)
+        end if
     end subroutine
 
     subroutine give_fault(fault, ibody, value)

@@ -2,7 +2,9 @@
 !
 !> vti_packed -- calls for codes with plain x(3,n) arrays that want neither types nor TARGET. Part of module vti.
 !> stepper as in vti_stepper_at. Arrays that are left out (call by keyword) are absent physics. masses and inertias: 1
-!> (one value for all) or n. Same arithmetic, same bits as through views.
+!> (one value for all) or n; or inertias = 3n for bodies that are not spheres: then inertia(3,n) are the three moments
+!> of each, about the body's own axes, and omega(3,n) is its angular momentum L. Same arithmetic, same bits as through
+!> views.
 module vti_packed
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use vti_c

@@ -15,6 +15,18 @@ static int scalars(int64_t values, const double *p, int64_t n, vti_scalars *s)
     return p == NULL || values == 1 || values == n ? VTI_OK : VTI_E_COUNT;
 }
 
+/** Omega and one inertia for all or one for each; or L and three moments for each. */
+static int spins(int64_t inertias, const double *inertia, int64_t n, double *omega, vti_bodies *b)
+{
+    if (n > 0 && inertias % 3 == 0 && inertias / 3 == n) {
+        b->moments = packed(inertia);
+        b->spin = packed(omega);
+        return VTI_OK;
+    }
+    b->omega = packed(omega);
+    return scalars(inertias, inertia, n, &b->inertia);
+}
+
 /** The stepper, or NULL if there is none or it needs more of a step than begin, forces, finish. */
 static const vti_stepper *of_one_stage(int64_t stepper)
 {
@@ -32,14 +44,13 @@ int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v,
     b.v = packed(v);
     b.force = packed(force);
     b.alpha = packed(alpha);
-    b.omega = packed(omega);
     b.moment = packed(moment);
     const vti_stepper *method = of_one_stage(stepper);
     int status = method != NULL ? VTI_OK : VTI_E_STEPPER;
     if (status == VTI_OK)
         status = scalars(masses, mass, n, &b.mass);
     if (status == VTI_OK)
-        status = scalars(inertias, inertia, n, &b.inertia);
+        status = spins(inertias, inertia, n, omega, &b);
     if (status == VTI_OK)
         status = vti_step_begin(method, h, &b, &fault);
     if (body != NULL)
@@ -55,13 +66,12 @@ int vti_packed_finish(int64_t stepper, double h, int64_t n, double *v, const dou
     vti_bodies b = vti_bodies_none(n);
     b.v = packed(v);
     b.force = packed(force);
-    b.omega = packed(omega);
     b.moment = packed(moment);
     const vti_stepper *method = of_one_stage(stepper);
     if (method == NULL)
         return VTI_E_STEPPER;
     int status = scalars(masses, mass, n, &b.mass);
     if (status == VTI_OK)
-        status = scalars(inertias, inertia, n, &b.inertia);
+        status = spins(inertias, inertia, n, omega, &b);
     return status == VTI_OK ? vti_step_finish(method, h, &b) : status;
 }

@@ -3,7 +3,7 @@
 !> after 1000 steps where the run in C is, to the last bit; and what it does wrong comes back as a status with a text.
 program test_f77
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use common, only: expect, expect_status, finish, number, same_bits
     use lattice
     use vti
@@ -24,6 +24,7 @@ program test_f77
     call columns(chain, 'chain')
     call columns(block, 'block')
     call quaternions()
+    call moments()
     call texts()
     call refusals()
     call finish()
@@ -95,6 +96,62 @@ contains
             int(c%pair), c%rest, bond_energy, f, t, ier)
         call expect_status(int(ier, c_int), VTI_OK, 'F77 columns')
         call compare(theirs, c%x, c%v, c%alpha, c%omega, c%rest, 'F77 columns, '//what)
+    end subroutine
+
+    !> NI = 3*N: bodies of three moments and L, as the packed calls have them, in rows.
+    subroutine moments()
+        integer, parameter :: n = 5
+        double precision, parameter :: step = 0.25d0
+        double precision :: x0(3, n), v0(3, n), f0(3, n), a0(3, n), l0(3, n), t0(3, n), i0(3, n), m0(n), about(3)
+        double precision :: x1(n, 3), v1(n, 3), f1(n, 3), a1(n, 3), l1(n, 3), t1(n, 3), i1(n, 3), p(3), sl(3), value
+        integer :: i, j, m, ier, body
+        integer(c_int) :: status
+        external :: vtimom
+        do i = 1, n
+            m0(i) = 1 + abs(number(i))
+            do j = 1, 3
+                x0(j, i) = number(20*i + j)
+                v0(j, i) = number(20*i + j + 3)
+                f0(j, i) = number(20*i + j + 6)
+                a0(j, i) = number(20*i + j + 9)
+                l0(j, i) = number(20*i + j + 12)
+                t0(j, i) = number(20*i + j + 15)
+                i0(j, i) = 4 + number(20*i + j + 18)
+            end do
+        end do
+        x1 = transpose(x0)
+        v1 = transpose(v0)
+        f1 = transpose(f0)
+        a1 = transpose(a0)
+        l1 = transpose(l0)
+        t1 = transpose(t0)
+        i1 = transpose(i0)
+        call vtistp('vti2', m, ier)
+        call vtichk(n, 1, n, x1, v1, f1, a1, l1, t1, n, m0, 3*n, i1, body, value, ier)
+        call expect_status(int(ier, c_int), VTI_OK, 'F77 moments, check')
+        call vtibeg(m, step, n, 1, n, x1, v1, f1, a1, l1, t1, n, m0, 3*n, i1, body, value, ier)
+        call expect_status(int(ier, c_int), VTI_OK, 'F77 moments, begin')
+        call vtifin(m, step, n, 1, n, x1, v1, f1, a1, l1, t1, n, m0, 3*n, i1, ier)
+        call expect_status(int(ier, c_int), VTI_OK, 'F77 moments, finish')
+        status = vti_packed_begin(int(m, c_int64_t), step, int(n, c_int64_t), x0, v0, f0, a0, l0, t0, &
+            int(n, c_int64_t), m0, int(3*n, c_int64_t), i0)
+        call expect_status(status, VTI_OK, 'packed moments, begin')
+        status = vti_packed_finish(int(m, c_int64_t), step, int(n, c_int64_t), v0, f0, l0, t0, int(n, c_int64_t), m0, &
+            int(3*n, c_int64_t), i0)
+        call expect_status(status, VTI_OK, 'packed moments, finish')
+        call expect(same_bits(transpose(x1), x0) .and. same_bits(transpose(v1), v0) .and. same_bits(transpose(a1), a0) &
+            .and. same_bits(transpose(l1), l0), 'F77 moments are the packed ones')
+        about = 0
+        call vtimom(n, 1, n, x1, v1, l1, n, m0, 3*n, i1, about, p, sl, ier)
+        do i = 1, n
+            sl = sl - l0(:, i) - m0(i)*(cshift(x0(:, i), 1)*cshift(v0(:, i), 2) - &
+                cshift(x0(:, i), 2)*cshift(v0(:, i), 1))
+        end do
+        call expect(ier == 0 .and. maxval(abs(sl)) <= 100*n*epsilon(1d0), 'F77 moments, angular momentum')
+        i1(3, 2) = -1
+        call vtichk(n, 1, n, x1, v1, f1, a1, l1, t1, n, m0, 3*n, i1, body, value, ier)
+        call expect_status(int(ier, c_int), VTI_E_MOMENTS, 'F77 moments, one below 0')
+        call expect(body == 3, 'F77 moments, the body of it')
     end subroutine
 
     subroutine quaternions()

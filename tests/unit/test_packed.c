@@ -117,6 +117,47 @@ TEST(refusals)
     assert_same_bits(ours, theirs, DOUBLES);
 }
 
+/** inertias = 3n: three moments of each body, and omega is L. */
+TEST(three_moments_of_each)
+{
+    static double moments[3 * N];
+    rng g = rng_seed(32);
+    for (int i = 0; i < 3 * N; ++i)
+        moments[i] = uniform(&g, 1, 2);
+    for (int64_t s = 0; s < vti_stepper_count(); ++s) {
+        const vti_stepper *const method = vti_stepper_at(s);
+        if (!of_one_stage(s))
+            continue;
+        vti_bodies b = vti_bodies_none(N);
+        b.x = vti_view_packed(theirs[0]);
+        b.v = vti_view_packed(theirs[1]);
+        b.force = vti_view_packed(theirs[2]);
+        b.alpha = vti_view_packed(theirs[3]);
+        b.spin = vti_view_packed(theirs[4]);
+        b.moment = vti_view_packed(theirs[5]);
+        b.mass = vti_scalars_array(mass);
+        b.moments = vti_view_packed(moments);
+        const int status = vti_step_begin(method, 0.25, &b, NULL);
+        assert_int_equal(status, method->frame == VTI_FRAME_BODY ? VTI_E_FRAME : VTI_OK);
+        assert_int_equal(vti_packed_begin(s, 0.25, N, ours[0], ours[1], ours[2], ours[3], ours[4], ours[5], N, mass,
+                                          3 * N, moments, NULL, NULL),
+                         status);
+        assert_same_bits(ours, theirs, DOUBLES);
+        if (status != VTI_OK)
+            continue;
+        assert_int_equal(vti_step_finish(method, 0.25, &b), VTI_OK);
+        assert_int_equal(vti_packed_finish(s, 0.25, N, ours[1], ours[2], ours[4], ours[5], N, mass, 3 * N, moments),
+                         VTI_OK);
+        assert_same_bits(ours, theirs, DOUBLES);
+    }
+    assert_int_equal(
+        vti_packed_begin(1, 0.1, N, NULL, NULL, NULL, ours[3], ours[4], NULL, 1, NULL, 3 * N, NULL, NULL, NULL),
+        VTI_E_MOMENTS);
+    assert_int_equal(vti_packed_finish(1, 0.1, N, NULL, NULL, ours[4], ours[5], 1, NULL, 3 * N + 1, moments),
+                     VTI_E_COUNT);
+    assert_same_bits(ours, theirs, DOUBLES);
+}
+
 /** begin and finish are all that there is: a stepper that needs more is refused by both. */
 TEST(several_stages)
 {
@@ -143,4 +184,5 @@ TEST(no_bodies)
 }
 
 RUN_TESTS(cmocka_unit_test(same_bits_as_views), cmocka_unit_test_setup(refusals, sound),
-          cmocka_unit_test_setup(several_stages, sound), cmocka_unit_test_setup(no_bodies, sound))
+          cmocka_unit_test_setup(three_moments_of_each, sound), cmocka_unit_test_setup(several_stages, sound),
+          cmocka_unit_test_setup(no_bodies, sound))
