@@ -126,7 +126,8 @@ module vti_types
     !> A drift that has been done, as effects are told of it.
     type, bind(c) :: vti_drifted
         real(c_double) :: t = 0
-        integer(c_int64_t) :: law = VTI_LAW_CAYLEY, frame = VTI_FRAME_SPACE
+        integer(c_int64_t) :: law = VTI_LAW_CAYLEY, frame = VTI_FRAME_SPACE, rotor = 0
+        type(c_ptr) :: clumps = c_null_ptr, bodies = c_null_ptr
     end type
 
     !> One line of physics. apply(self, bodies) and energy(self, bodies, energies) are bind(c) subroutines with

@@ -59,9 +59,12 @@ struct vti_clumps;
 
 /** A drift that has been done, as effects are told of it. */
 typedef struct vti_drifted {
-    double t;      /**< its time */
-    int64_t law;   /**< vti_law */
-    int64_t frame; /**< vti_frame */
+    double t;                        /**< its time */
+    int64_t law;                     /**< vti_law */
+    int64_t frame;                   /**< vti_frame */
+    int64_t rotor;                   /**< of bodies with moments: that of the stepper; 0 is 2 */
+    const struct vti_clumps *clumps; /**< where the bodies are spheres of clumps, those; else NULL */
+    const vti_bodies *bodies;        /**< and the bodies that have them */
 } vti_drifted;
 
 /** One line of physics. A scene holds an array of those that it calls for; what is not in the array does not exist. The

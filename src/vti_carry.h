@@ -8,7 +8,8 @@
 #include "vti_spring.h"
 #include "vti_touch.h"
 
-/** Increments of attitude over the drift: the law's own; at a plane h Omega, so that rolling on it is exact. */
+/** Increments of attitude over the drift: the law's own, or those of a body that turns by L; at a plane h Omega, so that
+ *  rolling on it is exact. */
 static inline void vti_carry_turns(const struct vti_touch *at, const vti_walls *walls, const vti_bodies *b,
                                    const vti_drifted *drifted, double ai[3], double aj[3])
 {
@@ -24,10 +25,13 @@ static inline void vti_carry_turns(const struct vti_touch *at, const vti_walls *
         ai[k] = drifted->t * wi[k];
         aj[k] = drifted->t * wj[k];
     }
-    if (at_plane)
-        return;
-    vti_drift_increment((int)drifted->law, drifted->t, wi, ai);
-    vti_drift_increment((int)drifted->law, drifted->t, wj, aj);
+    if (!at_plane) {
+        vti_drift_increment((int)drifted->law, drifted->t, wi, ai);
+        vti_drift_increment((int)drifted->law, drifted->t, wj, aj);
+    }
+    const vti_bodies *const turning = vti_drifted_bodies(drifted, b);
+    if (vti_turns_by_spin(turning))
+        vti_rotor_turned(turning, vti_drifted_body(drifted, at->i), drifted, at_plane, ai);
 }
 
 /** The place that body i had before the drift, from a point of the axis of the wall there, and its place now. */

@@ -29,19 +29,33 @@ VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lan
         dalpha[k] = 2.0 * cf[1] * dalpha[k] / cf[0];
 }
 
-/** n0, n_m, delta0 and the motion X over the drift. */
-VTI_INLINE void gather_motion(enum touch_layout layout, struct vti_carry *c, const struct side *i, const struct side *j,
-                              const vti_bodies *b, const vti_drifted *drifted)
+/** Increments of attitude by Omega. */
+VTI_INLINE void gather_turns(enum touch_layout layout, const struct side *i, const struct side *j, const vti_bodies *b,
+                             const vti_drifted *drifted, lanes a_i[3], lanes a_j[3])
 {
-    lanes v[3], w_i[3], w_j[3], a_i[3], a_j[3], d0[3];
-    gather(layout, &b->v, i, c->slid);
-    gather(layout, &b->v, j, v);
-    for (int k = 0; k < 3; ++k)
-        c->slid[k] = drifted->t * (c->slid[k] - v[k]);
+    lanes w_i[3], w_j[3];
     gather(layout, &b->omega, i, w_i);
     gather(layout, &b->omega, j, w_j);
     increments(drifted, w_i, a_i);
     increments(drifted, w_j, a_j);
+}
+
+/** n0, n_m, delta0 and the motion X over the drift. */
+VTI_INLINE void gather_motion(enum touch_layout layout, struct vti_carry *c, const struct side *i, const struct side *j,
+                              const vti_bodies *b, const vti_drifted *drifted, const struct vti_carried *pairs,
+                              int64_t first)
+{
+    lanes v[3], a_i[3], a_j[3], d0[3];
+    gather(layout, &b->v, i, c->slid);
+    gather(layout, &b->v, j, v);
+    for (int k = 0; k < 3; ++k)
+        c->slid[k] = drifted->t * (c->slid[k] - v[k]);
+    for (int k = 0; k < 3 && pairs->turned; ++k) {
+        a_i[k] = lanes_load(pairs->turn[k] + first);
+        a_j[k] = lanes_load(pairs->turn[3 + k] + first);
+    }
+    if (!pairs->turned)
+        gather_turns(layout, i, j, b, drifted, a_i, a_j);
     vti_carry_apart(c, c->slid, d0);
     vti_carry_stretch(c, d0, a_i, a_j);
 }
@@ -68,7 +82,7 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
     const vti_held *held[WIDTH];
     double delta0[WIDTH];
     gather_touches(layout, p->contacts, b, pairs->seat + first, &c.touch, &i, &j);
-    gather_motion(layout, &c, &i, &j, b, drifted);
+    gather_motion(layout, &c, &i, &j, b, drifted, pairs, first);
     for (int l = 0; l < WIDTH; ++l)
         held[l] = pairs->held[first + l];
     gather_loads(p, held, &loads);

@@ -192,8 +192,6 @@ static int check(const void *self, const vti_bodies *b)
     const int status = ready(p->clumps, b);
     if (status != VTI_OK)
         return status;
-    if (p->effect->carry != NULL && vti_has(&b->moments)) /* it takes turns over a drift from Omega */
-        return VTI_E_MOMENTS;
     if (p->effect->flow != NULL && p->effect->flow_clumps == NULL)
         return VTI_E_CLUMP;
     if (p->effect->flow != NULL && vti_has(&b->v) && b->mass.p == NULL)
@@ -245,8 +243,12 @@ static void put_chord(const vti_clumps *c, const vti_bodies *b, const vti_drifte
     const int64_t i = c->body[s] - c->base;
     double r[3], before[3], omega[3], turn[3], v[3];
     vti_clump_lever(c, b, s, i, r);
-    load_or_zero(&b->omega, i, omega);
-    vti_drift_increment((int)drifted->law, drifted->t, omega, turn);
+    if (vti_turns_by_spin(b))
+        vti_rotor_turned(b, i, drifted, 0, turn);
+    else {
+        load_or_zero(&b->omega, i, omega);
+        vti_drift_increment((int)drifted->law, drifted->t, omega, turn);
+    }
     vti_rrv_rotate_back(turn, r, before);
     load_or_zero(&b->v, i, v);
     for (int k = 0; k < 3; ++k)
@@ -260,7 +262,10 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
     const vti_bodies spheres = place(p->clumps, b);
     for (int64_t s = 0; s < p->clumps->count && vti_has(&spheres.v) && drifted->t != 0.0; ++s)
         put_chord(p->clumps, b, drifted, s);
-    p->effect->carry(p->effect->self, &spheres, drifted);
+    vti_drifted of_spheres = *drifted;
+    of_spheres.clumps = p->clumps;
+    of_spheres.bodies = b;
+    p->effect->carry(p->effect->self, &spheres, &of_spheres);
     spread(p->clumps, b, 0, p->clumps->count);
 }
 

@@ -82,6 +82,8 @@ int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *d
     int status = vti_effects_fault(effects, n, b, NULL);
     if (status == VTI_OK)
         status = vti_law_check((int)drifted->law, (int)drifted->frame);
+    if (status == VTI_OK && (drifted->rotor < 0 || drifted->rotor > 6 || drifted->rotor % 2 != 0))
+        status = VTI_E_STEPPER;
     if (status == VTI_OK && !isfinite(drifted->t))
         status = VTI_E_TIME;
     if (status == VTI_OK && drifted->frame != VTI_FRAME_SPACE && any_carries(effects, n))
@@ -153,7 +155,8 @@ static int between_drifts(const vti_stepper *method, int64_t k, double h, const 
 static int carry_after(int status, const vti_stepper *method, int64_t k, double h, const vti_effect *effects, int64_t n,
                        const vti_bodies *b)
 {
-    const vti_drifted drifted = {method->drift[k] * h, method->law, method->frame};
+    const vti_drifted drifted = {
+        .t = method->drift[k] * h, .law = method->law, .frame = method->frame, .rotor = method->rotor};
     if (status == VTI_OK)
         carry(effects, n, &drifted, b);
     return status;

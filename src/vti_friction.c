@@ -147,11 +147,29 @@ struct carrying {
     struct vti_carried pairs;
 };
 
+/** Increments of attitude of bodies that turn by L. */
+static void find_turns(struct carrying *c, const vti_bodies *turning)
+{
+    struct vti_carried *pairs = &c->pairs;
+    pairs->turned = 1;
+    for (int64_t k = 0; k < pairs->count; ++k)
+        for (int j = 0; j < 2; ++j) {
+            double a[3];
+            const int64_t i = j ? pairs->seat[k].j : pairs->seat[k].i;
+            vti_rotor_turned(turning, vti_drifted_body(c->drifted, i), c->drifted, 0, a);
+            for (int n = 0; n < 3; ++n)
+                pairs->turn[3 * j + n][k] = a[n];
+        }
+}
+
 /** Carries the springs of the pairs that wait; those that have parted leave the table. */
 static void carry_waiting(struct carrying *c)
 {
     struct vti_carried *pairs = &c->pairs;
     const int64_t count = pairs->count;
+    const vti_bodies *const turning = vti_drifted_bodies(c->drifted, c->b);
+    if (vti_turns_by_spin(turning))
+        find_turns(c, turning);
     for (int64_t k = count; count > 0 && k % VTI_LANES_MOST != 0; ++k) {
         pairs->seat[k] = pairs->seat[count - 1];
         pairs->held[k] = pairs->held[count - 1];
@@ -314,6 +332,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_friction *p = self;
+    (void)b;
     const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
                           p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
     int good = p->reach >= 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
@@ -323,8 +342,6 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
     good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
-    if (vti_has(&b->moments)) /* it turns spheres */
-        return VTI_E_MOMENTS;
     if (!good)
         return VTI_E_DAMPING;
     if (p->history->slot == NULL || (p->contacts != NULL && (p->contacts->diameter.p == NULL ||

@@ -80,6 +80,12 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** Whether bodies have moments and turn. */
+static inline int vti_turns_by_spin(const vti_bodies *b)
+{
+    return vti_has(&b->moments) && (vti_has(&b->spin) || vti_has(&b->omega));
+}
+
 /** L of body i with moments and a spin or, with an attitude, an Omega. */
 void vti_rotor_spin(const vti_bodies *b, int64_t i, double L[3]);
 
@@ -95,6 +101,23 @@ void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[
 
 /** Of such a body, which need not have an attitude: 1/A, 1/B, 1/C and the principal axes in space. */
 void vti_rotor_axes(const vti_bodies *b, int64_t i, double per[3], double axis[3][3]);
+
+/** The turn of such a body, with an attitude, over a drift that has just been done: the rescaled Rodrigues vector of its
+ *  increment, from the turn back by the same L; steady: the time and the mean of Omega before and after it, which of a
+ *  sphere is constant. */
+void vti_rotor_turned(const vti_bodies *b, int64_t i, const vti_drifted *drifted, int steady, double a[3]);
+
+/** The bodies that have turned in a drift: those of an effect, or the clumps of which they are the spheres. */
+static inline const vti_bodies *vti_drifted_bodies(const vti_drifted *drifted, const vti_bodies *b)
+{
+    return drifted->clumps != NULL ? drifted->bodies : b;
+}
+
+/** Which of them body i of the effect is, or belongs to. */
+static inline int64_t vti_drifted_body(const vti_drifted *drifted, int64_t i)
+{
+    return drifted->clumps != NULL ? drifted->clumps->body[i] - drifted->clumps->base : i;
+}
 
 /** r = R rho of sphere s, which belongs to body i (EQUATIONS 7.5). */
 static inline void vti_clump_lever(const vti_clumps *clumps, const vti_bodies *b, int64_t s, int64_t i, double r[3])

@@ -177,15 +177,21 @@ static void drift_hard(int law, int rotor, double t, const struct rotor_body *bo
         d->u[k] *= back;
 }
 
+static void find_increment(const struct vti_move *move, const struct rotor_body *body, const double L[3],
+                           struct rotor_increment *d)
+{
+    const int rotor = rotor_of(move);
+    drifts[rotor / 2 - 1][move->law](move->drift, body, L, d);
+    const double size = d->c * d->c + d->f * d->f * vti_dot(d->u, d->u);
+    if (!(size < 0x1p100 && size > 0x1p-100))
+        drift_hard(move->law, rotor, move->drift, body, L, d);
+}
+
 static void turn_one(const struct vti_move *move, const vti_bodies *b, int64_t i, const struct rotor_body *body,
                      const double L[3])
 {
     struct rotor_increment d;
-    const int rotor = rotor_of(move);
-    drifts[rotor / 2 - 1][move->law](move->drift, body, L, &d);
-    const double size = d.c * d.c + d.f * d.f * vti_dot(d.u, d.u);
-    if (!(size < 0x1p100 && size > 0x1p-100))
-        drift_hard(move->law, rotor, move->drift, body, L, &d);
+    find_increment(move, body, L, &d);
     const struct increment whole = {{d.c, d.f}, 0};
     if (!vti_has(&b->alpha))
         turn_quat(whole, d.side, d.u, &b->quat, i);
@@ -193,6 +199,30 @@ static void turn_one(const struct vti_move *move, const vti_bodies *b, int64_t i
         turn_compensated(whole, d.side, d.u, &b->alpha, &b->alpha_low, i);
     else
         turn_alpha(whole, d.side, d.u, &b->alpha, i);
+}
+
+/** The drift is its own adjoint, and L stays as it is in it: -t leads back to where it began. */
+void vti_rotor_turned(const vti_bodies *b, int64_t i, const vti_drifted *drifted, int steady, double a[3])
+{
+    /* shorter by less than rounding, so that turns of the closed form stay below 1 on the way back as well */
+    const struct vti_move back = {
+        .drift = -(1.0 - 0x1p-50) * drifted->t, .law = (int)drifted->law, .rotor = (int)drifted->rotor};
+    struct rotor_body body;
+    struct rotor_increment d;
+    double L[3], w[3], before[3];
+    body_of(b, i, &body);
+    vti_rotor_spin(b, i, L);
+    find_increment(&back, &body, L, &d);
+    a[0] = a[1] = a[2] = 0.0;
+    vti_rrv_turn_by(d.c, d.f, d.u, 0, 1.0, a);
+    if (steady) { /* Omega before it is R^T J^-1 R L, R being that of the increment and J as it is now */
+        vti_rrv_rotate_back(a, L, before);
+        rotor_times(&body, body.k, before, before);
+        vti_rrv_rotate(a, before, before);
+        rotor_times(&body, body.k, L, w);
+    }
+    for (int k = 0; k < 3; ++k)
+        a[k] = steady ? 0.5 * drifted->t * (before[k] + w[k]) : -a[k];
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */

@@ -21,6 +21,8 @@ struct vti_carried {
     struct vti_seat seat[VTI_TOUCHES];
     vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
+    int turned;                  /* whether increments of attitude are known, of bodies that turn by L; else they are */
+    double turn[6][VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j */
 };
 
 /** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the last

@@ -123,7 +123,7 @@ contains
             c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%breaks), c_loc(effect%dissipates), &
             c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked)])
         call add(c_sizeof(drifted), c_loc(drifted), [c_loc(drifted%t), c_loc(drifted%law), &
-            c_loc(drifted%frame)])
+            c_loc(drifted%frame), c_loc(drifted%rotor), c_loc(drifted%clumps), c_loc(drifted%bodies)])
         call add(c_sizeof(pendulum), c_loc(pendulum), [c_loc(pendulum%weight), c_loc(pendulum%rho0)])
         call add(c_sizeof(gravity), c_loc(gravity), [c_loc(gravity%g)])
         call add(c_sizeof(drag), c_loc(drag), [c_loc(drag%linear), c_loc(drag%quadratic), c_loc(drag%angular), &

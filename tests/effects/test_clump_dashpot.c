@@ -338,9 +338,24 @@ TEST(equal_moments_are_spheres)
         uneven_spin_up(&m);
         m.plane[0][2] = 1;
         m.plane[0][3] = -0.5;
-        vti_sum other[4] = {{0, 0}};
+        vti_sum other[4] = {{0, 0}}, rubbed[3] = {{0, 0}};
+        static vti_held slots[UNEVEN_SLOTS];
+        memset(slots, 0, sizeof slots);
+        vti_history history = {UNEVEN_SLOTS, 0, 0, slots};
+        const vti_friction friction = {.contacts = &m.t.contacts,
+                                       .walls = &m.walls,
+                                       .sliding = 0.4,
+                                       .rolling = 0.05,
+                                       .twisting = 0.05,
+                                       .mindlin = 0.8,
+                                       .rolling_stiffness = 100,
+                                       .twisting_stiffness = 100,
+                                       .reach = 0.1,
+                                       .history = &m.history,
+                                       .lost = m.rubbed};
         const vti_dashpots dashpots = {.contacts = &m.t.contacts,
                                        .walls = &m.walls,
+                                       .friction = &friction,
                                        .zeta = 0.3,
                                        .ratio = 0.5,
                                        .rolling = 0.02,
@@ -349,26 +364,33 @@ TEST(equal_moments_are_spheres)
                                        .lost = m.lost};
         vti_dashpots of_spheres = dashpots;
         of_spheres.lost = other;
+        vti_friction rubbing = friction;
+        rubbing.history = &history;
+        rubbing.lost = rubbed;
+        of_spheres.friction = &rubbing;
         const vti_effect contact = vti_contacts_effect(&m.t.contacts), wall = vti_walls_effect(&m.walls);
         uneven_add(&m, contact);
         uneven_add(&m, wall);
+        uneven_add(&m, vti_friction_effect(&friction));
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         spheres = m.t.c;
-        const vti_effect effects[3] = {contact, wall, vti_dashpots_effect(&of_spheres)};
+        const vti_effect effects[4] = {contact, wall, vti_friction_effect(&rubbing), vti_dashpots_effect(&of_spheres)};
         const vti_bodies b = crowd_bodies(&spheres);
         const vti_stepper *vti2 = vti_stepper_find("vti2");
         uneven_go(&m, vti2, 0.001, 400);
-        assert_int_equal(vti_apply(effects, 3, &b), VTI_OK);
+        assert_int_equal(vti_apply(effects, 4, &b), VTI_OK);
         for (int step = 0; step < 400; ++step) {
-            assert_int_equal(vti_effects_begin(vti2, 0.001, effects, 3, &b, NULL), VTI_OK);
-            assert_int_equal(vti_apply(effects, 3, &b), VTI_OK);
-            assert_int_equal(vti_effects_finish(vti2, 0.001, effects, 3, &b), VTI_OK);
+            assert_int_equal(vti_effects_begin(vti2, 0.001, effects, 4, &b, NULL), VTI_OK);
+            assert_int_equal(vti_apply(effects, 4, &b), VTI_OK);
+            assert_int_equal(vti_effects_finish(vti2, 0.001, effects, 4, &b), VTI_OK);
         }
         for (int i = 0; i < 3; ++i) { /* rounding of 400 steps, which impacts make grow */
             assert_close3(m.t.c.v[i], spheres.v[i], 1e-9);
             assert_close3(m.t.c.omega[i], spheres.omega[i], 1e-9);
         }
-        assert_true(m.lost[0].high > 0.01);
+        assert_true(m.lost[0].high > 0.01 && m.rubbed[0].high > 0 && m.rubbed[1].high > 0);
+        for (int k = 0; k < 3; ++k)
+            assert_close(m.rubbed[k].high, rubbed[k].high, 1e-9);
         for (int k = 0; k < 4; ++k)
             assert_close(m.lost[k].high, other[k].high, 1e-9);
     }

@@ -45,7 +45,7 @@ static double normal_force(int plane)
 
 static void carried(double t)
 {
-    const vti_drifted drifted = {t, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    const vti_drifted drifted = {.t = t, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
     assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &m.b), VTI_OK);
 }
 

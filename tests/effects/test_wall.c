@@ -447,7 +447,7 @@ TEST(goes_with_the_wall)
         assert_int_equal(vti_history_add(&history, &held), VTI_OK);
         quat_rotate(q, load, turned);
         const vti_effect both[2] = {vti_walls_effect(&m.walls), vti_friction_effect(&friction)};
-        const vti_drifted drifted = {t, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+        const vti_drifted drifted = {.t = t, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
         assert_int_equal(vti_effects_carry(both, 2, &drifted, &m.b), VTI_OK);
         const vti_held *kept = slots;
         while (kept->i == 0)

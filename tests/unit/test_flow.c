@@ -297,7 +297,7 @@ TEST(places)
 
     /* by the host itself */
     const vti_effect both[] = {first, second};
-    const vti_drifted drifted = {h, VTI_LAW_CAYLEY, VTI_FRAME_SPACE};
+    const vti_drifted drifted = {.t = h, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
     made = 0;
     assert_int_equal(vti_effects_flow(both, 2, half, h, &b), VTI_OK);
     assert_int_equal(vti_effects_carry(both, 2, &drifted, &b), VTI_OK);
@@ -370,7 +370,7 @@ TEST(refusals)
     const vti_stepper *const vti1 = vti_stepper_find("vti1"), *const body = vti_stepper_find("vti1-body");
     const vti_effect flows = {.name = "flows", .flow = note_flow, .self = "1"};
     vti_effect needy = first, carries = first;
-    vti_drifted drifted = {0.1, VTI_LAW_EXACT, VTI_FRAME_SPACE};
+    vti_drifted drifted = {.t = 0.1, .law = VTI_LAW_EXACT, .frame = VTI_FRAME_SPACE};
     vti_fault fault = {7, 7, 7};
     carries.dissipates = 0;
     made = 0;
@@ -398,6 +398,13 @@ TEST(refusals)
     assert_int_equal(vti_effects_carry(&first, 1, NULL, &b), VTI_E_NULL);
     drifted.frame = VTI_FRAME_BODY;
     assert_int_equal(vti_effects_carry(&first, 1, &drifted, &b), VTI_E_FRAME);
+    drifted.frame = VTI_FRAME_SPACE;
+    for (int k = 0; k < 3; ++k) {
+        drifted.rotor = (const int64_t[]){3, -2, 8}[k];
+        assert_int_equal(vti_effects_carry(&first, 1, &drifted, &b), VTI_E_STEPPER);
+    }
+    drifted.rotor = 0;
+    drifted.frame = VTI_FRAME_BODY;
     drifted.law = 0;
     assert_int_equal(vti_effects_carry(&first, 1, &drifted, &b), VTI_E_STEPPER);
     drifted.law = VTI_LAW_EXACT;
