@@ -215,6 +215,11 @@ void vti_rotor_turned(const vti_bodies *b, int64_t i, const vti_drifted *drifted
     find_increment(&back, &body, L, &d);
     a[0] = a[1] = a[2] = 0.0;
     vti_rrv_turn_by(d.c, d.f, d.u, 0, 1.0, a);
+    if (d.side < 0.0) { /* in the body's frame */
+        double q[4];
+        vti_load_pair(b, i, q);
+        vti_pair_rotate(q, 1.0, a, a);
+    }
     if (steady) { /* Omega before it is R^T J^-1 R L, R being that of the increment and J as it is now */
         vti_rrv_rotate_back(a, L, before);
         rotor_times(&body, body.k, before, before);

@@ -178,6 +178,8 @@ TEST(carry_has_the_chord)
             }
         }
         uneven_link(&m, (enum uneven_state)(trial % UNEVEN_STATES), 0, 1e4);
+        if (trial % 7 < 3)
+            m.b.principal = vti_bodies_none(1).quat;
         uneven_spin_up(&m);
         if (trial % 10 == 0)
             m.b.spin = m.b.omega = m.b.moment = vti_view_none();
