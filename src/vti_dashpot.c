@@ -26,7 +26,7 @@ struct window {
 };
 
 /** Whether pair k is within reach, and where. */
-static int find_seat(const struct vti_sweep *s, int64_t k, struct vti_seat *seat, int64_t *touches)
+VTI_INLINE int find_seat(const struct vti_sweep *s, int64_t k, struct vti_seat *seat, int64_t *touches)
 {
     const vti_contacts *p = s->p->contacts;
     double d[3], x[3];
@@ -43,7 +43,7 @@ static int find_seat(const struct vti_sweep *s, int64_t k, struct vti_seat *seat
 }
 
 /** Where body i stands in the table of so many slots, a power of 2. */
-static int64_t slot_of(struct window *w, int64_t slots, int64_t i)
+VTI_INLINE int64_t slot_of(struct window *w, int64_t slots, int64_t i)
 {
     int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (slots - 1);
     while (w->body[at] != 0 && w->body[at] != i + 1)

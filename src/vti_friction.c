@@ -214,9 +214,11 @@ static void carry_pair(struct carrying *c, int64_t k)
     const int touches = r2 < length * length;
     if (!(r2 > VTI_COINCIDENT * VTI_COINCIDENT))
         return;
-    if (vti_history_find(history, seat.i + 1, seat.j + 1) == NULL && !(touches && was_near(c, k)))
+    vti_held *held = vti_history_at(history, seat.i + 1, seat.j + 1);
+    if (held->i == 0 && !(touches && was_near(c, k)))
         return;
-    vti_held *held = hold(history, seat.i + 1, seat.j + 1);
+    if (held->i == 0)
+        held = hold(history, seat.i + 1, seat.j + 1);
     if (held == NULL) { /* pairs that part make room */
         carry_waiting(c);
         held = hold(history, seat.i + 1, seat.j + 1);
