@@ -161,8 +161,8 @@ static void wait_for_parts(void)
 
 int64_t threads_sum(int64_t parts, int64_t (*work)(void *self, int64_t part), void *self)
 {
-    int64_t sum = 0;
     if (parts == 1 || pool.used == 1 || parts > THREADS_MOST) {
+        int64_t sum = 0;
         for (int64_t k = 0; k < parts; ++k)
             sum += work(self, k);
         return sum;
