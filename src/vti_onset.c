@@ -41,15 +41,13 @@ struct crossing {
 /** What pairs that begin just touching, up to rounding, lack of that. */
 static const double nearly = 1.0 - 1e-12;
 
-/** Whether the contact has begun or ended; then what is to be taken off m v and m x. */
-static int crosses(const struct crossing *at, double h, double impulse[3], double shift[3])
+/** Of one that has begun or ended: what is to be taken off m v and m x. */
+static void missed(const struct crossing *at, double h, double impulse[3], double shift[3])
 {
-    const int begins = at->overlap[1] > 0.0;
-    if (begins == (at->overlap[0] > 0.0))
-        return 0;
+    const int begins = at->overlap[1] > at->overlap[0];
     const double c = (at->overlap[0] - at->overlap[1] + h * at->rate) / (h * h), inside = at->overlap[begins];
     const double inwards = begins ? at->rate : 2.0 * c * h - at->rate, square = inwards * inwards - 4.0 * c * inside;
-    const double r = sqrt(square < 0.0 ? 0.0 : square); /* that is rounding */
+    const double r = sqrt(fabs(square)); /* negative by rounding alone */
     const double t = 2.0 * inside / (inwards + r), since = begins ? t : h - t;
     double three, five;
     zetas(t / h, &three, &five);
@@ -60,7 +58,6 @@ static int crosses(const struct crossing *at, double h, double impulse[3], doubl
         impulse[k] = p * n + q * turning;
         shift[k] = since * impulse[k] - q * n;
     }
-    return 1;
 }
 
 /** With sign 1 off body i, with -1 on it. */
@@ -92,7 +89,7 @@ static void of_pairs(const vti_contacts *p, double h, const vti_view *before, co
         struct crossing at;
         double d[2][3], u[3], impulse[3], shift[3];
         const double square[2] = {between(before, i, j, d[0]), between(&b->x, i, j, d[1])};
-        if ((square[0] < touching * touching) == (square[1] < touching * touching))
+        if (square[0] >= length * length && square[1] >= length * length)
             continue;
         for (int end = 0; end < 2; ++end) {
             const double r = sqrt(square[end]), per = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
@@ -100,13 +97,14 @@ static void of_pairs(const vti_contacts *p, double h, const vti_view *before, co
             for (int c = 0; c < 3; ++c)
                 at.n[end][c] = d[end][c] * per;
         }
+        if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
+            continue;
         between(&b->v, i, j, u);
         at.rate = -vti_dot(at.n[1], u);
         at.k = vti_contact_stiffness(p, i, j, length) / (length * length * sqrt(length));
-        if (crosses(&at, h, impulse, shift)) {
-            take(b, i, 1.0, impulse, shift);
-            take(b, j, -1.0, impulse, shift);
-        }
+        missed(&at, h, impulse, shift);
+        take(b, i, 1.0, impulse, shift);
+        take(b, j, -1.0, impulse, shift);
     }
 }
 
@@ -128,10 +126,12 @@ static void of_wall(const vti_walls *p, int64_t w, double h, const vti_view *bef
         }
         for (int end = 0; end < 2; ++end)
             at.overlap[end] = touching - vti_face_gap(p, w, x[end], at.n[end]);
+        if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
+            continue;
         at.rate = -vti_dot(at.n[1], v);
         at.k = vti_face_stiffness(p, w, i, radius) / (radius * radius * sqrt(radius));
-        if (crosses(&at, h, impulse, shift))
-            take(b, i, 1.0, impulse, shift);
+        missed(&at, h, impulse, shift);
+        take(b, i, 1.0, impulse, shift);
     }
 }
 
