@@ -3,7 +3,7 @@
 
 # Every method for such bodies but those that only differ in their order from another here.
 GENERAL=exact,vti1,vti2,suzuki4,srkn6,srkn11,kl8,no-squish,lammps-asphere,fincham,yade-aspherical,buss,moser-veselov,moser-veselov-newton
-GENERAL=$GENERAL,implicit-midpoint,spiral-aspherical
+GENERAL=$GENERAL,implicit-midpoint,spiral-aspherical,rk4,dop853
 
 # measure FOLDER SCENE [vti-study options]: a study with all of these.
 measure() {

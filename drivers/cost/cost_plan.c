@@ -32,6 +32,14 @@ static int is_general(const struct scene *scene)
            (scene->tables != NULL && table_has(&scene->tables->bodies, BODY_MOMENTS));
 }
 
+static int is_listed(const struct cost_plan *plan, const vti_stepper *method)
+{
+    int64_t i = 0;
+    while (i < plan->methods_count && plan->methods[i] != method)
+        ++i;
+    return i < plan->methods_count;
+}
+
 int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *message)
 {
     int64_t general = 0;
@@ -43,7 +51,7 @@ int cost_plan_methods(struct cost_plan *plan, const char *list, struct message *
     if (plan->methods_count > 0) /* of those with steps by a tolerance the cheapest */
         plan->methods[plan->methods_count++] = method_find("srkn11-tol");
     for (int64_t i = 0; list == NULL && general > 0 && method_general_at(i) != NULL; ++i)
-        if (general == plan->cases_count || method_rival(method_general_at(i)) != NULL)
+        if (!is_listed(plan, method_general_at(i)))
             plan->methods[plan->methods_count++] = method_general_at(i);
     if (list != NULL)
         plan->methods_count = methods_read("--steppers", list, plan->methods, COST_METHODS, message);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "euler.h"
 #include "quaternion.h"
 
 /* ---- a state ----------------------------------------------------------------------------------------------------- */
@@ -75,9 +76,16 @@ void rates_look_at(struct course *c, const double *state)
     }
 }
 
+void rates_momenta(struct course *c)
+{
+    for (int64_t i = 0; c->L != NULL && i < c->n; ++i)
+        euler_momentum(&c->bodies, i, c->L + 3 * i);
+}
+
 void rates_show(struct course *c)
 {
     rates_look_at(c, c->own);
+    rates_momenta(c);
 }
 
 void rates_live_in(struct course *c, double *state)
@@ -126,6 +134,15 @@ static void turning(const double *restrict q, const double *restrict w, double *
     }
 }
 
+/** Omega' in the place of the moments. */
+static void gyrations(const struct course *c, double *restrict moment)
+{
+    for (int64_t i = 0; i < c->n; ++i) {
+        const double m[3] = {moment[3 * i], moment[3 * i + 1], moment[3 * i + 2]};
+        euler_rate(&c->bodies, i, m, moment + 3 * i);
+    }
+}
+
 /** The loads, or 0 where no effect gives any. */
 static int loads(struct course *c, const double *state, double *force, double *moment)
 {
@@ -153,7 +170,9 @@ int rates(struct course *c, const double *state, double *rate)
         accelerations(rate + p.v, &c->per_mass, c->n);
     if (c->q != NULL)
         turning(state + p.q, state + p.w, rate + p.q, c->n);
-    if (c->m != NULL)
+    if (c->L != NULL)
+        gyrations(c, rate + p.w);
+    else if (c->m != NULL)
         accelerations(rate + p.w, &c->per_inertia, c->n);
     return VTI_OK;
 }

@@ -5,6 +5,7 @@
  *
  *     x' = v,  v' = F/m,  q' = (1/2) Omega q,  Omega' = RM/J
  *
+ * or, of bodies of three moments, Euler's equations for Omega'.
  * A state is blocks of all bodies, of what the model has: x [n][3], v [n][3], q [n][4], Omega [n][3]. Forces are
  * written to where v' and Omega' stand, so nothing is copied. */
 #ifndef VTI_RATES_H
@@ -25,6 +26,8 @@ int64_t rates_velocities(const struct course *course);
 void rates_start(const struct course *course, double *state);
 /** Makes the course's bodies views of the state. */
 void rates_look_at(struct course *course, const double *state);
+/** Angular momenta as they follow from Omega, of bodies of three moments. */
+void rates_momenta(struct course *course);
 /** Shows the course where its memory is a state (struct rival, show). */
 void rates_show(struct course *course);
 /** The same, and what the course moves is the state. */

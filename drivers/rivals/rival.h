@@ -19,6 +19,8 @@ struct travel_tally; /* travel.h */
         .about = (ABOUT)                                                                                               \
     }
 
+enum { RIVAL_OF_SPHERES, RIVAL_OF_MOMENTS, RIVAL_OF_BOTH };
+
 struct rival {
     vti_stepper stepper; /* what it is listed and named as: it has no coefficients, and the core refuses it */
     double phi;          /* Campello's: the share of a kick that is by the forces at the step's start */
@@ -35,7 +37,7 @@ struct rival {
     void (*resume)(struct course *course);
     void (*dismiss)(struct course *course); /* NULL if there is nothing to free */
     int takes_forces;                       /* 1: go begins with the forces of the bodies as they stand */
-    int general;                            /* 1: of bodies of three moments, and of no spheres; 0: of spheres alone */
+    int general;                            /* RIVAL_OF_: which bodies it moves */
 };
 
 int64_t rival_count(void);

@@ -166,6 +166,7 @@ static void show_adaptive(struct course *c)
         rates_start(c, copy);
     rates_normalise(c, copy);
     rates_look_at(c, copy);
+    rates_momenta(c);
 }
 
 const struct rival rival_rk8pd = {
@@ -177,6 +178,7 @@ const struct rival rival_rk8pd = {
     .go = go,
     .show = rates_show,
     .dismiss = dismiss,
+    .general = RIVAL_OF_BOTH,
 };
 
 const struct rival rival_rk8pd_adaptive = {
@@ -188,4 +190,5 @@ const struct rival rival_rk8pd_adaptive = {
     .go = go_adaptive,
     .show = show_adaptive,
     .dismiss = dismiss,
+    .general = RIVAL_OF_BOTH,
 };

@@ -117,7 +117,7 @@ static void dismiss(struct course *c)
 #define RUNGE_KUTTA(NAME, ORDER, EVALS, REACH, TABLEAU, ABOUT)                                                         \
     {                                                                                                                  \
         .stepper = RIVAL_STEPPER(NAME, ORDER, 0.0, EVALS, REACH, ABOUT), .table = &(TABLEAU), .own_width = RATES_ROOM, \
-        .prepare = prepare, .go = go, .show = rates_show, .dismiss = dismiss                                           \
+        .prepare = prepare, .go = go, .show = rates_show, .dismiss = dismiss, .general = RIVAL_OF_BOTH                 \
     }
 
 const struct rival rival_rk4 =

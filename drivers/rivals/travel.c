@@ -64,9 +64,13 @@ const vti_stepper *method_at(int64_t i)
 const vti_stepper *method_general_at(int64_t i)
 {
     int64_t left = i;
-    for (int64_t k = 0; k < method_count() && vti_stepper_find(method_at(k)->name) != NULL; ++k)
-        if (left-- == 0)
+    for (int64_t k = 0; k < method_count(); ++k) {
+        const struct rival *rival = method_rival(method_at(k));
+        const int knows =
+            rival != NULL ? rival->general != RIVAL_OF_SPHERES : vti_stepper_find(method_at(k)->name) != NULL;
+        if (knows && left-- == 0)
             return method_at(k);
+    }
     return rival_general(left) != NULL ? &rival_general(left)->stepper : NULL;
 }
 
@@ -172,7 +176,9 @@ static int check_inertia(const struct rival *way, const struct model *model, str
 {
     if (way == NULL)
         return 0;
-    if (way->general && model->bodies.moments.c[0] == NULL)
+    if (way->general == RIVAL_OF_BOTH)
+        return 0;
+    if (way->general == RIVAL_OF_MOMENTS && model->bodies.moments.c[0] == NULL)
         return message_set(message,
                            "%s: %s moves bodies of three moments, and these have none; give bodies.moments, or take "
                            "one of the rivals that vti-run --list steppers names",

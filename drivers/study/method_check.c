@@ -138,5 +138,7 @@ int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n,
     memcpy(adapter.moments, moments, (size_t)(3 * n) * sizeof *moments);
     adapter.model.bodies.spin = vti_view_packed(adapter.spin);
     adapter.model.bodies.moments = vti_view_packed(adapter.moments);
+    if (vti_kick(0.0, &adapter.model.bodies) != VTI_OK) /* which shows Omega, for those who go by it */
+        return -1;
     return go(&adapter, self, h, steps, x, v, quat, spin);
 }

@@ -204,7 +204,7 @@ def general_inertia():
 def refusals():
     pendulum = scene("pendulum")
     refuses("rivals alone", "--steppers", "rk4,spiral", pendulum, says="name one of ours too")
-    refuses("a rival of spheres", "--steppers", "vti2,rk4", scene("heavy-top"), says="bodies.moments: rk4 knows")
+    refuses("a rival of spheres", "--steppers", "vti2,gear", scene("heavy-top"), says="bodies.moments: gear knows")
     refuses("no scene", says="no scene is named")
     refuses("two scenes", pendulum, pendulum, says="only one scene")
     refuses("bad error", "--error", "tiny", pendulum, says="--error: 'tiny' is not a number from 1e-12 to 0.1")

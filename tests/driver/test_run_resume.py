@@ -418,7 +418,7 @@ def refused(base):
         ("no time between checkpoints", [scene("spin"), "--checkpoint", "0"], ["--checkpoint", "'0'"]),
         ("negative h", [scene("spin"), "--h", "-1"], ["h", "'-1'"]),
         ("unknown stepper", [scene("spin"), "--stepper", "rk5"], ["stepper", "'rk5'"]),
-        ("rival of spheres", [scene("slender"), "--stepper", "rk4"], ["bodies.moments", "rk4", "bodies.inertia"]),
+        ("rival of spheres", [scene("slender"), "--stepper", "mercury"], ["bodies.moments", "mercury", "bodies.inertia"]),
         ("multistep method of spheres", [scene("slender"), "--stepper", "an4"],
          ["bodies.moments", "an4", "bodies.inertia"]),
         ("step control of spheres", [scene("slender"), "--stepper", "srkn11", "--tolerance", "1e-6"],

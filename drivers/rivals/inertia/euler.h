@@ -25,11 +25,11 @@ VTI_INLINE void euler_axes(const double attitude[4], const double principal[4], 
     q[3] = attitude[3] * principal[3] - vti_dot(attitude, principal);
 }
 
-/** Omega' = R_p w_b' of body i, whose bodies show moments, a quaternion (of any norm but 0) and omega. */
-VTI_INLINE void euler_rate(const vti_bodies *b, int64_t i, const double moment[3], double rate[3])
+/** Of body i, whose bodies show moments, a quaternion (of any norm but 0) and omega: q from the principal axes into space,
+ *  I, and w_b. */
+VTI_INLINE void euler_body(const vti_bodies *b, int64_t i, double I[3], double w[3], double q[4])
 {
     const vti_quat_view *principal = &b->principal;
-    double I[3], w[3], m[3], q[4];
     for (int k = 0; k < 3; ++k) {
         I[k] = b->moments.c[k][i * b->moments.stride];
         w[k] = b->omega.c[k][i * b->omega.stride];
@@ -43,6 +43,23 @@ VTI_INLINE void euler_rate(const vti_bodies *b, int64_t i, const double moment[3
         euler_axes(attitude, p, q);
     }
     vti_pair_rotate(q, -1.0, w, w);
+}
+
+/** L = R_p I w_b of such a body. */
+VTI_INLINE void euler_momentum(const vti_bodies *b, int64_t i, double L[3])
+{
+    double I[3], w[3], q[4];
+    euler_body(b, i, I, w, q);
+    for (int k = 0; k < 3; ++k)
+        w[k] *= I[k];
+    vti_pair_rotate(q, 1.0, w, L);
+}
+
+/** Omega' = R_p w_b' of such a body. */
+VTI_INLINE void euler_rate(const vti_bodies *b, int64_t i, const double moment[3], double rate[3])
+{
+    double I[3], w[3], m[3], q[4];
+    euler_body(b, i, I, w, q);
     vti_pair_rotate(q, -1.0, moment, m);
     euler_body_rate(I, w, m, rate);
     vti_pair_rotate(q, 1.0, rate, rate);

@@ -114,7 +114,7 @@ VTI_INLINE int general_verlet(struct course *c, int64_t steps, general_law *law)
         .go = LAW##_go,                                                                                                \
         .show = general_show,                                                                                          \
         .takes_forces = 1,                                                                                             \
-        .general = 1,                                                                                                  \
+        .general = RIVAL_OF_MOMENTS,                                                                                   \
     };
 
 #endif

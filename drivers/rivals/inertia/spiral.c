@@ -110,5 +110,5 @@ const struct rival rival_spiral_body = {
     .go = go,
     .show = show,
     .takes_forces = 1,
-    .general = 1,
+    .general = RIVAL_OF_MOMENTS,
 };
