@@ -144,7 +144,8 @@ static void carries(const struct vti_touch_kernels *kernels)
         const vti_friction one = friction_in(trial / LAYOUTS, &contacts, lost);
         vti_friction many = one;
         many.lost = lost_too;
-        const vti_drifted drifted = {trial % 4 ? 0.1 : 0.5, 1 + trial / LAYOUTS % 4, VTI_FRAME_SPACE};
+        const vti_drifted drifted = {
+            .t = trial % 4 ? 0.1 : 0.5, .law = 1 + trial / LAYOUTS % 4, .frame = VTI_FRAME_SPACE};
         if (drifted.law == VTI_LAW_CLOSED) /* all turn by less than 1 */
             for (int64_t i = 0; i < N; ++i)
                 put(&b.omega, i, uniform(&g, -1, 1), uniform(&g, -1, 1), uniform(&g, -1, 1));
