@@ -179,7 +179,7 @@ def picture(some, found, times, angles):
     repose.set(title="angle of repose", xlabel=r"$\mu$", ylabel="degrees")
     repose.legend()
     turning.plot(times, angles, color=style.LOOKS[0].colour)
-    turning.set(title="drum: centre of mass", xlabel="$t$", ylabel="degrees off the vertical")
+    turning.set(title="drum: centre of mass", xlabel="$t$ (s)", ylabel="degrees off the vertical")
     return figure
 
 

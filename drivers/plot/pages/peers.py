@@ -351,9 +351,9 @@ def agglomerate_picture(folder, path):
     left, right = figure.subplots(1, 2)
     rows = read(folder, "agglomerate")
     curves(left, rows, "bonds", False)
-    left.set(title="Bonds that hold", ylabel="bonds", ylim=(0, None))
+    left.set(title="Bonds that hold", xlabel="t (s)", ylabel="bonds", ylim=(0, None))
     curves(right, rows, "kinetic", False)
-    right.set(title="Kinetic energy", ylabel="J", ylim=(0, None))
+    right.set(title="Kinetic energy", xlabel="t (s)", ylabel="J", ylim=(0, None))
     style.save(figure, path)
 
 
