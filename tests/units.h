@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Test cases of a file whose kernels exist for wider vector units too: skipped where the library has none or the machine
- * cannot run them. */
+ * Test cases of a file whose kernels exist for wider vector units too: skipped where the library has none or the
+ * machine cannot run them. */
 #ifndef VTI_TESTS_UNITS_H
 #define VTI_TESTS_UNITS_H
 
