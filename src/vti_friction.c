@@ -186,10 +186,9 @@ static void carry_waiting(struct carrying *c)
 /** Whether a pair that holds nothing and touches was within reach before the drift: lists need not have it else. */
 static int was_near(const struct carrying *c, int64_t k)
 {
-    struct vti_carry motion;
+    struct vti_carry motion = {.delta0 = 0.0};
     double v_i[3], v_j[3], d0[3];
-    if (!vti_touch_pair(&motion.touch, c->p->contacts, c->b, k, INFINITY))
-        return 0;
+    (void)vti_touch_pair(&motion.touch, c->p->contacts, c->b, k, INFINITY); /* there is a direction */
     vti_load(&c->b->v, motion.touch.i, v_i);
     vti_load(&c->b->v, motion.touch.j, v_j);
     for (int n = 0; n < 3; ++n)

@@ -361,6 +361,65 @@ TEST(order_of_the_pairs)
     }
 }
 
+/** Springs of a crowd, and of its bodies at a plane, carried all at once and pair by pair: the same loads and losses. A
+ *  table without room says for how many it had none. */
+TEST(springs_of_a_crowd)
+{
+    static const double one = 1.0, plane[4] = {0.0, 0.0, 1.0, -0.6};
+    static double alpha[MANY][3];
+    static vti_held table[2][4096];
+    rng g = rng_seed(23);
+    vti_sum lost[2][VTI_FRICTION_BOOKS] = {{{0.0, 0.0}}};
+    vti_history history[2] = {{4096, 0, 0, table[0]}, {4096, 0, 0, table[1]}};
+    draw_crowd(&g);
+    vti_bodies b = vti_bodies_none(MANY);
+    b.x = vti_view_packed(place_of[0]);
+    b.v = vti_view_packed(velocity[0]);
+    b.omega = vti_view_packed(spin[0]);
+    b.alpha = vti_view_packed(alpha[0]);
+    b.mass = b.inertia = vti_scalars_one(&one);
+    const vti_contacts whole = {.count = all, .pair = listed[0], .diameter = vti_scalars_one(&one), .stiffness = 2.0};
+    const vti_walls floor_of = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 2.0};
+    vti_contacts pair = whole;
+    pair.count = 1;
+    vti_friction friction = {
+        .sliding = 0.3, .mindlin = 0.8, .rolling = 0.1, .rolling_stiffness = 1.0, .reach = INFINITY};
+    const vti_drifted drifted = {.t = 0.01, .law = VTI_LAW_EXACT, .frame = VTI_FRAME_SPACE};
+    for (int step = 0; step < 3; ++step) {
+        friction.contacts = &whole;
+        friction.history = &history[0];
+        friction.lost = lost[0];
+        vti_effect effect = vti_friction_effect(&friction);
+        assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+        friction.contacts = &pair;
+        friction.history = &history[1];
+        friction.lost = lost[1];
+        effect = vti_friction_effect(&friction);
+        for (int64_t k = 0; k < all; ++k) {
+            pair.pair = listed[k];
+            assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+        }
+        for (int i = 0; i < 3 * MANY; ++i)
+            place_of[i / 3][i % 3] += 0.01 * velocity[i / 3][i % 3];
+    }
+    assert_int_equal(history[0].used, history[1].used);
+    for (int64_t k = 0; k < history[0].slots; ++k)
+        if (table[0][k].i != 0)
+            assert_memory_equal(&table[0][k], vti_history_find(&history[1], table[0][k].i, table[0][k].j),
+                                sizeof table[0][k]);
+    assert_same_bits(lost[0], lost[1], 2 * VTI_FRICTION_BOOKS);
+
+    vti_history small = {8, 0, 0, table[1]};
+    memset(table[1], 0, sizeof table[1]);
+    friction.history = &small;
+    friction.contacts = &whole;
+    friction.walls = &floor_of;
+    vti_effect effect = vti_friction_effect(&friction);
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+    assert_true(small.used == 7 && small.missed > 100);
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_E_HISTORY);
+}
+
 /** Bodies at walls that stand and move, all at once and one by one: the same bits of each. */
 TEST(walls)
 {
@@ -468,5 +527,5 @@ TEST(avx512)
     skip();
 }
 
-RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(walls), cmocka_unit_test(baseline),
-          cmocka_unit_test(avx2), cmocka_unit_test(avx512))
+RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(springs_of_a_crowd), cmocka_unit_test(walls),
+          cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))
