@@ -22,7 +22,7 @@ enum { VTI_DRAG_BOOKS = 2 };
 typedef struct vti_drag {
     vti_scalars linear;    /**< one value or one for each body, mass/time, finite and >= 0; needs v and mass */
     vti_scalars quadratic; /**< the same, mass/length */
-    vti_scalars angular;   /**< the same, mass length^2/time; needs omega and inertia */
+    vti_scalars angular;   /**< the same, mass length^2/time; needs omega, and inertia or moments */
     double medium[3];      /**< velocity of the medium */
     vti_sum *lost;         /**< [VTI_DRAG_BOOKS], memory of the caller's, zeros at the start: the energy that drag has
                                 taken out of translation and out of rotation so far. Where several threads have a slice
@@ -31,7 +31,7 @@ typedef struct vti_drag {
 
 /** The effect of *drag, which must outlive it. Stands before the other effects of an array, so that its flow is the
  *  outermost. Entries of booked energy: "lost_drag_translation", "lost_drag_rotation". VTI_E_DAMPING of its calls: a
- *  coefficient is negative or not finite. */
+ *  coefficient is negative or not finite; VTI_E_INERTIA: it slows turning, and there is no inertia. */
 VTI_API vti_effect vti_drag_effect(const vti_drag *drag);
 
 #ifdef __cplusplus

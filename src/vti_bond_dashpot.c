@@ -94,6 +94,8 @@ static int check(const void *self, const vti_bodies *b)
             return VTI_E_DAMPING;
     if (p->bonds->count > 0 && (p->bonds->pair == NULL || p->bonds->rest == NULL))
         return VTI_E_NULL;
+    if (vti_has(&b->moments)) /* it knows the masses of spheres */
+        return VTI_E_MOMENTS;
     return vti_has(&b->omega) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
 }
 

@@ -6,9 +6,11 @@
  *     m du/dt = -c u - k |u| u      u(t) = u E/(1 + k |u| phi)           (c = 0: u/(1 + k t |u|/m))
  *     J dOmega/dt = -c_r Omega      Omega(t) = Omega exp(-c_r t/J)
  *
+ *     dL/dt = -c_r Omega            about each principal axis of a body with moments the same, by its own moment
+ *
  * Booked is p.(v + v')/2, what the impulse p on the medium takes (6.1). */
 #include "vti_decay.h"
-#include "vti_internal.h"
+#include "vti_joint.h"
 
 static double value(const vti_scalars *s, int64_t i)
 {
@@ -54,6 +56,23 @@ static void slow_turning(const vti_drag *p, const vti_bodies *b, int64_t i, doub
     vti_sum_add(lost, -j * vti_dot(change, mean));
 }
 
+static void slow_general(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    static const double centre[3];
+    const struct vti_bearing itself = {NULL, b};
+    const double c = value(&p->angular, i), each[3] = {c, c, c};
+    struct vti_joint at = {.side = {{.body = i}, {.body = -1}}};
+    struct vti_joint_modes axes = {.count = 3};
+    double l[3];
+    vti_joint_load(&itself, i, centre, &at.side[0]);
+    memcpy(axes.yield, at.side[0].per, sizeof axes.yield);
+    memcpy(axes.along, at.side[0].axis, sizeof axes.along);
+    vti_joint_decay(&axes, each, t, at.side[0].w, l);
+    vti_sum_add(lost, vti_joint_lost(&axes, at.side[0].w, l));
+    vti_joint_push(&at, 1, l);
+    vti_joint_store(&itself, &at.side[0]);
+}
+
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_drag *p = self;
@@ -61,7 +80,7 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     for (int64_t i = b->first; (p->linear.p != NULL || p->quadratic.p != NULL) && i < b->first + b->count; ++i)
         slow(p, b, i, t, &p->lost[0]);
     for (int64_t i = b->first; p->angular.p != NULL && i < b->first + b->count; ++i)
-        slow_turning(p, b, i, t, &p->lost[1]);
+        (vti_has(&b->moments) ? slow_general : slow_turning)(p, b, i, t, &p->lost[1]);
 }
 
 static int are_good(const vti_scalars *s, const vti_bodies *b)
@@ -82,14 +101,15 @@ static int check(const void *self, const vti_bodies *b)
     for (int k = 0; k < 3; ++k)
         if (VTI_LOOKS || all[k]->stride == 0)
             good &= are_good(all[k], b);
-    return good ? VTI_OK : VTI_E_DAMPING;
+    if (!good)
+        return VTI_E_DAMPING;
+    return p->angular.p != NULL && b->inertia.p == NULL && !vti_has(&b->moments) ? VTI_E_INERTIA : VTI_OK;
 }
 
 vti_effect vti_drag_effect(const vti_drag *drag)
 {
     static const char *const book[VTI_DRAG_BOOKS] = {"lost_drag_translation", "lost_drag_rotation"};
-    const int64_t force = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS,
-                  moment = 1 << VTI_QUANTITY_OMEGA | 1 << VTI_QUANTITY_INERTIA;
+    const int64_t force = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS, moment = 1 << VTI_QUANTITY_OMEGA;
     if (drag == NULL || drag->lost == NULL)
         return vti_effect_none();
     const int slows = drag->linear.p != NULL || drag->quadratic.p != NULL, turns = drag->angular.p != NULL;

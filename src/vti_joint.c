@@ -120,25 +120,20 @@ static double yield_of(const struct vti_joint *at, int turns, const double e[3],
     return sum;
 }
 
-/** Jacobi's rotation that takes a_pq away, and the directions along. */
-static void rotate(double a[3][3], double g[3][3], int p, int q)
+/** Jacobi's rotation that makes a diagonal, and the directions along. */
+static void rotate(double a[2][2], double g[2][3])
 {
-    if (a[p][q] == 0.0)
+    if (a[0][1] == 0.0)
         return;
-    const double ratio = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
+    const double ratio = 0.5 * (a[1][1] - a[0][0]) / a[0][1];
     const double t = copysign(1.0, ratio) / (fabs(ratio) + sqrt(1.0 + ratio * ratio)), c = 1.0 / sqrt(1.0 + t * t),
                  s = t * c;
-    const int r = 3 - p - q; /* the third one */
-    const double rp = a[r][p], rq = a[r][q];
-    a[p][p] -= t * a[p][q];
-    a[q][q] += t * a[p][q];
-    a[p][q] = a[q][p] = 0.0;
-    a[r][p] = a[p][r] = c * rp - s * rq;
-    a[r][q] = a[q][r] = s * rp + c * rq;
+    a[0][0] -= t * a[0][1];
+    a[1][1] += t * a[0][1];
     for (int k = 0; k < 3; ++k) {
-        const double g_p = g[p][k], g_q = g[q][k];
-        g[p][k] = c * g_p - s * g_q;
-        g[q][k] = s * g_p + c * g_q;
+        const double g_p = g[0][k], g_q = g[1][k];
+        g[0][k] = c * g_p - s * g_q;
+        g[1][k] = s * g_p + c * g_q;
     }
 }
 
@@ -149,7 +144,7 @@ static const double least_yield = 0x1p-48;
 void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const double span[][3],
                         struct vti_joint_modes *modes)
 {
-    double a[3][3] = {{0.0}}, largest = 0.0;
+    double a[2][2] = {{0.0}}, largest = 0.0;
     modes->count = n;
     for (int p = 0; p < n; ++p)
         for (int k = 0; k < 3; ++k)
@@ -157,10 +152,7 @@ void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const doub
     for (int p = 0; p < n; ++p)
         for (int q = p; q < n; ++q)
             a[p][q] = a[q][p] = yield_of(at, turns, span[p], span[q]);
-    for (int sweep = 0; sweep < (n == 3 ? 6 : n - 1); ++sweep) /* two are done by one rotation; three to rounding */
-        for (int p = 0; p < n; ++p)
-            for (int q = p + 1; q < n; ++q)
-                rotate(a, modes->along, p, q);
+    rotate(a, modes->along);
     for (int p = 0; p < n; ++p)
         largest = a[p][p] > largest ? a[p][p] : largest;
     for (int p = 0; p < n; ++p)

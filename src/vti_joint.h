@@ -51,14 +51,14 @@ void vti_joint_velocity(const struct vti_joint *at, int turns, double u[3]);
 /** The impulse p, or for turns the moment impulse. */
 void vti_joint_push(struct vti_joint *at, int turns, const double p[3]);
 
-/** Motions along n <= 3 orthonormal directions that decay each by itself. */
+/** Motions along at most 3 orthonormal directions that decay each by itself. */
 struct vti_joint_modes {
     int count;
     double along[3][3];
     double yield[3]; /* by how much of the velocity an impulse of 1 changes it: eigenvalues of K, or of H */
 };
 
-/** Those along the directions `span`; for turns of H. */
+/** Those along n directions `span`, 1 or 2; for turns of H. */
 void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const double span[][3],
                         struct vti_joint_modes *modes);
 /** The impulse by which dashpots of the coefficients c, one for each mode, let the velocity a decay for the time t:

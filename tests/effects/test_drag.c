@@ -151,6 +151,47 @@ TEST(residuals)
     assert_true(isnan(c.v[0][0]) && isnan(lost[0].high) && c.omega[0][0] != 0);
 }
 
+/** A body with moments: L about each principal axis decays by its own moment, with Omega shown or alone. */
+TEST(three_moments)
+{
+    rng g = rng_seed(1402);
+    for (int trial = 0; trial < 300; ++trial) {
+        double v[3], spin[3], moments[3] = {uniform(&g, 1, 2), uniform(&g, 1, 2), uniform(&g, 1, 2)}, q[4], p[3], is[3];
+        const double t = uniform(&g, 0.01, 2), coefficient = pow(10, uniform(&g, -6, 1));
+        const vti_drag drag = {.angular = vti_scalars_one(&coefficient), .lost = lost};
+        random_vector(&g, 3, v);
+        random_vector(&g, 3, spin);
+        random_unit(&g, 4, q);
+        body(1, 1, v, spin);
+        crowd_tumble(&c, &g);
+        const rotor axes = quat_times(crowd_attitude(&c, 0), quat_of_xyzw(q));
+        b.inertia.p = NULL;
+        b.moments = vti_view_packed(moments);
+        b.principal = quats_packed(q);
+        quat_rotate(quat_conj(axes), spin, p);
+        for (int k = 0; k < 3; ++k)
+            p[k] /= moments[k];
+        quat_rotate(axes, p, c.omega[0]);
+        if (trial % 2)
+            b.spin = vti_view_packed(spin);
+        const vti_effect effect = vti_drag_effect(&drag);
+        const double energy = vti_energy(&effect, 1, &b);
+        flow(&drag, t);
+        for (int k = 0; k < 3; ++k)
+            p[k] *= exp(-coefficient * t / moments[k]);
+        quat_rotate(axes, p, is);
+        assert_close3(c.omega[0], is, 100 * EPS);
+        if (trial % 2) {
+            for (int k = 0; k < 3; ++k)
+                p[k] *= moments[k];
+            quat_rotate(axes, p, is);
+            assert_close3(spin, is, 100 * EPS);
+        }
+        assert_close(vti_energy(&effect, 1, &b) + lost[1].high, energy, 40 * EPS * energy);
+        assert_true(lost[1].high > 0);
+    }
+}
+
 TEST(what_it_needs_and_refuses)
 {
     const double one = 1, some[] = {1, 2}, v[3] = {1, 2, 3}, bad[] = {-1, INFINITY, NAN};
@@ -169,6 +210,9 @@ TEST(what_it_needs_and_refuses)
         drag.medium[k] = 0;
     }
     assert_true(c.v[0][0] == 1 && lost[0].high == 0);
+    b.moment = vti_view_none();
+    b.inertia.p = NULL;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_INERTIA);
     b.omega = vti_view_none();
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NEEDS);
     drag.angular.p = NULL;
@@ -189,4 +233,4 @@ TEST(what_it_needs_and_refuses)
 }
 
 RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
-          cmocka_unit_test(residuals), cmocka_unit_test(what_it_needs_and_refuses))
+          cmocka_unit_test(residuals), cmocka_unit_test(three_moments), cmocka_unit_test(what_it_needs_and_refuses))
