@@ -75,7 +75,9 @@ TEST(what_dissipates_is_refused)
     struct scene refused;
     struct model model;
     struct message message;
-    assert_int_equal(try_model(BODY "binder: {axial: 1}\nbond_dashpot: {axial: 1}\n" TIME, &refused, &model, &message),
+    assert_int_equal(try_model("bodies: {moments: [1, 2, 3], mass: 1, diameter: 1, chain: {count: 2, spacing: 1}}\n"
+                               "binder: {axial: 1, moment: 1}\nbond_dashpot: {axial: 1}\n" TIME,
+                               &refused, &model, &message),
                      -1);
     assert_string_equal(message.text, "t: bond_dashpot" DISSIPATES);
     struct scene scene;
