@@ -8,8 +8,9 @@
 !>
 !>     faults = vti_check_inertia('my code', advance)     how it moves bodies of three moments
 !>
-!> advance is a procedure of the interface vti_check_advance, or of vti_check_advance_inertia. Arrays are x(3,n), quat(4,n) in the order x, y, z, w; it
-!> gets forces and moments by call vti_check_forces(kit, x, quat, force, moment). Frames are those of vti_check.h.
+!> advance is a procedure of the interface vti_check_advance, or of vti_check_advance_inertia. Arrays are x(3,n),
+!> quat(4,n) in the order x, y, z, w; it gets forces and moments by call vti_check_forces(kit, x, quat, force, moment).
+!> Frames are those of vti_check.h.
 module vti_check_kit
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, &
         c_int64_t, c_loc, c_null_char, c_ptr
@@ -37,7 +38,8 @@ module vti_check_kit
             integer(c_int) :: status
         end function
 
-        !> The same of bodies with the principal moments A, B, C about their own axes and the spatial angular momentum L.
+        !> The same of bodies with the principal moments A, B, C about their own axes and the spatial angular momentum
+        !> L.
         function vti_check_advance_inertia(h, steps, n, x, v, quat, spin, mass, moments, kit) result(status)
             import :: c_double, c_int, c_int64_t, vti_kit
             real(c_double), intent(in) :: h
@@ -147,7 +149,8 @@ contains
     end function
 
     !> The same of bodies of three moments.
-    function advance_inertia_for_c(self, h, steps, n, x, v, quat, spin, mass, moments, forces, kit) result(status) bind(c)
+    function advance_inertia_for_c(self, h, steps, n, x, v, quat, spin, mass, moments, forces, kit) &
+            result(status) bind(c)
         type(c_ptr), value :: self, kit
         real(c_double), value :: h
         integer(c_int64_t), value :: steps, n

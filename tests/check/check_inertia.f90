@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> Fortran hosts of bodies with three moments, by the conformance kit: the library's own steps on arrays, without a fault;
-!> and with moments in the wrong order.
+!> Fortran hosts of bodies with three moments, by the conformance kit: the library's own steps on arrays, without a
+!> fault; and with moments in the wrong order.
 module solids
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use vti

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of ./dev inertia, made of studies that are shorter than its own.      test_inertia_page.py VTI_STUDY PROJECT"""
+"""The page of ./dev inertia, made of studies that are shorter than its own.
+test_inertia_page.py VTI_STUDY PROJECT"""
 import os
 import sys
 import tempfile

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev inertia`:  python3 -m plot.pages.inertia FOLDER [--into DIR].  Bodies of three moments: errors, orders and prices
-of our steppers and of what others use. FOLDER holds table-SCENE and orders-SCENE, which vti-study wrote, and cost, of vti-study
---cost; the page inertia.md and its picture go beside them, or with --into as DIR/inertia.md and DIR/inertia/prices.png."""
+"""The page of `./dev inertia`:  python3 -m plot.pages.inertia FOLDER [--into DIR].  Bodies of three moments: errors,
+orders and prices of our steppers and of what others use. FOLDER holds table-SCENE and orders-SCENE, which vti-study
+wrote, and cost, of vti-study --cost; the page inertia.md and its picture go beside them, or with --into as DIR/inertia.md and
+DIR/inertia/prices.png."""
 import csv
 import os
 
@@ -15,12 +16,14 @@ from .page import Page, write_page
 from .price_list import count_text, errors, in_words, power, price, table, three
 from .work_precision import AXES, COSTS, name_ends
 
-SCENES = {"free-body": "free (1, 1.7, 2.3)", "slender-body": "free (1.7231, 0.0658, 1.7243)", "heavy-top": "heavy top (0.6, 1, 1.5)",
-          "bonded-pair": "bonded pair (0.06, 0.1, 0.15)"}
+SCENES = {"free-body": "free (1, 1.7, 2.3)", "slender-body": "free (1.7231, 0.0658, 1.7243)",
+          "heavy-top": "heavy top (0.6, 1, 1.5)", "bonded-pair": "bonded pair (0.06, 0.1, 0.15)"}
 OUR_COLOURS = ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F")
-THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#777777", "#C03030", "#B8860B", "#555555", "#2F4F4F", "#FF7F50", "#8B4513", "#6A5ACD")
+THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#777777", "#C03030", "#B8860B",
+                 "#555555", "#2F4F4F", "#FF7F50", "#8B4513", "#6A5ACD")
 HEIGHT = 8.4
-LEFT_OUT = ("pd8", "rk8pd", "vti1", "vti3", "vti3-leapfrog", "kl6", "srkn6", "srkn14", "moser-veselov-newton")   # of the picture: near to others
+LEFT_OUT = ("pd8", "rk8pd", "vti1", "vti3", "vti3-leapfrog", "kl6", "srkn6", "srkn14",
+            "moser-veselov-newton")     # of the picture: near to others
 
 
 def rows_of(folder, name):
@@ -33,7 +36,7 @@ def rows_of(folder, name):
 
 
 def attitude_errors(folder):
-    """scene -> stepper -> error of the attitude at the end; and of the spins, largest change of a conserved momentum."""
+    """scene -> stepper -> error of the attitude at the end; and the largest change of a conserved momentum."""
     found = {scene: rows_of(folder, f"table-{scene}") for scene in SCENES}
     return tuple({scene: {row["stepper"]: float(row[column]) for row in rows} for scene, rows in found.items()}
                  for column in ("attitude_error", "momentum_error"))
@@ -46,8 +49,8 @@ def fitted(folder, scene):
         raise Trouble(path, "is not there", "make it with ./dev inertia")
     with h5py.File(path) as file:
         read = {column: file["orders"][column][...] for column in ("stepper", "measure", "order", "interval")}
-    return {stepper.decode(): (float(order), float(interval)) for stepper, measure, order, interval in zip(*read.values())
-            if measure == b"h1_error"}
+    return {stepper.decode(): (float(order), float(interval)) for stepper, measure, order, interval in
+            zip(*read.values()) if measure == b"h1_error"}
 
 
 # ---- the picture ----------------------------------------------------------------------------------------------------
@@ -91,40 +94,58 @@ def _panel(axes, ladders, quantity):
 # ---- the page -------------------------------------------------------------------------------------------------------
 
 def opening(page):
-    page.text("Made by `./dev inertia`: every number is from its files. A body of three principal moments A, B, C is moved by its angular "
-              "momentum L in space (`spin`), which a kick changes by the moment and a drift leaves as it is, to the bit; `docs/linking.md` "
+    page.text("Made by `./dev inertia`: every number is from its files. A body of three principal moments A, B, C "
+              "is moved by its angular "
+              "momentum L in space (`spin`), which a kick changes by the moment and a drift leaves as it is, to the "
+              "bit; `docs/linking.md` "
               "has the views.")
-    page.text("**Ours** is the drift: a turn about L in space, which is a sphere's, and turns about two of the body's axes, of "
-              "which one is the list of three (order 2, `vti1`, `vti2`, `suzuki4`, `kl6`, `kl8`), another of five, each with a turn of its own "
-              "about the same axis that takes off what the list leaves (order 4, `exact`, `srkn6`, `chin4`), and one of 21 by Blanes and Moan (order 6, "
-              "`srkn11`, `srkn14`). These drifts are explicit, exactly symplectic, keep L, and take no sine or cosine; none asks for a force more. **Moser and "
-              "Veselov's** is the discrete body that the paper's VTI-1 is for a sphere: its implicit equation is solved in closed form by "
-              "the largest root of a quartic (`moser-veselov`), which agrees with Newton's method to rounding; flat bodies (C = A + B), "
-              "where the closed form divides by zero, take Newton's. The paper's VTI-2 is the implicit midpoint rule there, which keeps "
-              "the energy of a free body and is not symplectic. Rivals are written from the literature, turn the attitude with L kept "
-              "between two half kicks, and are compiled with the same flags; SPIRAL moves Omega by Euler's equations instead, and so do Runge-Kutta's "
-              "methods for any differential equation, up to Verner's of order 9 and GSL's RK8(7) with step control. Adams, Gear's and "
+    page.text("**Ours** is the drift: a turn about L in space, which is a sphere's, and turns about two of the "
+              "body's axes, of "
+              "which one is the list of three (order 2, `vti1`, `vti2`, `suzuki4`, `kl6`, `kl8`), another of five, "
+              "each with a turn of its own "
+              "about the same axis that takes off what the list leaves (order 4, `exact`, `srkn6`, `chin4`), and "
+              "one of 21 by Blanes and Moan (order 6, "
+              "`srkn11`, `srkn14`). These drifts are explicit, exactly symplectic, keep L, and take no sine or "
+              "cosine; none asks for a force more. **Moser and "
+              "Veselov's** is the discrete body that the paper's VTI-1 is for a sphere: its implicit equation is "
+              "solved in closed form by "
+              "the largest root of a quartic (`moser-veselov`), which agrees with Newton's method to rounding; flat "
+              "bodies (C = A + B), "
+              "where the closed form divides by zero, take Newton's. The paper's VTI-2 is the implicit midpoint "
+              "rule there, which keeps "
+              "the energy of a free body and is not symplectic. Rivals are written from the literature, turn the "
+              "attitude with L kept "
+              "between two half kicks, and are compiled with the same flags; SPIRAL moves Omega by Euler's "
+              "equations instead, and so do Runge-Kutta's "
+              "methods for any differential equation, up to Verner's of order 9 and GSL's RK8(7) with step control. "
+              "Adams, Gear's and "
               "extrapolation methods know spheres only: docs/accuracy.md has those.")
 
 
 def errors_part(page, found, spins):
     page.heading("Errors at one step")
-    page.text("Attitude at the end, in radians. Free bodies begin with Omega = (0.3, 1.1, -0.4) along their axes, h = 0.1, t = 20; the "
-              "top h = 0.05, t = 8; the pair h = 1/160, t = 4. Where forces are stiff, as in bonds, they hide the error of the "
+    page.text("Attitude at the end, in radians. Free bodies begin with Omega = (0.3, 1.1, -0.4) along their axes, h "
+              "= 0.1, t = 20; the "
+              "top h = 0.05, t = 8; the pair h = 1/160, t = 4. Where forces are stiff, as in bonds, they hide the "
+              "error of the "
               "rotation: a drift of high order pays in free flight and in steppers of high order.")
     steppers = list(found["free-body"])
     page.table(["method", *SCENES.values()],
-               [[methods.typed(stepper), *(three(found[scene].get(stepper, np.nan)) for scene in SCENES)] for stepper in steppers])
+               [[methods.typed(stepper), *(three(found[scene].get(stepper, np.nan)) for scene in SCENES)]
+                for stepper in steppers])
     changed = max(spins["free-body"][stepper] for stepper in steppers if stepper != "spiral-aspherical")
-    page.text(f"L of the free body changes by {changed:.1g} in all of them but SPIRAL, by {spins['free-body']['spiral-aspherical']:.1e} there.")
+    page.text(f"L of the free body changes by {changed:.1g} in all of them but SPIRAL, by "
+              f"{spins['free-body']['spiral-aspherical']:.1e} there.")
 
 
 def orders_part(page, orders):
     page.heading("Orders")
-    page.text("Of the true error (H1) at four steps, each half of the one before, with the interval of the fit. `-`: the errors are rounding.")
+    page.text("Of the true error (H1) at four steps, each half of the one before, with the interval of the fit. "
+              "`-`: the errors are rounding.")
     steppers = list(next(iter(orders.values())))
     page.table(["method", *(SCENES[scene] for scene in orders)],
-               [[methods.typed(stepper), *(_order(*orders[scene][stepper]) for scene in orders)] for stepper in steppers])
+               [[methods.typed(stepper), *(_order(*orders[scene][stepper]) for scene in orders)]
+                for stepper in steppers])
 
 
 def _order(order, interval):
@@ -133,8 +154,10 @@ def _order(order, interval):
 
 def prices_part(page, cost, picture):
     page.heading("Prices")
-    page.text("An error is that of the attitude at the end; a price is found among runs at falling steps, as on docs/accuracy.md, and "
-              "times are of one run on one core, the least of several. Steppers of ours run through the library's calls, which check the "
+    page.text("An error is that of the attitude at the end; a price is found among runs at falling steps, as on "
+              "docs/accuracy.md, and "
+              "times are of one run on one core, the least of several. Steppers of ours run through the library's "
+              "calls, which check the "
               "bodies and choose kernels by the processor; rivals are one loop each."
               + (f" The machine: {cost.machine}." if cost.machine else ""))
     page.picture(picture)
@@ -153,15 +176,16 @@ def against(cost, scene):
     for error in errors(cost, scene):
         cheapest = {}
         for kinds in (("ours", "paper"), ("rival",)):
-            found = {method: price(ladder, error, "force_evals") for method, ladder in cost.prices[scene].items() if ladder.kind in kinds}
+            found = {method: price(ladder, error, "force_evals") for method, ladder in cost.prices[scene].items()
+                     if ladder.kind in kinds}
             found = {method: value for method, value in found.items() if np.isfinite(value)}
             if found:
                 best = min(found, key=found.get)
                 cheapest[kinds[0]] = best, found[best], price(cost.prices[scene][best], error)
         if len(cheapest) == 2:
             (mine, own, time), (other, theirs, others_time) = cheapest["ours"], cheapest["rival"]
-            said.append(f"{power(error)}: {methods.name(mine)} {count_text(own)} against {methods.name(other)} {count_text(theirs)} "
-                        f"({three(theirs / own)} times; in time {three(others_time / time)})")
+            said.append(f"{power(error)}: {methods.name(mine)} {count_text(own)} against {methods.name(other)} "
+                        f"{count_text(theirs)} ({three(theirs / own)} times; in time {three(others_time / time)})")
     return "Evaluations of the cheapest of ours against the cheapest rival: " + "; ".join(said) + "."
 
 
@@ -183,9 +207,11 @@ def build(folder, root, into):
 
 def against_text():
     """What one has to know of the prices."""
-    return ("At the same order the turn alone decides: where L changes little within a step, a drift of order 4 pays at once; under a moment, at "
+    return ("At the same order the turn alone decides: where L changes little within a step, a drift of order 4 "
+            "pays at once; under a moment, at "
             "order 2, schemes that are simpler can be cheaper, and orders of 4 and more are what pays. "
-            "The force of one body costs next to nothing here, so that time is that of the step itself, of which Runge-Kutta's do less for each "
+            "The force of one body costs next to nothing here, so that time is that of the step itself, of which "
+            "Runge-Kutta's do less for each "
             "evaluation; where forces cost more, evaluations count. Runge-Kutta keeps neither L nor the energy.")
 
 

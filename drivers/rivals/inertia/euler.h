@@ -25,8 +25,8 @@ VTI_INLINE void euler_axes(const double attitude[4], const double principal[4], 
     q[3] = attitude[3] * principal[3] - vti_dot(attitude, principal);
 }
 
-/** Of body i, whose bodies show moments, a quaternion (of any norm but 0) and omega: q from the principal axes into space,
- *  I, and w_b. */
+/** Of body i, whose bodies show moments, a quaternion (of any norm but 0) and omega: q from the principal axes into
+ *  space, I, and w_b. */
 VTI_INLINE void euler_body(const vti_bodies *b, int64_t i, double I[3], double w[3], double q[4])
 {
     const vti_quat_view *principal = &b->principal;

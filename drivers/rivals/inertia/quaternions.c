@@ -8,14 +8,14 @@
  *
  *     f = n(q + (h/2) Omega(q) q),  m = n(q + (h/4) Omega(q) q),  m <- n(m + (h/4) Omega(m) m),  q <- n(2 m - f)
  *
- * Fincham's leapfrog (D. Fincham, Leapfrog rotational algorithms, Mol. Simul. 8, 165 (1992)), its quaternion at the half
- * step by one explicit step:
+ * Fincham's leapfrog (D. Fincham, Leapfrog rotational algorithms, Mol. Simul. 8, 165 (1992)), its quaternion at the
+ * half step by one explicit step:
  *
  *     m = n(q + (h/4) q w_b(q)),  q <- n(q + (h/2) m w_b(m))
  *
- * M. P. Allen and D. J. Tildesley, Computer Simulation of Liquids (1987), section 3.3, and after them YADE for particles
- * that are no spheres (V. Smilauer et al., Yade documentation 3rd ed. (2021), "Motion integration"): the same with the
- * axes of the step's start in both places,
+ * M. P. Allen and D. J. Tildesley, Computer Simulation of Liquids (1987), section 3.3, and after them YADE for
+ * particles that are no spheres (V. Smilauer et al., Yade documentation 3rd ed. (2021), "Motion integration"): the
+ * same with the axes of the step's start in both places,
  *
  *     m = q + (h/4) q w_b(q),  q <- n(q + (h/2) m w_b(q))
  *
