@@ -55,9 +55,8 @@ static const struct scene_field head[] = {
     {"bodies.inertia", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(inertia), "moment of inertia J",
      "Of each body about its centre; that of a solid sphere without it, if mass and diameter are known.", NULL},
     {"bodies.moments", SCENE_VECTOR, SCENE_MAY, SCENE_POSITIVE, AT(moments), "principal moments of inertia A, B, C",
-     "Of each body about its centre, in the place of inertia; none is more than the sum of the others. Nothing that "
-     "dissipates acts on such bodies, and of steppers those of the library's lists of kicks and drifts step them, and "
-     "the "
+     "Of each body about its centre, in the place of inertia; none is more than the sum of the others. Dashpots of "
+     "bonds do not act on such bodies; of steppers those of the library's lists of kicks and drifts step them, and the "
      "rivals that vti-run --list steppers names for them.",
      NULL},
     {"bodies.principal", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(principal),

@@ -58,7 +58,9 @@ static int check_effects(const struct model *model, struct message *message)
                                model->scene->name, model->effects[k].name);
     const int status = vti_effects_check(model->effects, model->effects_count, &model->bodies, &fault);
     /* what else may be wrong, the first evaluation says */
-    if ((status != VTI_E_CLUMP && status != VTI_E_MOMENTS && status != VTI_E_NEEDS) || fault.body < 0)
+    const int of_effect =
+        status == VTI_E_CLUMP || status == VTI_E_MOMENTS || status == VTI_E_NEEDS || status == VTI_E_INERTIA;
+    if (!of_effect || fault.body < 0 || fault.body >= model->effects_count)
         return 0;
     const char *name = model->effects[fault.body].name;
     if (has_clumps(model))

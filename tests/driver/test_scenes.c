@@ -41,7 +41,7 @@ static const struct {
     {"heavy-top", "pendulum", 1, 0, 18.5, 2e-14, 500, 2e-7},
     {"slender", "", 1, 0, 0.0759835, 1e-16, 1000, 1.2e-6},
     {"ellipsoid-chain", "binder", 8, 7, 0.8560813346964458, 2e-15, 200, 6e-4},
-    {"clump-pile", "contact wall dashpot gravity", 36, 0, 0.14491977241381545, 3e-5, 1500, 1e-4},
+    {"clump-pile", "contact wall friction dashpot gravity", 36, 0, 0.14491977241381545, 3e-5, 2200, 1e-4},
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
