@@ -48,12 +48,12 @@ static void name_of(const struct run_files *files, int kind, char name[264])
 /* LAMMPS, whose dumps may begin as ours, writes the numbers of its box with exponents that %g has not. */
 static const char *const of_lammps[] = {"e+0", "e-01", "e-02", "e-03", "e-04", NULL};
 
-/* As the files begin since the first version. */
+/* As the files begin since the first version; of clumps the number of the molecule comes before the place. */
 static const struct mark marks[KINDS] = {
     {NULL, NULL, NULL},
     {"t,", ",angular_x,angular_y,angular_z", NULL},
     {"<?xml version=\"1.0\"?>\n<Xdmf ", "bodies over time", NULL},
-    {"ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n", "\nITEM: ATOMS id type x y z", of_lammps},
+    {"ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n", " x y z", of_lammps},
 };
 
 int run_files_check(const struct run_files *files, struct message *message)
