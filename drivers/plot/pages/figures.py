@@ -214,7 +214,7 @@ DISSIPATING = {
 
 NO_SPHERES = {
     "ellipsoid-chain": "Eight bonded bodies of three moments, free in space.",
-    "clump-pile": "Tetrapods of five spheres each fall into a bin and settle.",
+    "clump-pile": "Tetrapods of five spheres each fall into a bin and come to rest.",
 }
 
 
