@@ -116,18 +116,22 @@ static void of_wall(const vti_walls *p, int64_t w, double h, const vti_view *bef
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * nearly;
         struct crossing at;
-        double x[2][3], v[3], impulse[3], shift[3];
+        double x[2][3], v[3], way[3], impulse[3], shift[3];
         vti_load(before, i, x[0]);
         vti_load(&b->x, i, x[1]);
-        vti_load(&b->v, i, v);
         for (int k = 0; k < 3; ++k) {
             x[0][k] += h * velocity[k];
-            v[k] -= velocity[k];
+            way[k] = x[1][k] - x[0][k];
         }
-        for (int end = 0; end < 2; ++end)
-            at.overlap[end] = touching - vti_face_gap(p, w, x[end], at.n[end]);
+        at.overlap[1] = touching - vti_face_gap(p, w, x[1], at.n[1]);
+        if (at.overlap[1] * at.overlap[1] > 2.0 * vti_dot(way, way)) /* it cannot have crossed */
+            continue;
+        at.overlap[0] = touching - vti_face_gap(p, w, x[0], at.n[0]);
         if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
             continue;
+        vti_load(&b->v, i, v);
+        for (int k = 0; k < 3; ++k)
+            v[k] -= velocity[k];
         at.rate = -vti_dot(at.n[1], v);
         at.k = vti_face_stiffness(p, w, i, radius) / (radius * radius * sqrt(radius));
         missed(&at, h, impulse, shift);
