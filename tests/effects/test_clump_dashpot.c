@@ -288,6 +288,25 @@ TEST(many_touches)
     }
 }
 
+/** A plane's own zeta stands in the place of that of all. */
+TEST(zeta_of_a_plane)
+{
+    rng g = rng_seed(5108);
+    for (int kind = 0; kind < UNEVEN_KINDS; ++kind) {
+        struct reference at;
+        double zeta = 0;
+        random_bodies(&g, kind, UNEVEN_BOTH, 2, 1);
+        press(&g, 1, 0.05, &at);
+        const vti_dashpots dashpots = {.walls = &m.walls, .zeta = 0.5, .pull = 1, .lost = m.lost, .wall_zeta = &zeta};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
+        assert_true(m.lost[0].high == 0);
+        zeta = 0.5;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
+        assert_true(m.lost[0].high > 0);
+    }
+}
+
 /** Backwards is forwards with the list in the other order. */
 TEST(backwards_is_the_other_order)
 {
@@ -480,5 +499,6 @@ TEST(absent_motions)
 }
 
 RUN_TESTS(cmocka_unit_test(each_flow), cmocka_unit_test(limits), cmocka_unit_test(many_touches),
-          cmocka_unit_test(backwards_is_the_other_order), cmocka_unit_test(equal_moments_are_spheres),
-          cmocka_unit_test(extreme_moments), cmocka_unit_test(absent_motions))
+          cmocka_unit_test(zeta_of_a_plane), cmocka_unit_test(backwards_is_the_other_order),
+          cmocka_unit_test(equal_moments_are_spheres), cmocka_unit_test(extreme_moments),
+          cmocka_unit_test(absent_motions))
