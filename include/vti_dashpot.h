@@ -17,8 +17,8 @@ extern "C" {
 enum { VTI_DASHPOT_BOOKS = 4 };
 
 /** Dashpots of contacts and planes, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through
- *  before a drift and backwards after it: none gains energy, whatever h, the coefficients and the number of contacts, and
- *  the stable step stays what it was. Total momentum and angular momentum are kept to rounding. A coefficient that
+ *  before a drift and backwards after it: none gains energy, whatever h, the coefficients and the number of contacts,
+ *  and the stable step stays what it was. Total momentum and angular momentum are kept to rounding. A coefficient that
  *  depends on the overlap is its mean over the drift beside it.
  *
  *  Of the pairs within reach 256 at a time, in the order of the list, are given colours, each the smallest that neither

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What one touch, of bodies or at a wall, has been through in a drift, and what its springs hold then (vti_spring.h). */
+ * What one touch, of bodies or at a wall, has been through in a drift, and what its springs hold then: formulas are
+ * in vti_spring.h. */
 #ifndef VTI_CARRY_H
 #define VTI_CARRY_H
 
@@ -8,8 +9,8 @@
 #include "vti_spring.h"
 #include "vti_touch.h"
 
-/** Increments of attitude over the drift: the law's own, or those of a body that turns by L; at a plane h Omega, so that
- *  rolling on it is exact. */
+/** Increments of attitude over the drift: the law's own, or those of a body that turns by L; at a plane h Omega, so
+ *  that rolling on it is exact. */
 static inline void vti_carry_turns(const struct vti_touch *at, const vti_walls *walls, const vti_bodies *b,
                                    const vti_drifted *drifted, double ai[3], double aj[3])
 {

@@ -155,8 +155,9 @@ VTI_INLINE void flow_of(int motion, const vti_dashpots *p, struct place *at, dou
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
 
-/** A touch within reach, which has its motion. The other end of the drift is at delta - drift u.n, ahead of a drift that
- *  follows (drift > 0), behind one that has been. Returns 0, and nothing has changed, if it is no touch at both ends. */
+/** A touch within reach, which has its motion. The other end of the drift is at delta - drift u.n, ahead of a drift
+ *  that follows (drift > 0), behind one that has been. Returns 0, and nothing has changed, if it is no touch at both
+ *  ends. */
 VTI_INLINE int flow_touch(const struct vti_sweep *s, struct place *at)
 {
     const struct vti_touch *const touch = &at->touch;

@@ -14,8 +14,8 @@ struct vti_decay {
     lanes gone; /* 1 - exp(-z), small where z is */
 };
 
-/** Of n <= 4 of z >= 0 at once, so that none waits for the other's polynomial; both members are NaN where z is. Errors: 2
- *  eps of each. */
+/** Of n <= 4 of z >= 0 at once, so that none waits for the other's polynomial; both members are NaN where z is. Errors:
+ *  2 eps of each. */
 VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
 {
     /* 1/n! with alternating signs, n = 14 ... 2: what is left out is below r^15/15! < 2^-62 r */

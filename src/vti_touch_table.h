@@ -25,8 +25,8 @@ struct vti_carried {
     double turn[6][VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j */
 };
 
-/** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the last
- *  one is repeated. */
+/** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the
+ *  last one is repeated. */
 struct vti_at_wall {
     int64_t wall, count;
     int moves; /* 1: the wall does, by v_j and w_j */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Touches done many at once, by the kernels of every vector width, have the bits of one after the other: all layouts and
- * laws, materials, pairs that part, that meet, that pass through each other and that no list need have. The kernels'
+ * Touches done many at once, by the kernels of every vector width, have the bits of one after the other: all layouts
+ * and laws, materials, pairs that part, that meet, that pass through each other and that no list need have. The kernels'
  * tables are private to the library. */
 #include "support.h"
 
@@ -279,8 +279,8 @@ static int64_t near_pairs(double reach)
     return n;
 }
 
-/** Of the pairs within reach, as many together as TOGETHER, into order: colour by colour, the smallest that neither body
- *  has; what finds none below 63 comes last. */
+/** Of the pairs within reach, as many together as TOGETHER, into order: colour by colour, the smallest that neither
+ *  body has; what finds none below 63 comes last. */
 static void expect_order(double reach)
 {
     static int has[MANY][64];
