@@ -10,8 +10,8 @@
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
 /** Pairs within reach are taken together, so many at once in the order of the list, and given colours: each the
- *  smallest that neither of its bodies has yet. They are worked colour by colour; pairs of the last colour may share bodies, and
- *  are worked one by one. What else the list holds does not matter. */
+ *  smallest that neither of its bodies has yet. They are worked colour by colour; pairs of the last colour may share
+ *  bodies, and are worked one by one. What else the list holds does not matter. */
 enum { WINDOW = 256, COLOURS = 64, LAST = COLOURS - 1, BODIES = 4 * WINDOW };
 
 struct window {

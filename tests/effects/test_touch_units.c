@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Touches done many at once, by the kernels of every vector width, have the bits of one after the other: all layouts
- * and laws, materials, pairs that part, that meet, that pass through each other and that no list need have. The kernels'
- * tables are private to the library. */
+ * and laws, materials, pairs that part, that meet, that pass through each other and that no list need have. The
+ * kernels' tables are private to the library. */
 #include "support.h"
 
 #include "../../src/vti_carry.h"
