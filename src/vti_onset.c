@@ -115,7 +115,7 @@ static void of_wall(const vti_walls *p, int64_t w, double h, const vti_view *bef
     const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * nearly;
-        struct crossing at;
+        struct crossing at = {.rate = 0.0};
         double x[2][3], v[3], way[3], impulse[3], shift[3];
         vti_load(before, i, x[0]);
         vti_load(&b->x, i, x[1]);

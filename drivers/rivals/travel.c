@@ -36,7 +36,7 @@ static void collect(void)
 /** What scenes may name beside the steppers of the core. */
 static const vti_stepper *admitted_at(int64_t i)
 {
-    const struct rival *(*const families[])(int64_t) = {multistep_at, rival_at, controlled_at, rival_general};
+    static const struct rival *(*const families[])(int64_t) = {multistep_at, rival_at, controlled_at, rival_general};
     for (size_t family = 0; family < sizeof families / sizeof families[0]; ++family)
         for (int64_t k = 0; families[family](k) != NULL; ++k)
             if (i-- == 0)
