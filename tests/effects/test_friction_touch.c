@@ -209,7 +209,7 @@ TEST(held_but_apart)
     }
 }
 
-/** Bodies that keep forces only, or moments only, get the same ones. */
+/** Bodies that keep forces only, or moments only, and those of a slice only, get the same ones. */
 TEST(part_of_the_loads)
 {
     double force[2][3], moment[2][3];
@@ -230,6 +230,17 @@ TEST(part_of_the_loads)
             for (int k = 0; k < 3; ++k) {
                 assert_close(m.c.force[i][k], which ? 0 : force[i][k], 0);
                 assert_close(m.c.moment[i][k], which ? moment[i][k] : 0, 0);
+            }
+    }
+    for (int own = 0; own < 2; ++own) {
+        memset(m.c.force, 0, sizeof m.c.force);
+        memset(m.c.moment, 0, sizeof m.c.moment);
+        const vti_bodies slice = vti_bodies_slice(crowd_bodies(&m.c), own, 1);
+        assert_int_equal(vti_apply(&effect, 1, &slice), VTI_OK);
+        for (int i = 0; i < 2; ++i)
+            for (int k = 0; k < 3; ++k) {
+                assert_close(m.c.force[i][k], i == own ? force[i][k] : 0, 0);
+                assert_close(m.c.moment[i][k], i == own ? moment[i][k] : 0, 0);
             }
     }
 }

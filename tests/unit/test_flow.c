@@ -398,6 +398,7 @@ TEST(refusals)
     assert_int_equal(vti_effects_carry(&first, 1, NULL, &b), VTI_E_NULL);
     drifted.frame = VTI_FRAME_BODY;
     assert_int_equal(vti_effects_carry(&first, 1, &drifted, &b), VTI_E_FRAME);
+    assert_int_equal(vti_effects_carry(&flows, 1, &drifted, &b), VTI_OK); /* what carries nothing has no frame */
     drifted.frame = VTI_FRAME_SPACE;
     for (int k = 0; k < 3; ++k) {
         drifted.rotor = (const int64_t[]){3, -2, 8}[k];

@@ -256,6 +256,7 @@ TEST(closed_needs_every_turn_below_1)
     b.spin = vti_view_none();
     b.omega = vti_view_packed(omega[0]);
     omega[1][1] = 1e3;
+    omega[3][1] = 5e2; /* too large as well, but not the worst */
     assert_int_equal(vti_step_begin(vti1, 1.0, &b, &fault), VTI_E_TOO_LARGE);
     assert_true(fault.body == 1 && fault.quantity == VTI_QUANTITY_OMEGA);
     assert_int_equal(vti_step_begin(vti1, 1.0, &b, NULL), VTI_E_TOO_LARGE);

@@ -51,7 +51,7 @@ static vti_bodies many_bodies(int trial, int pushed, struct many *m)
     if (trial % 7 == 0)
         all.principal.stride = 0;
     if (pushed)
-        all.moment = view_in(layout, m->all[5]);
+        all.moment = view_in((layout + pushed - 1) % LAYOUTS, m->all[5]);
     return all;
 }
 
