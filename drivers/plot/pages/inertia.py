@@ -133,9 +133,10 @@ def errors_part(page, found, spins):
     page.table(["method", *SCENES.values()],
                [[methods.typed(stepper), *(three(found[scene].get(stepper, np.nan)) for scene in SCENES)]
                 for stepper in steppers])
-    changed = max(spins["free-body"][stepper] for stepper in steppers if stepper != "spiral-aspherical")
-    page.text(f"L of the free body changes by {changed:.1g} in all of them but SPIRAL, by "
-              f"{spins['free-body']['spiral-aspherical']:.1e} there.")
+    spin = spins["free-body"]
+    loses = {stepper: spin[stepper] for stepper in steppers if spin[stepper] > 1e-14}
+    page.text("Relative change of L of the free body, where it is above rounding: " +
+              ", ".join(f"{methods.typed(stepper)} {change:.1e}" for stepper, change in loses.items()) + ".")
 
 
 def orders_part(page, orders):
