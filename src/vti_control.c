@@ -120,41 +120,39 @@ int64_t vti_step_keeps(const vti_bodies *b)
     return status == VTI_OK ? columns_of(b, column) : status;
 }
 
-static int check_kept(const vti_bodies *b, const vti_kept *kept, struct column column[COLUMNS], int64_t *n)
+enum direction { KEEP, UNDO };
+
+/** Of each number of the bodies' slice: into the memory, or out of it. */
+static int copy(const vti_bodies *b, const vti_kept *kept, enum direction direction)
 {
+    struct column column[COLUMNS];
     const int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (kept == NULL || kept->memory == NULL)
         return VTI_E_NULL;
-    *n = columns_of(b, column);
-    return kept->width < *n ? VTI_E_COUNT : VTI_OK;
+    const int64_t n = columns_of(b, column);
+    if (kept->width < n)
+        return VTI_E_COUNT;
+    for (int64_t i = b->first; i < b->first + b->count; ++i)
+        for (int64_t k = 0; k < n; ++k) {
+            double *const stored = &kept->memory[i * kept->width + k], *const live = &column[k].p[i * column[k].stride];
+            if (direction == KEEP)
+                *stored = *live;
+            else
+                *live = *stored;
+        }
+    return VTI_OK;
 }
 
 int vti_step_keep(const vti_bodies *b, const vti_kept *kept)
 {
-    struct column column[COLUMNS];
-    int64_t n;
-    const int status = check_kept(b, kept, column, &n);
-    if (status != VTI_OK)
-        return status;
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        for (int64_t k = 0; k < n; ++k)
-            kept->memory[i * kept->width + k] = column[k].p[i * column[k].stride];
-    return VTI_OK;
+    return copy(b, kept, KEEP);
 }
 
 int vti_step_undo(const vti_bodies *b, const vti_kept *kept)
 {
-    struct column column[COLUMNS];
-    int64_t n;
-    const int status = check_kept(b, kept, column, &n);
-    if (status != VTI_OK)
-        return status;
-    for (int64_t i = b->first; i < b->first + b->count; ++i)
-        for (int64_t k = 0; k < n; ++k)
-            column[k].p[i * column[k].stride] = kept->memory[i * kept->width + k];
-    return VTI_OK;
+    return copy(b, kept, UNDO);
 }
 
 /* ---- variable steps without drift -------------------------------------------------------------------------------- */
