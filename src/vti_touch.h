@@ -8,14 +8,14 @@
 #include "vti_hertz.h"
 #include "vti_touch_motion.h"
 
-/** What bodies of a touch have: 1/m and, where bodies turn, 1/J. */
+/** What the bodies of a pair have: 1/m and, where bodies turn, 1/J. */
 static inline void vti_touch_masses(struct vti_touch *at, const vti_bodies *b)
 {
     const int turns = vti_has(&b->omega);
     at->per_m_i = 1.0 / vti_scalar(&b->mass, at->i);
-    at->per_m_j = at->j >= 0 ? 1.0 / vti_scalar(&b->mass, at->j) : 0.0;
+    at->per_m_j = 1.0 / vti_scalar(&b->mass, at->j);
     at->per_j_i = turns ? 1.0 / vti_scalar(&b->inertia, at->i) : 0.0;
-    at->per_j_j = turns && at->j >= 0 ? 1.0 / vti_scalar(&b->inertia, at->j) : 0.0;
+    at->per_j_j = turns ? 1.0 / vti_scalar(&b->inertia, at->j) : 0.0;
 }
 
 /** Of pair k of the list. Returns 1, or 0 where centres coincide, so that there is no direction, or the gap is above
@@ -66,33 +66,28 @@ static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const
     return 1;
 }
 
+/** The velocities of a pair. */
 static inline void vti_touch_load(const struct vti_touch *at, const vti_bodies *b, struct vti_touch_motion *m)
 {
     static const struct vti_touch_motion still;
     *m = still;
     m->turns = vti_has(&b->omega);
     vti_load(&b->v, at->i, m->v_i);
-    if (at->j >= 0)
-        vti_load(&b->v, at->j, m->v_j);
-    for (int c = 0; c < 3 && at->moves; ++c) {
-        m->v_j[c] = at->v_j[c];
-        m->w_j[c] = at->w_j[c];
-    }
-    if (m->turns)
-        vti_load(&b->omega, at->i, m->w_i);
-    if (m->turns && at->j >= 0)
-        vti_load(&b->omega, at->j, m->w_j);
+    vti_load(&b->v, at->j, m->v_j);
+    if (!m->turns)
+        return;
+    vti_load(&b->omega, at->i, m->w_i);
+    vti_load(&b->omega, at->j, m->w_j);
 }
 
 static inline void vti_touch_store(const struct vti_touch *at, const vti_bodies *b, const struct vti_touch_motion *m)
 {
     vti_store(&b->v, at->i, m->v_i);
-    if (at->j >= 0)
-        vti_store(&b->v, at->j, m->v_j);
-    if (m->turns)
-        vti_store(&b->omega, at->i, m->w_i);
-    if (m->turns && at->j >= 0)
-        vti_store(&b->omega, at->j, m->w_j);
+    vti_store(&b->v, at->j, m->v_j);
+    if (!m->turns)
+        return;
+    vti_store(&b->omega, at->i, m->w_i);
+    vti_store(&b->omega, at->j, m->w_j);
 }
 
 #endif
