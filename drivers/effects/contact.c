@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "chunks.h"
 #include "hertz.h"
 #include "kind.h"
 #include "model.h"
@@ -26,9 +27,10 @@ struct contact_self {
     struct partings partings; /* of those that have */
     double *length;           /* of the list, of room for so many; while some pair has one of its own */
     int64_t room;
-    int64_t age;      /* how often pairs or lengths have changed */
-    double modulus;   /* of the material */
-    double stiffness; /* K of the softest pair that there may be */
+    int64_t age;          /* how often pairs or lengths have changed */
+    struct chunks chunks; /* of the list; all zeros where nobody asks for them */
+    double modulus;       /* of the material */
+    double stiffness;     /* K of the softest pair that there may be */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -150,15 +152,19 @@ static int make(struct effect *e, const struct model *model, const struct table 
     const int result = neighbours_create(&self->neighbours, spheres, &model->diameter, 0.0, held, pair, message);
     self->neighbours.owner = model->clumps.list.body;
     free(pair);
-    if (scene_first_with(model->scene, EFFECT_NEAR) != NULL)
-        self->neighbours.reach = 0.5 * self->neighbours.skin;
-    return result;
+    if (result != 0 || scene_first_with(model->scene, EFFECT_NEAR) == NULL)
+        return result;
+    self->neighbours.reach = 0.5 * self->neighbours.skin;
+    if (model->clumps.list.count == 0 && chunks_create(&self->chunks, spheres) != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    return 0;
 }
 
 static void destroy(struct effect *e)
 {
     struct contact_self *self = e->self;
     neighbours_destroy(&self->neighbours);
+    chunks_destroy(&self->chunks);
     partings_destroy(&self->partings);
     free(self->length);
 }
@@ -186,13 +192,24 @@ static int find_lengths(struct contact_self *self, struct message *message)
     return 0;
 }
 
+/** The list is another one, or lengths are. */
+static int take_list(struct contact_self *self, struct message *message)
+{
+    if (find_lengths(self, message) != 0)
+        return -1;
+    if (self->chunks.count > 1 && chunks_take(&self->chunks, &self->contacts) != 0)
+        return message_set(message, "contacts: out of memory for %lld pairs; use fewer bodies",
+                           (long long)self->contacts.count);
+    return 0;
+}
+
 static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
 {
     struct contact_self *self = e->self;
     const int result = neighbours_update(&self->neighbours, &bodies->x, message);
     self->contacts.count = self->neighbours.count;
     self->contacts.pair = self->neighbours.pair;
-    return result == 1 ? find_lengths(self, message) : result;
+    return result == 1 ? take_list(self, message) : result;
 }
 
 static int release(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
@@ -209,7 +226,7 @@ static int release(struct effect *e, const vti_bodies *bodies, int64_t count, co
             return message_set(message, "contacts: out of memory for bonds that have broken; use fewer bodies");
         neighbours_release(&self->neighbours, i, j);
     }
-    return ended > 0 ? find_lengths(self, message) : 0;
+    return ended > 0 ? take_list(self, message) : 0;
 }
 
 static int64_t size(const struct effect *e)
@@ -269,6 +286,7 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
     const struct contact_self *self = e->self;
     surfaces->contacts = &self->contacts;
     surfaces->reach = self->neighbours.reach;
+    surfaces->chunks = self->chunks.count > 1 ? &self->chunks : NULL;
 }
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */

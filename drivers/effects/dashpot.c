@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Dashpots where spheres touch each other and walls (EQUATIONS 6.3). */
+#include <stdlib.h>
+
+#include "chunks.h"
 #include "kind.h"
 #include "model.h"
 #include "number.h"
@@ -11,9 +14,19 @@ struct dashpot_settings {
     struct scene_numbers walls;
 };
 
+/** What the pairs whose first body is in a chunk lose in one flow. */
+struct dashpot_chunk {
+    vti_walls walls;
+    vti_sum lost[VTI_DASHPOT_BOOKS], work;
+};
+
 struct dashpot_self {
-    vti_dashpots dashpots;
+    vti_dashpots dashpots; /* of all; what the effect acts with */
     double wall_zeta[SCENE_WALLS_MAX];
+    const struct chunks *chunks; /* NULL: none, and no memory for them */
+    struct dashpot_chunk *chunk;
+    vti_dashpots *group; /* of each group of theirs */
+    void (*flow)(const void *dashpots, const vti_bodies *bodies, double t, double drift);
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -98,12 +111,76 @@ static vti_effect draft(const void *settings, const struct table *table)
     return effect;
 }
 
+/* ---- by chunks --------------------------------------------------------------------------------------------------- */
+
+struct flowing {
+    const struct dashpot_self *self;
+    const vti_bodies *bodies;
+    double t, drift;
+};
+
+/** Bodies of one chunk are at walls, too. */
+static void flow_group(void *context, int64_t g)
+{
+    const struct flowing *f = context;
+    const struct chunk_group *group = &f->self->chunks->group[g];
+    const vti_bodies own = chunks_slice(f->self->chunks, group->low, f->bodies);
+    f->self->flow(&f->self->group[g], group->low == group->high ? &own : f->bodies, f->t, f->drift);
+}
+
+static void flow(const void *dashpots, const vti_bodies *bodies, double t, double drift)
+{
+    const struct dashpot_self *self = dashpots; /* of which they are the first member */
+    struct flowing flowing = {self, bodies, t, drift};
+    chunks_by_rounds(self->chunks, drift < 0.0, flow_group, &flowing);
+    for (int64_t k = 0; k < self->chunks->count; ++k) {
+        struct dashpot_chunk *chunk = &self->chunk[k];
+        for (int n = 0; n < VTI_DASHPOT_BOOKS; ++n)
+            chunks_book(&self->dashpots.lost[n], &chunk->lost[n]);
+        if (self->dashpots.walls != NULL && self->dashpots.walls->work != NULL)
+            chunks_book(self->dashpots.walls->work, &chunk->work);
+    }
+}
+
+/** Returns 0, or -1 if memory is out. */
+static int make_groups(struct dashpot_self *self, const struct chunks *chunks, const struct effect *friction)
+{
+    self->chunks = chunks;
+    self->chunk = calloc((size_t)chunks->count, sizeof *self->chunk);
+    self->group = calloc((size_t)chunks->groups, sizeof *self->group);
+    if (self->chunk == NULL || self->group == NULL)
+        return -1;
+    for (int64_t g = 0; g < chunks->groups; ++g) {
+        const struct chunk_group *of = &chunks->group[g];
+        struct dashpot_chunk *chunk = &self->chunk[of->low];
+        vti_dashpots *group = &self->group[g];
+        *group = self->dashpots;
+        group->contacts = &of->contacts;
+        group->lost = chunk->lost;
+        group->friction = friction != NULL ? friction->kind->friction(friction, of->low) : NULL;
+        if (group->walls == NULL)
+            continue;
+        chunk->walls = *self->dashpots.walls;
+        chunk->walls.work = &chunk->work;
+        group->walls = of->low == of->high ? &chunk->walls : NULL;
+    }
+    return 0;
+}
+
+static void destroy(struct effect *e)
+{
+    struct dashpot_self *self = e->self;
+    free(self->chunk);
+    free(self->group);
+}
+
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
     const struct dashpot_settings *d = e->settings;
     struct dashpot_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY};
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
+    const struct effect *friction = NULL;
     (void)table;
     if (self == NULL)
         return -1;
@@ -113,11 +190,12 @@ static int make(struct effect *e, const struct model *model, const struct table 
         if (other->kind->surfaces != NULL)
             other->kind->surfaces(other, &surfaces);
         if (other->kind->friction != NULL)
-            dashpots->friction = other->kind->friction(other);
+            friction = other;
     }
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;
+    dashpots->friction = friction != NULL ? friction->kind->friction(friction, 0) : NULL;
     dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
     fill(dashpots, d, e->booked);
     if (effect_walls_match(model, "dashpot.wall_restitution", &d->walls, surfaces.walls, message) != 0)
@@ -126,7 +204,13 @@ static int make(struct effect *e, const struct model *model, const struct table 
         self->wall_zeta[w] = vti_dashpots_zeta(d->walls.number[w], d->pull);
     dashpots->wall_zeta = d->walls.count > 0 ? self->wall_zeta : NULL;
     *made = vti_dashpots_effect(dashpots);
-    return 0;
+    if (surfaces.chunks == NULL)
+        return 0;
+    self->flow = made->flow;
+    made->flow = flow;
+    return make_groups(self, surfaces.chunks, friction) == 0
+               ? 0
+               : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
 }
 
 static const struct effect_term terms[] = {
@@ -144,4 +228,5 @@ const struct effect_kind effect_dashpot = {.number = EFFECT_dashpot,
                                            .spheres = 1,
                                            .near = 1,
                                            .make = make,
+                                           .destroy = destroy,
                                            EFFECT_TERMS(terms)};

@@ -3,20 +3,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "friction.h"
 #include "hertz.h"
-#include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
 
 struct friction_settings {
     double sliding, stiffness, poisson, rolling, rolling_stiffness, twisting, twisting_stiffness;
     struct scene_numbers walls;
-};
-
-struct friction_self {
-    vti_friction friction;
-    vti_history history; /* with room for twice as many touches as there may be after the next drift */
-    vti_scalars diameter;
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -79,107 +73,6 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
                : check_pair(reader, "friction.twisting", f->twisting, "friction.twisting_stiffness");
 }
 
-/* ---- what it remembers ------------------------------------------------------------------------------------------- */
-
-/** Room for so many touches. Returns 0, or -1 if there is no memory. */
-static int make_room(struct friction_self *self, int64_t touches)
-{
-    vti_history next = {64, 0, 0, NULL};
-    while (next.slots < 2 * touches)
-        next.slots *= 2;
-    if (next.slots <= self->history.slots)
-        return 0;
-    next.slot = calloc((size_t)next.slots, sizeof *next.slot);
-    if (next.slot == NULL)
-        return -1;
-    for (int64_t k = 0; k < self->history.slots; ++k)
-        if (self->history.slot[k].i != 0)
-            vti_history_add(&next, &self->history.slot[k]);
-    free(self->history.slot);
-    self->history = next;
-    return 0;
-}
-
-/** Bodies that may touch walls after the next drift, once for each: nearer than their diameter. */
-static int64_t near_walls(const struct friction_self *self, const vti_bodies *b)
-{
-    const vti_walls *walls = self->friction.walls;
-    int64_t count = 0;
-    for (int64_t w = 0; walls != NULL && w < walls->count + walls->cylinders; ++w)
-        for (int64_t i = 0; i < b->count; ++i) {
-            const int64_t at = i * b->x.stride;
-            const double x[3] = {b->x.c[0][at], b->x.c[1][at], b->x.c[2][at]};
-            double n[3];
-            count += vti_walls_gap(walls, w, x, n) < 1.5 * self->diameter.p[i * self->diameter.stride];
-        }
-    return count;
-}
-
-static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
-{
-    struct friction_self *self = e->self;
-    const int64_t pairs = self->friction.contacts != NULL ? self->friction.contacts->count : 0;
-    if (make_room(self, self->history.used + pairs + near_walls(self, bodies)) == 0)
-        return 0;
-    return message_set(message, "friction: out of memory for %lld touches; use fewer bodies", (long long)pairs);
-}
-
-enum { HELD = 9 }; /* doubles of a touch */
-
-static int64_t size(const struct effect *e)
-{
-    return 1 + HELD * ((const struct friction_self *)e->self)->history.used;
-}
-
-static int compare(const void *a, const void *b)
-{
-    const double *p = a, *q = b;
-    return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
-/** By bodies: where touches stand in the table depends on the order in which they came, which is another one for a run
- *  that goes on. */
-static void get(const struct effect *e, double *memory)
-{
-    const vti_history *history = &((const struct friction_self *)e->self)->history;
-    double *const first = memory + 1;
-    *memory++ = (double)history->used;
-    for (int64_t k = 0; k < history->slots; ++k) {
-        const vti_held *held = &history->slot[k];
-        if (held->i == 0)
-            continue;
-        *memory++ = (double)held->i;
-        *memory++ = (double)held->j;
-        for (int c = 0; c < 3; ++c)
-            *memory++ = held->sliding[c];
-        for (int c = 0; c < 3; ++c)
-            *memory++ = held->rolling[c];
-        *memory++ = held->twisting;
-    }
-    qsort(first, (size_t)history->used, HELD * sizeof *first, compare);
-}
-
-static int64_t put(struct effect *e, const double *memory, int64_t left)
-{
-    struct friction_self *self = e->self;
-    const double count = left > 0 ? memory[0] : -1.0;
-    if (!(count >= 0.0 && HELD * count <= (double)(left - 1)))
-        return -1;
-    free(self->history.slot);
-    self->history = (vti_history){0, 0, 0, NULL};
-    if (make_room(self, (int64_t)count) != 0)
-        return -1;
-    const double *at = memory + 1;
-    for (int64_t k = 0; k < (int64_t)count; ++k, at += HELD) {
-        const vti_held held = {(int64_t)at[0], (int64_t)at[1], {at[2], at[3], at[4]}, {at[5], at[6], at[7]}, at[8]};
-        if (vti_history_add(&self->history, &held) != VTI_OK)
-            return -1;
-    }
-    return 1 + HELD * (int64_t)count;
-}
-
-static const struct effect_memory_of remembered = {size, get, put};
-
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
 /** All but what touches. */
@@ -213,7 +106,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     struct friction_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY};
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
     (void)table;
     if (self == NULL)
         return -1;
@@ -228,20 +121,27 @@ static int make(struct effect *e, const struct model *model, const struct table 
     if (effect_walls_match(model, "friction.wall_sliding", &f->walls, surfaces.walls, message) != 0)
         return -1;
     self->friction.wall_sliding = f->walls.count > 0 ? f->walls.number : NULL;
-    fill(&self->friction, e->settings, &self->history, e->booked);
+    self->chunks = surfaces.chunks;
+    fill(&self->friction, e->settings, NULL, e->booked);
+    if (friction_make_chunks(self) != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     *made = vti_friction_effect(&self->friction);
-    return make_room(self, 0) == 0 ? 0
-                                   : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    friction_by_chunks(self, made);
+    return 0;
 }
 
 static void destroy(struct effect *e)
 {
-    free(((struct friction_self *)e->self)->history.slot);
+    struct friction_self *self = e->self;
+    for (int64_t k = 0; self->chunk != NULL && k < self->count; ++k)
+        free(self->chunk[k].history.slot);
+    free(self->chunk);
 }
 
-static const vti_friction *friction_of(const struct effect *e)
+static const vti_friction *friction_of(const struct effect *e, int64_t k)
 {
-    return &((const struct friction_self *)e->self)->friction;
+    const struct friction_self *self = e->self;
+    return self->chunks != NULL ? &self->chunk[k].friction : &self->friction;
 }
 
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text,
@@ -274,8 +174,9 @@ const struct effect_kind effect_friction = {.number = EFFECT_friction,
                                             .near = 1,
                                             .make = make,
                                             .destroy = destroy,
-                                            .find_pairs = find_pairs,
+                                            .find_pairs = friction_find_pairs,
+                                            .take_part = friction_take_part,
                                             EFFECT_TERMS(terms),
                                             .limit = limit,
                                             .friction = friction_of,
-                                            .memory = &remembered};
+                                            .memory = &friction_memory};

@@ -91,11 +91,14 @@ struct effect_planes {
     const vti_wall_motion *(*motion)(const struct effect *e);
 };
 
+struct chunks; /* chunks.h */
+
 /** What touches, for effects that act where surfaces meet. */
 struct effect_surfaces {
     const vti_contacts *contacts; /* of spheres, NULL if there are none; its list changes as pairs are found anew */
     const vti_walls *walls;       /* planes, NULL if there are none */
     double reach;                 /* the list has all pairs with a narrower gap */
+    const struct chunks *chunks;  /* of the list and the bodies; NULL: they are few, and done in one piece */
 };
 
 /** Numbers that the motion keeps because of it. */
@@ -200,8 +203,8 @@ struct effect_kind {
     void (*surfaces)(const struct effect *e, struct effect_surfaces *surfaces);
     /** The bonds of its lines, which others damp. */
     const vti_bonds *(*bonds)(const struct effect *e);
-    /** The friction where they touch. */
-    const vti_friction *(*friction)(const struct effect *e);
+    /** The friction where they touch, of the pairs whose first body is in chunk k; k is 0 where there are no chunks. */
+    const vti_friction *(*friction)(const struct effect *e, int64_t k);
     const struct effect_breaks *breaks;
     const struct effect_watch *watch;
     const struct effect_memory_of *memory; /* beside booked energies */

@@ -77,6 +77,19 @@ h: 2^-8
 t_end: 1
 """
 
+# So many bodies that dashpots and friction go by chunks: a block that slides, settles and is pushed about by a plane that turns.
+CHUNKS = """name: chunks
+bodies: {lattice: {counts: [13, 8, 10], spacing: 0.99, corner: [0, 0, 0.49]}, diameter: 1, mass: 1, v: [0.5, 0, 0],
+         random: {seed: 3, v: 1, omega: 1}}
+contact: {stiffness: 2000}
+wall: {stiffness: 2000, planes: [[0, 0, 1, 0]], spins: [1]}
+gravity: [0, 0, -9.81]
+friction: {sliding: 0.3, poisson: 0.3, rolling: 0.1, rolling_stiffness: 50}
+dashpot: {restitution: 0.5, ratio: 0.5, rolling: 0.5}
+h: 2^-6
+t_end: 1
+"""
+
 
 def files(scene, folder, threads, *options):
     """What a run leaves, or what it says."""
@@ -107,7 +120,8 @@ with tempfile.TemporaryDirectory() as root:
     with open(together, "w", encoding="ascii") as file:
         file.write(TOGETHER)
     same_bytes(together, root)
-    for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM), ("clumps", CLUMPS)):
+    for name, text in (("breaking", BREAKING), ("joining", JOINING), ("drum", DRUM), ("clumps", CLUMPS),
+                       ("chunks", CHUNKS)):
         path = os.path.join(root, name + ".yaml")
         with open(path, "w", encoding="ascii") as file:
             file.write(text)
