@@ -17,7 +17,8 @@ enum { VTI_BOND_DASHPOT_BOOKS = 4 };
 /** Dashpots beside the springs of bonds, as flows of velocities like those of vti_dashpots, without limits: along the
  *  bond, across it, against bending and against twisting (EQUATIONS 6.3). Coefficients are constants, with the term of
  *  zeta added: by it each motion alone, of a bond at rest with nothing else on its bodies, is damped with the ratio
- *  zeta, 2 zeta sqrt(m k) with its own stiffness k and reduced mass m. */
+ *  zeta, 2 zeta sqrt(m k) with its own stiffness k and reduced mass m. Of bodies with moments, and of bonds between the
+ *  spheres of clumps (vti_clumped), shear and bending have two modes each, and each has a mass of its own. */
 typedef struct vti_bond_dashpots {
     const vti_bonds *bonds; /**< whose pairs, lengths and stiffnesses they are */
     double zeta;            /**< of all terms that the bonds have */
@@ -30,7 +31,7 @@ typedef struct vti_bond_dashpots {
 } vti_bond_dashpots;
 
 /** The effect of *dashpots, which must outlive it, as must the bonds, of an effect of their own. Needs x, v and mass,
- *  and omega and inertia where bonds turn bodies. Entries of booked energy: "lost_bond_axial", "lost_bond_shear",
+ *  and omega and inertia, or moments, where bonds turn bodies. Entries of booked energy: "lost_bond_axial", "lost_bond_shear",
  *  "lost_bond_bending", "lost_bond_twisting". VTI_E_DAMPING of its calls: a coefficient is negative or not finite. */
 VTI_API vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots);
 

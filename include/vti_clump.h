@@ -82,7 +82,7 @@ typedef struct vti_clumped {
  *
  *  As it writes all spheres, slices of bodies may be done one after another, but not at once. Flows (dashpots) change
  *  the velocities of the bodies at once, from touch to touch, by mass and inertia of the whole body; the spheres' own
- *  are not looked at. An effect that has a flow and none for clumps (drag) is refused, VTI_E_CLUMP. */
+ *  are not looked at. An effect that has a flow and none for clumps (flow_clumps) is refused, VTI_E_CLUMP. */
 VTI_API vti_effect vti_clumped_effect(const vti_clumped *clumped);
 
 #ifdef __cplusplus

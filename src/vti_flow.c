@@ -6,7 +6,7 @@
  *     carry(a h)   after each drift
  *
  * and each flow beside the drift over which it takes its means. */
-#include "vti_internal.h"
+#include "vti_move.h"
 
 static int any_flows(const vti_effect *effects, int64_t n)
 {
@@ -148,7 +148,7 @@ static int between_drifts(const vti_stepper *method, int64_t k, double h, const 
     if (status != VTI_OK)
         return status;
     flow(effects, n, 0.5 * kick, after, b);
-    return vti_drift((int)method->law, (int)method->frame, after, b, fault);
+    return vti_drift_by((int)method->law, (int)method->frame, (int)method->rotor, after, b, fault);
 }
 
 /** Tells of drift k, if it was done. */

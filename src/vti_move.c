@@ -268,7 +268,7 @@ void vti_drift_increment(int law, double t, const double omega[3], double dalpha
         dalpha[k] = 2.0 * d.cf[1] * u[k] / d.cf[0];
 }
 
-int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
+int vti_drift_by(int law, int frame, int rotor, double t, const vti_bodies *b, vti_fault *fault)
 {
     vti_refuse_none(VTI_OK, fault);
     int status = vti_bodies_ready_or(b, fault);
@@ -276,10 +276,15 @@ int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *faul
         status = vti_law_check(law, frame);
     if (status == VTI_OK && !isfinite(t))
         status = vti_refuse(VTI_E_TIME, -1, t, VTI_QUANTITY_NONE, fault);
-    const struct vti_move move = {0.0, 0.0, t, 1, law, frame, 0};
+    const struct vti_move move = {0.0, 0.0, t, 1, law, frame, rotor};
     if (status == VTI_OK)
         status = vti_has(&b->moments) ? vti_rotor_check(&move, b, fault) : vti_move_check(&move, b, fault);
     if (status == VTI_OK)
         vti_move_all(&move, b);
     return status;
+}
+
+int vti_drift(int law, int frame, double t, const vti_bodies *b, vti_fault *fault)
+{
+    return vti_drift_by(law, frame, 0, t, b, fault);
 }

@@ -27,6 +27,9 @@ void vti_move_all(const struct vti_move *move, const vti_bodies *b);
 /** VTI_E_TOO_LARGE if the drift after the kicks would break the law's bound for some body, which fault then names. */
 int vti_move_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault);
 
+/** vti_drift with the rotor of bodies with moments. */
+int vti_drift_by(int law, int frame, int rotor, double t, const vti_bodies *b, vti_fault *fault);
+
 /** Turns one body by the drift: what the kernels leave out. */
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
 

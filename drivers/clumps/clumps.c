@@ -89,7 +89,7 @@ static int64_t views_of(const struct scene *scene)
     const int64_t velocities = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_OMEGA;
     int64_t views = 1 << VTI_QUANTITY_X;
     for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (scene->has[k] && kinds_has(kinds_at(k), &scene->settings, EFFECT_SPHERES)) {
+        if (scene->has[k] && kinds_has(kinds_at(k), &scene->settings, EFFECT_ON_SPHERES)) {
             const vti_effect draft = kinds_draft(kinds_at(k), &scene->settings, NULL);
             views |= draft.needs | draft.gives;
             views |= kinds_has(kinds_at(k), &scene->settings, EFFECT_NEAR) ? velocities : 0;

@@ -4,11 +4,16 @@
 #include "model.h"
 #include "scene_reader.h"
 
+enum { ON_BODIES, ON_SPHERES };
+
 struct drag_settings {
     double linear, quadratic, angular, medium[3];
+    int64_t on;
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
+
+static const struct scene_word places[] = {{"bodies", ON_BODIES}, {"spheres", ON_SPHERES}, {NULL, 0}};
 
 #define AT(MEMBER) offsetof(struct drag_settings, MEMBER)
 static const struct scene_field fields[] = {
@@ -22,6 +27,10 @@ static const struct scene_field fields[] = {
      "Energy times time: RM = -c_r Omega, of a sphere in slow flow pi viscosity D^3.", NULL},
     {"drag.medium", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(medium), "velocity of the medium",
      "What velocities tend to; [0, 0, 0] where it is left out.", NULL},
+    {"drag.on", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(on), "what of clumps feels the medium",
+     "bodies (without it): the velocity of the centre of mass, and Omega; spheres: each sphere of bodies.clumps, with "
+     "these coefficients, the velocity v + Omega x r of its centre.",
+     places},
 };
 #undef AT
 
@@ -38,7 +47,14 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
                                  "acts on bodies that translate; give bodies.x or an arrangement of them");
     if (known && turns && !scene->turns)
         return scene_reader_fail(reader, "drag.angular", "acts on bodies that turn; give bodies.omega");
+    if (drag->on == ON_SPHERES && !scene->clumps.given)
+        return scene_reader_fail(reader, "drag.on", "there are no clumps; give bodies.clumps, or leave it out");
     return 0;
+}
+
+static int on_spheres(const void *settings)
+{
+    return ((const struct drag_settings *)settings)->on == ON_SPHERES;
 }
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
@@ -98,5 +114,6 @@ const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         .settings = sizeof(struct drag_settings),
                                         .check = check,
                                         .draft = draft,
+                                        .on_spheres = on_spheres,
                                         .make = make,
                                         EFFECT_TERMS(terms)};

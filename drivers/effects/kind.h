@@ -150,7 +150,8 @@ struct effect_kind {
      *  to have: a moment if it turns them. */
     vti_effect (*draft)(const void *settings, const struct table *table);
     int spheres; /* 1: acts where surfaces meet: bodies need diameters, and small steps to meet */
-    int near;    /* 1: looks at pairs that touch only at the end of the step, too */
+    int (*on_spheres)(const void *settings); /* whether it acts on the spheres of clumps; NULL: as spheres says */
+    int near;                                /* 1: looks at pairs that touch only at the end of the step, too */
 
     /* Its table, which one of the fields names (SCENE_PATH). */
     const struct table_kind *table;

@@ -72,7 +72,9 @@ int kinds_has(const struct effect_kind *kind, const union effect_settings *all, 
            : trait == EFFECT_SPHERES   ? kind->spheres
            : trait == EFFECT_SURFACES  ? kind->surfaces != NULL
            : trait == EFFECT_NEAR      ? kind->near
-                                       : !draft.smooth;
+           : trait == EFFECT_ON_SPHERES
+               ? kind->spheres || (kind->on_spheres != NULL && kind->on_spheres(kinds_settings_of(kind, all)))
+               : !draft.smooth;
 }
 
 void *effect_memory(struct effect *e, size_t bytes, struct message *message)

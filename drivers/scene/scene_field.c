@@ -55,8 +55,8 @@ static const struct scene_field head[] = {
     {"bodies.inertia", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(inertia), "moment of inertia J",
      "Of each body about its centre; that of a solid sphere without it, if mass and diameter are known.", NULL},
     {"bodies.moments", SCENE_VECTOR, SCENE_MAY, SCENE_POSITIVE, AT(moments), "principal moments of inertia A, B, C",
-     "Of each body about its centre, in the place of inertia; none is more than the sum of the others. Dashpots of "
-     "bonds do not act on such bodies; of steppers those of the library's lists of kicks and drifts step them, and the "
+     "Of each body about its centre, in the place of inertia; none is more than the sum of the others; of "
+     "steppers those of the library's lists of kicks and drifts step them, and the "
      "rivals that vti-run --list steppers names for them.",
      NULL},
     {"bodies.principal", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(principal),
@@ -66,7 +66,8 @@ static const struct scene_field head[] = {
      "Of each sphere, a length; without it neighbours of a ring, chain or lattice just touch.", NULL},
     {"bodies.clumps", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bodies of several spheres each",
      "Each body moves as one solid and stands where its centre of mass is; contacts and walls act on its spheres, all "
-     "else on the body. Mass, moments and principal axes are those of the spheres' union, by 256 lines across where "
+     "else on the body, drag on either. Mass, moments and principal axes are those of the spheres' union, by 256 lines "
+     "across where "
      "they overlap.",
      NULL},
     {"bodies.clumps.spheres", SCENE_SPHERES, SCENE_MUST, SCENE_ANY, AT(clumps.spheres), "spheres of the templates",

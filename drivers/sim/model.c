@@ -40,35 +40,22 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     if (kinds_check_made(kind, &draft, made, message) != 0)
         return -1;
     model->acting[model->effects_count] = *made;
-    if (kind->spheres && has_clumps(model))
+    if (has_clumps(model) && kinds_has(kind, &model->scene->settings, EFFECT_ON_SPHERES))
         put_on_spheres(model, model->effects_count);
     ++model->effects_count;
     return 0;
 }
 
-/** Whether the effects can act on these bodies at all. */
+/** Whether the effects can act on these bodies at all; what else may be wrong, the first evaluation says. */
 static int check_effects(const struct model *model, struct message *message)
 {
-    vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
     for (int64_t k = 0; k < model->effects_count; ++k)
         if (has_clumps(model) && model->effects[k].rupture != NULL)
             return message_set(message,
                                "%s: bonds of bodies.clumps neither break nor are made on the way; leave out what makes "
                                "%s do that",
                                model->scene->name, model->effects[k].name);
-    const int status = vti_effects_check(model->effects, model->effects_count, &model->bodies, &fault);
-    /* what else may be wrong, the first evaluation says */
-    const int of_effect =
-        status == VTI_E_CLUMP || status == VTI_E_MOMENTS || status == VTI_E_NEEDS || status == VTI_E_INERTIA;
-    if (!of_effect || fault.body < 0 || fault.body >= model->effects_count)
-        return 0;
-    const char *name = model->effects[fault.body].name;
-    if (has_clumps(model))
-        return message_set(message, "%s: %s does not act on bodies.clumps; leave it out", model->scene->name, name);
-    return message_set(message,
-                       "%s: %s dissipates, which it does by the one moment of inertia of a sphere; leave it out, or "
-                       "give bodies.inertia in the place of bodies.moments",
-                       model->scene->name, name);
+    return 0;
 }
 
 static int make(struct model *model, const struct tables *tables, struct message *message)

@@ -77,6 +77,30 @@ TEST(a_dumbbell_by_hand)
     model_destroy(&model);
 }
 
+/** Two spheres at -1 and 1 on x, of a body that turns about z: drag on them slows it by 2 c Omega, on the body not at
+ *  all. */
+TEST(drag_on_spheres)
+{
+    for (int on_spheres = 0; on_spheres < 2; ++on_spheres) {
+        struct scene scene;
+        struct model model;
+        char text[400];
+        snprintf(text, sizeof text,
+                 "bodies: {clumps: {spheres: [[-1, 0, 0, 1], [1, 0, 0, 1]]}, mass: 2, x: [0, 0, 0], v: [1, 0, 0], "
+                 "alpha: [0, 0, 0], omega: [0, 0, 3]}\ndrag: {linear: 0.5, on: %s}\n" TIME,
+                 on_spheres ? "spheres" : "bodies");
+        make_model(text, &scene, &model);
+        const double j = 2.0 * (0.4 * 0.25 + 1.0), energy = model_energy(&model, &model.bodies);
+        go(&model, 128, 1.0 / 128.0);
+        const double omega = 3.0 * (on_spheres ? exp(-2.0 * 0.5 / j) : 1.0),
+                     v = exp(on_spheres ? -2.0 * 0.5 / 2.0 : -0.5 / 2.0);
+        assert_close(at(&model.bodies.omega, 0, 2), omega, 1e-4); /* spheres by turns: (h c/m)^2 */
+        assert_close(at(&model.bodies.v, 0, 0), v, 1e-4);
+        assert_close(model_energy(&model, &model.bodies) + vti_booked(model.effects, 1), energy, 1e-12);
+        model_destroy(&model);
+    }
+}
+
 #define TWO "clumps: {spheres: [[0, 0, 0, 1], [1, 0, 0, 1], [0, 0, 0, 2]], counts: [2, 1]"
 
 /** Templates take turns, or are named by the table; bodies may have masses of their own. */
@@ -275,6 +299,6 @@ TEST(bonded_clumps)
 }
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(one_sphere_has_the_bits_of_a_sphere), cmocka_unit_test(a_dumbbell_by_hand),
-                    cmocka_unit_test(templates), cmocka_unit_test(random_attitudes),
+                    cmocka_unit_test(drag_on_spheres), cmocka_unit_test(templates), cmocka_unit_test(random_attitudes),
                     cmocka_unit_test(no_contact_inside_a_clump), cmocka_unit_test(two_clumps_collide),
                     cmocka_unit_test(refused_scenes), cmocka_unit_test(refused_models), cmocka_unit_test(bonded_clumps))

@@ -117,6 +117,9 @@ static const struct refusal refused[] = {
     {SPIN "drag: {quadratic: 1}\n" TIME,
      "2:19: drag.quadratic: acts on bodies that translate; give bodies.x or an arrangement of them"},
     {POINT "drag: {angular: 1}\n" TIME, "2:17: drag.angular: acts on bodies that turn; give bodies.omega"},
+    {CHAIN "drag: {linear: 1, on: spheres}\n" TIME,
+     "2:23: drag.on: there are no clumps; give bodies.clumps, or leave it out"},
+    {CHAIN "drag: {linear: 1, on: air}\n" TIME, "2:23: drag.on: 'air' is not one of bodies, spheres; take one of them"},
 
     /* friction */
     {CHAIN "friction: {sliding: 1, poisson: 0.3}\n" TIME, "2:1: friction: nothing touches; give contact or wall"},

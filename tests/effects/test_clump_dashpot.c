@@ -2,149 +2,28 @@
  *
  * Dashpots of bodies with moments and of clumps: flows against the exponential of the whole system in long double, what
  * they keep and lose, spheres as the limit, impacts. */
-#include "matrix.h"
-#include "uneven.h"
+#include "linear.h"
 
 static uneven m;
 
-/* ---- reference: dy/dt = A y of the velocities and L of both bodies ------------------------------------------------ */
-
-/** Of one touch: places, and the coefficients of the four motions. */
-struct reference {
-    int plane, body[2];
-    vec n, arm[2];
-    long double c[4];
-};
-
-static vec over(int i, vec a, int per)
-{
-    const double once[3] = {(double)a.c[0], (double)a.c[1], (double)a.c[2]};
-    double low[3], r[3], s[3];
-    vec sum;
-    for (int k = 0; k < 3;
-         ++k) /* what double leaves out, so that the system is known to more digits than the library */
-        low[k] = (double)(a.c[k] - once[k]);
-    uneven_times(&m, i, per, once, r);
-    uneven_times(&m, i, per, low, s);
-    for (int k = 0; k < 3; ++k)
-        sum.c[k] = (long double)r[k] + s[k];
-    return sum;
-}
-
-static vec across(vec a, vec n)
-{
-    return vec_add(a, -vec_dot(a, n), n);
-}
-
-/** dv/dt and dL/dt of both sides. */
-static void rate(const struct reference *at, const vec y[4], vec f[4])
-{
-    const vec zero = {{0, 0, 0}};
-    vec u = zero, w = zero;
-    for (int j = 0; j < (at->plane ? 1 : 2); ++j) {
-        const vec omega = over(at->body[j], y[2 * j + 1], -1);
-        u = vec_add(u, j ? -1 : 1, vec_add(y[2 * j], 1, vec_cross(omega, at->arm[j])));
-        w = vec_add(w, j ? -1 : 1, omega);
-    }
-    vec force = vec_add(zero, -at->c[0] * vec_dot(u, at->n), at->n),
-        moment = vec_add(zero, -at->c[3] * vec_dot(w, at->n), at->n);
-    force = vec_add(force, -at->c[1], across(u, at->n));
-    moment = vec_add(moment, -at->c[2], across(w, at->n));
-    for (int j = 0; j < 2; ++j) {
-        const long double sign = j ? -1 : 1;
-        f[2 * j] = f[2 * j + 1] = zero;
-        if (j && at->plane)
-            continue;
-        f[2 * j] = vec_add(zero, sign / m.t.c.mass[at->body[j]], force);
-        f[2 * j + 1] = vec_add(vec_add(zero, sign, vec_cross(at->arm[j], force)), sign, moment);
-    }
-}
-
-/** y(t) by Taylor series of A t/2^k. */
-static void exponential(const struct reference *at, double t, int parts, vec y[4])
-{
-    for (int part = 0; part < parts; ++part) {
-        vec term[4], next[4];
-        memcpy(term, y, sizeof term);
-        for (int k = 1; k < 30; ++k) {
-            rate(at, term, next);
-            for (int q = 0; q < 4; ++q) {
-                for (int c = 0; c < 3; ++c)
-                    term[q].c[c] = next[q].c[c] * (long double)t / parts / k;
-                y[q] = vec_add(y[q], 1, term[q]);
-            }
-        }
-    }
-}
-
 /* ---- one touch --------------------------------------------------------------------------------------------------- */
 
-/** Moments of a real body, scale times 0.2 ... 2. */
-static void random_moments(rng *g, double scale, double moments[3])
-{
-    const double a = uniform(g, 0.1, 1), b = uniform(g, 0.1, 1), c = uniform(g, 0.1, 1);
-    moments[0] = scale * (a + b);
-    moments[1] = scale * (b + c);
-    moments[2] = scale * (c + a);
-}
-
-/** Bodies anyhow, each with so many spheres. */
-static void random_bodies(rng *g, int kind, int state, int n, int spheres)
-{
-    uneven_clear(&m, (enum uneven_kind)kind, rng_below(g, 2) ? CROWD_ALPHA : CROWD_QUAT, n);
-    crowd_tumble(&m.t.c, g);
-    for (int i = 0; i < n; ++i) {
-        m.t.c.mass[i] = uniform(g, 0.5, 2);
-        m.t.c.inertia[i] = uniform(g, 0.1, 0.5);
-        random_moments(g, 0.3, m.moments[i]);
-        random_unit(g, 4, m.principal[i]);
-        random_vector(g, 1, m.t.c.v[i]);
-        random_vector(g, 2, m.t.c.omega[i]);
-        for (int s = 0; s < spheres; ++s) {
-            double offset[3] = {0, 0, 0};
-            if (kind != UNEVEN_BODIES)
-                random_vector(g, 0.6, offset);
-            uneven_sphere(&m, i, offset, uniform(g, 0.4, 1));
-        }
-    }
-    uneven_link(&m, (enum uneven_state)state, 1, 1e4);
-    uneven_spin_up(&m);
-}
-
-static vec lever(int s)
-{
-    double r[3];
-    quat_rotate(crowd_attitude(&m.t.c, (int)m.t.body[s]), m.t.offset[s], r);
-    return vec_of(r);
-}
-
 /** Moves body 0 so that its sphere 0 and sphere 1 of body 1, or the plane through 0, overlap by a share o along n. */
-static void press(rng *g, int plane, double o, struct reference *at)
+static void press(rng *g, int plane, double o, struct linear *at)
 {
     double n[3];
     random_unit(g, 3, n);
     random_vector(g, 1, m.t.c.x[1]);
-    const vec r0 = lever(0), r1 = lever(1);
+    const vec r0 = linear_lever(&m, 0), r1 = linear_lever(&m, 1);
     const double di = m.t.diameter[0], dj = m.t.diameter[1], length = plane ? 0.5 * di : 0.5 * (di + dj),
                  r = length * (1 - o), si = plane ? 1 : di / (di + dj);
-    *at = (struct reference){.plane = plane, .body = {0, 1}, .n = vec_of(n)};
+    *at = (struct linear){.plane = plane, .body = {0, 1}, .n = vec_of(n)};
     for (int k = 0; k < 3; ++k) {
         m.plane[0][k] = n[k];
         m.t.c.x[1][k] = plane ? 40 * n[k] : m.t.c.x[1][k];
         m.t.c.x[0][k] = (plane ? 0 : m.t.c.x[1][k] + (double)r1.c[k]) + r * n[k] - (double)r0.c[k];
         at->arm[0].c[k] = r0.c[k] - si * r * at->n.c[k];
         at->arm[1].c[k] = r1.c[k] + (1 - si) * r * at->n.c[k];
-    }
-}
-
-static void state_of(vec y[4])
-{
-    for (int i = 0; i < 2; ++i) {
-        double w[3], spin[3];
-        uneven_omega(&m, i, w);
-        uneven_times(&m, i, 1, w, spin);
-        y[2 * i] = vec_of(m.t.c.v[i]);
-        y[2 * i + 1] = vec_of(spin);
     }
 }
 
@@ -155,10 +34,10 @@ TEST(each_flow)
     for (int trial = 0; trial < 720; ++trial) {
         const int plane = trial % 2, which = trial / 2 % 4;
         const double c = pow(10, uniform(&g, -3, 0.3)), t = uniform(&g, 0.05, 1);
-        struct reference at;
+        struct linear at;
         double before[6], after[6];
         vec y[4], is[4];
-        random_bodies(&g, trial / 8 % UNEVEN_KINDS, trial / 24 % UNEVEN_STATES, 2, 1);
+        linear_bodies(&m, &g, trial / 8 % UNEVEN_KINDS, trial / 24 % UNEVEN_STATES, 2, 1);
         press(&g, plane, 0.05, &at);
         at.c[which] = c;
         vti_dashpots dashpots = {.contacts = plane ? NULL : &m.t.contacts,
@@ -171,10 +50,10 @@ TEST(each_flow)
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         const double energy = vti_energy(m.effects, 1, &m.b);
         uneven_momenta(&m, before);
-        state_of(y);
-        exponential(&at, t, 64, y); /* rates below 2 (1/m + a^2/J) < 200, so that terms fall from the first on */
+        linear_state(&m, y);
+        linear_flow(&m, &at, 1, t, 64, y); /* rates below 2 (1/m + a^2/J) < 200, so that terms fall from the first on */
         assert_int_equal(vti_effects_flow(m.effects, 1, t, trial % 3 ? 0 : -0.0, &m.b), VTI_OK);
-        state_of(is);
+        linear_state(&m, is);
         for (int q = 0; q < 4; ++q) /* some 200 operations on numbers below 5 */
             for (int k = 0; k < 3; ++k)
                 assert_close(is[q].c[k], y[q].c[k], 1000 * EPS);
@@ -201,10 +80,10 @@ TEST(limits)
     for (int trial = 0; trial < 600; ++trial) {
         const int which = trial % 4, kind = trial / 4 % UNEVEN_KINDS;
         const double t = 0.01, c = pow(10, uniform(&g, 0, 4)), mu = 0.3;
-        struct reference at;
+        struct linear at;
         double v[3], load[3], along = 0, size = 0;
         vec before[4], after[4];
-        random_bodies(&g, kind, UNEVEN_BOTH, 2, 1);
+        linear_bodies(&m, &g, kind, UNEVEN_BOTH, 2, 1);
         press(&g, 0, 0.01, &at);
         vti_friction friction = {.sliding = mu, .rolling = mu, .twisting = mu, .history = &m.history};
         vti_dashpots dashpots = {.contacts = &m.t.contacts, .friction = &friction, .reach = 0, .lost = m.lost};
@@ -224,9 +103,9 @@ TEST(limits)
         for (int k = 0; k < 3; ++k) /* they part */
             m.t.c.v[0][k] += 3 * m.plane[0][k];
         const double energy = vti_energy(m.effects, 1, &m.b);
-        state_of(before);
+        linear_state(&m, before);
         assert_int_equal(vti_effects_flow(m.effects, 1, t, 0, &m.b), VTI_OK);
-        state_of(after);
+        linear_state(&m, after);
         for (int k = 0; k < 3; ++k) {
             v[k] = which < 2 ? m.t.c.mass[0] * (double)(after[0].c[k] - before[0].c[k])
                              : (double)(after[1].c[k] - before[1].c[k]);
@@ -261,7 +140,7 @@ TEST(many_touches)
         double before[6], after[6];
         vti_sum work = {0, 0};
         vti_wall_motion motion = {.velocity = {0.3, -0.2, 0.1}, .spin = 0.5};
-        random_bodies(&g, trial % UNEVEN_KINDS, trial / 6 % UNEVEN_STATES, 3, trial % UNEVEN_KINDS ? 4 : 1);
+        linear_bodies(&m, &g, trial % UNEVEN_KINDS, trial / 6 % UNEVEN_STATES, 3, trial % UNEVEN_KINDS ? 4 : 1);
         crowd_scatter(&m.t.c, &g, 0.3, 0.1);
         m.plane[0][2] = 1;
         m.walls.motion = trial % 8 < 4 ? &motion : NULL;
@@ -293,9 +172,9 @@ TEST(zeta_of_a_plane)
 {
     rng g = rng_seed(5108);
     for (int kind = 0; kind < UNEVEN_KINDS; ++kind) {
-        struct reference at;
+        struct linear at;
         double zeta = 0;
-        random_bodies(&g, kind, UNEVEN_BOTH, 2, 1);
+        linear_bodies(&m, &g, kind, UNEVEN_BOTH, 2, 1);
         press(&g, 1, 0.05, &at);
         const vti_dashpots dashpots = {.walls = &m.walls, .zeta = 0.5, .pull = 1, .lost = m.lost, .wall_zeta = &zeta};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
@@ -314,7 +193,7 @@ TEST(backwards_is_the_other_order)
     for (int trial = 0; trial < 60; ++trial) {
         static crowd start;
         vec once[4], again[4];
-        random_bodies(&g, trial % 2 ? UNEVEN_CLUMPS : UNEVEN_SPHERICAL, UNEVEN_BOTH, 2, 4);
+        linear_bodies(&m, &g, trial % 2 ? UNEVEN_CLUMPS : UNEVEN_SPHERICAL, UNEVEN_BOTH, 2, 4);
         crowd_scatter(&m.t.c, &g, 0.2, 0.1);
         const vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 3, .pull = 1, .lost = m.lost};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
@@ -322,7 +201,7 @@ TEST(backwards_is_the_other_order)
         double spin[2][3];
         memcpy(spin, m.spin, sizeof spin);
         assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, -1e-9, &m.b), VTI_OK);
-        state_of(once);
+        linear_state(&m, once);
         m.t.c = start;
         memcpy(m.spin, spin, sizeof spin);
         for (int64_t k = 0, n = m.t.contacts.count; k < n / 2; ++k)
@@ -332,7 +211,7 @@ TEST(backwards_is_the_other_order)
                 m.t.pair[k][side] = other;
             }
         assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, 1e-9, &m.b), VTI_OK);
-        state_of(again);
+        linear_state(&m, again);
         for (int q = 0; q < 4; ++q)
             for (int k = 0; k < 3; ++k)
                 assert_close(once[q].c[k], again[q].c[k], 1e-6); /* the means over drifts of 1e-9 differ by as much */
@@ -347,7 +226,7 @@ TEST(equal_moments_are_spheres)
     rng g = rng_seed(5105);
     for (int trial = 0; trial < 12; ++trial) {
         static crowd spheres;
-        random_bodies(&g, UNEVEN_BODIES, UNEVEN_BOTH, 3, 1);
+        linear_bodies(&m, &g, UNEVEN_BODIES, UNEVEN_BOTH, 3, 1);
         crowd_scatter(&m.t.c, &g, 0.5, 0.5);
         for (int i = 0; i < 3; ++i) {
             const double j = m.t.c.inertia[i] = uniform(&g, 0.05, 0.2);
@@ -420,9 +299,9 @@ TEST(extreme_moments)
 {
     rng g = rng_seed(5106);
     for (int trial = 0; trial < 2000; ++trial) {
-        struct reference at;
+        struct linear at;
         const double thin = trial % 4 < 2 ? 1e-6 : 1e-20, c = pow(10, uniform(&g, -6, 12));
-        random_bodies(&g, trial % 2 ? UNEVEN_BODIES : UNEVEN_CLUMPS, UNEVEN_BOTH, 2, 1);
+        linear_bodies(&m, &g, trial % 2 ? UNEVEN_BODIES : UNEVEN_CLUMPS, UNEVEN_BOTH, 2, 1);
         press(&g, trial / 4 % 2, 0.05, &at);
         for (int i = 0; i < 2; ++i) {
             m.moments[i][0] = thin;
@@ -453,9 +332,9 @@ TEST(extreme_moments)
 TEST(absent_motions)
 {
     rng g = rng_seed(5107);
-    struct reference at;
+    struct linear at;
     for (int kind = UNEVEN_CLUMPS; kind < UNEVEN_KINDS; ++kind) {
-        random_bodies(&g, kind, UNEVEN_SPIN, 2, 1);
+        linear_bodies(&m, &g, kind, UNEVEN_SPIN, 2, 1);
         press(&g, 0, 0.05, &at);
         vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 1e9, .pull = 1, .lost = m.lost};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
