@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "threads.h"
+
 /** Longer by what rounding can take off distances and displacements, with room to spare. */
 static const double rounding = 1.0 + 16.0 * DBL_EPSILON;
 
@@ -85,16 +87,24 @@ static void fill_cells(struct cells *s)
 
 /* ---- search ------------------------------------------------------------------------------------------------------ */
 
+/** Room for so many more. */
+static int make_room(struct pairs *found, int64_t more)
+{
+    if (found->count + more <= found->room)
+        return 0;
+    const int64_t room = 2 * found->room + more + 64;
+    int64_t *const pair = realloc(found->pair, (size_t)room * 2 * sizeof *pair);
+    if (pair == NULL)
+        return -1;
+    found->pair = pair;
+    found->room = room;
+    return 0;
+}
+
 static int add(struct pairs *found, int64_t i, int64_t j)
 {
-    if (found->count == found->room) {
-        const int64_t room = 2 * found->room + 64;
-        int64_t *const pair = realloc(found->pair, (size_t)room * 2 * sizeof *pair);
-        if (pair == NULL)
-            return -1;
-        found->pair = pair;
-        found->room = room;
-    }
+    if (make_room(found, 1) != 0)
+        return -1;
     found->pair[2 * found->count] = i < j ? i : j;
     found->pair[2 * found->count + 1] = i < j ? j : i;
     ++found->count;
@@ -138,15 +148,67 @@ static int search_around(const struct cells *s, double skin, const struct cell *
     return 0;
 }
 
+struct search {
+    const struct cells *cells;
+    double skin;
+    int64_t parts;
+    struct pairs *found; /* [parts] */
+};
+
+/** Returns 1 if memory is out. */
+static int64_t search_part(void *self, int64_t part)
+{
+    const struct search *s = self;
+    const int64_t all = s->cells->count, end = threads_begin(all, part + 1, s->parts);
+    struct pairs *const found = &s->found[part];
+    found->count = 0;
+    for (int64_t c = threads_begin(all, part, s->parts); c < end; ++c)
+        if (search_around(s->cells, s->skin, &s->cells->cell[c], found) != 0)
+            return 1;
+    return 0;
+}
+
+/** A list for each of the threads that there are. */
+static int make_parts(struct cells *cells, int64_t parts)
+{
+    if (parts <= cells->parts)
+        return 0;
+    struct pairs *const part = realloc(cells->part, (size_t)parts * sizeof *part);
+    if (part == NULL)
+        return -1;
+    memset(part + cells->parts, 0, (size_t)(parts - cells->parts) * sizeof *part);
+    cells->part = part;
+    cells->parts = parts;
+    return 0;
+}
+
+static int search_by_parts(struct cells *cells, double skin, int64_t parts, struct pairs *found)
+{
+    if (make_parts(cells, parts) != 0)
+        return -1;
+    struct search search = {cells, skin, parts, cells->part};
+    if (threads_sum(parts, search_part, &search) > 0)
+        return -1;
+    found->count = 0;
+    for (int64_t k = 0; k < parts; ++k) {
+        const struct pairs *const part = &cells->part[k];
+        if (part->count == 0)
+            continue;
+        if (make_room(found, part->count) != 0)
+            return -1;
+        memcpy(found->pair + 2 * found->count, part->pair, (size_t)part->count * 2 * sizeof *part->pair);
+        found->count += part->count;
+    }
+    return 0;
+}
+
 int cells_search(struct cells *cells, double longest, double skin, struct pairs *found)
 {
-    found->count = 0;
+    const int64_t parts = threads_used();
+    struct search whole = {cells, skin, 1, found};
     cells->width = (2.0 * longest + skin) * cell_margin;
     fill_cells(cells);
-    for (int64_t c = 0; c < cells->count; ++c)
-        if (search_around(cells, skin, &cells->cell[c], found) != 0)
-            return -1;
-    return 0;
+    return parts > 1 ? search_by_parts(cells, skin, parts, found) : -(int)search_part(&whole, 0);
 }
 
 /* ---- create and destroy ------------------------------------------------------------------------------------------ */
@@ -191,5 +253,8 @@ void cells_destroy(struct cells *cells)
     free(cells->cell);
     free(cells->member);
     free(cells->slot);
+    for (int64_t k = 0; k < cells->parts; ++k)
+        free(cells->part[k].pair);
+    free(cells->part);
     memset(cells, 0, sizeof *cells);
 }

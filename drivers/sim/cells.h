@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist. */
+ * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist; threads share them. */
 #ifndef VTI_CELLS_H
 #define VTI_CELLS_H
 
@@ -23,6 +23,8 @@ struct cells {
     struct member *member; /* [n] by cell */
     int64_t *slot;         /* [slots], a power of 2: hash table, number of a cell + 1, 0 for none */
     int64_t slots;
+    struct pairs *part; /* [parts] what threads have found, each in some of the cells */
+    int64_t parts;
 };
 
 /** Room for n >= 0 bodies; returns 0, or -1 if memory is out, with *cells as after cells_destroy. */

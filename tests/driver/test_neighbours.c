@@ -4,6 +4,8 @@
 
 #include <sys/resource.h>
 
+#include "threads.h"
+
 static packing b;
 
 /** Under the address sanitizer memory is to run out as it does without. */
@@ -26,6 +28,7 @@ static int64_t holds_the_near(double skin)
     return count;
 }
 
+/** By one thread and by several. */
 TEST(finds_the_near_of_random_packings)
 {
     int64_t found = 0;
@@ -35,8 +38,10 @@ TEST(finds_the_near_of_random_packings)
         packing_scatter(&b, &g, 1 + rng_below(&g, PACKING_MAX), uniform(&g, 0.4, 9.0), ratio);
         if (seed % 2 == 0)
             packing_exclude(&b, &g, PACKING_MAX);
+        threads_use(1 + (int64_t)(seed % 4));
         found += holds_the_near(seed % 5 == 0 ? 0.0 : uniform(&g, 0.01, 1.5));
     }
+    threads_use(1);
     assert_true(found > 10000);
 }
 
