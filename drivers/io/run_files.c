@@ -7,7 +7,7 @@
 
 #include "run_formats.h"
 
-enum { HDF5, CSV, XDMF, DUMP, KINDS };
+enum { HDF5, CSV, XDMF, DUMP, SPHERES, KINDS };
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 
@@ -36,7 +36,7 @@ int run_files_name(struct run_files *files, const char *output, int dump, struct
 
 static void name_of(const struct run_files *files, int kind, char name[264])
 {
-    static const char *const endings[KINDS] = {NULL, ".csv", ".xdmf", ".dump"};
+    static const char *const endings[KINDS] = {NULL, ".csv", ".xdmf", ".dump", "-spheres.h5"};
     if (kind == HDF5)
         snprintf(name, 264, "%s", files->hdf5);
     else
@@ -54,28 +54,32 @@ static const struct mark marks[KINDS] = {
     {"t,", ",angular_x,angular_y,angular_z", NULL},
     {"<?xml version=\"1.0\"?>\n<Xdmf ", "bodies over time", NULL},
     {"ITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n", " x y z", of_lammps},
+    {NULL, "spheres_of", NULL}, /* and not the run whose output is called OUT-spheres.h5 */
 };
 
 int run_files_check(const struct run_files *files, struct message *message)
 {
-    const int kinds = files->dump ? KINDS : DUMP;
+    const int wanted[KINDS] = {1, 1, 1, files->dump, files->spheres};
     char name[KINDS][264];
     struct output outputs[KINDS];
-    for (int kind = 0; kind < kinds; ++kind) {
+    int count = 0;
+    for (int kind = 0; kind < KINDS; ++kind) {
         name_of(files, kind, name[kind]);
-        outputs[kind] = (struct output){name[kind], marks[kind]};
+        if (wanted[kind])
+            outputs[count++] = (struct output){name[kind], marks[kind]};
     }
-    return overwrite_check(files->folder, outputs, kinds, files->inputs, files->inputs_count, files->force, message);
+    return overwrite_check(files->folder, outputs, count, files->inputs, files->inputs_count, files->force, message);
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
-static int write_hdf5(const struct run_files *files, const struct record *record, struct message *message)
+static int write_hdf5(const struct run_files *files, const struct record *record, int kind, const char *name,
+                      struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_output(files->folder, files->hdf5, 1, path, message) != 0)
+    if (folder_output(files->folder, name, 1, path, message) != 0)
         return -1;
-    return run_hdf5_write(record, path, message);
+    return (kind == SPHERES ? spheres_hdf5_write : run_hdf5_write)(record, path, message);
 }
 
 static int write_text(const struct run_files *files, const struct record *record, int kind, const char *name,
@@ -109,7 +113,7 @@ int run_files_has_xdmf(const struct run_files *files, const struct record *recor
 
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)
 {
-    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump};
+    const int wanted[KINDS] = {1, 1, run_files_has_xdmf(files, record), files->dump, files->spheres};
     char name[KINDS][264];
     const char *names[KINDS];
     int failed = 0, count = 0;
@@ -121,8 +125,7 @@ int run_files_write(const struct run_files *files, const struct record *record, 
         name_of(files, kind, name[kind]);
         names[count++] = name[kind];
         if (failed == 0)
-            failed = kind == HDF5 ? write_hdf5(files, record, message)
-                                  : write_text(files, record, kind, name[kind], message);
+            failed = (marks[kind].begins == NULL ? write_hdf5 : write_text)(files, record, kind, name[kind], message);
     }
     if (folder_finish(files->folder, names, count, failed, message) != 0)
         return -1;

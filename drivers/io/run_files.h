@@ -6,12 +6,13 @@
 #include "overwrite.h"
 #include "record.h"
 
-/** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump. */
+/** OUT.h5 and what stands beside it: OUT.csv, OUT.xdmf, OUT.dump, and of clumps OUT-spheres.h5. */
 struct run_files {
     char folder[FOLDER_PATH];
     char stem[256]; /* OUT */
     char hdf5[264]; /* OUT.h5, or with the other ending that was asked for */
     int dump;       /* whether OUT.dump is wanted */
+    int spheres;    /* whether there are clumps, and so OUT-spheres.h5 */
     int xdmf;       /* whether OUT.xdmf is wanted of however many frames */
     int force;      /* replace files that are not ours */
     const struct input *inputs;

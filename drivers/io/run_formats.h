@@ -28,6 +28,10 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
  *  *message alone if it was the file that failed. */
 int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct message *message);
 
+/** out-spheres.h5: the spheres of clumps as points of a /VTKHDF of their own, as ParaView opens one PolyData a file.
+ *  Point data: velocity; diameter and body, which are written once. Root attributes: spheres_of (the scene), vti_version. */
+int spheres_hdf5_write(const struct record *record, const char *path, struct message *message);
+
 /** out.csv: a row per recorded time, 17 digits. */
 int run_csv_write(const struct record *record, FILE *file, struct message *message);
 

@@ -6,43 +6,9 @@
 
 #include "record.h"
 #include "shape.h"
-
-/* ---- small arrays ------------------------------------------------------------------------------------------------ */
-
-/** name[count], or name[count][columns] with columns > 1: k step + start in row k. */
-static void sequence(struct hdf5_sink *s, const char *name, int64_t count, int64_t columns, int64_t start, int64_t step)
-{
-    const hsize_t dims[2] = {(hsize_t)count, (hsize_t)columns};
-    int64_t *values = malloc(sizeof *values * (size_t)(count * columns + 1));
-    s->failed |= values == NULL;
-    for (int64_t k = 0; values != NULL && k < count * columns; ++k)
-        values[k] = start + k / columns * step;
-    if (values != NULL)
-        hdf5_dataset(s, name, H5T_NATIVE_INT64, columns > 1 ? 2 : 1, dims, values);
-    free(values);
-}
-
-static void integers(struct hdf5_sink *s, const char *name, int64_t count, const int64_t *values)
-{
-    const hsize_t n = (hsize_t)count;
-    hdf5_dataset(s, name, H5T_NATIVE_INT64, 1, &n, values);
-}
+#include "vtkhdf_parts.h"
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
-
-/** One of the four kinds of cells, each of size points. */
-static void cells(struct hdf5_sink *root, const char *name, int64_t count, int64_t size, const int64_t *points)
-{
-    struct hdf5_sink s = hdf5_group(root, name);
-    sequence(&s, "NumberOfCells", 1, 1, count, 0);
-    sequence(&s, "NumberOfConnectivityIds", 1, 1, count * size, 0);
-    sequence(&s, "Offsets", count + 1, 1, 0, size);
-    if (points != NULL)
-        integers(&s, "Connectivity", count * size, points);
-    else
-        sequence(&s, "Connectivity", count * size, 1, 0, 1);
-    hdf5_close(root, &s);
-}
 
 static void all_cells(struct hdf5_sink *root, const struct record *record)
 {
@@ -51,10 +17,7 @@ static void all_cells(struct hdf5_sink *root, const struct record *record)
     root->failed |= pairs == NULL;
     for (int64_t k = 0; pairs != NULL && k < lines; ++k)
         shape_line(record->model, k, pairs + 2 * k);
-    cells(root, "Vertices", record->frames.n, 1, NULL);
-    cells(root, "Lines", lines, 2, pairs);
-    cells(root, "Polygons", 0, 1, NULL);
-    cells(root, "Strips", 0, 1, NULL);
+    vtkhdf_poly(root, record->frames.n, lines, pairs);
     free(pairs);
 }
 
@@ -100,7 +63,7 @@ static void fixed_data(struct hdf5_sink *s, const struct record *record)
     if (values != NULL && shape_has_diameters(record->model))
         hdf5_dataset(s, "diameter", H5T_NATIVE_DOUBLE, 1, &count, values);
     free(values);
-    sequence(s, "body", n, 1, 0, 1);
+    vtkhdf_sequence(s, "body", n, 1, 0, 1);
 }
 
 static void empty_data(struct hdf5_sink *root, struct hdf5_sink *data, const struct record *record)
@@ -131,7 +94,7 @@ static void line_indices(struct hdf5_sink *data, const struct record *record, co
     for (int64_t k = 0; values != NULL && k < count; ++k)
         values[k] = k < first || k >= first + group->count ? -1 : k - first;
     if (values != NULL)
-        integers(data, group->effect->kind->lines->name, count, values);
+        vtkhdf_integers(data, group->effect->kind->lines->name, count, values);
     free(values);
 }
 
@@ -224,26 +187,16 @@ static int take_frame(void *self, int64_t k, const double *frame)
 static void write_steps(struct hdf5_sink *root, const struct record *record, const double *times)
 {
     const int64_t frames = record->journal->frames.mark.count, n = record->frames.n;
-    const hsize_t count = (hsize_t)frames;
     struct quantity list[QUANTITIES];
     quantities_of(record, list);
-    struct hdf5_sink s = hdf5_group(root, "Steps");
-    hdf5_attribute(&s, "NSteps", H5T_NATIVE_INT64, 1, &frames);
-    hdf5_dataset(&s, "Values", H5T_NATIVE_DOUBLE, 1, &count, times);
-    /* all frames share part 0, so that counts and cells are written once; readers before VTK 9.4 would not find the
-     * cells of part 1 at the offset of part 0 */
-    sequence(&s, "PartOffsets", frames, 1, 0, 0);
-    sequence(&s, "NumberOfParts", frames, 1, 1, 0);
-    sequence(&s, "PointOffsets", frames, 1, 0, n);
-    sequence(&s, "CellOffsets", frames, 4, 0, 0);
-    sequence(&s, "ConnectivityIdOffsets", frames, 4, 0, 0);
+    struct hdf5_sink s = vtkhdf_steps(root, frames, n, times);
     struct hdf5_sink offsets = hdf5_group(&s, "PointDataOffsets");
     for (int q = 0; q < QUANTITIES; ++q)
         if (list[q].place != 0)
-            sequence(&offsets, list[q].name, frames, 1, 0, n);
+            vtkhdf_sequence(&offsets, list[q].name, frames, 1, 0, n);
     if (shape_has_diameters(record->model))
-        sequence(&offsets, "diameter", frames, 1, 0, 0);
-    sequence(&offsets, "body", frames, 1, 0, 0);
+        vtkhdf_sequence(&offsets, "diameter", frames, 1, 0, 0);
+    vtkhdf_sequence(&offsets, "body", frames, 1, 0, 0);
     hdf5_close(&s, &offsets);
     struct shape_group groups[MODEL_EFFECTS];
     const int count_of_groups = shape_groups(record->model, groups);
@@ -252,8 +205,8 @@ static void write_steps(struct hdf5_sink *root, const struct record *record, con
         for (int g = 0; g < count_of_groups; ++g) {
             const struct effect_lines *lines = groups[g].effect->kind->lines;
             for (int q = 0; q < shape_quantities(groups[g].effect); ++q)
-                sequence(&offsets, lines->quantity[q], frames, 1, 0, cells_of(record));
-            sequence(&offsets, lines->name, frames, 1, 0, 0);
+                vtkhdf_sequence(&offsets, lines->quantity[q], frames, 1, 0, cells_of(record));
+            vtkhdf_sequence(&offsets, lines->name, frames, 1, 0, 0);
         }
         hdf5_close(&s, &offsets);
     }
@@ -276,9 +229,6 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        message,
                        has_lines ? calloc((size_t)(EFFECT_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
     root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_lines && w.lines == NULL);
-    hdf5_text(&root, "Type", "PolyData");
-    hdf5_attribute(&root, "Version", H5T_NATIVE_INT64, 2, (const int64_t[]){2, 0});
-    sequence(&root, "NumberOfPoints", 1, 1, n, 0);
     all_cells(&root, record);
     empty_data(&root, &data, record);
     fixed_data(&data, record);

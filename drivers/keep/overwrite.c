@@ -14,14 +14,14 @@
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
 
-static int is_hdf5(const char *path)
+static int is_hdf5(const char *path, const char *attribute)
 {
     htri_t found = 0;
     H5E_BEGIN_TRY
     {
         const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
         if (file >= 0) {
-            found = H5Aexists(file, "vti_version");
+            found = H5Aexists(file, attribute);
             H5Fclose(file);
         }
     }
@@ -50,7 +50,8 @@ int mark_is_ours(const char *path, const struct mark *mark)
     struct stat info;
     if (stat(path, &info) != 0 || !S_ISREG(info.st_mode))
         return 0;
-    return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path) : is_text(path, mark));
+    return info.st_size == 0 || (mark->begins == NULL ? is_hdf5(path, mark->holds != NULL ? mark->holds : "vti_version")
+                                                      : is_text(path, mark));
 }
 
 /* ---- which file is which ----------------------------------------------------------------------------------------- */

@@ -6,7 +6,7 @@
 #include "table.h"
 
 /** How a text file of ours is known: its first lines begin so, hold that, and lack the others. HDF5 files are known by
- *  the attribute vti_version of their root. */
+ *  the attribute of their root that holds names, vti_version without it. */
 struct mark {
     const char *begins, *holds; /* holds may be NULL; begins NULL is HDF5 */
     const char *const *lacks;   /* up to NULL, none of these; may be NULL itself */

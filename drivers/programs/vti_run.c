@@ -22,8 +22,10 @@ static const char *fields, *list;
 static struct run_request request = {.sets = sets.text, .checkpoint_seconds = 60.0, .dump = 1};
 
 static const struct option_row rows[] = {
-    OPTION_PARAGRAPH("Runs a scene and writes OUT.h5 (trajectory as VTKHDF, energies and momenta over time), OUT.csv\n"
-                     "(the latter), OUT.xdmf (index of the trajectory) and OUT.dump (LAMMPS text dump, for OVITO).\n"),
+    OPTION_PARAGRAPH(
+        "Runs a scene and writes OUT.h5 (trajectory as VTKHDF, energies and momenta over time), OUT.csv\n"
+        "(the latter), OUT.xdmf (index of the trajectory) and OUT.dump (LAMMPS text dump, for OVITO); of bodies\n"
+        "that are clumps also OUT-spheres.h5 (their spheres as VTKHDF).\n"),
     {"-o", "OUT.h5", OPTION_TEXT, &request.output, OPTION_ANY, "where to write (default: the scene's name)"},
     {"--stepper", "NAME", OPTION_KEY, &sets, OPTION_ANY, "integrator, one of --list steppers (default: the scene's)"},
     {"--h", "H", OPTION_KEY, &sets, OPTION_ANY,
@@ -199,10 +201,10 @@ static void say_end(const struct run *run, FILE *file)
             "evaluations\n",
             (long long)tally.accepted, run->t / (double)(tally.accepted > 0 ? tally.accepted : 1),
             (long long)tally.rejected, (long long)tally.cut, (long long)tally.evals);
-    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s\n",
+    fprintf(file, "%lld rows and %lld frames in %.2f s, written to %s, and beside it .csv%s%s%s%s\n",
             (long long)run->journal.rows.mark.count, (long long)run->journal.frames.mark.count, run->seconds,
             run->output, xdmf ? ", .xdmf" : "", run->files.dump ? ", .dump" : "",
-            run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
+            run->files.spheres ? ", -spheres.h5" : "", run->end == RUN_COMPLETE ? "" : ", up to where it broke off");
     if (!xdmf)
         fprintf(file,
                 "no .xdmf of so many frames, 1 to 8 kB for each: ParaView reads %s itself, and --xdmf writes it\n",

@@ -75,10 +75,10 @@ struct energies modified_energies(struct modified *m, const vti_bodies *bodies, 
     /* the difference along the drift errs by t omega/2 of itself, next to which the (h omega)^2 that the series leaves
      * out is large */
     const vti_stepper *s = m->stepper;
-    const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
     vti_bodies *p = &m->probe.bodies;
-    if (m->probe.memory == NULL)
+    if (m->probe.memory == NULL) /* rivals, of which some have no list of kicks */
         return e;
+    const double h2 = m->h * m->h, t = m->h / 65536.0, late = 0.5 - s->kick[1] - s->lag;
     fork_take(&m->probe, *bodies);
     /* velocities to the middle of the step's two kicks, where VTI-3 is VTI-2 */
     if (late != 0.0)

@@ -162,7 +162,7 @@ def read_vtkhdf(path):
                 frame[kind] = [list(points[offsets[c]:offsets[c + 1]]) for c in range(cells)]
             # cells in the order of the kinds
             cells = sum(len(frame[kind]) for kind in ("Vertices", "Lines", "Polygons", "Strips"))
-            for name in root["CellData"]:
+            for name in root.get("CellData", {}):
                 offset = steps["CellDataOffsets"][name][k]
                 frame[name] = root["CellData"][name][offset:offset + cells]
                 assert len(frame[name]) == cells

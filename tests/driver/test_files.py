@@ -234,6 +234,9 @@ def written(base, u):
     found += [("`OUT.csv`", "column", columns_of(f"{base}/dissipating.csv")), ("`OUT.h5`", "dataset", datasets)]
     for name in ("clumps", "ellipsoids"):
         found += [("`OUT.dump`", "column", dump_of(f"{base}/{name}.dump")), ("`OUT.h5`", "dataset", hdf5_of(f"{base}/{name}.h5")[1])]
+    attributes, datasets = hdf5_of(f"{base}/clumps-spheres.h5")
+    found += [("`OUT-spheres.h5`", "attribute", attributes), ("`OUT-spheres.h5`", "dataset", datasets)]
+    check(not os.path.exists(f"{base}/all-spheres.h5"), "no file of spheres where there are no clumps")
     for file in ("cost.csv", "errors.csv"):
         found += [("`cost.csv` and `errors.csv`", "column", columns_of(f"{base}/cost/{file}"))]
     more = {name: values for file in ("study.csv", "timing.csv") for name, values in columns_of(f"{base}/sweep/{file}").items()
@@ -269,7 +272,7 @@ def shapes(found):
             continue
         length = {name: len(next((v for n, v in content.items() if re.fullmatch(pattern, n)), ())) for name, pattern in (
             ("rows", "/energies/t"), ("frames", "/VTKHDF/Steps/Values"), ("bodies", "/VTKHDF/PointData/body"), ("planes", "/walls"),
-            ("cylinders", "/wall_cylinders"), ("spheres", "/clumps/body"),
+            ("cylinders", "/wall_cylinders"), ("spheres", "/clumps/body" if "/clumps/body" in content else "/VTKHDF/PointData/body"),
             ("runs", "/runs/h"), ("fits", "/orders/order"), ("scenes", "/scenes/name"), ("steppers", "/steppers/name"),
             ("points", "/points/scene"), ("groups", "/ensemble/point"), ("group_fits", "/ensemble_orders/point"))}
         length["bonds"] = len(content.get("/VTKHDF/Lines/Offsets", (0,))) - 1

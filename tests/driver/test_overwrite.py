@@ -108,6 +108,19 @@ def foreign(base):
             check(run(*arguments).returncode == 0, "... and what is ours is replaced")
 
 
+def spheres(base):
+    """A run whose own output is called as another's file of spheres is no such file: neither replaced, nor taken away."""
+    write(f"{base}/c.yaml", "bodies: {clumps: {spheres: [[0, 0, 0, 1], [1, 0, 0, 1]]}, mass: 1, x: [0, 0, 0], v: [1, 0, 0]}\n"
+          "h: 1/64\nt_end: 1\n")
+    check(run(RUN, *SPIN, "-o", f"{base}/a-spheres.h5").returncode == 0, "a run that is called a-spheres")
+    refused("... is in the way", base, ["a-spheres.h5", "--force"], RUN, "c.yaml", "-o", "a.h5")
+    before = contents(base)
+    check(run(RUN, *SPIN, "-o", f"{base}/a.h5").returncode == 0 and before.items() <= contents(base).items(), "... and stays there")
+    check(run(RUN, f"{base}/c.yaml", "-o", f"{base}/b.h5").returncode == 0 and "b-spheres.h5" in contents(base), "clumps have spheres")
+    check(run(RUN, *SPIN, "-o", f"{base}/b.h5").returncode == 0 and "b-spheres.h5" not in contents(base),
+          "... which go with them")
+
+
 def links(base):
     """An output that is a link stays one, and the file that it leads to is written; not so the name that is written meanwhile."""
     os.makedirs(f"{base}/far")
@@ -145,7 +158,7 @@ def planted(base):
           there == contents(f"{base}/plain"), "two planted links: each output is a file of its own, and the links' is untouched")
 
 
-for topic in (own_inputs, foreign, links, planted):
+for topic in (own_inputs, foreign, spheres, links, planted):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()

@@ -11,6 +11,7 @@ import numpy
 
 from plot_support import plot
 from programs import run
+from run_support import read_vtkhdf
 from tally import check, conclude
 
 RUN, PLOT = map(os.path.abspath, sys.argv[1:3])
@@ -95,6 +96,12 @@ def clumps(folder):
           "... with the velocities of their bodies there")
     check(numpy.array_equal(dump["mol"], numpy.tile(body + 1.0, frames)), "mol is their body")
     check(near(dump["radius"], numpy.tile(data["clumps/diameter"] / 2, frames)), "radius is theirs")
+    shown = read_vtkhdf(os.path.join(folder, "clumps-spheres.h5"))
+    check(len(shown) == frames and all(len(frame["Vertices"]) == 5 and frame["body"].tolist() == body.tolist() for frame in shown),
+          "ParaView's spheres are five points in each frame")
+    check(near(numpy.concatenate([frame["Points"] for frame in shown]), stacked(dump, "x", "y", "z"))
+          and near(numpy.concatenate([frame["velocity"] for frame in shown]), stacked(dump, "vx", "vy", "vz"))
+          and near(numpy.concatenate([frame["diameter"] for frame in shown]), 2 * dump["radius"]), "... where the dump has them")
     sphere = data["ellipsoid"].reshape(frames, 3, 3, 3)[:, 1]
     check(near(sphere, numpy.tile(3.0 * numpy.eye(3), (frames, 1, 1))), "the ellipsoid of a single sphere is that sphere")
     low, high = numpy.min(stacked(dump, "x", "y", "z") - dump["radius"][:, None], 0), numpy.max(

@@ -23,7 +23,7 @@ try:
     from vtkmodules.vtkCommonCore import vtkVersion
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkFiltersCore import vtkGlyph3D
-    from vtkmodules.vtkFiltersSources import vtkArrowSource
+    from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
     from vtkmodules.vtkIOHDF import vtkHDFReader
     from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
 except ImportError as missing:
@@ -116,5 +116,27 @@ def one_glyph():
               f"the arrow along director points along y: {bounds}")
 
 
+def spheres():
+    """Spheres of clumps, by the reader and as glyphs of their diameters."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = run(RUN, f"{SCENES}/clump-pile.yaml", "--t-end", "1/256", "--frames", "50", "-o", f"{folder}/out.h5")
+        check(done.returncode == 0, f"clumps run {done.stderr}")
+        frames = read_vtkhdf(f"{folder}/out-spheres.h5")
+        check(len(frames) > 2 and same(frames, read(f"{folder}/out-spheres.h5", ".h5"), ["Points", "velocity", "diameter", "body"]),
+              f"VTK finds the same {len(frames)} frames of {len(frames[0]['Points'])} spheres")
+        reader, glyph, sphere = vtkHDFReader(), vtkGlyph3D(), vtkSphereSource()
+        reader.SetFileName(f"{folder}/out-spheres.h5")
+        reader.Update()
+        data = reader.GetOutputDataObject(0)
+        data.GetPointData().SetActiveScalars("diameter")
+        glyph.SetInputData(data)
+        glyph.SetSourceConnection(sphere.GetOutputPort())
+        glyph.SetScaleModeToScaleByScalar()
+        glyph.Update()
+        high = (frames[0]["Points"] + frames[0]["diameter"][:, None] / 2).max(0)
+        check(abs(glyph.GetOutput().GetBounds()[5] - high[2]) < 1e-6 * high[2], "glyphs reach as high as the spheres")
+
+
 one_glyph()
+spheres()
 conclude()
