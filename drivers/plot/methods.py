@@ -11,7 +11,7 @@ NAMES = {
     "yade-leapfrog": "YADE leapfrog", "omelyan": "Omelyan", "campello": "Campello", "lgvi": "LGVI",
     "quat-euler": "quaternion Euler", "rk4": "RK4", "rk8pd": "RK8(7) fixed, GSL", "rk8pd-adaptive": "RK8(7) adaptive, GSL",
     "spiral": "SPIRAL", "gear": "Gear", "pefrl": "PEFRL", "takahashi-imada": "Takahashi-Imada", "pd8": "RK8(7), fused",
-    "dop853": "DOP853", "vern9": "Verner 9", "abm6": "Adams PECE 6", "abm8": "Adams PECE 8", "abm10": "Adams PECE 10",
+    "dop853": "DOP853", "dop853-adaptive": "DOP853 adaptive", "vern9": "Verner 9", "abm6": "Adams PECE 6", "abm8": "Adams PECE 8", "abm10": "Adams PECE 10",
     "abm12": "Adams PECE 12", "gbs8": "GBS 8", "gbs12": "GBS 12", "verlet-x8": "Verlet extrapolated 8",
     "verlet-x12": "Verlet extrapolated 12",
     "no-squish": "NO_SQUISH", "lammps-asphere": "LAMMPS asphere", "fincham": "Fincham", "yade-aspherical": "YADE aspherical",

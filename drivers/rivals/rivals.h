@@ -8,13 +8,13 @@
 /** Among the statuses of the core and of models: an implicit equation was not solved. */
 enum { RIVAL_E_DIVERGES = -2000 };
 
-extern const struct rival rival_quat_euler, rival_mercury;                              /* normalised.c */
-extern const struct rival rival_lammps;                                                 /* richardson.c */
+extern const struct rival rival_quat_euler, rival_mercury, rival_lammps;                /* normalised.c */
 extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral;     /* exponential.c */
 extern const struct rival rival_omelyan;                                                /* normalised.c */
 extern const struct rival rival_campello, rival_campello_0, rival_campello_1;           /* campello.c */
 extern const struct rival rival_lgvi;                                                   /* lgvi.c */
 extern const struct rival rival_rk4, rival_pd8, rival_dop853, rival_vern9;              /* runge_kutta.c */
+extern const struct rival rival_dop853_adaptive;                                        /* dop853.c */
 extern const struct rival rival_abm4, rival_abm6, rival_abm8, rival_abm10, rival_abm12; /* adams.c */
 extern const struct rival rival_gear;                                                   /* adams.c */
 extern const struct rival rival_gbs8, rival_gbs12, rival_verlet_x8, rival_verlet_x12;   /* extrapolation.c */

@@ -5,7 +5,7 @@
  *     rk4      E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.1
  *     pd8      P. J. Prince, J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comput. Appl. Math. 7, 67
  *              (1981), RK8(7)13M: what GSL calls rk8pd, without its error estimate
- *     dop853   Hairer, Norsett, Wanner, II.5 and II.10: of order 8, without its error estimates
+ *     dop853   Hairer, Norsett, Wanner, II.5 and II.10: of order 8, without its error estimates (dop853.c has them)
  *     vern9    J. H. Verner, Explicit Runge-Kutta pairs with lower stage-order, Numer. Algorithms 65, 555 (2013): the
  *              efficient pair 9(8), whose last stage serves the estimate alone and is left out */
 #include "runge_kutta.h"
@@ -24,6 +24,7 @@ struct sum {
 };
 
 struct runge_kutta {
+    const struct tableau *tableau;
     int stages;
     int64_t n;
     struct sum sum[TABLEAU_STAGES + 1]; /* of the stages, and of the step */
@@ -32,6 +33,7 @@ struct runge_kutta {
 
 static void list(struct sum *sum, const double *weight, double h, int count, double *const *slope)
 {
+    sum->count = 0;
     for (int s = 0; s < count; ++s)
         if (weight[s] != 0.0) {
             sum->weight[sum->count] = h * weight[s];
@@ -44,6 +46,7 @@ struct runge_kutta *runge_kutta_create(const struct tableau *tableau, double h, 
     struct runge_kutta *m = calloc(1, sizeof *m);
     if (m == NULL)
         return NULL;
+    m->tableau = tableau;
     m->stages = tableau->stages;
     m->n = n;
     m->stage = calloc((size_t)((m->stages + 1) * n), sizeof *m->stage);
@@ -53,10 +56,20 @@ struct runge_kutta *runge_kutta_create(const struct tableau *tableau, double h, 
     }
     for (int s = 0; s < m->stages; ++s)
         m->slope[s] = m->stage + (s + 1) * n;
-    for (int s = 0; s < m->stages; ++s)
-        list(&m->sum[s], tableau->a[s], h, s, m->slope);
-    list(&m->sum[m->stages], tableau->b, h, m->stages, m->slope);
+    runge_kutta_resize(m, h);
     return m;
+}
+
+void runge_kutta_resize(struct runge_kutta *m, double h)
+{
+    for (int s = 0; s < m->stages; ++s)
+        list(&m->sum[s], m->tableau->a[s], h, s, m->slope);
+    list(&m->sum[m->stages], m->tableau->b, h, m->stages, m->slope);
+}
+
+double *const *runge_kutta_slopes(const struct runge_kutta *m)
+{
+    return m->slope;
 }
 
 void runge_kutta_destroy(struct runge_kutta *m)

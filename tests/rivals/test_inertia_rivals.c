@@ -163,7 +163,7 @@ TEST(orders)
 /** Methods for any differential equation, of a top without symmetry: of order 4, and next to the reference. */
 TEST(runge_kutta)
 {
-    static const char *const fine[] = {"pd8", "dop853", "vern9", "rk8pd", "rk8pd-adaptive"};
+    static const char *const fine[] = {"pd8", "dop853", "vern9", "rk8pd", "rk8pd-adaptive", "dop853-adaptive"};
     struct scene scene;
     struct journey j;
     double *solution, h[4], error[4], floor[4] = {1e-12, 1e-12, 1e-12, 1e-12};
@@ -371,7 +371,7 @@ TEST(lists)
         assert_ptr_equal(method_find(method->name), method);
     }
     assert_int_equal(ours + rivals, n);
-    assert_int_equal(rivals, 9 + 6); /* and Runge-Kutta */
+    assert_int_equal(rivals, 9 + 7); /* and Runge-Kutta */
     assert_null(rival_general(9));
     assert_null(rival_general(-1));
     for (int64_t i = 0; method_at(i) != NULL; ++i)

@@ -99,8 +99,20 @@ static void assert_order(const char *name, const struct tableau *t)
     assert_below(1e6, worst[t->order + 1]);
 }
 
+/** Weights e such that b - e makes a formula of that order, and no higher. */
+static void assert_embedded(const char *name, const struct tableau *t, const double *e, int order)
+{
+    struct tableau embedded = *t;
+    embedded.order = order;
+    for (int i = 0; i < t->stages; ++i)
+        embedded.b[i] -= e[i];
+    assert_order(name, &embedded);
+}
+
 TEST(conditions_hold)
 {
+    assert_embedded("dop853's error of order 5", &tableau_dop853, tableau_dop853_error[0], 5);
+    assert_embedded("dop853's error of order 3", &tableau_dop853, tableau_dop853_error[1], 3);
     assert_order("rk4", &tableau_rk4);
     assert_order("pd8", &tableau_pd8);
     assert_order("dop853", &tableau_dop853);

@@ -108,6 +108,9 @@ TEST(force_evals)
     const int64_t adaptive = evals_of("rk8pd-adaptive", "chain", 1.0 / 64, 64);
     assert_true(adaptive > 13 * 64 / 2 && adaptive < 13 * 64 * 2);
     assert_true(evals_of("rk8pd-adaptive", "chain", 1.0 / 128, 128) > 3 * adaptive / 2);
+    const int64_t dop853 = evals_of("dop853-adaptive", "chain", 1.0 / 64, 64);
+    assert_true(dop853 > 12 * 64 / 2 && dop853 < 12 * 64 * 2);
+    assert_true(evals_of("dop853-adaptive", "chain", 1.0 / 128, 128) > 3 * dop853 / 2);
 }
 
 /* ---- looking ----------------------------------------------------------------------------------------------------- */

@@ -84,6 +84,7 @@ TEST(free_spin)
     /* their own error: the first term that a series of order 8 lacks, and the tolerance 1e-7 h^8 of every step */
     assert_angle("rk8pd", 0.3, 0.3, pow(0.15, 9) / 362880.0 + 4.0 * EPS);
     assert_angle("rk8pd-adaptive", 0.3, 0.3, 1e-7 * pow(0.3, 8));
+    assert_angle("dop853-adaptive", 0.3, 0.3, 1e-7 * pow(0.3, 8));
     /* what is extrapolated is exact, and its rounding is multiplied by the weights: their sizes add up to 24 */
     assert_angle("verlet-x8", 0.3, 0.3, 24.0 * EPS);
     assert_angle("verlet-x12", 0.3, 0.3, 24.0 * EPS);
