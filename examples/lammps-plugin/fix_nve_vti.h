@@ -2,8 +2,8 @@
  * Part of a plugin for LAMMPS, and under the licence of LAMMPS; the library that it calls is not. See LICENSE.
  *
  * fix ID group-ID nve/vti [vti1 | vti2 | vti3 | exact]
- *     moves spheres in the place of fix nve/sphere (atom_style sphere) or, where they have an orientation (atom_style
- *     bpm/sphere), of fix nve/bpm/sphere; vti2 unless said. */
+ *     moves atoms in the place of fix nve/sphere (atom_style sphere), nve/bpm/sphere (bpm/sphere), nve/asphere
+ *     (ellipsoid) or nve/body (body); vti2 unless said. */
 #ifndef FIX_NVE_VTI_H
 #define FIX_NVE_VTI_H
 
@@ -11,6 +11,7 @@
 
 #include <lammps/fix.h>
 
+#include "attitudes.h"
 #include "vti.h"
 
 namespace LAMMPS_NS
@@ -23,6 +24,7 @@ class FixNVEVTI : public Fix
     int setmask() override;
     void init() override;
     void setup_post_neighbor() override;
+    void setup(int) override;
     void post_neighbor() override;
     void initial_integrate(int) override;
     void final_integrate() override;
@@ -30,14 +32,16 @@ class FixNVEVTI : public Fix
   private:
     /// Atoms next to each other that are all of this fix's group.
     struct Run {
-        std::int64_t first, count;
+        int first, count;
     };
 
-    vti_bodies views() const;
+    vti_bodies views();
+    void look_at(int i);
     void stop(int status, const vti_fault &fault) const;
 
     const vti_stepper *method;
-    std::vector<double> inertia;
+    Attitudes attitudes;         // of ellipsoids and bodies
+    std::vector<double> inertia; // of spheres
     std::vector<Run> runs;
 };
 

@@ -34,7 +34,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
     entry.version = VTI_LAMMPS_VERSION;
     entry.style = "fix";
     entry.name = "nve/vti";
-    entry.info = "variational integrator for spheres, vti " VTI_VERSION_STRING;
+    entry.info = "variational integrator, vti " VTI_VERSION_STRING;
     entry.author = "the authors of vti";
     entry.create.fix = create;
     entry.handle = handle;

