@@ -114,17 +114,22 @@ static inline double vti_damping_share_of_force(const vti_dashpots *p, const str
     return motion == VTI_ROLLING ? friction->rolling : friction->twisting;
 }
 
-/** Spring and dashpot together obey the limit: the largest s in [0, 1] with |-t f + s p| <= t limit, f being what the
- *  spring holds. A = p.p, B = -t f.p, C = min(0, t^2 (f.f - limit^2)), q = sqrt(B^2 - A C). */
-VTI_INLINE lanes vti_damping_limited(const lanes p[3], const lanes f[3], double t, lanes limit)
+/** Spring and dashpot together obey the limit: g = p - t f, f being what the spring holds, goes to the nearest place of
+ *  |g| <= R = t max(limit, |f|), and p takes all of the change: p <- p - s g, s = 1 - R/|g|, which is
+ *  (g.g - R^2)/(|g| (|g| + R)). Here EQUATIONS 6.3 has the longest share of p that obeys the limit, which jumps from
+ *  nothing to all of p as f, on the limit, and p pass the right angle, and takes velocities to first order (test
+ *  friction). For p = -m c u, of one m for all directions, none of these gains energy: p'.p >= p'.p', as the nearest
+ *  place of a convex set has it. */
+VTI_INLINE void vti_damping_limit(lanes p[3], const lanes f[3], double t, lanes limit)
 {
-    const lanes one = lanes_of(1.0), a = lanes_dot(p, p), b = -t * lanes_dot(f, p),
-                over = t * t * (lanes_dot(f, f) - limit * limit), c = lanes_where(over < 0.0, over, lanes_of(0.0)),
-                q = lanes_sqrt(b * b - a * c);
-    const lanes_mask ahead = b > 0.0;
-    const lanes s = lanes_where(ahead, -c, q - b) / lanes_where(ahead, b + q, a);
-    const lanes_mask within = a + 2.0 * b + c <= 0.0; /* as a whole */
-    return lanes_where(within, one, lanes_where(a > 0.0, lanes_where(s < 1.0, s, one), one));
+    const lanes load2 = t * t * lanes_dot(f, f), most2 = t * t * limit * limit;
+    const lanes r2 = lanes_where(load2 < most2, most2, load2);
+    const lanes over = lanes_dot(p, p) - 2.0 * t * lanes_dot(f, p) + (load2 - r2);
+    const lanes_mask beyond = over > 0.0;
+    const lanes g = lanes_sqrt(r2 + over), r = lanes_sqrt(r2);
+    const lanes s = lanes_where(beyond, over, lanes_of(0.0)) / lanes_where(beyond, g * (g + r), lanes_of(1.0));
+    for (int k = 0; k < 3; ++k)
+        p[k] -= s * (p[k] - t * f[k]);
 }
 
 #endif

@@ -108,8 +108,12 @@ VTI_INLINE lanes decay(const vti_dashpots *p, const struct place *at, int motion
     const double share = vti_damping_share_of_force(p, &at->touch, motion);
     if (!(share > 0.0))
         return vti_touch_decay(mass, gone, a);
-    const lanes whole[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
-    return vti_touch_decay(mass, gone * vti_damping_limited(whole, f, t, vti_damping_force(&at->damping, share)), a);
+    lanes impulse[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
+    vti_damping_limit(impulse, f, t, vti_damping_force(&at->damping, share));
+    const lanes lost = -lanes_dot(impulse, a) - 0.5 * at->per[motion] * lanes_dot(impulse, impulse);
+    for (int k = 0; k < 3; ++k)
+        a[k] = impulse[k];
+    return lost;
 }
 
 VTI_INLINE void flow_tangential(const vti_dashpots *p, struct place *at, double t)

@@ -26,13 +26,15 @@ struct place {
     const vti_held *held; /* by the springs of friction */
 };
 
-/** The share of the impulse p that the limits leave: contacts that do not hold together pull no harder than they push,
- *  and spring and dashpot obey friction's limit together. */
-static double allowed(const struct sweep *s, const struct place *at, int motion, const double p[3])
+/** What the limits leave of the impulse p: contacts that do not hold together pull no harder than they push, and spring
+ *  and dashpot obey friction's limit together. */
+static void limit(const struct sweep *s, const struct place *at, int motion, double p[3])
 {
     if (motion == VTI_NORMAL) {
         const double size = vti_dot(p, at->touch.n), least = vti_damping_force(&at->damping, -s->t);
-        return !s->p->pull && size < least ? least / size : 1.0;
+        for (int k = 0; k < 3 && !s->p->pull && size < least; ++k)
+            p[k] *= least / size;
+        return;
     }
     const double share = vti_damping_share_of_force(s->p, &at->touch, motion);
     double load[3];
@@ -40,7 +42,19 @@ static double allowed(const struct sweep *s, const struct place *at, int motion,
         load[k] = motion == VTI_TANGENTIAL ? at->held->sliding[k]
                   : motion == VTI_ROLLING  ? at->held->rolling[k]
                                            : at->held->twisting * at->touch.n[k];
-    return share > 0.0 ? vti_damping_limited(p, load, s->t, vti_damping_force(&at->damping, share)) : 1.0;
+    if (share > 0.0)
+        vti_damping_limit(p, load, s->t, vti_damping_force(&at->damping, share));
+}
+
+/** Two modes that do not decay alike may gain by an impulse that the limit has turned: p goes no further than to where
+ *  the kinetic energy is least, s = -p.u/(p.K p) in [0, 1]. Returns what is lost by it. */
+static double stop(const struct vti_joint_modes *modes, const double u[3], double p[3])
+{
+    const double ahead = -vti_dot(p, u), lost = vti_joint_lost(modes, u, p), change = 2.0 * (ahead - lost);
+    const double s = ahead <= 0.0 ? 0.0 : ahead < change ? ahead / change : 1.0;
+    for (int k = 0; k < 3; ++k)
+        p[k] *= s;
+    return s < 1.0 ? vti_joint_lost(modes, u, p) : lost;
 }
 
 static void flow_of(const struct sweep *s, struct place *at, int motion)
@@ -52,10 +66,8 @@ static void flow_of(const struct sweep *s, struct place *at, int motion)
     vti_joint_modes_of(&at->joint, turns, along ? 1 : 2, (const double(*)[3])at->span + !along, &modes);
     vti_joint_velocity(&at->joint, turns, u);
     vti_joint_decay(&modes, c, s->t, u, p);
-    const double share = allowed(s, at, motion, p);
-    for (int k = 0; k < 3; ++k)
-        p[k] *= share;
-    vti_sum_add(&s->p->lost[motion], vti_joint_lost(&modes, u, p));
+    limit(s, at, motion, p);
+    vti_sum_add(&s->p->lost[motion], stop(&modes, u, p));
     vti_joint_push(&at->joint, turns, p);
     if (at->touch.moves) /* the wall puts p.V in */
         vti_sum_add(s->p->walls->work, -vti_dot(p, turns ? at->touch.w_j : at->touch.v_j));

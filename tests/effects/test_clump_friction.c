@@ -212,6 +212,7 @@ static void lossy(int planes, double mu, double zeta, double size)
                               .walls = planes ? &m.walls : NULL,
                               .friction = &friction,
                               .zeta = zeta,
+                              .ratio = 0.5,
                               .rolling = 0.02 * size * size,
                               .twisting = 0.02 * size * size,
                               .reach = INFINITY,
@@ -278,8 +279,7 @@ static double distance(const struct outcome *a, const struct outcome *b, int n)
     return sqrt(sum);
 }
 
-/** Ledger and velocities after an impact with all that dissipates, but for the tangential dashpot, which the limit of
- *  friction switches off and on: of second order. */
+/** Ledger and velocities after an impact with all that dissipates: of second order. */
 TEST(impacts)
 {
     for (int kind = 0; kind < UNEVEN_KINDS; ++kind)

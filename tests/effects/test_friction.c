@@ -187,6 +187,7 @@ static void collide(double degrees, int plane, int mindlin, double start, int st
     friction.twisting = 0.02;
     friction.twisting_stiffness = 40;
     dashpots.zeta = 0.1;
+    dashpots.ratio = 2;
     impact_add(&m, vti_friction_effect(&friction));
     impact_add(&m, vti_dashpots_effect(&dashpots));
     const double before = impact_ledger(&m);
@@ -201,8 +202,8 @@ static void collide(double degrees, int plane, int mindlin, double start, int st
     }
 }
 
-/** Touch, slip, stick and opening: velocities and the ledger converge with second order in each case, over places of
- *  the start, as where in a step they fall changes the factor. */
+/** Touch, slip that turns, stick and opening, beside normal and tangential dashpots: velocities and the ledger converge
+ *  with second order in each case, over places of the start, as where in a step they fall changes the factor. */
 TEST(oblique_impacts)
 {
     enum { STARTS = 8, LEVELS = 4, STEPS = 512 };
