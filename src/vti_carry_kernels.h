@@ -79,12 +79,12 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
     struct vti_loads loads;
     struct vti_taken taken;
     struct side i, j;
+    int64_t place[WIDTH];
     const vti_held *held[WIDTH];
     double delta0[WIDTH];
-    gather_touches(layout, p->contacts, b, pairs->seat + first, &c.touch, &i, &j);
+    gather_touches(layout, p->contacts, b, whole(pairs->pair, first, pairs->count, place), &c.touch, &i, &j);
     gather_motion(layout, &c, &i, &j, b, drifted, pairs, first);
-    for (int l = 0; l < WIDTH; ++l)
-        held[l] = pairs->held[first + l];
+    whole_held(pairs->held, first, pairs->count, held);
     gather_loads(p, held, &loads);
     vti_carry_loads(p, &c, p->sliding, &loads, &taken);
     lanes_store(pairs->delta + first, c.touch.delta);

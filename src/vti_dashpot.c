@@ -16,38 +16,37 @@ enum { WINDOW = 256, COLOURS = 64, LAST = COLOURS - 1, BODIES = 4 * WINDOW };
 
 struct window {
     int64_t count;
-    struct vti_seat seat[WINDOW]; /* in the order of the list */
-    int64_t touches[WINDOW];      /* whether they do where they are */
+    int64_t pair[WINDOW];   /* in the order of the list, as vti_touch_kernels.near has them, */
+    int64_t sorted[WINDOW]; /* and as they are worked */
     int64_t colour[WINDOW];
-    int64_t order[WINDOW];     /* of their numbers, colour by colour */
-    int64_t ends[COLOURS + 1]; /* of the colours in it */
+    int64_t ends[COLOURS + 1]; /* of the colours, in their order */
     int64_t body[BODIES];      /* table of bodies, from 1; 0: nobody */
     uint64_t coloured[BODIES]; /* colours of their pairs, as bits */
+    int64_t taken[2 * WINDOW]; /* slots of it that are */
+    int64_t slots;             /* of it, a power of 2 */
 };
 
-/** Whether pair k is within reach, and where. */
-VTI_INLINE int find_seat(const struct vti_sweep *s, int64_t k, struct vti_seat *seat, int64_t *touches)
+static int64_t least_of(int64_t a, int64_t b)
 {
-    const vti_contacts *p = s->p->contacts;
-    double d[3], x[3];
-    seat->i = p->pair[2 * k] - p->base;
-    seat->j = p->pair[2 * k + 1] - p->base;
-    seat->k = k;
-    vti_load(&s->b->x, seat->i, d);
-    vti_load(&s->b->x, seat->j, x);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= x[c];
-    const double length = vti_contact_length(p, k, seat->i, seat->j), far = length + s->p->reach, r2 = vti_dot(d, d);
-    *touches = r2 < length * length;
-    return r2 <= far * far && r2 > VTI_COINCIDENT * VTI_COINCIDENT;
+    return a < b ? a : b;
 }
 
-/** Where body i stands in the table of so many slots, a power of 2. */
-VTI_INLINE int64_t slot_of(struct window *w, int64_t slots, int64_t i)
+/** Nobody is in the table, which serves windows of a list of so many pairs. */
+static void clear(struct window *w, int64_t pairs)
 {
-    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (slots - 1);
+    w->count = 0;
+    w->slots = 8;
+    while (w->slots < BODIES && w->slots < 4 * pairs)
+        w->slots *= 2;
+    memset(w->body, 0, (size_t)w->slots * sizeof *w->body);
+}
+
+/** Where body i stands in the table. */
+VTI_INLINE int64_t slot_of(struct window *w, int64_t i)
+{
+    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (w->slots - 1);
     while (w->body[at] != 0 && w->body[at] != i + 1)
-        at = (at + 1) & (slots - 1);
+        at = (at + 1) & (w->slots - 1);
     if (w->body[at] == 0) {
         w->body[at] = i + 1;
         w->coloured[at] = 0;
@@ -55,76 +54,66 @@ VTI_INLINE int64_t slot_of(struct window *w, int64_t slots, int64_t i)
     return at;
 }
 
-static void colour(struct window *w)
+/** The smallest colour that is not among those; LAST is always free. */
+VTI_INLINE int64_t free_colour(uint64_t coloured)
 {
-    int64_t slots = 8, begin = 0, of[COLOURS] = {0};
-    while (slots < 4 * w->count)
-        slots *= 2;
-    memset(w->body, 0, (size_t)slots * sizeof *w->body);
+    int64_t c = 0;
+    for (coloured &= ~(UINT64_C(1) << LAST); (coloured & 15) == 15; coloured >>= 4)
+        c += 4;
+    return c + (INT64_C(0x4010201030102010) >> 4 * (coloured & 15) & 15);
+}
+
+/** Colours, and the end of each. Nobody is left in the table. Returns how many there are. */
+static int64_t colour(const vti_contacts *p, struct window *w)
+{
+    int64_t of[COLOURS] = {0}, most = 0, end = 0;
     for (int64_t n = 0; n < w->count; ++n) {
-        uint64_t *const i = &w->coloured[slot_of(w, slots, w->seat[n].i)],
-                        *const j = &w->coloured[slot_of(w, slots, w->seat[n].j)];
-        int64_t c = 0;
-        while (c < LAST && ((*i | *j) >> c & 1) != 0)
-            ++c;
-        *i |= UINT64_C(1) << c;
-        *j |= UINT64_C(1) << c;
+        const int64_t k = vti_touch_number(w->pair[n]), i = slot_of(w, vti_contact_body(p, k, 0)),
+                      j = slot_of(w, vti_contact_body(p, k, 1));
+        const int64_t c = free_colour(w->coloured[i] | w->coloured[j]);
+        w->coloured[i] |= UINT64_C(1) << c;
+        w->coloured[j] |= UINT64_C(1) << c;
+        w->taken[2 * n] = i;
+        w->taken[2 * n + 1] = j;
         w->colour[n] = c;
+        most = c > most ? c : most;
         ++of[c];
     }
-    for (int c = 0; c < COLOURS; ++c) {
-        w->ends[c] = begin;
-        begin += of[c];
-    }
-    for (int64_t n = 0; n < w->count; ++n)
-        w->order[w->ends[w->colour[n]]++] = n;
+    for (int64_t c = 0; c <= most; ++c)
+        w->ends[c] = end += of[c];
+    for (int64_t n = 0; n < 2 * w->count; ++n)
+        w->body[w->taken[n]] = 0;
+    return most + 1;
 }
 
-/** Whether a pair that does not touch will at the other end of the drift: delta - drift u.n > 0. */
-static int will_touch(const struct vti_sweep *s, const struct vti_seat *seat)
+/** So many pairs of one colour in this order, at most so many at once. */
+static void flow_colour(const struct vti_sweep *s, const int64_t *found, int64_t count, int64_t most)
 {
-    double d[3], x[3], u[3], v[3];
-    vti_load(&s->b->x, seat->i, d);
-    vti_load(&s->b->x, seat->j, x);
-    vti_load(&s->b->v, seat->i, u);
-    vti_load(&s->b->v, seat->j, v);
-    for (int c = 0; c < 3; ++c) {
-        d[c] -= x[c];
-        u[c] -= v[c];
-    }
-    const double r = sqrt(vti_dot(d, d));
-    return !(vti_contact_length(s->p->contacts, seat->k, seat->i, seat->j) - r - s->drift * (vti_dot(u, d) / r) <= 0.0);
-}
-
-/** The pairs of one colour from begin on, forwards or backwards. */
-static void flow_colour(const struct vti_sweep *s, const struct window *w, int64_t begin, int64_t end)
-{
-    const int64_t most = w->colour[w->order[begin]] == LAST ? 1 : VTI_TOUCHES;
-    struct vti_seat seat[VTI_TOUCHES];
-    int64_t count = 0;
-    for (int64_t n = begin; n < end; ++n) {
-        const int64_t at = w->order[s->drift < 0.0 ? begin + end - 1 - n : n];
-        if (w->touches[at] || will_touch(s, &w->seat[at]))
-            seat[count++] = w->seat[at];
-        if (count == 0 || (count < most && n < end - 1))
-            continue;
-        for (int64_t k = count; k % VTI_LANES_MOST != 0; ++k)
-            seat[k] = seat[count - 1];
-        vti_touch_kernels_for(count)->flow(s, count, seat);
-        count = 0;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(count);
+    int64_t pair[VTI_TOUCHES];
+    for (int64_t first = 0; first < count; first += most) {
+        const int64_t touching = kernels->soon(s, least_of(count - first, most), found + first, pair);
+        if (touching > 0)
+            vti_touch_kernels_for(touching)->flow(s, touching, pair);
     }
 }
 
+/** Forwards or backwards. */
 static void flow_window(const struct vti_sweep *s, struct window *w)
 {
-    if (w->count == 0)
-        return;
-    colour(w);
-    for (int k = 0; k < COLOURS; ++k) {
-        const int c = s->drift < 0.0 ? LAST - k : k;
-        const int64_t begin = c > 0 ? w->ends[c - 1] : 0;
-        if (begin < w->ends[c])
-            flow_colour(s, w, begin, w->ends[c]);
+    const int back = s->drift < 0.0;
+    const int64_t colours = colour(s->p->contacts, w);
+    int64_t to[COLOURS];
+    to[0] = 0;
+    for (int64_t c = 1; c < colours; ++c)
+        to[c] = w->ends[c - 1];
+    for (int64_t n = 0; n < w->count; ++n) {
+        const int64_t at = to[w->colour[n]]++;
+        w->sorted[back ? w->count - 1 - at : at] = w->pair[n];
+    }
+    for (int64_t k = 0; k < colours; ++k) {
+        const int64_t c = back ? colours - 1 - k : k, first = c > 0 ? w->ends[c - 1] : 0, count = w->ends[c] - first;
+        flow_colour(s, w->sorted + (back ? w->count - w->ends[c] : first), count, c == LAST ? 1 : VTI_TOUCHES);
     }
     w->count = 0;
 }
@@ -132,8 +121,11 @@ static void flow_window(const struct vti_sweep *s, struct window *w)
 /** Windows from the first pair on. */
 static void flow_forwards(const struct vti_sweep *s, struct window *w)
 {
-    for (int64_t k = 0; k < s->p->contacts->count; ++k) {
-        w->count += find_seat(s, k, &w->seat[w->count], &w->touches[w->count]);
+    const vti_contacts *const list = s->p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
+    for (int64_t first = 0, most; first < list->count; first += most) {
+        most = least_of(list->count - first, WINDOW - w->count);
+        w->count += kernels->near(list, s->b, s->p->reach, first, most, w->pair + w->count);
         if (w->count == WINDOW)
             flow_window(s, w);
     }
@@ -143,18 +135,22 @@ static void flow_forwards(const struct vti_sweep *s, struct window *w)
 /** The same windows from the last on. */
 static void flow_backwards(const struct vti_sweep *s, struct window *w)
 {
-    const int64_t pairs = s->p->contacts->count;
+    const vti_contacts *const list = s->p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
     int64_t all = 0;
-    for (int64_t k = 0; k < pairs; ++k)
-        all += find_seat(s, k, &w->seat[0], &w->touches[0]);
-    for (int64_t k = pairs - 1; all > 0; --k) {
-        const int64_t first = (all - 1) / WINDOW * WINDOW, at = all - 1 - first;
-        if (!find_seat(s, k, &w->seat[at], &w->touches[at]))
-            continue;
-        ++w->count;
-        if (--all > first)
+    for (int64_t first = 0; first < list->count; first += WINDOW)
+        all += kernels->near(list, s->b, s->p->reach, first, least_of(list->count - first, WINDOW), w->pair);
+    for (int64_t end = list->count, most; all > 0; end -= most) { /* from the window's end on */
+        const int64_t size = (all - 1) % WINDOW + 1, free = size - w->count;
+        most = least_of(end, free);
+        const int64_t found = kernels->near(list, s->b, s->p->reach, end - most, most, w->sorted);
+        for (int64_t n = 0; n < found; ++n)
+            w->pair[free - found + n] = w->sorted[n];
+        w->count += found;
+        if (w->count < size)
             continue;
         flow_window(s, w);
+        all -= size;
     }
 }
 
@@ -233,10 +229,11 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         vti_dashpots_flow_joints(p, NULL, b, t, drift);
         return;
     }
-    w.count = 0;
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
         flow_walls(&s);
+    if (pairs)
+        clear(&w, p->contacts->count);
     if (pairs && drift < 0.0)
         flow_backwards(&s, &w);
     else if (pairs)

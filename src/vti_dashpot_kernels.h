@@ -6,6 +6,52 @@
 #include "vti_dashpot_flow.h"
 #include "vti_touch_gather.h"
 
+/* ---- which touch ------------------------------------------------------------------------------------------------- */
+
+/** Where pairs will not touch at the other end of the drift. */
+VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which)
+{
+    const vti_contacts *const p = s->p->contacts;
+    struct side i, j;
+    lanes d[3], x[3], u[3], v[3];
+    sides_of(p, which, &i, &j);
+    gather(layout, &s->b->x, &i, d);
+    gather(layout, &s->b->x, &j, x);
+    gather(layout, &s->b->v, &i, u);
+    gather(layout, &s->b->v, &j, v);
+    for (int c = 0; c < 3; ++c) {
+        d[c] -= x[c];
+        u[c] -= v[c];
+    }
+    const lanes length = gather_length(p, which, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
+                r = lanes_sqrt(lanes_dot(d, d));
+    return length - r - s->drift * (lanes_dot(u, d) / r) <= 0.0;
+}
+
+static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pairs)
+{
+    const int packed = is_packed(s->b);
+    int64_t place[WIDTH], which[WIDTH], touching = 0;
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const here = whole(found, first, count, place);
+        int64_t any = 0;
+        for (int l = 0; l < WIDTH; ++l) {
+            which[l] = vti_touch_number(here[l]);
+            any |= here[l];
+        }
+        lanes_mask apart = lanes_of(0.0) > 0.0;
+        if (any < 0)
+            apart = packed ? stay_apart(PACKED, s, which) : stay_apart(ANY, s, which);
+        for (int l = 0; l < WIDTH && first + l < count; ++l) { /* what is apart is written over */
+            pairs[touching] = which[l];
+            touching += here[l] >= 0 || !lanes_holds(apart, l);
+        }
+    }
+    return touching;
+}
+
+/* ---- flows ------------------------------------------------------------------------------------------------------- */
+
 /** 1/m, or 1/J */
 VTI_INLINE lanes per(const vti_scalars *s, const struct side *side)
 {
@@ -56,18 +102,17 @@ VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t 
             vti_sum_add(&s->p->lost[k], lanes_get(at->lost[k], l));
 }
 
-VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const struct vti_seat *seat,
-                           int64_t count)
+VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which, int64_t count)
 {
     static const vti_friction none;
     const vti_held *held[WIDTH];
     struct place at;
     struct side i, j;
-    gather_touches(layout, s->p->contacts, s->b, seat, &at.touch, &i, &j);
+    gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
     gather_velocities(layout, s->b, &i, &j, &at);
     at.damping.zeta = s->p->zeta;
     for (int l = 0; l < WIDTH && s->p->friction != NULL; ++l)
-        held[l] = vti_damping_held_by(s->p, seat[l].i + 1, seat[l].j + 1);
+        held[l] = vti_damping_held_by(s->p, i.body[l] + 1, j.body[l] + 1);
     gather_loads(s->p->friction != NULL ? s->p->friction : &none, held, &at.held);
     if (!flow_touch(s, &at))
         return;
@@ -75,15 +120,17 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     book(s, &at, count);
 }
 
-/** Beyond count, up to a whole number of lanes, pairs are repeated. */
-static void flow_pairs(const struct vti_sweep *s, int64_t count, const struct vti_seat *seat)
+static void flow_pairs(const struct vti_sweep *s, int64_t count, const int64_t *which)
 {
     const int packed = is_packed(s->b);
-    for (int64_t first = 0; first < count; first += WIDTH)
+    int64_t place[WIDTH];
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const here = whole(which, first, count, place);
         if (packed)
-            flow_lanes(PACKED, s, seat + first, count - first);
+            flow_lanes(PACKED, s, here, count - first);
         else
-            flow_lanes(ANY, s, seat + first, count - first);
+            flow_lanes(ANY, s, here, count - first);
+    }
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */

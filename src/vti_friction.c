@@ -34,19 +34,25 @@ int vti_history_add(vti_history *history, const vti_held *held)
 
 typedef void visitor(void *context, const struct vti_touch *touch, vti_held *held);
 
-/** Calls visit for all touches that hold something. */
-VTI_INLINE void visit_held(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+/** Calls visit for all pairs that hold something. */
+static void visit_pairs(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+{
+    struct vti_touch touch;
+    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
+        if (!vti_touch_pair(&touch, p->contacts, b, k, 0.0))
+            continue;
+        vti_held *const held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
+        if (held->i != 0)
+            visit(context, &touch, held);
+    }
+}
+
+/** And for all bodies at walls that do. */
+VTI_INLINE void visit_walls(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
 {
     const int64_t walls = vti_faces(p->walls);
     struct vti_touch touch;
     vti_held *held;
-    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
-        if (!vti_touch_pair(&touch, p->contacts, b, k, 0.0))
-            continue;
-        held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
-        if (held->i != 0)
-            visit(context, &touch, held);
-    }
     for (int64_t i = b->first; walls > 0 && i < b->first + b->count; ++i)
         for (int64_t w = 0; w < walls; ++w) {
             if (!vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
@@ -57,39 +63,56 @@ VTI_INLINE void visit_held(const vti_friction *p, const vti_bodies *b, visitor *
         }
 }
 
-/* ---- forces and energies ----------------------------------------------------------------------------------------- */
-
-/** To bodies of the slice only: s f, and the moment. */
-static void add_loads(const vti_bodies *b, int64_t i, double s, const double f[3], const double moment[3])
+/** The slot of pair k. */
+static inline vti_held *held_by(const vti_friction *p, int64_t k)
 {
-    if (!vti_owns(b, i))
-        return;
-    for (int c = 0; c < 3 && vti_has(&b->force); ++c)
-        b->force.c[c][i * b->force.stride] += s * f[c];
-    if (vti_has(&b->moment))
-        vti_add(&b->moment, i, moment);
+    return vti_history_at(p->history, 1 + vti_contact_body(p->contacts, k, 0), 1 + vti_contact_body(p->contacts, k, 1));
 }
 
-static void push(void *context, const struct vti_touch *touch, vti_held *held)
+/* ---- forces and energies ----------------------------------------------------------------------------------------- */
+
+static void push_from_wall(void *context, const struct vti_touch *touch, vti_held *held)
 {
     const vti_bodies *b = context;
-    const double arm_i = touch->s_i * touch->r, arm_j = touch->s_j * touch->r;
-    double across[3], on_i[3], on_j[3];
-    vti_cross(touch->n, held->sliding, across);
-    for (int k = 0; k < 3; ++k) {
-        const double moment = held->rolling[k] + held->twisting * touch->n[k];
-        on_i[k] = arm_i * across[k] - moment;
-        on_j[k] = arm_j * across[k] + moment;
+    double moment[3];
+    if (!vti_owns(b, touch->i))
+        return;
+    vti_cross(touch->n, held->sliding, moment);
+    for (int k = 0; k < 3; ++k)
+        moment[k] = touch->s_i * touch->r * moment[k] - (held->rolling[k] + held->twisting * touch->n[k]);
+    for (int k = 0; k < 3 && vti_has(&b->force); ++k)
+        b->force.c[k][touch->i * b->force.stride] -= held->sliding[k];
+    if (vti_has(&b->moment))
+        vti_add(&b->moment, touch->i, moment);
+}
+
+/** Pairs that hold something, as many at once as a kernel takes. */
+static void push_pairs(const vti_friction *p, const vti_bodies *b)
+{
+    const vti_contacts *const list = p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
+    int64_t pair[VTI_TOUCHES];
+    vti_held *held[VTI_TOUCHES];
+    for (int64_t first = 0; first < list->count; first += VTI_TOUCHES) {
+        const int64_t left = list->count - first, most = left < VTI_TOUCHES ? left : VTI_TOUCHES,
+                      found = kernels->near(list, b, 0.0, first, most, pair);
+        int64_t count = 0;
+        for (int64_t n = 0; n < found; ++n) {
+            pair[count] = vti_touch_number(pair[n]);
+            held[count] = held_by(p, pair[count]);
+            count += held[count]->i != 0;
+        }
+        kernels->push(p, b, count, pair, held);
     }
-    add_loads(b, touch->i, -1.0, held->sliding, on_i);
-    if (touch->j >= 0)
-        add_loads(b, touch->j, 1.0, held->sliding, on_j);
 }
 
 static void apply(const void *self, const vti_bodies *b)
 {
+    const vti_friction *p = self;
     vti_bodies all = *b;
-    visit_held(self, b, push, &all);
+    if (p->contacts != NULL)
+        push_pairs(p, b);
+    visit_walls(p, b, push_from_wall, &all);
 }
 
 struct energies {
@@ -118,7 +141,8 @@ static int terms_of(const vti_friction *p)
 static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     struct energies e = {.p = self};
-    visit_held(self, b, add_energy, &e);
+    visit_pairs(self, b, add_energy, &e);
+    visit_walls(self, b, add_energy, &e);
     for (int k = 0; k < terms_of(self); ++k)
         energies[k] = vti_sum_value(&e.sum[k]);
 }
@@ -155,7 +179,7 @@ static void find_turns(struct carrying *c, const vti_bodies *turning)
     for (int64_t k = 0; k < pairs->count; ++k)
         for (int j = 0; j < 2; ++j) {
             double a[3];
-            const int64_t i = j ? pairs->seat[k].j : pairs->seat[k].i;
+            const int64_t i = vti_contact_body(c->p->contacts, pairs->pair[k], j);
             vti_rotor_turned(turning, vti_drifted_body(c->drifted, i), c->drifted, 0, a);
             for (int n = 0; n < 3; ++n)
                 pairs->turn[3 * j + n][k] = a[n];
@@ -170,16 +194,11 @@ static void carry_waiting(struct carrying *c)
     const vti_bodies *const turning = vti_drifted_bodies(c->drifted, c->b);
     if (vti_turns_by_spin(turning))
         find_turns(c, turning);
-    for (int64_t k = count; count > 0 && k % VTI_LANES_MOST != 0; ++k) {
-        pairs->seat[k] = pairs->seat[count - 1];
-        pairs->held[k] = pairs->held[count - 1];
-    }
     if (count > 0)
         vti_touch_kernels_for(count)->carry(c->p, c->b, c->drifted, pairs);
     for (int64_t k = 0; k < count; ++k)
         if (pairs->delta[k] <= 0.0)
-            vti_history_remove(c->p->history,
-                               vti_history_at(c->p->history, pairs->seat[k].i + 1, pairs->seat[k].j + 1));
+            vti_history_remove(c->p->history, held_by(c->p, pairs->pair[k]));
     pairs->count = 0;
 }
 
@@ -197,39 +216,43 @@ static int was_near(const struct carrying *c, int64_t k)
     return motion.delta0 >= -c->p->reach;
 }
 
-/** Pair k, if it touches or holds something: its springs begin where it does. */
-static void carry_pair(struct carrying *c, int64_t k)
+/** A pair, if it touches or holds something: its springs begin where it does. */
+static void carry_pair(struct carrying *c, int64_t k, int touches)
 {
-    const vti_contacts *contacts = c->p->contacts;
     vti_history *const history = c->p->history;
-    const struct vti_seat seat = {contacts->pair[2 * k] - contacts->base, contacts->pair[2 * k + 1] - contacts->base,
-                                  k};
-    double d[3], x[3];
-    vti_load(&c->b->x, seat.i, d);
-    vti_load(&c->b->x, seat.j, x);
-    for (int n = 0; n < 3; ++n)
-        d[n] -= x[n];
-    const double length = vti_contact_length(contacts, k, seat.i, seat.j), r2 = vti_dot(d, d);
-    const int touches = r2 < length * length;
-    if (!(r2 > VTI_COINCIDENT * VTI_COINCIDENT))
-        return;
-    vti_held *held = vti_history_at(history, seat.i + 1, seat.j + 1);
+    vti_held *held = held_by(c->p, k);
     if (held->i == 0 && !(touches && was_near(c, k)))
         return;
-    if (held->i == 0)
-        held = hold(history, seat.i + 1, seat.j + 1);
-    if (held == NULL) { /* pairs that part make room */
-        carry_waiting(c);
-        held = hold(history, seat.i + 1, seat.j + 1);
+    if (held->i == 0) {
+        const int64_t i = 1 + vti_contact_body(c->p->contacts, k, 0), j = 1 + vti_contact_body(c->p->contacts, k, 1);
+        held = hold(history, i, j);
+        if (held == NULL) { /* pairs that part make room */
+            carry_waiting(c);
+            held = hold(history, i, j);
+        }
     }
     if (held == NULL) {
         ++history->missed;
         return;
     }
-    c->pairs.seat[c->pairs.count] = seat;
+    c->pairs.pair[c->pairs.count] = k;
     c->pairs.held[c->pairs.count] = held;
     if (++c->pairs.count == VTI_TOUCHES)
         carry_waiting(c);
+}
+
+static void carry_pairs(struct carrying *c)
+{
+    const vti_contacts *const list = c->p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
+    int64_t pair[VTI_TOUCHES];
+    for (int64_t first = 0; first < list->count; first += VTI_TOUCHES) {
+        const int64_t left = list->count - first, most = left < VTI_TOUCHES ? left : VTI_TOUCHES,
+                      found = kernels->near(list, c->b, c->p->reach, first, most, pair);
+        for (int64_t n = 0; n < found; ++n)
+            carry_pair(c, vti_touch_number(pair[n]), pair[n] >= 0);
+    }
+    carry_waiting(c);
 }
 
 /** Bodies one after the other, each with the walls in their order. */
@@ -260,9 +283,8 @@ static void carry(const void *self, const vti_bodies *b, const vti_drifted *drif
 {
     const vti_friction *p = self;
     struct carrying c = {.p = p, .b = b, .drifted = drifted};
-    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k)
-        carry_pair(&c, k);
-    carry_waiting(&c);
+    if (p->contacts != NULL)
+        carry_pairs(&c);
     carry_walls(&c);
 }
 

@@ -50,6 +50,12 @@ static inline double vti_contact_length(const vti_contacts *p, int64_t k, int64_
                                : 0.5 * vti_scalar(&p->diameter, i) + 0.5 * vti_scalar(&p->diameter, j);
 }
 
+/** Body of pair k, from 0, on side 0 or 1. */
+static inline int64_t vti_contact_body(const vti_contacts *p, int64_t k, int side)
+{
+    return p->pair[2 * k + side] - p->base;
+}
+
 /** K of bodies i and j, which begin to touch at that length. */
 static inline double vti_contact_stiffness(const vti_contacts *p, int64_t i, int64_t j, double length)
 {

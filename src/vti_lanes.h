@@ -6,6 +6,7 @@
  *
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
+ *     lanes_holds    1 where it does in lane l, 0 else
  *     lanes_where    a where a comparison holds, b elsewhere
  *     lanes_half_to  2^-k of whole 0 <= k <= 1022
  *     lanes_gather   p[at[0]], p[at[1]], ...                                               lanes_scatter   the way back
@@ -71,6 +72,11 @@ VTI_INLINE lanes lanes_of(double x)
 VTI_INLINE double lanes_get(lanes a, int l)
 {
     return a[l];
+}
+
+VTI_INLINE int lanes_holds(lanes_mask m, int l)
+{
+    return (int)(m[l] & 1);
 }
 
 VTI_INLINE lanes lanes_sqrt(lanes a)
@@ -445,6 +451,12 @@ VTI_INLINE double lanes_get(lanes a, int l)
 {
     (void)l;
     return a;
+}
+
+VTI_INLINE int lanes_holds(lanes_mask m, int l)
+{
+    (void)l;
+    return m;
 }
 
 VTI_INLINE lanes lanes_sqrt(lanes a)

@@ -24,13 +24,13 @@ struct side {
     int64_t body[WIDTH], packed[WIDTH]; /* their numbers; where their vectors begin, if they lie packed */
 };
 
-VTI_INLINE void sides_of(const struct vti_seat *seat, struct side *i, struct side *j)
+VTI_INLINE void sides_of(const vti_contacts *p, const int64_t *which, struct side *i, struct side *j)
 {
     for (int l = 0; l < WIDTH; ++l) {
-        i->body[l] = seat[l].i;
-        j->body[l] = seat[l].j;
-        i->packed[l] = 3 * seat[l].i;
-        j->packed[l] = 3 * seat[l].j;
+        i->body[l] = vti_contact_body(p, which[l], 0);
+        j->body[l] = vti_contact_body(p, which[l], 1);
+        i->packed[l] = 3 * i->body[l];
+        j->packed[l] = 3 * j->body[l];
     }
 }
 
@@ -73,31 +73,51 @@ VTI_INLINE lanes scalars(const vti_scalars *s, const struct side *side)
     return lanes_gather(s->p, at);
 }
 
-/** The length from which on they touch, and K, as vti_contact_length and vti_contact_stiffness have them. */
-VTI_INLINE void gather_laws(const vti_contacts *p, const struct vti_seat *seat, lanes diameter_i, lanes diameter_j,
-                            struct vti_touch *at)
+/** The length from which on they touch, as vti_contact_length has it. */
+VTI_INLINE lanes gather_length(const vti_contacts *p, const int64_t *which, lanes diameter_i, lanes diameter_j)
 {
     double each[WIDTH];
-    at->length = 0.5 * diameter_i + 0.5 * diameter_j;
-    at->stiffness = lanes_of(p->stiffness);
-    if (p->length.p != NULL) {
-        for (int l = 0; l < WIDTH; ++l)
-            each[l] = vti_scalar(&p->length, seat[l].k);
-        at->length = lanes_load(each);
-    }
-    if (p->modulus.p != NULL) {
-        for (int l = 0; l < WIDTH; ++l)
-            each[l] = vti_contact_stiffness(p, seat[l].i, seat[l].j, lanes_get(at->length, l));
-        at->stiffness = lanes_load(each);
-    }
+    if (p->length.p == NULL)
+        return 0.5 * diameter_i + 0.5 * diameter_j;
+    for (int l = 0; l < WIDTH; ++l)
+        each[l] = vti_scalar(&p->length, which[l]);
+    return lanes_load(each);
+}
+
+/** K, as vti_contact_stiffness has it. */
+VTI_INLINE lanes gather_stiffness(const vti_contacts *p, const struct side *i, const struct side *j, lanes length)
+{
+    double each[WIDTH];
+    if (p->modulus.p == NULL)
+        return lanes_of(p->stiffness);
+    for (int l = 0; l < WIDTH; ++l)
+        each[l] = vti_contact_stiffness(p, i->body[l], j->body[l], lanes_get(length, l));
+    return lanes_load(each);
+}
+
+/** The WIDTH pairs from the first on; where count ends before, the last one is repeated, in place. */
+VTI_INLINE const int64_t *whole(const int64_t *which, int64_t first, int64_t count, int64_t place[WIDTH])
+{
+    if (first + WIDTH <= count)
+        return which + first;
+    for (int l = 0; l < WIDTH; ++l)
+        place[l] = which[first + l < count ? first + l : count - 1];
+    return place;
+}
+
+/** And what they hold. */
+VTI_INLINE void whole_held(vti_held *const *held, int64_t first, int64_t count, const vti_held *place[WIDTH])
+{
+    for (int l = 0; l < WIDTH; ++l)
+        place[l] = held[first + l < count ? first + l : count - 1];
 }
 
 /** Where pairs touch; sides become theirs. */
 VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b,
-                               const struct vti_seat *seat, struct vti_touch *at, struct side *i, struct side *j)
+                               const int64_t *which, struct vti_touch *at, struct side *i, struct side *j)
 {
     lanes d[3], x[3];
-    sides_of(seat, i, j);
+    sides_of(p, which, i, j);
     at->i = at->j = 0;
     at->moves = 0;
     gather(layout, &b->x, i, d);
@@ -105,7 +125,8 @@ VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, 
     for (int c = 0; c < 3; ++c)
         d[c] -= x[c];
     const lanes diameter_i = scalars(&p->diameter, i), diameter_j = scalars(&p->diameter, j);
-    gather_laws(p, seat, diameter_i, diameter_j, at);
+    at->length = gather_length(p, which, diameter_i, diameter_j);
+    at->stiffness = gather_stiffness(p, i, j, at->length);
     vti_touch_between(at, d, diameter_i, diameter_j);
 }
 

@@ -4,5 +4,6 @@
  * compiled for vector units of its own, and defines TOUCH_KERNELS, the name of its table. */
 #include "vti_carry_kernels.h"
 #include "vti_dashpot_kernels.h"
+#include "vti_push_kernels.h"
 
-const struct vti_touch_kernels TOUCH_KERNELS = {carry, flow_pairs, flow_at_wall};
+const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs, push_springs, carry, soon, flow_pairs, flow_at_wall};

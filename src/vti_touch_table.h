@@ -9,16 +9,10 @@
  *  the second. */
 enum { VTI_TOUCHES = 64, VTI_LANES_MOST = 8 };
 
-/** A pair of a list. */
-struct vti_seat {
-    int64_t i, j; /* its bodies, from 0 */
-    int64_t k;    /* its number in the list */
-};
-
-/** Pairs the springs of which follow a drift. Beyond count, up to a whole number of lanes, pairs are repeated. */
+/** Pairs the springs of which follow a drift. */
 struct vti_carried {
     int64_t count;
-    struct vti_seat seat[VTI_TOUCHES];
+    int64_t pair[VTI_TOUCHES];   /* their numbers in the list */
     vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
     int turned;                  /* whether increments of attitude are known, of bodies that turn by L; else they are */
@@ -38,12 +32,27 @@ struct vti_at_wall {
 struct vti_sweep; /* of dashpots (vti_dashpot_flow.h) */
 
 struct vti_touch_kernels {
+    /** Of so many pairs of the list from the first on those with directions and no gap wider than reach, in their order,
+     *  into pair[count]: k where pair k overlaps, -1 - k where there is a gap. Returns how many. */
+    int64_t (*near)(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
+                    int64_t *pair);
+    /** Adds what the springs of pairs hold to forces and moments, pair by pair in their order. */
+    void (*push)(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *pair, vti_held *const *held);
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
-    /** The dashpots of pairs no two of which share a body; beyond count as in vti_carried. */
-    void (*flow)(const struct vti_sweep *s, int64_t count, const struct vti_seat *seat);
+    /** Of so many pairs, as near has found them, the numbers of those that overlap, or will at the other end of the
+     *  drift: delta - drift u.n > 0. Returns how many. */
+    int64_t (*soon)(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pair);
+    /** The dashpots of pairs no two of which share a body. */
+    void (*flow)(const struct vti_sweep *s, int64_t count, const int64_t *pair);
     /** And those of bodies at a wall. */
     void (*flow_at)(const struct vti_sweep *s, const struct vti_at_wall *at);
 };
+
+/** The pair's number in the list, of what near has found. */
+static inline int64_t vti_touch_number(int64_t found)
+{
+    return found < 0 ? -1 - found : found;
+}
 
 /** The same bits from each. */
 extern const struct vti_touch_kernels vti_touch_baseline, vti_touch_avx2, vti_touch_avx512;

@@ -155,8 +155,7 @@ static void carries(const struct vti_touch_kernels *kernels)
         struct vti_carried pairs = {.count = PAIRS};
         for (int64_t k = 0; k < VTI_TOUCHES; ++k) {
             const int64_t at = k < PAIRS ? k : PAIRS - 1;
-            const struct vti_seat seat = {bodies.pair[at][0] - 1, bodies.pair[at][1] - 1, at};
-            pairs.seat[k] = seat;
+            pairs.pair[k] = at;
             pairs.held[k] = &bodies.held[at];
         }
         kernels->carry(&many, &b, &drifted, &pairs);
@@ -247,15 +246,95 @@ static void flows(const struct vti_touch_kernels *kernels)
         memcpy(moved, bodies.all[1], sizeof moved);
         bodies = start;
         s.p = &many;
-        struct vti_seat seat[VTI_TOUCHES];
+        int64_t pair[VTI_TOUCHES];
         for (int64_t k = 0; k < VTI_TOUCHES; ++k) {
             const int64_t at = k < PAIRS ? k : PAIRS - 1;
-            const struct vti_seat there = {bodies.pair[at][0] - 1, bodies.pair[at][1] - 1, at};
-            seat[k] = there;
+            pair[k] = at;
         }
-        kernels->flow(&s, PAIRS, seat);
+        kernels->flow(&s, PAIRS, pair);
         assert_same_bits(bodies.all[1], moved, 2 * ROOM);
         assert_same_bits(lost_too, lost, 2 * VTI_DASHPOT_BOOKS);
+    }
+}
+
+/* ---- which pairs are near, and what their springs do to them ----------------------------------------------------- */
+
+static void nears(const struct vti_touch_kernels *kernels)
+{
+    rng g = rng_seed(19);
+    for (int trial = 0; trial < LAYOUTS * 4 * 16; ++trial) {
+        const vti_bodies b = bodies_in(trial % LAYOUTS);
+        const double reach = trial % 4 ? 0.1 * (trial % 4 - 1) : INFINITY;
+        const int64_t first = trial % 5, end = PAIRS - trial % 4;
+        int64_t found[PAIRS], expected[PAIRS], count = 0;
+        draw(&g, &b);
+        put(&b.x, 14, 0.0, 0.0, 0.0); /* where the other of pair 7 is: no direction */
+        put(&b.x, 15, 0.0, 0.0, 0.0);
+        put(&b.x, 16, NAN, 0.0, 0.0);
+        const vti_contacts contacts = contacts_in(trial / LAYOUTS);
+        for (int64_t k = first; k < end; ++k) {
+            struct vti_touch touch;
+            if (k != 8 && vti_touch_pair(&touch, &contacts, &b, k, reach))
+                expected[count++] = touch.delta > 0.0 ? k : -1 - k;
+        }
+        assert_int_equal(kernels->near(&contacts, &b, reach, first, end - first, found), count);
+        assert_memory_equal(found, expected, (size_t)count * sizeof *found);
+    }
+}
+
+static double loads[2][2][ROOM];
+
+/** What the springs of pair k do to its bodies, if they are of the slice, onto the second of the loads. */
+static void expect_push(const vti_friction *p, const vti_bodies *b, int64_t k)
+{
+    struct vti_touch touch = {.j = 0};
+    const vti_held *const held = &bodies.held[k];
+    const double none[3] = {0.0, 0.0, 0.0}, *const f = p->sliding > 0.0 ? held->sliding : none,
+                 *const roll = p->rolling > 0.0 ? held->rolling : none;
+    double across[3];
+    assert_true(vti_touch_pair(&touch, p->contacts, b, k, INFINITY));
+    vti_cross(touch.n, f, across);
+    for (int c = 0; c < 3; ++c) {
+        const double moment = roll[c] + (p->twisting > 0.0 ? held->twisting : 0.0) * touch.n[c];
+        for (int side = 0; side < 2; ++side) {
+            const int64_t i = side ? touch.j : touch.i;
+            const double sign = side ? 1.0 : -1.0;
+            if (i < b->first || i >= b->first + b->count)
+                continue;
+            b->force.c[c][i * b->force.stride] += sign * f[c];
+            b->moment.c[c][i * b->moment.stride] +=
+                (side ? touch.s_j : touch.s_i) * touch.r * across[c] + sign * moment;
+        }
+    }
+}
+
+static void pushes(const struct vti_touch_kernels *kernels)
+{
+    rng g = rng_seed(29);
+    for (int trial = 0; trial < LAYOUTS * 4 * 16; ++trial) {
+        vti_bodies b = bodies_in(trial % LAYOUTS), too;
+        vti_held *held[PAIRS];
+        int64_t pair[PAIRS];
+        draw(&g, &b);
+        const vti_contacts contacts = contacts_in(trial / LAYOUTS);
+        const vti_friction friction = friction_in(trial / LAYOUTS, &contacts, NULL);
+        for (int n = 0; n < 2 * ROOM; ++n)
+            loads[0][n / ROOM][n % ROOM] = loads[1][n / ROOM][n % ROOM] = uniform(&g, -1, 1);
+        for (int64_t k = 0; k < PAIRS; ++k) {
+            pair[k] = (k * 5 + trial) % PAIRS; /* in any order */
+            held[k] = &bodies.held[pair[k]];
+        }
+        b.first = trial % 3;
+        b.count = trial % 7 ? N - b.first : 11;
+        b.force = view_in(trial % LAYOUTS, loads[0][0]);
+        b.moment = view_in(trial % LAYOUTS, loads[0][1]);
+        too = b;
+        too.force = view_in(trial % LAYOUTS, loads[1][0]);
+        too.moment = view_in(trial % LAYOUTS, loads[1][1]);
+        kernels->push(&friction, &b, PAIRS, pair, held);
+        for (int64_t k = 0; k < PAIRS; ++k)
+            expect_push(&friction, &too, pair[k]);
+        assert_same_bits(loads[0], loads[1], 2 * ROOM);
     }
 }
 
@@ -499,6 +578,8 @@ TEST(walls)
 
 static void agree(const struct vti_touch_kernels *kernels)
 {
+    nears(kernels);
+    pushes(kernels);
     carries(kernels);
     flows(kernels);
 }

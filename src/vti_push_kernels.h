@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Which pairs of a list are near each other, and what their springs do to them, many at once. Included by
+ * vti_touch_kernels.h only. */
+#ifndef VTI_PUSH_KERNELS_H
+#define VTI_PUSH_KERNELS_H
+
+#include "vti_touch_gather.h"
+
+/* ---- which are near ---------------------------------------------------------------------------------------------- */
+
+/** Of so many pairs from the first on, WIDTH at most. */
+VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b, double reach,
+                              int64_t first, int64_t count, int64_t *which)
+{
+    int64_t all[WIDTH], found = 0;
+    struct side i, j;
+    lanes d[3], x[3];
+    for (int l = 0; l < WIDTH; ++l)
+        all[l] = first + (l < count ? l : count - 1);
+    sides_of(p, all, &i, &j);
+    gather(layout, &b->x, &i, d);
+    gather(layout, &b->x, &j, x);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= x[c];
+    const lanes length = gather_length(p, all, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
+                far = length + reach, r2 = lanes_dot(d, d);
+    const lanes_mask is_near = (r2 <= far * far) & (r2 > VTI_COINCIDENT * VTI_COINCIDENT),
+                     touches = r2 < length * length;
+    for (int l = 0; l < WIDTH && l < count; ++l) { /* what is not near is written over */
+        which[found] = lanes_holds(touches, l) ? first + l : -1 - (first + l);
+        found += lanes_holds(is_near, l);
+    }
+    return found;
+}
+
+static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
+                          int64_t *which)
+{
+    const int packed = vti_is_packed(&b->x);
+    const int64_t even = count - count % WIDTH;
+    int64_t found = 0, n = 0;
+    for (; packed && n < even; n += WIDTH)
+        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which + found);
+    for (; n < count; n += WIDTH)
+        found += near_lanes(ANY, p, b, reach, first + n, count - n, which + found);
+    return found;
+}
+
+/* ---- what springs do --------------------------------------------------------------------------------------------- */
+
+/** To body i, if it is of the slice. */
+VTI_INLINE void add_row(enum touch_layout layout, const vti_bodies *b, const vti_view *view, int64_t i,
+                        const double row[3])
+{
+    if (!vti_has(view) || !vti_owns(b, i))
+        return;
+    if (layout == PACKED)
+        triple_store(view->c[0] + 3 * i, triple_plus(triple_load(view->c[0] + 3 * i), triple_load(row)));
+    else
+        vti_add(view, i, row);
+}
+
+/** F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f of sliding, T_i -= f, T_j += f of rolling, and of twisting
+ *  with f n. */
+VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, const int64_t *which,
+                           const vti_held *const held[WIDTH], int64_t count)
+{
+    enum { F_I, F_J, T_I, T_J, ROWS };
+    struct vti_touch at;
+    struct vti_loads f;
+    struct side i, j;
+    lanes across[3], act[ROWS][3];
+    double row[ROWS][3 * WIDTH];
+    int64_t to[WIDTH];
+    gather_touches(layout, p->contacts, b, which, &at, &i, &j);
+    gather_loads(p, held, &f);
+    lanes_cross(at.n, f.sliding, across);
+    for (int k = 0; k < 3; ++k) {
+        const lanes moment = f.rolling[k] + f.twisting * at.n[k];
+        act[F_I][k] = -f.sliding[k];
+        act[F_J][k] = f.sliding[k];
+        act[T_I][k] = at.s_i * at.r * across[k] - moment;
+        act[T_J][k] = at.s_j * at.r * across[k] + moment;
+    }
+    lanes_strided(3, to);
+    for (int k = 0; k < ROWS; ++k)
+        lanes_untriple(row[k], to, act[k]);
+    for (int l = 0; l < WIDTH && l < count; ++l) {
+        add_row(layout, b, &b->force, i.body[l], row[F_I] + 3 * l);
+        add_row(layout, b, &b->moment, i.body[l], row[T_I] + 3 * l);
+        add_row(layout, b, &b->force, j.body[l], row[F_J] + 3 * l);
+        add_row(layout, b, &b->moment, j.body[l], row[T_J] + 3 * l);
+    }
+}
+
+static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *which,
+                         vti_held *const *held)
+{
+    const int packed = is_packed(b) && (!vti_has(&b->force) || vti_is_packed(&b->force)) &&
+                       (!vti_has(&b->moment) || vti_is_packed(&b->moment));
+    int64_t place[WIDTH];
+    const vti_held *springs[WIDTH];
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const pairs = whole(which, first, count, place);
+        whole_held(held, first, count, springs);
+        if (packed)
+            push_lanes(PACKED, p, b, pairs, springs, count - first);
+        else
+            push_lanes(ANY, p, b, pairs, springs, count - first);
+    }
+}
+
+#endif
