@@ -151,6 +151,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     made->self = &self->contacts;
     const int result = neighbours_create(&self->neighbours, spheres, &model->diameter, 0.0, held, pair, message);
     self->neighbours.owner = model->clumps.list.body;
+    self->neighbours.number = model->number;
     free(pair);
     if (result != 0 || scene_first_with(model->scene, EFFECT_NEAR) == NULL)
         return result;

@@ -10,7 +10,8 @@ void frame_layout_of(const struct model *model, struct frame_layout *layout)
 {
     const vti_bodies *b = &model->bodies;
     int64_t next = 2;
-    const struct frame_layout empty = {model, b->count, b->v.c[0] != NULL, b->omega.c[0] != NULL, next, 0, 0, 0, 0};
+    const struct frame_layout empty = {model, b->count, b->v.c[0] != NULL, b->omega.c[0] != NULL, next, 0, 0, 0,
+                                       0,     NULL};
     *layout = empty;
     next += 3 * b->count;
     if (layout->translates) {
@@ -25,11 +26,17 @@ void frame_layout_of(const struct model *model, struct frame_layout *layout)
     layout->doubles = next;
 }
 
-static void copy(const vti_view *view, int64_t n, double *to)
+/** Where body i stands. */
+static int64_t at(const struct frame_layout *layout, int64_t i)
 {
-    for (int64_t i = 0; i < n; ++i)
+    return 3 * (layout->number != NULL ? layout->number[i] : i);
+}
+
+static void copy(const struct frame_layout *layout, const vti_view *view, double *to)
+{
+    for (int64_t i = 0; i < layout->n; ++i)
         for (int k = 0; k < 3; ++k)
-            to[3 * i + k] = view->c[k][i * view->stride];
+            to[at(layout, i) + k] = view->c[k][i * view->stride];
 }
 
 void frame_take(const struct frame_layout *layout, int64_t step, double t, const vti_bodies *bodies, double *frame)
@@ -37,12 +44,12 @@ void frame_take(const struct frame_layout *layout, int64_t step, double t, const
     frame[0] = (double)step;
     frame[1] = t;
     for (int64_t i = 0; i < layout->n; ++i)
-        shape_centre(layout->model, bodies, i, frame + layout->x + 3 * i);
+        shape_centre(layout->model, bodies, i, frame + layout->x + at(layout, i));
     if (layout->translates)
-        copy(&bodies->v, layout->n, frame + layout->v);
+        copy(layout, &bodies->v, frame + layout->v);
     if (layout->turns) {
-        copy(&bodies->omega, layout->n, frame + layout->omega);
-        copy(&bodies->alpha, layout->n, frame + layout->alpha);
+        copy(layout, &bodies->omega, frame + layout->omega);
+        copy(layout, &bodies->alpha, frame + layout->alpha);
     }
 }
 

@@ -18,6 +18,7 @@ struct frame_layout {
     int translates, turns;
     int64_t x, v, omega, alpha; /* where they are in the frame; 0 is absent */
     int64_t doubles;            /* of the whole frame */
+    const int64_t *number;      /* [n] where bodies go that frames are taken of (renumber.h); NULL: as they are */
 };
 
 void frame_layout_of(const struct model *model, struct frame_layout *layout);

@@ -51,6 +51,9 @@ static const struct option_row rows[] = {
     {"--threads", "N", OPTION_WHOLE, &request.threads, 1, 1024, "2 or 8",
      "threads that work on the scene (default: all cores from 1000 bodies on, 1 under mpirun); the bytes are the same "
      "for any number, and a resumed run may have another one"},
+    {"--renumber", NULL, OPTION_ON, &request.renumber, OPTION_ANY,
+     "work on the bodies and bonds of tables in an order in which neighbours are near each other: faster where tables "
+     "have them in any order; files have the tables' numbers, and sums over bonds differ in their last digits"},
     {"--resume", NULL, OPTION_ON, &request.resume, OPTION_ANY,
      "go on from the last checkpoint, or with a later --t-end from the end of a complete run; if there is neither, "
      "start"},
@@ -112,7 +115,7 @@ static void say_effects(const struct run *run, FILE *file)
     fprintf(file, "; %s\n", pairs ? "pairs in contact are searched for" : "no pairs are searched for");
 }
 
-static void say_step(const struct run *run, FILE *file)
+static void say_step(struct run *run, FILE *file)
 {
     const double h = run->scene.h, degrees = 180.0 / acos(-1.0);
     const vti_stepper *stepper = run->scene.stepper;
@@ -132,7 +135,8 @@ static void say_step(const struct run *run, FILE *file)
         fprintf(file, "; at most %.3g degrees per step at t = %.10g", degrees * vti_max_turn(h, &run->model.bodies),
                 (double)run->from * h);
     fputc('\n', file);
-    if (model_find_limits(&run->model, &limits, &trouble) != 0) {
+    (void)run_shown(run, &run->model.bodies);
+    if (model_find_limits(run->shown, &limits, &trouble) != 0) {
         fprintf(file, "warning: the stable step is not known: %s\n", trouble.text);
         return;
     }
@@ -151,7 +155,7 @@ static void say_warnings(const struct run *run, FILE *file)
 }
 
 /** What will be computed, from where, and h against the bound of the stable step. */
-static void say_start(const struct run *run, FILE *file)
+static void say_start(struct run *run, FILE *file)
 {
     const double wanted = run->scene.t_end, h = run->scene.h;
     say_bodies(run, file);

@@ -35,11 +35,34 @@ static int start_threads(struct run *run, struct message *message)
     return slices_create(&run->model, message);
 }
 
+const vti_bodies *run_shown(struct run *run, const vti_bodies *bodies)
+{
+    if (!run->request->renumber)
+        return bodies;
+    renumber_back(run->renumbering.number, bodies, &run->unsorted.bodies);
+    return &run->unsorted.bodies;
+}
+
+/** The model, and what of it is shown. What is wrong with tables is said of these as they are. */
+static int make_models(struct run *run, struct message *message)
+{
+    run->shown = run->request->renumber ? &run->unsorted : &run->model;
+    if (model_create(&run->scene, run->shown, message) != 0)
+        return -1;
+    if (!run->request->renumber)
+        return 0;
+    if (renumber(run->shown, &run->tables, &run->renumbering, message) != 0)
+        return -1;
+    run->sorted = run->scene;
+    run->sorted.tables = &run->renumbering.tables;
+    return model_create(&run->sorted, &run->model, message);
+}
+
 static int open_scene(struct run *run, struct message *message)
 {
     const struct run_request *r = run->request;
     if (scene_read(r->scene, r->sets, r->sets_count, &run->scene, message) != 0 ||
-        tables_read(&run->scene, &run->tables, message) != 0 || model_create(&run->scene, &run->model, message) != 0)
+        tables_read(&run->scene, &run->tables, message) != 0 || make_models(run, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
     if (fields_check(r->fields, &run->model, message) != 0)
@@ -69,6 +92,8 @@ static int identify(struct run *run, struct message *message)
     for (int c = 0; c < columns->count; ++c)
         fprintf(text, " %s", columns->name[c]);
     fprintf(text, "\nnumbers of a frame: %lld\n", (long long)run->record.frames.doubles);
+    if (run->request->renumber)
+        fputs("bodies: renumbered\n", text);
     return fclose(text) != 0 ? message_set(message, "%s: out of memory; use fewer bodies", run->scene.name) : 0;
 }
 
@@ -198,7 +223,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     hdf5_start();
     if (open_scene(run, message) != 0)
         return -1;
-    run->record.model = &run->model;
+    run->record.model = run->shown;
     run->record.stepper = run->scene.stepper;
     run->record.h = run->scene.h;
     run->record.journal = &run->journal;
@@ -207,7 +232,8 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     if (verdict_create(&run->verdict, &run->model, run->scene.stepper, run->scene.h, &run->record.columns, message) !=
         0)
         return -1;
-    frame_layout_of(&run->model, &run->record.frames);
+    frame_layout_of(run->shown, &run->record.frames);
+    run->record.frames.number = run->renumbering.number;
     run->frame = malloc(sizeof *run->frame * (size_t)run->record.frames.doubles);
     if (run->frame == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
@@ -226,5 +252,7 @@ void run_close(struct run *run)
     verdict_destroy(&run->verdict);
     travel_destroy(&run->travel);
     model_destroy(&run->model);
+    model_destroy(&run->unsorted);
+    renumber_destroy(&run->renumbering);
     tables_destroy(&run->tables);
 }

@@ -8,6 +8,7 @@
 
 #include "journal.h"
 #include "record.h"
+#include "renumber.h"
 #include "run_files.h"
 #include "table_hdf5.h"
 #include "travel.h"
@@ -25,6 +26,7 @@ struct run_request {
     int xdmf;        /* write the XDMF index of however many frames */
     int force;       /* replace files that are not ours */
     int fields;      /* FIELD_ (record.h) */
+    int renumber;    /* work on the bodies of the table in another order (renumber.h) */
 };
 
 /** How a run has ended. */
@@ -42,6 +44,10 @@ struct run {
     struct scene scene;
     struct tables tables;
     struct model model;
+    struct model *shown; /* in the scene's numbers, at t = 0: model, or that of the tables as they are */
+    struct scene sorted; /* where bodies are renumbered: the scene of model, */
+    struct renumbering renumbering;
+    struct model unsorted;                /* and what is shown */
     struct input inputs[INPUTS_OF_SCENE]; /* the scene and its tables */
     struct run_files files;
     char output[FOLDER_PATH]; /* path of the HDF5 file */
@@ -71,6 +77,9 @@ struct run {
 /** Reads the scene, makes the model and opens the journal; with request->resume from where it was. request must
  *  outlive the run. Returns 0, or -1 with one line in *message. run_close is due after either. */
 int run_open(const struct run_request *request, struct run *run, struct message *message);
+
+/** The bodies, with the views of run->model, as people number them, until the next call. */
+const vti_bodies *run_shown(struct run *run, const vti_bodies *bodies);
 
 /** How many threads a run of so many bodies gets if nobody says: all cores where they pay, one among the ranks of an
  *  MPI launcher, which has given the cores away already. */

@@ -22,7 +22,7 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
     const struct columns *columns = &run->record.columns;
     const double square_root_of_infinity = 1e154;
     struct message what;
-    if (state_watch(bodies, square_root_of_infinity, &what) == 0) {
+    if (state_watch(run_shown(run, bodies), square_root_of_infinity, &what) == 0) {
         int c = 0;
         while (row != NULL && c < columns->total && isfinite(row[c]))
             ++c;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist; threads share them. */
+ * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist, and threads share
+ * them. */
 #ifndef VTI_CELLS_H
 #define VTI_CELLS_H
 

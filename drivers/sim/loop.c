@@ -127,7 +127,7 @@ static int refused(const struct model *model, int status, const vti_fault *fault
         snprintf(place, sizeof place, "the start (t = %.10g)", (double)from * h);
     if (status == VTI_E_TOO_LARGE)
         return message_set(message, "%s at h = %s: %s: body %lld has h|Omega| = %.6g; %s", stepper->name, NUMBER(h),
-                           place, (long long)fault->body, fault->value, vti_status_text(status));
+                           place, (long long)model_number(model, fault->body), fault->value, vti_status_text(status));
     return message_set(message, "%s at h = %s: %s: %s", stepper->name, NUMBER(h), place, model_text(model, status));
 }
 

@@ -60,6 +60,7 @@ static int check_effects(const struct model *model, struct message *message)
 
 static int make(struct model *model, const struct tables *tables, struct message *message)
 {
+    model->number = tables->number;
     if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0)
         return -1;
     for (int k = 0; k < EFFECT_COUNT; ++k)

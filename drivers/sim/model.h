@@ -39,9 +39,16 @@ struct model {
     double mass, inertia, sphere;    /* of all bodies, where no table says more; sphere is the diameter */
     double moments[3], principal[4]; /* of all bodies, where they are no spheres */
     double *memory;                  /* of the bodies */
+    const int64_t *number;           /* [bodies] as people know them, the tables'; NULL: as they are */
     struct message trouble;
     struct slices *slices; /* of the bodies, for threads; NULL: all in one piece */
 };
+
+/** What people call body i. */
+static inline int64_t model_number(const struct model *model, int64_t i)
+{
+    return model->number != NULL && i >= 0 ? model->number[i] : i;
+}
 
 /** Makes the model of *scene at t = 0, forces and moments included. Returns 0, or -1 with one line in *message. */
 int model_create(const struct scene *scene, struct model *model, struct message *message);

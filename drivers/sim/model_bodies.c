@@ -74,13 +74,16 @@ static double *place(double **block, int64_t n, const struct table *bodies, int 
     return p;
 }
 
-/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, the next three for omega, and those from 2^40 +
- *  6 i on for alpha. p is [n][3]. */
-static void add_random(double *p, int64_t n, int64_t seed, int64_t first, double most)
+/** Numbers 6 i ... 6 i + 2 of the scene's sequence are for v of body i, as people number them, the next three for omega,
+ *  and those from 2^40 + 6 i on for alpha. p is [n][3]. */
+static void add_random(const struct model *model, double *p, int64_t first, double most)
 {
-    for (int64_t i = 0; i < n && most != 0.0; ++i)
+    const uint64_t seed = (uint64_t)model->scene->random.seed;
+    for (int64_t k = 0; k < model->bodies.count && most != 0.0; ++k) {
+        const int64_t i = model_number(model, k);
         for (int64_t c = 0; c < 3; ++c)
-            p[3 * i + c] += random_symmetric((uint64_t)seed, (uint64_t)(6 * i + first + c), most);
+            p[3 * k + c] += random_symmetric(seed, (uint64_t)(6 * i + first + c), most);
+    }
 }
 
 static void place_vectors(struct model *model, const struct tables *tables, double **block)
@@ -94,7 +97,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
         double *x = place(block, n, t, BODY_X, s->x), *v = place(block, n, t, BODY_V, s->v);
         if (s->arrangement != SCENE_IN_TABLE)
             arrange_positions(s, x);
-        add_random(v, n, s->random.seed, 0, s->random.v);
+        add_random(model, v, 0, s->random.v);
         b->x = vti_view_packed(x);
         b->v = vti_view_packed(v);
         if ((loads & EFFECT_FORCE) != 0)
@@ -102,8 +105,8 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
     }
     if (model->turns) {
         double *alpha = place(block, n, t, BODY_ALPHA, s->alpha), *omega = place(block, n, t, BODY_OMEGA, s->omega);
-        add_random(omega, n, s->random.seed, 3, s->random.omega);
-        add_random(alpha, n, s->random.seed, (int64_t)1 << 40, s->random.alpha);
+        add_random(model, omega, 3, s->random.omega);
+        add_random(model, alpha, (int64_t)1 << 40, s->random.alpha);
         b->alpha = vti_view_packed(alpha);
         b->omega = vti_view_packed(omega);
         if ((loads & EFFECT_MOMENT) != 0)

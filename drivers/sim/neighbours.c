@@ -157,15 +157,16 @@ static int has_moved(struct neighbours *list, const vti_view *x)
     return has_left_shared(list, x);
 }
 
-static int store_positions(struct cells *cells, const vti_view *x, struct message *message)
+static int store_positions(struct neighbours *list, const vti_view *x, struct message *message)
 {
+    struct cells *const cells = &list->search->cells;
     for (int64_t i = 0; i < cells->n; ++i) {
         double *const at = cells->x + 3 * i;
         for (int k = 0; k < 3; ++k)
             at[k] = x->c[k][i * x->stride];
         if (!isfinite(at[0]) || !isfinite(at[1]) || !isfinite(at[2]))
-            return message_set(message, "contacts: body %lld is at (%.6g, %.6g, %.6g); use a smaller h", (long long)i,
-                               at[0], at[1], at[2]);
+            return message_set(message, "contacts: body %lld is at (%.6g, %.6g, %.6g); use a smaller h",
+                               (long long)(list->number != NULL ? list->number[i] : i), at[0], at[1], at[2]);
     }
     return 0;
 }
@@ -217,7 +218,7 @@ int neighbours_update(struct neighbours *list, const vti_view *x, struct message
         adapt(list);
     list->count = 0;
     s->is_built = 0;
-    if (store_positions(&s->cells, x, message) != 0)
+    if (store_positions(list, x, message) != 0)
         return -1;
     if (build(list) != 0)
         return message_set(message, "contacts: out of memory for the pairs of %lld bodies; are too many in one place?",

@@ -18,11 +18,12 @@
 
 struct neighbours {
     int64_t count;
-    int64_t *pair;        /* [count][2]: i < j from 0, ascending by i, then by j; moves when the list is built anew */
-    double skin;          /* length, of the last build */
-    double reach;         /* length below the skin, 0 when it is made: it also holds all pairs with a gap below that */
-    int64_t builds;       /* how often it has been built */
-    const int64_t *owner; /* [n] or NULL, as it is made; the caller's: spheres of one owner are never a pair */
+    int64_t *pair;         /* [count][2]: i < j from 0, ascending by i, then by j; moves when the list is built anew */
+    double skin;           /* length, of the last build */
+    double reach;          /* length below the skin, 0 when it is made: it also holds all pairs with a gap below that */
+    int64_t builds;        /* how often it has been built */
+    const int64_t *owner;  /* [n] or NULL, as it is made; the caller's: spheres of one owner are never a pair */
+    const int64_t *number; /* [n] or NULL, as it is made; the caller's: what people call them */
     struct neighbours_search *search;
 };
 

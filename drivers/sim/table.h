@@ -64,6 +64,7 @@ struct table {
 /** The tables that a scene names; a table that it does not name has no rows and no columns. */
 struct tables {
     struct table bodies, effect[EFFECT_COUNT];
+    const int64_t *number; /* [bodies] as people know them (renumber.h); NULL: by their rows */
 };
 
 /** Table k of the scene, k < TABLES: that of the bodies, then those of the effects. Its path is "" if the scene names
