@@ -15,7 +15,7 @@ typedef struct impact {
     vti_walls walls;
     vti_sum lost[4];
     vti_bodies b;
-    vti_effect effects[6];
+    vti_effect effects[8];
     int64_t count; /* effects */
 } impact;
 
@@ -46,7 +46,7 @@ static inline void impact_add(impact *m, vti_effect effect)
     m->effects[m->count++] = effect;
 }
 
-/** So many steps. */
+/** So many steps, at whose end bonds may break. */
 static inline void impact_go(impact *m, const vti_stepper *method, double h, int64_t steps)
 {
     assert_int_equal(vti_apply(m->effects, m->count, &m->b), VTI_OK);
@@ -54,6 +54,10 @@ static inline void impact_go(impact *m, const vti_stepper *method, double h, int
         assert_int_equal(vti_effects_begin(method, h, m->effects, m->count, &m->b, NULL), VTI_OK);
         assert_int_equal(vti_apply(m->effects, m->count, &m->b), VTI_OK);
         assert_int_equal(vti_effects_finish(method, h, m->effects, m->count, &m->b), VTI_OK);
+        int64_t broken = 0;
+        assert_int_equal(vti_effects_rupture(m->effects, m->count, &m->b, &broken), VTI_OK);
+        if (broken > 0)
+            assert_int_equal(vti_apply(m->effects, m->count, &m->b), VTI_OK);
     }
 }
 

@@ -17,6 +17,11 @@ static vti_friction friction;
 static vti_dashpots dashpots;
 static vti_gravity gravity;
 
+static web w;
+static int64_t id[WEB_MAX];
+static vti_sum broken;
+static vti_rupture rupture;
+
 /** Both on the bodies of m: what touches, friction, dashpots and gravity. */
 static void act(int walls, double g)
 {
@@ -132,4 +137,67 @@ TEST(column)
     judge("column", error);
 }
 
-RUN_TESTS(cmocka_unit_test(impacts), cmocka_unit_test(column))
+/** Bonds of all pairs nearer than `reach`, at rest, that break by what normal, shear and moments bear together. */
+static void bind(double reach)
+{
+    static const double force = 40, moment = 5;
+    int64_t count = 0;
+    memset(&w, 0, sizeof w);
+    memset(&broken, 0, sizeof broken);
+    for (int64_t p = 0; p < m.contacts.count; ++p) {
+        double d[3];
+        for (int k = 0; k < 3; ++k)
+            d[k] = m.c.x[m.pair[p][0]][k] - m.c.x[m.pair[p][1]][k];
+        if (vti_norm(d) > reach)
+            continue;
+        memcpy(w.pair[count], m.pair[p], sizeof w.pair[count]);
+        w.axial[count] = 2000;
+        w.shear[count] = 800;
+        w.moment[count] = 100;
+        id[count] = count;
+        ++count;
+    }
+    assert_int_equal(vti_bonds_rest(count, w.pair[0], 0, &m.b.x, w.rest[0], NULL), VTI_OK);
+    web_terms(&w, count, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+    rupture = (vti_rupture){.bonds = &w.bonds,
+                            .id = id,
+                            .normal = vti_scalars_one(&force),
+                            .shear = vti_scalars_one(&force),
+                            .bending = vti_scalars_one(&moment),
+                            .torsion = vti_scalars_one(&moment),
+                            .lost = &broken};
+    impact_add(&m, vti_bonds_effect(&w.bonds));
+    impact_add(&m, vti_rupture_effect(&rupture));
+    u.bonds[0] = vti_bonds_effect(&w.bonds);
+    u.bonds[1] = vti_rupture_effect(&rupture);
+    u.bonds_count = 2;
+}
+
+/** Eighteen bonded spheres strike a plane on a corner, and some of their bonds break. */
+TEST(agglomerate)
+{
+    enum { WIDE = 3, HIGH = 2, ALL = WIDE * WIDE * HIGH };
+    double error[2][LEVELS];
+    for (int usually = 0; usually < 2; ++usually)
+        for (int level = 0; level < LEVELS; ++level) {
+            const double n[3] = {0.36, 0.48, 0.8};
+            impact_clear(&m, ALL, 1, 2e4);
+            memcpy(m.plane[0], n, sizeof n);
+            m.plane[0][3] = -0.52;
+            for (int i = 0; i < ALL; ++i) {
+                const int at[3] = {i % WIDE, i / WIDE % WIDE, i / (WIDE * WIDE)};
+                for (int k = 0; k < 3; ++k) {
+                    m.c.x[i][k] = at[k];
+                    m.c.v[i][k] = -n[k];
+                }
+            }
+            act(1, 0);
+            bind(1.1);
+            const int64_t bonds = w.bonds.count;
+            error[usually][level] = change(usually, 1.0, 512 << level);
+            assert_in_range(w.bonds.count, bonds / 3, 5 * bonds / 6); /* 20 or 21 of 33 */
+        }
+    judge("agglomerate", error);
+}
+
+RUN_TESTS(cmocka_unit_test(impacts), cmocka_unit_test(column), cmocka_unit_test(agglomerate))

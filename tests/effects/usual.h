@@ -3,7 +3,7 @@
  * Contacts as most codes step them, for comparison with the library: velocity Verlet, forces of dashpots and
  * friction from the velocities of half a step, what they take booked as F.v h, the spring of friction turned into
  * the plane of contact by projection and returned to mu F_n along itself. Spheres against each other and against
- * planes at rest. */
+ * planes at rest. Bonds, which have no dashpots, act and break as the library's. */
 #ifndef VTI_TESTS_USUAL_H
 #define VTI_TESTS_USUAL_H
 
@@ -15,6 +15,8 @@ typedef struct usual {
     double g[3];
     double spring[WEB_MAX][3]; /* lengths; pairs, then body by body its planes */
     double lost;               /* what dashpots, sliding and springs have taken */
+    vti_effect bonds[2];       /* and their rupture */
+    int64_t bonds_count;       /* 0: there are none */
 } usual;
 
 /** One touch: body j < 0 is a plane; n from it to i, overlap delta of length, arms along n. */
@@ -64,7 +66,7 @@ static inline void usual_touch(usual *u, int i, int j, const double n[3], double
     }
 }
 
-/** Forces of all touches; the springs move by h. */
+/** Forces of all touches and bonds; the springs move by h. */
 static inline void usual_forces(usual *u, double h)
 {
     impact *const m = u->m;
@@ -90,6 +92,8 @@ static inline void usual_forces(usual *u, double h)
             const double r = vti_dot(c->x[i], m->plane[w]) - m->plane[w][3];
             usual_touch(u, i, -1, m->plane[w], 0.5 * m->diameter[i] - r, 0.5 * m->diameter[i], r, u->spring[at], h);
         }
+    if (u->bonds_count > 0)
+        u->bonds[0].apply(u->bonds[0].self, &m->b);
 }
 
 static inline void usual_kick(usual *u, double t)
@@ -102,18 +106,20 @@ static inline void usual_kick(usual *u, double t)
         }
 }
 
-/** So many steps; attitudes, which nothing here depends on, stay. */
+/** So many steps. */
 static inline void usual_go(usual *u, double h, int64_t steps)
 {
-    crowd *const c = &u->m->c;
     usual_forces(u, 0);
     for (int64_t step = 0; step < steps; ++step) {
         usual_kick(u, 0.5 * h);
-        for (int i = 0; i < c->n; ++i)
-            for (int k = 0; k < 3; ++k)
-                c->x[i][k] += h * c->v[i][k];
+        assert_int_equal(vti_drift(VTI_LAW_EXACT, VTI_FRAME_SPACE, h, &u->m->b, NULL), VTI_OK);
         usual_forces(u, h);
         usual_kick(u, 0.5 * h);
+        int64_t broken = 0;
+        if (u->bonds_count > 0)
+            assert_int_equal(vti_effects_rupture(u->bonds, u->bonds_count, &u->m->b, &broken), VTI_OK);
+        if (broken > 0)
+            usual_forces(u, 0);
     }
 }
 
