@@ -20,10 +20,9 @@ static void body_of(const vti_bodies *b, int64_t i, struct rotor_body *body)
     }
     if (b->principal.xyzw[0] != NULL)
         rotor_principal(a, p, body->q);
-    body->scale = 2.0 / vti_pair_square(body->q);
+    body->square = vti_pair_square(body->q);
     body->turned = b->principal.xyzw[0] != NULL;
     vti_load(&b->moments, i, body->m);
-    rotor_moments(body);
 }
 
 void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[3])
@@ -31,17 +30,18 @@ void vti_rotor_over(const vti_bodies *b, int64_t i, const vti_view *L, double w[
     struct rotor_body body;
     body_of(b, i, &body);
     vti_load(L, i, w);
-    rotor_times(&body, body.k, w, w);
+    rotor_times(&body, 1, w, w);
 }
 
 void vti_rotor_axes(const vti_bodies *b, int64_t i, double per[3], double axis[3][3])
 {
     struct rotor_body body;
     body_of(b, i, &body);
+    const double scale = 2.0 / body.square;
     for (int k = 0; k < 3; ++k) {
         const double e[3] = {k == 0, k == 1, k == 2};
-        per[k] = body.k[k];
-        lanes_rotate(body.q, body.scale, 1.0, e, axis[k]);
+        per[k] = 1.0 / body.m[k];
+        lanes_rotate(body.q, scale, 1.0, e, axis[k]);
     }
 }
 
@@ -57,7 +57,7 @@ static void kicked(const struct vti_move *move, const vti_bodies *b, int64_t i, 
     if (vti_has(&b->moment) && (move->before != 0.0 || move->kick != 0.0)) {
         vti_load(&b->moment, i, by);
         if (!spins)
-            rotor_times(body, body->k, by, by);
+            rotor_times(body, 1, by, by);
         if (carries)
             vti_load(&b->spin_low, i, low);
         if (move->before != 0.0)
@@ -70,7 +70,7 @@ static void kicked(const struct vti_move *move, const vti_bodies *b, int64_t i, 
             vti_store(&b->spin_low, i, low);
     }
     if (!spins)
-        rotor_times(body, body->m, L, L);
+        rotor_times(body, 0, L, L);
 }
 
 void vti_rotor_spin(const vti_bodies *b, int64_t i, double L[3])
@@ -87,15 +87,16 @@ struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i)
     double L[3], p[3], w[3];
     vti_rotor_spin(b, i, L);
     body_of(b, i, &body);
-    const struct rotor_axes at = rotor_axes_of(body.m, body.k);
-    lanes_rotate(body.q, body.scale, -1.0, L, p);
+    const struct rotor_axes at = rotor_axes_of(body.m);
+    const struct rotor_rates per = rotor_rates_of(&at, body.square);
+    lanes_rotate(body.q, per.scale, -1.0, L, p);
     struct vti_rotor_rates rates = {.energy = 0.0};
     for (int k = 0; k < 3; ++k) {
-        w[k] = body.k[k] * p[k];
+        w[k] = p[k] / body.m[k];
         rates.energy += 0.5 * w[k] * p[k];
     }
     rotor_onto(&at, p, p);
-    const double turns[3] = {at.k_r * vti_norm(L), fabs(at.d_x * p[0]), fabs(at.d_y * p[1])};
+    const double turns[3] = {per.k_r * vti_norm(L), fabs(per.d[0] * p[0]), fabs(per.d[1] * p[1])};
     rates.most = vti_norm(w);
     for (int k = 0; k < 3; ++k)
         rates.most = vti_larger(rates.most, turns[k]);
@@ -104,14 +105,14 @@ struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i)
 
 /* ---- drift ------------------------------------------------------------------------------------------------------- */
 
-typedef void drift(double t, const struct rotor_body *body, const double L[3], struct rotor_increment *d);
+typedef void drift(const struct rotor_start *from, const struct rotor_body *body, struct rotor_increment *d);
 
 /* Literal arguments, so that each law and each rotor is code of its own. */
 #define DRIFT(LAW, ROTOR)                                                                                              \
-    static void drift_##LAW##_##ROTOR(double t, const struct rotor_body *body, const double L[3],                      \
+    static void drift_##LAW##_##ROTOR(const struct rotor_start *from, const struct rotor_body *body,                   \
                                       struct rotor_increment *d)                                                       \
     {                                                                                                                  \
-        rotor_drift(VTI_LAW_##LAW, ROTOR, t, body, L, d);                                                              \
+        rotor_drift(VTI_LAW_##LAW, ROTOR, &from, body, d, 1);                                                          \
     }
 #define LAWS(ROTOR)                                                                                                    \
     DRIFT(CLOSED, ROTOR)                                                                                               \
@@ -142,46 +143,77 @@ static double cut_off(double td, double size)
     return copysign(turn < 0x1p20 ? turn : 0x1p20, td);
 }
 
+/** Where a drift begins; in another unit of moments and L, if their products leave the range. */
+static void start_of(double t, const struct rotor_body *body, const double L[3], struct rotor_start *from)
+{
+    rotor_start_of(t, body, L, from);
+    if (from->sound)
+        return;
+    const int size = ilogb(vti_max3(body->m));
+    struct rotor_body same = *body;
+    double l[3];
+    for (int k = 0; k < 3; ++k) {
+        same.m[k] = scalbn(body->m[k], -size);
+        l[k] = scalbn(L[k], -size);
+    }
+    rotor_start_of(t, &same, l, from);
+}
+
 /** A drift by turns so large that their squares leave the range: they have long lost their fraction of a turn, and any
  *  finite ones are as good. */
 static void drift_hard(int law, int rotor, double t, const struct rotor_body *body, const double L[3],
                        struct rotor_increment *d)
 {
-    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     const double size = vti_max3(L);
     const double n[3] = {size > 0.0 ? L[0] / size : L[0], size > 0.0 ? L[1] / size : L[1],
                          size > 0.0 ? L[2] / size : L[2]};
-    const double e_x = cut_off(t * at.d_x, size), e_y = cut_off(t * at.d_y, size);
-    struct rotor_list list = {.law = law, .hard = 1};
-    double p[3];
-    rotor_spin(body, &at, n, p);
-    rotor_list_of(rotor, e_x, e_y, p, &list);
+    struct rotor_start start;
+    const struct rotor_start *const from = &start;
+    struct rotor_list list = {.hard = 1};
+    double u[3];
+    start_of(1.0, body, n, &start);
+    const double unit = vti_max3(start.p), rate = start.turn * unit;
     for (int k = 0; k < 3; ++k) {
-        const double u = t == 0.0 ? 0.0 : t * (at.k_r * (body->round ? L[k] : size * p[k]));
-        d->u[k] = isinf(u) ? copysign(0x1p1000, u) : u;
+        start.p[k] /= unit > 0.0 ? unit : 1.0;
+        u[k] = t == 0.0 ? 0.0 : t * (rate * (size * start.p[k]));
+        u[k] = isinf(u[k]) ? copysign(0x1p1000, u[k]) : u[k];
     }
-    const struct increment whole = increment(law, d->u);
-    d->c = whole.cf[0];
-    d->f = whole.cf[1];
-    if (!body->round) {
-        const double most = fabs(d->f) * vti_max3(d->u), s = vti_scale(most > fabs(d->c) ? most : d->c);
-        d->c *= s;
-        d->f *= s;
-    }
-    rotor_join(rotor, body, &at, &list, p, e_x, d);
-    if (body->round)
-        return;
+    for (int k = 0; k < 2; ++k)
+        start.e[k] = cut_off(t * start.e[k] * unit, size);
+    start.square = vti_dot(start.p, start.p);
+    rotor_lists_of(law, rotor, &from, &list, 1);
+    const struct increment whole = increment(law, u);
+    const double *const cf = whole.cf, most = fabs(cf[1]) * vti_max3(u),
+                        s = vti_scale(most > fabs(cf[0]) ? most : cf[0]);
+    rotor_join(body, start.scale, &start.at, list.b, s * cf[0], s * cf[1], u, d);
     const double largest_u = vti_max3(d->u), back = vti_scale(largest_u > fabs(d->c) ? largest_u : fabs(d->c));
     d->c *= back;
     for (int k = 0; k < 3; ++k)
         d->u[k] *= back;
 }
 
+/** The increment of a sphere, however far it turns. */
+static void drift_sphere(int law, double t, const struct rotor_body *body, const double L[3], struct rotor_increment *d)
+{
+    rotor_sphere(law, t, 1.0 / body->m[0], L, d);
+    for (int k = 0; k < 3; ++k)
+        d->u[k] = t == 0.0 ? 0.0 : isinf(d->u[k]) ? copysign(0x1p1000, d->u[k]) : d->u[k];
+    const struct increment whole = increment(law, d->u);
+    d->c = whole.cf[0];
+    d->f = whole.cf[1];
+}
+
 static void find_increment(const struct vti_move *move, const struct rotor_body *body, const double L[3],
                            struct rotor_increment *d)
 {
     const int rotor = rotor_of(move);
-    drifts[rotor / 2 - 1][move->law](move->drift, body, L, d);
+    if (rotor_is_round(body->m)) {
+        drift_sphere(move->law, move->drift, body, L, d);
+        return;
+    }
+    struct rotor_start from;
+    start_of(move->drift, body, L, &from);
+    drifts[rotor / 2 - 1][move->law](&from, body, d);
     const double size = d->c * d->c + d->f * d->f * vti_dot(d->u, d->u);
     if (!(size < 0x1p100 && size > 0x1p-100))
         drift_hard(move->law, rotor, move->drift, body, L, d);
@@ -222,9 +254,9 @@ void vti_rotor_turned(const vti_bodies *b, int64_t i, const vti_drifted *drifted
     }
     if (steady) { /* Omega before it is R^T J^-1 R L, R being that of the increment and J as it is now */
         vti_rrv_rotate_back(a, L, before);
-        rotor_times(&body, body.k, before, before);
+        rotor_times(&body, 1, before, before);
         vti_rrv_rotate(a, before, before);
-        rotor_times(&body, body.k, L, w);
+        rotor_times(&body, 1, L, w);
     }
     for (int k = 0; k < 3; ++k)
         a[k] = steady ? 0.5 * drifted->t * (before[k] + w[k]) : -a[k];
@@ -244,7 +276,7 @@ static void move_one(const struct vti_move *move, const vti_bodies *b, int64_t i
         body_of(b, i, &body);
     }
     if (vti_has(&b->omega) && vti_has_attitude(b) && (drifts_too || vti_has(&b->spin))) {
-        rotor_times(&body, body.k, L, w);
+        rotor_times(&body, 1, L, w);
         vti_store(&b->omega, i, w);
     }
 }
@@ -264,7 +296,14 @@ static double most_of(const struct vti_move *move, const vti_bodies *b, int64_t 
     double L[3];
     body_of(b, i, &body);
     kicked(move, b, i, &body, 0, L);
-    return rotor_most(VTI_LAW_CLOSED, rotor_of(move), move->drift, &body, L);
+    if (rotor_is_round(body.m)) {
+        struct rotor_increment d;
+        rotor_sphere(VTI_LAW_CLOSED, move->drift, 1.0 / body.m[0], L, &d);
+        return sqrt(vti_dot(d.u, d.u));
+    }
+    struct rotor_start from;
+    start_of(move->drift, &body, L, &from);
+    return rotor_most(VTI_LAW_CLOSED, rotor_of(move), &from);
 }
 
 int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault *fault)

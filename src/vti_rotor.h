@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * How a body of three moments drifts (EQUATIONS 7.2): a turn about L in space, and turns about two of its principal
- * axes. With r the axis of the middle k = 1/moment (ties: any, as all are), x and y the two others, d_i = k_i - k_r and
- * |d_x| >= |d_y| (ties: x = r + 1), d_x d_y <= 0 and
+ * axes. With r the axis of the middle k = 1/moment, x and y the two others, d_i = k_i - k_r and |d_x| >= |d_y| (ties:
+ * any, as all are), d_x d_y <= 0 and
  *
  *     T = k_r |L|^2/2 + d_x p_x^2/2 + d_y p_y^2/2,  p = R_p^T L.
  *
@@ -25,100 +25,173 @@ VTI_INLINE lanes rotor_worst(lanes a, lanes b)
 
 /* ---- axes -------------------------------------------------------------------------------------------------------- */
 
+/** Which axes x, y and r are, by up to three pairs that change places, and the moments m along x, y, r with their
+ *  differences m_r - m_x, m_r - m_y. */
 struct rotor_axes {
-    lanes_mask later, last; /* r is not axis 0; nor axis 1 */
-    lanes_mask swapped;     /* x, y = r + 2, r + 1, and x, y, -r are right-handed */
-    lanes k_r, d_x, d_y;
+    lanes_mask second, first; /* r is axis 1; axis 0; of three equal moments, whichever */
+    lanes_mask swapped;       /* |d_y| > |d_x| but for the last exchange */
+    lanes_mask odd;           /* x, y, -r are right-handed */
+    lanes m[3], off[2];
 };
 
-/** v_r, v_{r+1}, v_{r+2} */
-VTI_INLINE void rotor_from_r(const struct rotor_axes *at, const lanes v[3], lanes c[3])
+VTI_INLINE void rotor_swap(lanes_mask where, lanes *a, lanes *b)
 {
-    c[0] = lanes_where(at->later, lanes_where(at->last, v[2], v[1]), v[0]);
-    c[1] = lanes_where(at->later, lanes_where(at->last, v[0], v[2]), v[1]);
-    c[2] = lanes_where(at->later, lanes_where(at->last, v[1], v[0]), v[2]);
+    const lanes c = lanes_where(where, *b, *a);
+    *b = lanes_where(where, *a, *b);
+    *a = c;
 }
 
-/** Of moments m and k = 1/m. An axis is in the middle if the next one's moment is above its own and the other's is not,
- *  or the other way round. */
-VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3], const lanes k[3])
+/** An axis is in the middle if the next one's moment is above its own and the other's is not, or the other way round.
+ *  d_i = (m_r - m_i)/(m_r m_i). */
+VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3])
 {
     struct rotor_axes at;
-    lanes c[3];
     const lanes_mask rises = m[0] < m[1];
-    at.later = rises ^ (m[2] < m[0]);
-    at.last = rises ^ (m[1] < m[2]);
-    rotor_from_r(&at, k, c);
-    at.k_r = c[0];
-    c[1] -= c[0];
-    c[2] -= c[0];
-    at.swapped = lanes_abs(c[2]) > lanes_abs(c[1]);
-    at.d_x = lanes_where(at.swapped, c[2], c[1]);
-    at.d_y = lanes_where(at.swapped, c[1], c[2]);
+    at.second = rises ^ (m[1] >= m[2]);
+    at.first = rises ^ (m[2] >= m[0]);
+    for (int n = 0; n < 3; ++n)
+        at.m[n] = m[n];
+    rotor_swap(at.second, at.m + 1, at.m + 2);
+    rotor_swap(at.first, at.m, at.m + 2);
+    at.off[0] = at.m[2] - at.m[0];
+    at.off[1] = at.m[2] - at.m[1];
+    at.swapped = lanes_abs(at.off[1]) * at.m[0] > lanes_abs(at.off[0]) * at.m[1];
+    rotor_swap(at.swapped, at.m, at.m + 1);
+    rotor_swap(at.swapped, at.off, at.off + 1);
+    at.odd = at.second ^ at.first ^ at.swapped;
     return at;
 }
 
 /** Components along x, y and what makes them right-handed. */
 VTI_INLINE void rotor_onto(const struct rotor_axes *at, const lanes v[3], lanes p[3])
 {
-    lanes c[3];
-    rotor_from_r(at, v, c);
-    p[0] = lanes_where(at->swapped, c[2], c[1]);
-    p[1] = lanes_where(at->swapped, c[1], c[2]);
-    p[2] = lanes_where(at->swapped, -c[0], c[0]);
+    for (int n = 0; n < 3; ++n)
+        p[n] = v[n];
+    rotor_swap(at->second, p + 1, p + 2);
+    rotor_swap(at->first, p, p + 2);
+    rotor_swap(at->swapped, p, p + 1);
+    p[2] = lanes_where(at->odd, -p[2], p[2]);
 }
 
 /** The way back. */
 VTI_INLINE void rotor_off(const struct rotor_axes *at, const lanes p[3], lanes v[3])
 {
-    const lanes c[3] = {lanes_where(at->swapped, -p[2], p[2]), lanes_where(at->swapped, p[1], p[0]),
-                        lanes_where(at->swapped, p[0], p[1])};
-    v[0] = lanes_where(at->later, lanes_where(at->last, c[1], c[2]), c[0]);
-    v[1] = lanes_where(at->later, lanes_where(at->last, c[2], c[0]), c[1]);
-    v[2] = lanes_where(at->later, lanes_where(at->last, c[0], c[1]), c[2]);
+    v[0] = p[0];
+    v[1] = p[1];
+    v[2] = lanes_where(at->odd, -p[2], p[2]);
+    rotor_swap(at->swapped, v, v + 1);
+    rotor_swap(at->first, v, v + 2);
+    rotor_swap(at->second, v + 1, v + 2);
+}
+
+/** A body: the quaternion q ~ R_p (v, w), q.q, and its moments. */
+struct rotor_body {
+    lanes q[4], square, m[3];
+    int turned; /* its principal axes are not the body's own */
+};
+
+/** k_r, d_x, d_y, and 2/q.q, which one division gives together. */
+struct rotor_rates {
+    lanes k_r, d[2], scale;
+    lanes_mask sound; /* what is divided by stays within the range of numbers */
+};
+
+VTI_INLINE struct rotor_rates rotor_rates_of(const struct rotor_axes *at, lanes square)
+{
+    const lanes both = at->m[0] * at->m[1], all = both * at->m[2], whole = all * square, inv = 1.0 / whole,
+                share = square * inv;
+    struct rotor_rates rates = {.k_r = both * share,
+                                .d = {(at->off[0] * share) * at->m[1], (at->off[1] * share) * at->m[0]},
+                                .scale = (2.0 * all) * inv,
+                                .sound = (whole > 0x1p-900) & (whole < 0x1p900)};
+    if (WIDTH == 1 && !lanes_all(rates.sound)) { /* one by one */
+        rates.k_r = 1.0 / at->m[2];
+        for (int n = 0; n < 2; ++n)
+            rates.d[n] = (at->off[n] / at->m[2]) / at->m[n];
+        rates.scale = 2.0 / square;
+    }
+    return rates;
 }
 
 /* ---- turns about x and y ----------------------------------------------------------------------------------------- */
 
 /** What a list of turns has come to. */
 struct rotor_list {
-    lanes p[3];    /* along x, y and r */
-    lanes b[4];    /* all turns so far, (v, w) */
+    lanes p[3];    /* along x, y and r, times over */
+    lanes over;    /* a product of what turns divide by; of Strang alone, else 1 */
+    lanes b[4];    /* all turns so far, up to a factor (v, w) */
     lanes most;    /* the largest |phi|, up to the first of 1 or more */
     lanes sigma;   /* of M4 */
     lanes by[2];   /* phi = by_i p_i tau */
     lanes g;       /* of M4: phi2 = +- g p_i (2 K - 4 p_i^2) tau */
     lanes square;  /* of M4: K = p.p */
+    lanes outer;   /* of M4: a */
     int law, hard; /* hard: of turns that are beyond all measure, and are cut off */
     int watches;   /* whether most is wanted, and nothing else */
+    int divides;   /* over is 1 */
 };
 
 /** Beyond so many radians in a step, phi is whatever is finite. */
 #define ROTOR_MOST 64.0
 
-VTI_INLINE lanes rotor_cut(const struct rotor_list *list, lanes phi)
+/** phi/2 */
+VTI_INLINE lanes rotor_cut(const struct rotor_list *list, lanes half)
 {
     if (!list->hard)
-        return phi;
-    phi = lanes_where(phi < ROTOR_MOST, phi, lanes_of(ROTOR_MOST));
-    return lanes_where(phi > -ROTOR_MOST, phi, lanes_of(-ROTOR_MOST));
+        return half;
+    half = lanes_where(half < 0.5 * ROTOR_MOST, half, lanes_of(0.5 * ROTOR_MOST));
+    return lanes_where(half > -0.5 * ROTOR_MOST, half, lanes_of(-0.5 * ROTOR_MOST));
 }
 
 /** Where a turn stands in its list. */
 enum rotor_place { ROTOR_FIRST, ROTOR_SECOND, ROTOR_INNER, ROTOR_LAST };
 
+/** The pair (c, s) of the turn by phi = 2 a/b, up to a factor, which is 1 where b is:
+ *      closed (1 + sqrt(1 - phi^2), phi)     exact (1 - phi^2/10, phi/2 - phi^3/120)
+ *      Cayley (2, phi)                       exact9 (1 - 3 phi^2/28 + phi^4/1680, phi/2 - phi^3/84)
+ *  b is known to be 1 where it is, and of the closed law. */
+VTI_INLINE void rotor_pair(int law, int one, lanes a, lanes b, lanes cs[2])
+{
+    const lanes aa = a * a, bb = one ? lanes_of(1.0) : b * b;
+    if (law == VTI_LAW_CLOSED) {
+        cs[0] = 1.0 + lanes_sqrt(1.0 - 4.0 * aa);
+        cs[1] = 2.0 * a;
+    } else if (law == VTI_LAW_CAYLEY) {
+        cs[0] = one ? bb : b;
+        cs[1] = a;
+    } else if (law == VTI_LAW_EXACT) {
+        cs[0] = bb - 0.4 * aa;
+        cs[0] = one ? cs[0] : b * cs[0];
+        cs[1] = a * (bb - aa * (1.0 / 15.0));
+    } else {
+        const lanes far = (3.0 / 7.0) * bb - aa * (1.0 / 105.0), near = bb - aa * (2.0 / 21.0);
+        cs[0] = (one ? bb : bb * bb) - aa * far;
+        cs[1] = (one ? a : a * b) * near;
+    }
+}
+
 /** (p_j, p_k) <- (C p_j + S p_k, C p_k - S p_j), i, j, k cyclic, with
  *      C = (c^2 - s^2)/(c^2 + s^2),  S = 2 c s/(c^2 + s^2),
- *  which of the closed law are c - 1 and s. */
-VTI_INLINE void rotor_turn_p(int closed, int i, lanes c, lanes s, lanes p[3])
+ *  which of the closed law are c - 1 and s; or p times c^2 + s^2, which over takes instead. */
+VTI_INLINE void rotor_turn_p(struct rotor_list *list, int twice, enum rotor_place place, int i, const lanes cs[2])
 {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const lanes cc = c * c, ss = s * s;
+    const int j = (i + 1) % 3, k = (i + 2) % 3, closed = list->law == VTI_LAW_CLOSED && !twice;
+    const lanes c = cs[0], s = cs[1], cc = c * c, ss = s * s, norm = cc + ss;
     const lanes C = closed ? c - 1.0 : cc - ss, S = closed ? s : 2.0 * c * s;
+    lanes *const p = list->p;
     const lanes p_j = C * p[j] + S * p[k], p_k = C * p[k] - S * p[j];
-    const lanes inv = closed ? lanes_of(1.0) : 1.0 / (cc + ss);
-    p[j] = p_j * inv;
-    p[k] = p_k * inv;
+    if (closed || !list->divides) {
+        p[j] = p_j;
+        p[k] = p_k;
+    } else {
+        const lanes inv = 1.0 / norm;
+        p[j] = p_j * inv;
+        p[k] = p_k * inv;
+    }
+    if (!list->divides) {
+        p[i] *= norm;
+        list->over = place == ROTOR_FIRST ? norm : list->over * norm;
+    }
 }
 
 /** b <- b (c, s e_i), of the first two turns without the products with 0. */
@@ -142,55 +215,73 @@ VTI_INLINE void rotor_turn_b(enum rotor_place place, int i, lanes c, lanes s, la
     }
 }
 
+/** M4's turn by phi2 = -+ tau g p (2 K - 4 p^2) about the axis of the turn (c, s) before it, p = p_i being as it was
+ *  before both; by the exact law whatever the stepper's, as sigma counts on it. */
+VTI_INLINE void rotor_turn_on(struct rotor_list *list, lanes g, lanes p, lanes cs[2])
+{
+    const lanes about_L = (2.0 * g) * (p * p), c = cs[0], s = cs[1];
+    lanes by[2];
+    rotor_pair(VTI_LAW_EXACT, 1, rotor_cut(list, p * (g * list->square - about_L)), list->over, by);
+    cs[0] = c * by[0] - s * by[1];
+    cs[1] = c * by[1] + s * by[0];
+    list->sigma += about_L;
+}
+
 /** The turn about axis i, 0 or 1, by tau of its whole. */
 VTI_INLINE void rotor_turn(struct rotor_list *list, int rotor, enum rotor_place place, int i, lanes tau)
 {
-    const lanes p = list->p[i], phi = rotor_cut(list, tau * list->by[i] * p);
-    lanes c[2];
+    const lanes p = list->p[i], a = rotor_cut(list, ((0.5 * tau) * list->by[i]) * p);
+    lanes cs[2];
     if (list->watches)
-        list->most = rotor_worst(list->most, lanes_abs(phi));
-    rotor_law(list->law, phi * phi, c);
-    lanes s = c[1] * phi;
-    if (rotor == 4) {
-        const lanes g = (i == 0 ? -tau : tau) * list->g, pp = p * p;
-        const lanes more = rotor_cut(list, g * p * (2.0 * list->square - 4.0 * pp));
-        lanes d[2];
-        rotor_law(VTI_LAW_EXACT, more * more, d);
-        const lanes s2 = d[1] * more, both = c[0] * d[0] - s * s2;
-        s = c[0] * s2 + s * d[0];
-        c[0] = both;
-        list->sigma += 2.0 * g * pp;
-    }
+        list->most = rotor_worst(list->most, 2.0 * lanes_abs(a));
+    rotor_pair(list->law, list->divides || place == ROTOR_FIRST, a, list->over, cs);
+    if (rotor == 4)
+        rotor_turn_on(list, (i == 0 ? -tau : tau) * list->g, p, cs);
     if (place != ROTOR_LAST)
-        rotor_turn_p(list->law == VTI_LAW_CLOSED && rotor != 4, i, c[0], s, list->p);
-    rotor_turn_b(place, i, c[0], s, list->b);
+        rotor_turn_p(list, rotor == 4, place, i, cs);
+    rotor_turn_b(place, i, cs[0], cs[1], list->b);
+}
+
+/** The same turn of so many lists, each by tau of its own: a chain of products each, which a processor carries on with
+ *  side by side. */
+VTI_INLINE void rotor_turns(struct rotor_list *lists, int count, int rotor, enum rotor_place place, int i, lanes tau)
+{
+    for (int n = 0; n < count; ++n)
+        rotor_turn(lists + n, rotor, place, i, tau);
 }
 
 /** Strang: x 1/2, y 1, x 1/2, order 2. */
-VTI_INLINE void rotor_strang(struct rotor_list *list)
+VTI_INLINE void rotor_strang(struct rotor_list *lists, int count)
 {
-    rotor_turn(list, 2, ROTOR_FIRST, 0, lanes_of(0.5));
-    rotor_turn(list, 2, ROTOR_SECOND, 1, lanes_of(1.0));
-    rotor_turn(list, 2, ROTOR_LAST, 0, lanes_of(0.5));
+    rotor_turns(lists, count, 2, ROTOR_FIRST, 0, lanes_of(0.5));
+    rotor_turns(lists, count, 2, ROTOR_SECOND, 1, lanes_of(1.0));
+    rotor_turns(lists, count, 2, ROTOR_LAST, 0, lanes_of(0.5));
 }
 
 /** M4: x a, y 1/2, x 1 - 2 a, y 1/2, x a, order 4 with the turns by phi2 and sigma. Here p is in units of 1/(t d_x), so
  *  that rho = -d_y/d_x is all that is left of the moments, and g = d_y/d_x (1 - 6 a + 6 a^2)/12. */
-VTI_INLINE void rotor_m4(struct rotor_list *list)
+VTI_INLINE void rotor_m4(struct rotor_list *lists, int count)
 {
-    const lanes rho = -list->by[1], root = lanes_sqrt(48.0 + 96.0 * rho + 36.0 * rho * rho);
-    const lanes a = (12.0 + 6.0 * rho - root) * (1.0 / 24.0), middle = 1.0 - 2.0 * a;
-    list->g = list->by[1] * ((1.0 - 6.0 * a + 6.0 * a * a) * (1.0 / 12.0));
-    list->square = list->p[0] * list->p[0] + list->p[1] * list->p[1] + list->p[2] * list->p[2];
-    rotor_turn(list, 4, ROTOR_FIRST, 0, a);
-    rotor_turn(list, 4, ROTOR_SECOND, 1, lanes_of(0.5));
-    rotor_turn(list, 4, ROTOR_INNER, 0, middle);
-    rotor_turn(list, 4, ROTOR_INNER, 1, lanes_of(0.5));
-    rotor_turn(list, 4, ROTOR_LAST, 0, a);
+    const lanes half = lanes_of(0.5);
+    for (int n = 0; n < count; ++n) {
+        struct rotor_list *const list = lists + n;
+        const lanes rho = -list->by[1], root = lanes_sqrt(48.0 + 96.0 * rho + 36.0 * rho * rho);
+        const lanes a = (12.0 + 6.0 * rho - root) * (1.0 / 24.0);
+        list->outer = a;
+        list->g = list->by[1] * ((1.0 - 6.0 * a + 6.0 * a * a) * (1.0 / 12.0));
+    }
+    for (int n = 0; n < count; ++n)
+        rotor_turn(lists + n, 4, ROTOR_FIRST, 0, lists[n].outer);
+    rotor_turns(lists, count, 4, ROTOR_SECOND, 1, half);
+    for (int n = 0; n < count; ++n)
+        rotor_turn(lists + n, 4, ROTOR_INNER, 0, 1.0 - 2.0 * lists[n].outer);
+    rotor_turns(lists, count, 4, ROTOR_INNER, 1, half);
+    for (int n = 0; n < count; ++n)
+        rotor_turn(lists + n, 4, ROTOR_LAST, 0, lists[n].outer);
 }
 
 /** S10 (Blanes and Moan, J. Comput. Appl. Math. 142 (2002) 313): order 6, 21 turns, x a1, y b1, x a2, ..., mirrored. */
-VTI_INLINE void rotor_s10(struct rotor_list *list)
+VTI_INLINE void rotor_s10(struct rotor_list *lists, int count)
 {
     static const double x[6] = {0.0502627644003922,
                                 0.413514300428344,
@@ -201,39 +292,32 @@ VTI_INLINE void rotor_s10(struct rotor_list *list)
                                              0.188054853819569 + 0.541960678450780)},
                         y[5] = {0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175,
                                 0.5 - (0.148816447901042 - 0.132385865767784 + 0.067307604692185 + 0.432666402578175)};
-    rotor_turn(list, 6, ROTOR_FIRST, 0, lanes_of(x[0]));
-    rotor_turn(list, 6, ROTOR_SECOND, 1, lanes_of(y[0]));
+    rotor_turns(lists, count, 6, ROTOR_FIRST, 0, lanes_of(x[0]));
+    rotor_turns(lists, count, 6, ROTOR_SECOND, 1, lanes_of(y[0]));
     for (int n = 1; n < 10; ++n) {
-        rotor_turn(list, 6, ROTOR_INNER, 0, lanes_of(x[n <= 5 ? n : 10 - n]));
-        rotor_turn(list, 6, ROTOR_INNER, 1, lanes_of(y[n <= 4 ? n : 9 - n]));
+        rotor_turns(lists, count, 6, ROTOR_INNER, 0, lanes_of(x[n <= 5 ? n : 10 - n]));
+        rotor_turns(lists, count, 6, ROTOR_INNER, 1, lanes_of(y[n <= 4 ? n : 9 - n]));
     }
-    rotor_turn(list, 6, ROTOR_LAST, 0, lanes_of(x[0]));
+    rotor_turns(lists, count, 6, ROTOR_LAST, 0, lanes_of(x[0]));
 }
 
 /* ---- a drift ----------------------------------------------------------------------------------------------------- */
 
-/** A body: the quaternion q ~ R_p (v, w), 2/q.q, its moments, 1/moments, and whether it is a sphere. */
-struct rotor_body {
-    lanes q[4], scale, m[3], k[3];
-    lanes_mask round;
-    int turned; /* its principal axes are not the body's own */
-};
-
-VTI_INLINE void rotor_moments(struct rotor_body *body)
+/** Whether three moments are one. */
+VTI_INLINE lanes_mask rotor_is_round(const lanes m[3])
 {
-    for (int n = 0; n < 3; ++n)
-        body->k[n] = 1.0 / body->m[n];
-    body->round = (body->m[0] == body->m[1]) & (body->m[1] == body->m[2]);
+    return (m[0] == m[1]) & (m[1] == m[2]);
 }
 
-/** R_p diag(m) R_p^T v */
-VTI_INLINE void rotor_times(const struct rotor_body *body, const lanes m[3], const lanes v[3], lanes r[3])
+/** R_p diag(m) R_p^T v, or with 1/m. */
+VTI_INLINE void rotor_times(const struct rotor_body *body, int inverse, const lanes v[3], lanes r[3])
 {
+    const lanes scale = 2.0 / body->square;
     lanes p[3];
-    lanes_rotate(body->q, body->scale, -1.0, v, p);
+    lanes_rotate(body->q, scale, -1.0, v, p);
     for (int n = 0; n < 3; ++n)
-        p[n] *= m[n];
-    lanes_rotate(body->q, body->scale, 1.0, p, r);
+        p[n] *= inverse ? 1.0 / body->m[n] : body->m[n];
+    lanes_rotate(body->q, scale, 1.0, p, r);
 }
 
 /** q = attitude principal: first the principal axes onto the body's, then those into space. */
@@ -246,115 +330,145 @@ VTI_INLINE void rotor_principal(const lanes a[4], const lanes p[4], lanes q[4])
     q[3] = a[3] * p[3] - lanes_dot(a, p);
 }
 
-/** The list of turns of a drift by e_x = t d_x and e_y = t d_y of p along x, y and r. */
-VTI_INLINE void rotor_list_of(int rotor, lanes e_x, lanes e_y, const lanes p[3], struct rotor_list *list)
-{
-    for (int n = 0; n < 3; ++n)
-        list->p[n] = rotor == 4 ? e_x * p[n] : p[n];
-    list->sigma = list->most = lanes_of(0.0);
-    list->by[0] = e_x;
-    list->by[1] = e_y;
-    if (rotor == 4) {
-        list->by[0] = lanes_of(1.0);
-        list->by[1] = e_y / lanes_where(e_x == 0.0, list->by[0], e_x);
-        rotor_m4(list);
-    } else if (rotor == 6)
-        rotor_s10(list);
-    else
-        rotor_strang(list);
-}
-
-/** An increment 2 f u/c: side 1 in space, -1 in the body. */
+/** An increment 2 f u/c: side 1 in space, -1 in the body. sound: what it is made of stayed in range. */
 struct rotor_increment {
     lanes c, f, u[3], side;
+    lanes_mask sound;
 };
 
-/** The turn about L: u = t k_r L, and the pair of its law. */
-VTI_INLINE void rotor_about_L(int law, lanes t, lanes k_r, const lanes L[3], lanes u[3], lanes cf[2])
+/** Of a sphere: the turn about L by u = t k L, and the pair of its law, in space. */
+VTI_INLINE void rotor_sphere(int law, lanes t, lanes k, const lanes L[3], struct rotor_increment *d)
 {
+    lanes cf[2];
     for (int n = 0; n < 3; ++n)
-        u[n] = t * (k_r * L[n]);
-    rotor_law(law, lanes_dot(u, u), cf);
-}
-
-/** L along x, y and r; of a sphere, in space. */
-VTI_INLINE void rotor_spin(const struct rotor_body *body, const struct rotor_axes *at, const lanes L[3], lanes p[3])
-{
-    lanes r[3];
-    lanes_rotate(body->q, body->scale, -1.0, L, r);
-    rotor_onto(at, r, p);
-    for (int n = 0; n < 3; ++n)
-        p[n] = lanes_where(body->round, L[n], p[n]);
-}
-
-/** All turns as one, d, which is that about L as it comes. In space the turn about L is the last; in the body it is one
- *  about p = R_p^T L before all others: (c0, f0 u) b. M4 adds the turn by sigma L, of e_x p. Of a sphere there are no
- *  others, and d stays, to the bit. */
-VTI_INLINE void rotor_join(int rotor, const struct rotor_body *body, const struct rotor_axes *at,
-                           const struct rotor_list *list, const lanes p[3], lanes e_x, struct rotor_increment *d)
-{
-    const lanes *const b = list->b;
-    lanes x[3], v[3], w = d->c;
-    for (int n = 0; n < 3; ++n)
-        v[n] = d->f * d->u[n];
-    if (rotor == 4) {
-        lanes s[3], more[2];
-        for (int n = 0; n < 3; ++n)
-            s[n] = list->sigma * (e_x * p[n]);
-        rotor_law(VTI_LAW_EXACT, lanes_dot(s, s), more);
-        for (int n = 0; n < 3; ++n)
-            s[n] *= more[1];
-        w = d->c * more[0] - lanes_dot(v, s);
-        for (int n = 0; n < 3; ++n)
-            v[n] = d->c * s[n] + more[0] * v[n];
-    }
-    lanes_cross(v, b, x);
-    const lanes c = w * b[3] - lanes_dot(v, b);
-    for (int n = 0; n < 3; ++n)
-        x[n] = (w * b[n] + b[3] * v[n]) + x[n];
-    rotor_off(at, x, v);
-    if (body->turned)
-        lanes_rotate(body->q, body->scale, 1.0, v, v);
-    const lanes in_space = lanes_of(1.0);
-    d->side = lanes_where(body->round, in_space, body->turned ? in_space : -in_space);
-    d->c = lanes_where(body->round, d->c, c);
-    d->f = lanes_where(body->round, d->f, in_space);
-    for (int n = 0; n < 3; ++n)
-        d->u[n] = lanes_where(body->round, d->u[n], v[n]);
-}
-
-/** The increment of a drift of time t, with spin L. */
-VTI_INLINE void rotor_drift(int law, int rotor, lanes t, const struct rotor_body *body, const lanes L[3],
-                            struct rotor_increment *d)
-{
-    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
-    const lanes e_x = t * at.d_x, e_y = t * at.d_y;
-    struct rotor_list list;
-    lanes p[3], cf[2];
-    list.law = law;
-    list.hard = list.watches = 0;
-    rotor_spin(body, &at, L, p);
-    rotor_list_of(rotor, e_x, e_y, p, &list);
-    rotor_about_L(law, t, at.k_r, p, d->u, cf);
+        d->u[n] = t * (k * L[n]);
+    rotor_law(law, lanes_dot(d->u, d->u), cf);
     d->c = cf[0];
     d->f = cf[1];
-    rotor_join(rotor, body, &at, &list, p, e_x, d);
+    d->side = lanes_of(1.0);
+    d->sound = d->side < 2.0;
+}
+
+/** p = R_p^T L along x, y and r, R_p^T L = L + 2/q.q (v x x - w x), x = v x L. */
+VTI_INLINE void rotor_spin(const struct rotor_body *body, lanes scale, const struct rotor_axes *at, const lanes L[3],
+                           lanes p[3])
+{
+    lanes x[3], xx[3], r[3];
+    lanes_cross(body->q, L, x);
+    lanes_cross(body->q, x, xx);
+    for (int n = 0; n < 3; ++n)
+        r[n] = L[n] + scale * (xx[n] - body->q[3] * x[n]);
+    rotor_onto(at, r, p);
+}
+
+/** All turns as one, d. In space the turn about L, of time * k_r, is the last; in the body it is one about p = R_p^T L
+ *  before all others: (c0, s0 p) b. */
+VTI_INLINE void rotor_join(const struct rotor_body *body, lanes scale, const struct rotor_axes *at, const lanes b[4],
+                           lanes c0, lanes s0, const lanes p[3], struct rotor_increment *d)
+{
+    lanes x[3], v[3];
+    for (int n = 0; n < 3; ++n)
+        v[n] = s0 * p[n];
+    lanes_cross(v, b, x);
+    d->c = c0 * b[3] - lanes_dot(v, b);
+    for (int n = 0; n < 3; ++n)
+        x[n] = (c0 * b[n] + b[3] * v[n]) + x[n];
+    rotor_off(at, x, d->u);
+    if (body->turned)
+        lanes_rotate(body->q, scale, 1.0, d->u, d->u);
+    d->f = lanes_of(1.0);
+    d->side = body->turned ? d->f : -d->f;
+}
+
+/** What a drift of time t begins with: the axes, p, t k_r and e = t d_x, t d_y, and L.L. */
+struct rotor_start {
+    struct rotor_axes at;
+    lanes p[3], turn, e[2], square, scale;
+    lanes_mask sound;
+};
+
+VTI_INLINE void rotor_start_of(lanes t, const struct rotor_body *body, const lanes L[3], struct rotor_start *from)
+{
+    from->at = rotor_axes_of(body->m);
+    const struct rotor_rates rates = rotor_rates_of(&from->at, body->square);
+    from->turn = t * rates.k_r;
+    from->e[0] = t * rates.d[0];
+    from->e[1] = t * rates.d[1];
+    from->square = lanes_dot(L, L);
+    from->scale = rates.scale;
+    from->sound = rates.sound;
+    rotor_spin(body, rates.scale, &from->at, L, from->p);
+}
+
+/** The lists of turns of so many drifts, of p along x, y and r. */
+VTI_INLINE void rotor_lists_of(int law, int rotor, const struct rotor_start *const *from, struct rotor_list *lists,
+                               int count)
+{
+    for (int m = 0; m < count; ++m) {
+        struct rotor_list *const list = lists + m;
+        const lanes e_x = from[m]->e[0], e_y = from[m]->e[1];
+        for (int n = 0; n < 3; ++n)
+            list->p[n] = rotor == 4 ? e_x * from[m]->p[n] : from[m]->p[n];
+        list->sigma = list->most = lanes_of(0.0);
+        list->law = law;
+        list->divides = rotor != 2 || law == VTI_LAW_CLOSED || list->hard;
+        list->over = lanes_of(1.0);
+        list->by[0] = e_x;
+        list->by[1] = e_y;
+        if (rotor == 4) {
+            list->by[0] = lanes_of(1.0);
+            list->by[1] = e_y / lanes_where(e_x == 0.0, list->by[0], e_x);
+            list->square = (e_x * e_x) * from[m]->square;
+        }
+    }
+    if (rotor == 4)
+        rotor_m4(lists, count);
+    else if (rotor == 6)
+        rotor_s10(lists, count);
+    else
+        rotor_strang(lists, count);
+}
+
+/** The turn about L as a pair (c, s p): by t k_r L and its law, to which M4 adds that by sigma L, of e_x p. */
+VTI_INLINE void rotor_about_L(int law, int rotor, const struct rotor_start *from, lanes sigma, lanes cs[2])
+{
+    const lanes turn = from->turn;
+    rotor_law(law, (turn * turn) * from->square, cs);
+    cs[1] *= turn;
+    if (rotor == 4) {
+        const lanes c = cs[0], s = cs[1], more = sigma * from->e[0];
+        lanes by[2];
+        rotor_law(VTI_LAW_EXACT, (more * more) * from->square, by);
+        by[1] *= more;
+        cs[0] = c * by[0] - (s * by[1]) * from->square;
+        cs[1] = c * by[1] + s * by[0];
+    }
+}
+
+/** The increments of so many drifts that begin so, of bodies that are no spheres. */
+VTI_INLINE void rotor_drift(int law, int rotor, const struct rotor_start *const *from, const struct rotor_body *body,
+                            struct rotor_increment *d, int count)
+{
+    struct rotor_list lists[2];
+    for (int n = 0; n < count; ++n)
+        lists[n].hard = lists[n].watches = 0;
+    rotor_lists_of(law, rotor, from, lists, count);
+    for (int n = 0; n < count; ++n) {
+        lanes cs[2];
+        rotor_about_L(law, rotor, from[n], lists[n].sigma, cs);
+        rotor_join(body, from[n]->scale, &from[n]->at, lists[n].b, cs[0], cs[1], from[n]->p, d + n);
+        d[n].sound = from[n]->sound;
+    }
 }
 
 /** The largest turn of it. */
-VTI_INLINE lanes rotor_most(int law, int rotor, lanes t, const struct rotor_body *body, const lanes L[3])
+VTI_INLINE lanes rotor_most(int law, int rotor, const struct rotor_start *from)
 {
-    const struct rotor_axes at = rotor_axes_of(body->m, body->k);
     struct rotor_list list;
-    lanes u[3], p[3];
-    list.law = law;
     list.hard = 0;
     list.watches = 1;
-    rotor_spin(body, &at, L, p);
-    rotor_list_of(rotor, t * at.d_x, t * at.d_y, p, &list);
-    for (int n = 0; n < 3; ++n)
-        u[n] = t * (at.k_r * p[n]);
-    return rotor_worst(list.most, lanes_sqrt(lanes_dot(u, u)));
+    rotor_lists_of(law, rotor, &from, &list, 1);
+    return rotor_worst(list.most, lanes_sqrt((from->turn * from->turn) * from->square));
 }
 
 #endif

@@ -86,7 +86,7 @@ VTI_INLINE void turned_body(const vti_quat_view *principal, int64_t i, struct ge
     } else
         for (int k = 0; k < 4; ++k)
             g->body.q[k] = g->attitude[k];
-    g->body.scale = 2.0 / lanes_square(g->body.q);
+    g->body.square = lanes_square(g->body.q);
 }
 
 VTI_INLINE void load_attitude(const vti_bodies *b, int64_t i, lanes attitude[4])
@@ -130,7 +130,6 @@ VTI_INLINE void load_general(const struct vti_move *move, const vti_bodies *b, i
     load_attitude(b, i, g->attitude);
     turned_body(&b->principal, i, g);
     load_any(stream_of(&b->moments), i, g->body.m);
-    rotor_moments(&g->body);
     if (vti_has(&b->spin)) {
         kicked_spin(move, b, i, g->L);
         for (int k = 0; k < 3; ++k)
@@ -140,10 +139,10 @@ VTI_INLINE void load_general(const struct vti_move *move, const vti_bodies *b, i
     load_any(stream_of(&b->omega), i, g->omega);
     if (kicks_general(move, b)) {
         load_any(stream_of(&b->moment), i, by);
-        rotor_times(&g->body, g->body.k, by, by);
+        rotor_times(&g->body, 1, by, by);
         kick_any(move, by, g->omega);
     }
-    rotor_times(&g->body, g->body.m, g->omega, g->L);
+    rotor_times(&g->body, 0, g->omega, g->L);
 }
 
 /** The attitude turned by the increment; 0, where it is not to be used, if some lane needs more care: of a body near a
@@ -159,7 +158,7 @@ VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes
         const lanes_mask near = (4.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d->c * lanes_abs(d->c);
         for (int k = 0; k < 3; ++k)
             q[k] += add[k];
-        return lanes_all(near);
+        return lanes_all(near & d->sound);
     }
     lanes u[3], r[4], x[3];
     for (int k = 0; k < 3; ++k)
@@ -171,24 +170,128 @@ VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes
     const lanes scale = 1.0 / lanes_sqrt(lanes_dot(r, r) + r[3] * r[3]);
     for (int k = 0; k < 4; ++k)
         q[k] = r[k] * scale;
-    return lanes_all(cc + uu < 0x1p100);
+    return lanes_all((cc + uu < 0x1p100) & d->sound);
 }
 
-/** The increment of a drift; of spheres alone, without all that makes bodies differ from them. */
+/** Which bodies of a block are spheres. */
+enum { NO_SPHERES, SOME_SPHERES, ALL_SPHERES };
+
+VTI_INLINE int spheres_of(lanes_mask round)
+{
+    return lanes_all(round) ? ALL_SPHERES : lanes_all(~round) ? NO_SPHERES : SOME_SPHERES;
+}
+
+/** The increments of those of a block that are spheres, by their own drift. */
+VTI_INLINE void drift_spheres(int law, lanes t, int spheres, const lanes m[3], const lanes L[3],
+                              struct rotor_increment *d)
+{
+    struct rotor_increment sphere;
+    rotor_sphere(law, t, 1.0 / m[0], L, &sphere);
+    if (spheres == ALL_SPHERES) {
+        *d = sphere;
+        return;
+    }
+    const lanes_mask round = rotor_is_round(m);
+    d->c = lanes_where(round, sphere.c, d->c);
+    d->f = lanes_where(round, sphere.f, d->f);
+    d->side = lanes_where(round, sphere.side, d->side);
+    for (int n = 0; n < 3; ++n)
+        d->u[n] = lanes_where(round, sphere.u[n], d->u[n]);
+    d->sound |= round;
+}
+
+/** The increment of a drift. */
 VTI_INLINE void drift_general(int law, int rotor, double time, const vti_quat_view *principal, int64_t i,
                               struct general *g, struct rotor_increment *d)
 {
     const lanes t = lanes_of(time);
-    if (lanes_all(g->body.round)) {
-        lanes cf[2];
-        rotor_about_L(law, t, g->body.k[0], g->L, d->u, cf);
-        d->c = cf[0];
-        d->f = cf[1];
-        d->side = lanes_of(1.0);
-    } else {
+    const int spheres = spheres_of(rotor_is_round(g->body.m));
+    if (spheres != ALL_SPHERES) {
+        struct rotor_start start;
+        const struct rotor_start *const from = &start;
         turned_body(principal, i, g);
-        rotor_drift(law, rotor, t, &g->body, g->L, d);
+        rotor_start_of(t, &g->body, g->L, &start);
+        rotor_drift(law, rotor, &from, &g->body, d, 1);
     }
+    if (spheres != NO_SPHERES)
+        drift_spheres(law, t, spheres, g->body.m, g->L, d);
+}
+
+/** Where the drift of a block of packed bodies begins. */
+struct begun {
+    struct rotor_start from;
+    lanes attitude[3];
+    int spheres;
+};
+
+/** A drift is a chain of products, and a processor looks only some hundred operations ahead: so many blocks begin theirs
+ *  before that of the first goes on, and then two go on side by side. */
+enum { BEGUN = 8 };
+
+VTI_INLINE void load_packed(struct stream s, int64_t i, lanes r[3])
+{
+    lanes there[3];
+    load(PACKED, s, i, there);
+    lanes_split(there, r);
+}
+
+VTI_INLINE void begin_packed(const struct vti_move *move, const vti_bodies *b, struct kicks k, int64_t i,
+                             struct begun *to)
+{
+    const struct stream spin = stream_of(&b->spin);
+    const vti_quat_view own_axes = {{NULL, NULL, NULL, NULL}, 0, 0};
+    struct general g;
+    lanes there[3];
+    load(PACKED, spin, i, there);
+    if (k.count > 0) {
+        kick(PACKED, k, i, there);
+        store(PACKED, spin, i, there);
+    }
+    lanes_split(there, g.L);
+    load_any(stream_of(&b->moments), i, g.body.m);
+    load_packed(stream_of(&b->alpha), i, g.attitude);
+    g.attitude[3] = lanes_of(2.0);
+    to->spheres = spheres_of(rotor_is_round(g.body.m));
+    for (int n = 0; n < 3; ++n)
+        to->attitude[n] = g.attitude[n];
+    if (to->spheres == ALL_SPHERES)
+        return;
+    turned_body(&own_axes, i, &g);
+    rotor_start_of(lanes_of(move->drift), &g.body, g.L, &to->from);
+}
+
+/** Turns a block by its increment. */
+VTI_INLINE void turn_packed(int law, int rotor, const struct vti_move *move, const vti_bodies *b, int64_t i,
+                            const struct begun *begun, struct rotor_increment *d)
+{
+    lanes q[4] = {begun->attitude[0], begun->attitude[1], begun->attitude[2], lanes_of(2.0)};
+    if (begun->spheres != NO_SPHERES) {
+        lanes m[3], L[3];
+        load_any(stream_of(&b->moments), i, m);
+        load_packed(stream_of(&b->spin), i, L);
+        drift_spheres(law, lanes_of(move->drift), begun->spheres, m, L, d);
+    }
+    if (turn_general(1, d, q)) {
+        lanes there[3];
+        lanes_join(q, there);
+        store(PACKED, stream_of(&b->alpha), i, there);
+    } else {
+        const struct vti_move drift = {0.0, 0.0, move->drift, 1, law, VTI_FRAME_SPACE, rotor};
+        vti_rotor_move(&drift, b, i, i + WIDTH);
+    }
+}
+
+/** Ends the drifts of one block or of two, from body i on. */
+VTI_INLINE void end_packed(int law, int rotor, const struct vti_move *move, const vti_bodies *b, int64_t i,
+                           const struct begun *begun, int count)
+{
+    const struct rotor_body own_axes = {.turned = 0};
+    const struct rotor_start *const from[2] = {&begun[0].from, &begun[count - 1].from};
+    struct rotor_increment d[2];
+    if (count == 2 || begun->spheres != ALL_SPHERES)
+        rotor_drift(law, rotor, from, &own_axes, d, count);
+    for (int n = 0; n < count; ++n)
+        turn_packed(law, rotor, move, b, i + n * WIDTH, begun + n, d + n);
 }
 
 /** Bodies that show L and alpha, all packed, their axes the body's own. */
@@ -196,42 +299,29 @@ VTI_INLINE void move_packed(int law, int rotor, const struct vti_move *move, con
                             int64_t end)
 {
     const vti_scalars one = {&unit_inertia, 0, 0};
-    const struct stream spin = stream_of(&b->spin), alpha = stream_of(&b->alpha), moments = stream_of(&b->moments);
     const struct kicks k = kicks_of(move, &b->moment, &one);
-    const vti_quat_view own_axes = {{NULL, NULL, NULL, NULL}, 0, 0};
-    const double t = move->drift;
-    const struct vti_move drift = {0.0, 0.0, t, 1, law, VTI_FRAME_SPACE, rotor};
-    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
-        struct general g;
-        struct rotor_increment d;
-        lanes there[3];
-        load(PACKED, spin, i, there);
-        if (k.count > 0) {
-            kick(PACKED, k, i, there);
-            store(PACKED, spin, i, there);
-        }
-        lanes_split(there, g.L);
-        load(PACKED, moments, i, there);
-        lanes_split(there, g.body.m);
-        rotor_moments(&g.body);
-        load(PACKED, alpha, i, there);
-        lanes_split(there, g.attitude);
-        g.attitude[3] = lanes_of(2.0);
-        drift_general(law, rotor, t, &own_axes, i, &g, &d);
-        if (!turn_general(1, &d, g.attitude)) {
-            vti_rotor_move(&drift, b, i, i + WIDTH);
-            continue;
-        }
-        lanes_join(g.attitude, there);
-        store(PACKED, alpha, i, there);
+    struct begun begun[BEGUN];
+    for (int64_t i = begin; i + WIDTH <= end;) {
+        int count = 0;
+        for (; count < BEGUN && i + (count + 1) * WIDTH <= end; ++count)
+            begin_packed(move, b, k, i + count * WIDTH, begun + count);
+        for (int n = 0; n < count;)
+            if (n + 1 < count && begun[n].spheres != ALL_SPHERES && begun[n + 1].spheres != ALL_SPHERES) {
+                end_packed(law, rotor, move, b, i + n * WIDTH, begun + n, 2);
+                n += 2;
+            } else {
+                end_packed(law, rotor, move, b, i + n * WIDTH, begun + n, 1);
+                n += 1;
+            }
+        i += count * WIDTH;
     }
 }
 
 VTI_INLINE int is_packed(const struct vti_move *move, const vti_bodies *b)
 {
     return move->drifts && order_of(stream_of(&b->spin)) == PACKED && order_of(stream_of(&b->alpha)) == PACKED &&
-           order_of(stream_of(&b->moments)) == PACKED && !vti_has(&b->omega) && b->principal.xyzw[0] == NULL &&
-           (!kicks_general(move, b) || order_of(stream_of(&b->moment)) == PACKED);
+           (order_of(stream_of(&b->moments)) == PACKED || b->moments.stride == 0) && !vti_has(&b->omega) &&
+           b->principal.xyzw[0] == NULL && (!kicks_general(move, b) || order_of(stream_of(&b->moment)) == PACKED);
 }
 
 /** law 0: kicks only. */
@@ -256,7 +346,7 @@ VTI_INLINE void move_general(int law, int rotor, const struct vti_move *move, co
             continue;
         }
         if (shows && (spins || law != 0))
-            rotor_times(&g.body, g.body.k, g.L, g.omega);
+            rotor_times(&g.body, 1, g.L, g.omega);
         if (spins && kicks_general(move, b))
             store_any(stream_of(&b->spin), i, g.L);
         if (shows)
@@ -333,6 +423,7 @@ static int reaches_general(const struct vti_move *move, const vti_bodies *b, int
     int64_t i = begin;
     for (; i + WIDTH <= end; i += WIDTH) {
         struct general g;
+        struct rotor_start from;
         if (spins) {
             load_any(stream_of(&b->moments), i, g.body.m);
             kicked_spin(move, b, i, g.L);
@@ -340,7 +431,13 @@ static int reaches_general(const struct vti_move *move, const vti_bodies *b, int
                 continue;
         }
         load_general(move, b, i, &g);
-        below &= rotor_most(VTI_LAW_CLOSED, move->rotor, lanes_of(move->drift), &g.body, g.L) < 1.0;
+        rotor_start_of(lanes_of(move->drift), &g.body, g.L, &from);
+        if (spheres_of(rotor_is_round(g.body.m)) != NO_SPHERES) {
+            struct rotor_increment d;
+            rotor_sphere(VTI_LAW_CLOSED, lanes_of(move->drift), 1.0 / g.body.m[0], g.L, &d);
+            below &= (lanes_dot(d.u, d.u) < 1.0) | (rotor_is_round(g.body.m) == 0);
+        }
+        below &= from.sound & (rotor_most(VTI_LAW_CLOSED, move->rotor, &from) < 1.0);
     }
     *stopped = i;
     return !lanes_all(below);

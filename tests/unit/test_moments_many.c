@@ -68,6 +68,9 @@ static void fill(rng *g, int closed, const vti_bodies *all)
                             : i == 17                 ? 1e-150
                                                       : 1;
         top p = top_random(g, TOP_ALPHA, TOP_BOTH);
+        const double unit = i % 19 == 12 ? 0x1p-350 : 1; /* whose cube is no number */
+        for (int k = 0; k < 3; ++k)
+            p.moments[k] *= unit;
         if (i % 9 == 4 || i < row)
             p.moments[2] = p.moments[1] = p.moments[0];
         for (int k = 0; k < 3; ++k) {
@@ -79,7 +82,7 @@ static void fill(rng *g, int closed, const vti_bodies *all)
             if (all->alpha.c[0] != NULL)
                 all->alpha.c[k][i * all->alpha.stride] = i % 11 == 3 ? 1e12 * p.alpha[k] : p.alpha[k];
             if (all->moment.c[0] != NULL)
-                all->moment.c[k][i * all->moment.stride] = 0.01 * p.moment[k];
+                all->moment.c[k][i * all->moment.stride] = 0.01 * unit * p.moment[k];
         }
         for (int k = 0; k < 4; ++k) {
             if (all->quat.xyzw[0] != NULL)
