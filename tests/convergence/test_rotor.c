@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Orders of convergence of bodies with three moments: free ones against Jacobi's elliptic functions, in orders 2, 4 and
- * 6 of the rotor; a heavy top against GSL's Prince-Dormand 8(9), in the orders of the steppers. */
+ * 6 of the rotor; a heavy top and a bonded pair against GSL's Prince-Dormand 8(9), in the orders of the steppers. */
+#include "chain.h"
 #include "fit.h"
 #include "free_body.h"
 #include "top.h"
@@ -157,5 +158,124 @@ TEST(heavy_top_orders)
     shows("kl8", 8, 12);
 }
 
+/* ---- a bonded pair ----------------------------------------------------------------------------------------------- */
+
+enum { NUMBERS = 13 }; /* of a body: x, v, q, L */
+
+/** Two bodies of three moments each, bonded, displaced, turned and set moving. omega of the chain is L. */
+static chain bonded_pair(void)
+{
+    chain c;
+    chain_make(&c, 2, 412, CHAIN_ALPHA);
+    return c;
+}
+
+static vti_bodies pair_bodies(chain *c)
+{
+    static double moments[2][3] = {{0.5, 0.9, 1.1}, {1.2, 0.7, 0.8}};
+    vti_bodies b = chain_bodies(c);
+    b.spin = b.omega;
+    b.omega = vti_view_none();
+    b.inertia = vti_bodies_none(2).inertia;
+    b.moments = vti_view_packed(moments[0]);
+    return b;
+}
+
+/** x' = v, v' = F/m, q' = Omega q/2, Omega = R diag(1/moments) R^T L, L' = RM with y = (x, v, q, L) of each. */
+static int pair_motion(double t, const double y[], double dydt[], void *params)
+{
+    chain *const c = params;
+    (void)t;
+    for (int i = 0; i < 2; ++i) {
+        memcpy(c->x[i], y + NUMBERS * i, sizeof c->x[i]);
+        memcpy(c->quat[i], y + NUMBERS * i + 6, sizeof c->quat[i]);
+    }
+    const vti_bodies b = pair_bodies(c);
+    chain_load(c, &b);
+    for (int i = 0; i < 2; ++i) {
+        const double *const from = y + NUMBERS * i, *const q = from + 6;
+        double *const d = dydt + NUMBERS * i, w[3], x[3];
+        quat_rotate(quat_conj(quat_of_xyzw(q)), from + 10, w);
+        for (int k = 0; k < 3; ++k)
+            w[k] /= b.moments.c[k][3 * i];
+        quat_rotate(quat_of_xyzw(q), w, w);
+        vti_cross(w, q, x);
+        for (int k = 0; k < 3; ++k) {
+            d[k] = from[3 + k];
+            d[3 + k] = c->force[i][k] / c->mass[i];
+            d[6 + k] = 0.5 * (q[3] * w[k] + x[k]);
+            d[10 + k] = c->moment[i][k];
+        }
+        d[9] = -0.5 * vti_dot(w, q);
+    }
+    return GSL_SUCCESS;
+}
+
+static chain pair_reference(double t_end)
+{
+    chain c = bonded_pair();
+    double y[2 * NUMBERS];
+    c.storage = CHAIN_QUAT;
+    for (int i = 0; i < 2; ++i) {
+        double *const to = y + NUMBERS * i;
+        memcpy(to, c.x[i], sizeof c.x[i]);
+        memcpy(to + 3, c.v[i], sizeof c.v[i]);
+        memcpy(to + 6, c.quat[i], sizeof c.quat[i]);
+        memcpy(to + 10, c.omega[i], sizeof c.omega[i]);
+    }
+    gsl_odeiv2_system system = {pair_motion, NULL, 2 * NUMBERS, &c};
+    fit_reference(&system, t_end, y);
+    for (int i = 0; i < 2; ++i) {
+        memcpy(c.x[i], y + NUMBERS * i, sizeof c.x[i]);
+        memcpy(c.v[i], y + NUMBERS * i + 3, sizeof c.v[i]);
+        memcpy(c.quat[i], y + NUMBERS * i + 6, sizeof c.quat[i]);
+        memcpy(c.omega[i], y + NUMBERS * i + 10, sizeof c.omega[i]);
+    }
+    return c;
+}
+
+/** Of attitudes, L, x and v. */
+static void pair_shows(const char *name, double order, int coarsest)
+{
+    static const char *const quantity[] = {"attitude", "L", "x", "v"};
+    const double t_end = 2;
+    const vti_stepper *const method = vti_stepper_find(name);
+    const chain exact = pair_reference(t_end);
+    double e[4][RUNGS];
+    int n[RUNGS];
+    for (int i = 0; i < RUNGS; ++i) {
+        chain c = bonded_pair(), elsewhere = c;
+        double all[4];
+        const vti_bodies b = pair_bodies(&c);
+        vti_bodies probed = pair_bodies(&elsewhere);
+        probed.force = b.force;
+        probed.moment = b.moment;
+        n[i] = fit_steps(coarsest, i);
+        chain_load(&c, &b);
+        for (int k = 0; k < n[i]; ++k)
+            play_step(method, t_end / n[i], &b, &probed, chain_load, &c);
+        chain_difference(&c, &exact, all);
+        for (int k = 0; k < 4; ++k)
+            e[k][i] = all[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+        char what[64];
+        snprintf(what, sizeof what, "%s, bonded pair: %s", name, quantity[k]);
+        assert_order(what, n, e[k], order, 0.05 * order);
+    }
+}
+
+TEST(bonded_pair_orders)
+{
+    pair_shows("exact", 2, 32);
+    pair_shows("suzuki4", 4, 16);
+    pair_shows("srkn6", 4, 16);
+    pair_shows("chin4", 4, 16);
+    pair_shows("srkn11", 6, 8);
+    pair_shows("srkn14", 6, 7);
+    pair_shows("kl6", 6, 10);
+    pair_shows("kl8", 8, 7);
+}
+
 RUN_TESTS(cmocka_unit_test(free_2), cmocka_unit_test(free_4), cmocka_unit_test(free_6),
-          cmocka_unit_test(heavy_top_orders))
+          cmocka_unit_test(heavy_top_orders), cmocka_unit_test(bonded_pair_orders))

@@ -327,6 +327,14 @@ TEST(measures)
         vti_angular_momentum(&all, about, l);
         for (int c = 0; c < 3; ++c)
             assert_close(l[c], mass * orbit[c] + p.spin[c], 64 * EPS * (10 + vti_norm(p.spin)));
+        if (p.shows != TOP_OMEGA) { /* without an attitude L is known, and no angular velocity */
+            vti_bodies lost = all;
+            lost.alpha = lost.alpha_low = vti_view_none();
+            lost.quat = lost.principal = vti_bodies_none(1).quat;
+            assert_true(vti_kinetic_rotation(&lost) == 0 && vti_max_turn(1, &lost) == 0);
+            vti_spin(&lost, s);
+            assert_close3(s, p.spin, 0);
+        }
         all.spin = all.omega = all.spin_low = vti_view_none();
         assert_true(vti_kinetic_rotation(&all) == 0 && vti_max_turn(1, &all) == 0);
         vti_spin(&all, s);
