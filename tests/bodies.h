@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Views on bodies that a test keeps in packed arrays. No test library: digest.h has to build wherever the core does. */
+ * Views on bodies that a test keeps in packed arrays, and a stepper that is a drift alone. No test library: digest.h has
+ * to build wherever the core does. */
 #ifndef VTI_TESTS_BODIES_H
 #define VTI_TESTS_BODIES_H
 
@@ -38,5 +39,20 @@ static inline vti_bodies bodies_packed(int64_t n, double *x, double *v, double *
 #define bodies_of(s, n, by_quat)                                                                                       \
     bodies_packed(n, (s)->x[0], (s)->v[0], (s)->force[0], (s)->alpha[0], (by_quat) ? (s)->quat[0] : NULL,              \
                   (s)->omega[0], (s)->moment[0], (s)->mass, (s)->inertia)
+
+/** A drift of that law and rotor, of -h where it goes back, as a stepper that has nothing else. */
+static inline vti_stepper drift_alone(int64_t law, int64_t rotor_order, int back)
+{
+    static const double none[] = {0, 0}, ahead[] = {1, 0}, behind[] = {-1, 0};
+    const vti_stepper own = {.name = "drift",
+                             .law = law,
+                             .frame = VTI_FRAME_SPACE,
+                             .stages = 1,
+                             .evals = 1,
+                             .kick = none,
+                             .drift = back ? behind : ahead,
+                             .rotor = rotor_order};
+    return own;
+}
 
 #endif

@@ -89,15 +89,7 @@ TEST(stuck_pairs_turn)
                     m.t.c.omega[i][k] = axis[k] / parts;
             uneven_spin_up(&m);
             memset(m.t.c.v, 0, sizeof m.t.c.v);
-            static const double none[] = {0, 0}, one[] = {1, 0};
-            const vti_stepper own = {.name = "drift",
-                                     .law = law,
-                                     .frame = VTI_FRAME_SPACE,
-                                     .stages = 1,
-                                     .evals = 1,
-                                     .kick = none,
-                                     .drift = one,
-                                     .rotor = order};
+            const vti_stepper own = drift_alone(law, order, 0);
             assert_int_equal(vti_step_begin(&own, 1, &m.b, NULL), VTI_OK);
             way_of(before, crowd_attitude(&m.t.c, 0), turn, &angle);
             for (int i = 0; i < 2; ++i) { /* and centres go round with them */
@@ -148,19 +140,11 @@ static void follow(const void *self, const vti_bodies *b, const vti_drifted *dri
 TEST(carry_has_the_chord)
 {
     static const int laws[] = {VTI_LAW_CLOSED, VTI_LAW_CAYLEY, VTI_LAW_EXACT, VTI_LAW_EXACT9};
-    static const double none[] = {0, 0}, one[] = {1, 0};
     rng g = rng_seed(5202);
     const vti_effect inner = {.name = "follow", .apply = nothing, .carry = follow};
     for (int trial = 0; trial < 240; ++trial) {
         static double x[CROWD_MAX][3];
-        const vti_stepper own = {.name = "drift",
-                                 .law = laws[trial % 4],
-                                 .frame = VTI_FRAME_SPACE,
-                                 .stages = 1,
-                                 .evals = 1,
-                                 .kick = none,
-                                 .drift = one,
-                                 .rotor = trial / 4 % 4 * 2};
+        const vti_stepper own = drift_alone(laws[trial % 4], trial / 4 % 4 * 2, 0);
         uneven_clear(&m, UNEVEN_CLUMPS, trial % 2 ? CROWD_ALPHA : CROWD_QUAT, 3);
         crowd_tumble(&m.t.c, &g);
         for (int i = 0; i < 3; ++i) {

@@ -7,19 +7,9 @@
 
 static const int rotors[] = {2, 4, 6};
 
-/** A drift of the rotor, as a stepper that has nothing else. */
 static int drifts(int law, int rotor_order, double t, const vti_bodies *b, vti_fault *fault)
 {
-    static const double none[] = {0.0, 0.0};
-    const double whole[] = {t < 0 ? -1.0 : 1.0, 0.0};
-    const vti_stepper own = {.name = "drift",
-                             .law = law,
-                             .frame = VTI_FRAME_SPACE,
-                             .stages = 1,
-                             .evals = 1,
-                             .kick = none,
-                             .drift = whole,
-                             .rotor = rotor_order};
+    const vti_stepper own = drift_alone(law, rotor_order, t < 0);
     return vti_step_begin(&own, fabs(t), b, fault);
 }
 
