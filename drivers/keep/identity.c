@@ -23,6 +23,14 @@ static void write_numbers(FILE *text, const double *number, int count)
         fprintf(text, " %s", NUMBER(number[k]));
 }
 
+/** Where none is given, its value may be none of the words'. */
+static void write_word(FILE *text, const struct scene_word *word, int64_t value)
+{
+    while (word->word != NULL && word->value != value)
+        ++word;
+    fprintf(text, " %s", word->word != NULL ? word->word : "none");
+}
+
 static void write_value(FILE *text, const struct scene_field *field, const void *value)
 {
     const int64_t *count = value;
@@ -38,9 +46,7 @@ static void write_value(FILE *text, const struct scene_field *field, const void 
         fprintf(text, " %lld %lld %lld", (long long)count[0], (long long)count[1], (long long)count[2]);
         break;
     case SCENE_WORD:
-        for (const struct scene_word *word = field->words; word->word != NULL; ++word)
-            if (word->value == *count)
-                fprintf(text, " %s", word->word);
+        write_word(text, field->words, *count);
         break;
     case SCENE_COUNT:
     case SCENE_YES_NO:

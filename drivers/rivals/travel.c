@@ -220,6 +220,8 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     stepper = model->scene->tolerance > 0.0 ? method_controlled(stepper) : stepper;
     const struct rival *way = way_of(stepper);
     travel->stepper = stepper;
+    travel->list = *stepper;
+    travel->list.rotor = model->scene->rotor != 0 ? model->scene->rotor : stepper->rotor;
     travel->model = model;
     travel->h = h;
     if (!(h > 0.0) || !isfinite(h))
@@ -383,7 +385,7 @@ int travel_show(struct travel *travel, int64_t steps, const struct observer *obs
     if (travel->course != NULL)
         return course_show(travel, last, observers, observers_count, message);
     const int result =
-        loop_run(travel->model, travel->stepper, travel->h, travel->steps, last, observers, observers_count, message);
+        loop_run(travel->model, &travel->list, travel->h, travel->steps, last, observers, observers_count, message);
     travel->steps = result == 0 ? last : travel->steps;
     return result;
 }

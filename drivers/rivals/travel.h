@@ -42,6 +42,7 @@ int methods_width(const vti_stepper *const *list, int64_t n);
 /** A stepper on its way through a model: it owns what the stepper needs beside the model. */
 struct travel {
     const vti_stepper *stepper;
+    vti_stepper list; /* where that is one of kicks and drifts: the same with the scene's rotor */
     struct model *model;
     double h;
     int64_t steps;         /* taken so far */

@@ -109,6 +109,7 @@ struct scene {
     const struct tables *tables;
 
     const vti_stepper *stepper; /* "vti2" if the file has none; moments are in space */
+    int64_t rotor; /* of bodies with three moments, in the place of the stepper's: 2, 4 or 6; 0 is the stepper's */
     double h, t_end;
     double tolerance; /* of steps that keep it; 0 is none: steps of h */
 };

@@ -267,10 +267,27 @@ static int check_steps(const struct scene_reader *reader, const struct scene *sc
                              quote(h, sizeof h, scene_reader_value(reader, "h")));
 }
 
+/** Bodies whose turn has parts, and a stepper that is made of them. */
+static int check_rotor(const struct scene_reader *reader, const struct scene *scene)
+{
+    if (scene->rotor == 0)
+        return 0;
+    if (scene->stepper->kick == NULL)
+        return scene_reader_fail(reader, "rotor",
+                                 "the stepper %s is no list of kicks and drifts, and turns bodies in its own way; take "
+                                 "vti2 or leave it out",
+                                 scene->stepper->name);
+    if (has(reader, "bodies.moments") || scene->clumps.given || scene->arrangement == SCENE_IN_TABLE)
+        return 0;
+    return scene_reader_fail(reader, "rotor",
+                             "a sphere's turn is one, of any order; give bodies.moments or bodies.clumps, or leave it "
+                             "out");
+}
+
 int scene_check(const struct scene_reader *reader, struct scene *scene)
 {
     if (check_arrangement(reader, scene) != 0 || check_counts(reader, scene) != 0 || check_motion(reader, scene) != 0 ||
         check_effects(reader, scene) != 0 || check_properties(reader, scene) != 0)
         return -1;
-    return check_steps(reader, scene);
+    return check_rotor(reader, scene) != 0 ? -1 : check_steps(reader, scene);
 }

@@ -97,9 +97,15 @@ static const struct scene_field head[] = {
      NULL},
 };
 
+static const struct scene_word rotors[] = {{"2", 2}, {"4", 4}, {"6", 6}, {NULL, 0}};
+
 static const struct scene_field tail[] = {
     {"stepper", SCENE_STEPPER, SCENE_MAY, SCENE_ANY, AT(stepper), "integrator",
      "vti2 without it; vti-run --list steppers names them all.", NULL},
+    {"rotor", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(rotor), "order of a free body's turn",
+     "Of bodies with three moments, by 3, 5 or 21 turns a drift; without it that of the stepper: 4 of exact, srkn6 and "
+     "chin4, 6 of srkn11 and srkn14, else 2. Rivals have their own.",
+     rotors},
     {"h", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(h), "time step", "Time.", NULL},
     {"tolerance", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(tolerance), "estimated error of a step",
      "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it, and h is only "

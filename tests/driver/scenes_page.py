@@ -14,8 +14,8 @@ This page is made of `vti-run --list keys` by `tests/driver/scenes_page.py`; a t
 """
 
 
-OTHERS = {"name": "Name", "stepper": "Stepper and time", "h": "Stepper and time", "tolerance": "Stepper and time",
-          "t_end": "Stepper and time"}
+OTHERS = {"name": "Name", "stepper": "Stepper and time", "rotor": "Stepper and time", "h": "Stepper and time",
+          "tolerance": "Stepper and time", "t_end": "Stepper and time"}
 
 
 def rows(listed):

@@ -8,8 +8,8 @@
 #define TIME "h: 1/64\nt_end: 1\n"
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define ROOT_KEYS                                                                                                      \
-    "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, h, "      \
-    "tolerance, t_end"
+    "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, rotor, "  \
+    "h, tolerance, t_end"
 #define BODY_KEYS                                                                                                      \
     "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
@@ -101,6 +101,9 @@ static const struct refusal files[] = {
     {SPIN "h: 1e-16\nt_end: 1\n", "3:8: t_end: '1' is more than 2^53 steps of h = 1e-16; take a larger h"},
     {SPIN TIME "stepper: rk4\n", "4:10: stepper: 'rk4' is not a stepper; take one of " STEPPERS},
     {SPIN TIME "stepper: [vti2]\n", "4:10: stepper: a list of 1 is not a word; write a single word"},
+    {SPIN TIME "rotor: 3\n", "4:8: rotor: '3' is not one of 2, 4, 6; take one of them"},
+    {SPIN TIME "rotor: 4\n",
+     "4:8: rotor: a sphere's turn is one, of any order; give bodies.moments or bodies.clumps, or leave it out"},
     {SPIN TIME "stepper: vti1-body\n", "4:10: stepper: 'vti1-body' wants moments in the body's frame, and "
                                        "scenes give them in space; take one of " STEPPERS},
     {SPIN TIME "name: ../etc/passwd\n",

@@ -177,6 +177,14 @@ def general_inertia(base):
         for name, order in steppers.items():
             fitted, interval = found[name.encode()]
             check(abs(fitted - order) <= max(interval, 0.02) < 0.2, f"{scene}: {name} has order {fitted:.4f} +- {interval:.4f}")
+    swept = study(2, os.path.join(scenes, "dzhanibekov.yaml"), "--h", "2^-1:2^-4", "--t-end", "10", "--steppers", "exact,fincham",
+                  "--sweep", "rotor=2,4,6", folder=f"{base}/rotors")
+    check(swept.returncode == 0, f"a sweep over rotors {swept.stderr}")
+    with h5py.File(f"{base}/rotors/study.h5") as file:
+        which, found = file["orders/stepper"][2::4], file["orders/order"][2::4]
+    check(all(abs(order - rotor) < 0.15 for order, rotor in zip(found[which == 0], (2, 4, 6), strict=True)),
+          f"exact's order is that of the rotor: {found[which == 0]}")
+    check(len(set(found[which == 1])) == 1, f"a rival has its own: {found[which == 1]}")
 
 
 def keeps_what_was_there(base):
