@@ -111,8 +111,10 @@ TEST(templates)
     make_model("bodies: {chain: {count: 5, spacing: 3}, " TWO ", density: 1}}\ncontact: {stiffness: 1}\n" TIME, &scene,
                &model);
     static const int64_t turns[] = {0, 0, 1, 2, 2, 3, 4, 4};
+    static const double diameters[] = {1, 1, 2, 1, 1, 2, 1, 1};
     assert_int_equal(model.clumps.list.count, 8);
     assert_memory_equal(model.clumps.list.body, turns, sizeof turns);
+    assert_same_bits(model.diameter.p, diameters, 8);
     assert_close(model.bodies.mass.p[1], 4.0 * model.bodies.mass.p[0], 20 * EPS);
     model_destroy(&model);
     write_text("b.csv", "x,y,z,mass,clump,young,poisson\n0,0,0,3,1,100,0.2\n5,0,0,4,0,200,0.2\n");

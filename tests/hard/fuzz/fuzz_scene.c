@@ -72,6 +72,9 @@ static void check(const struct scene *s)
     fuzz_must(known ? scene_bodies(s) >= 1 && scene_bodies(s) <= SCENE_BODIES_MAX : s->table[0] != '\0', "bodies");
     fuzz_must(positive(s->h) && positive(s->t_end) && s->t_end / s->h <= 0x1p53, "times are positive");
     fuzz_must(s->stepper != NULL && s->name[0] != '\0', "a scene has a stepper and a name");
+    fuzz_must(s->rotor == 0 || ((s->rotor == 2 || s->rotor == 4 || s->rotor == 6) &&
+                                (!known || has_moments || s->clumps.given) && s->stepper->kick != NULL),
+              "a rotor is that of bodies with moments");
     check_effects(s);
 }
 
