@@ -14,7 +14,7 @@
 enum { AXIAL, SHEAR, BENDING, TWISTING, MOTIONS };
 
 /** Bond k where it is. Returns 1, or 0 where its bodies coincide. */
-static int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies *b, int64_t k)
+VTI_INLINE int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies *b, int64_t k)
 {
     double d[3], xj[3];
     at->moves = 0;
@@ -46,14 +46,17 @@ static int turns_of(int motion)
 
 /** Of a motion with that reduced mass, or moment of inertia: the constant and 2 zeta sqrt(m k); stiffness is an energy,
  *  k that over length^2. */
-static double coefficient(const vti_bond_dashpots *p, int motion, double mass, int64_t k)
+VTI_INLINE double coefficient(const vti_bond_dashpots *p, int motion, double mass, int64_t k)
 {
     const vti_bonds *bonds = p->bonds;
-    const double constants[MOTIONS] = {p->axial, p->shear, p->bending, p->twisting};
+    const double constant = motion == AXIAL     ? p->axial
+                            : motion == SHEAR   ? p->shear
+                            : motion == BENDING ? p->bending
+                                                : p->twisting;
     const vti_scalars *stiffness = motion == AXIAL ? &bonds->axial : motion == SHEAR ? &bonds->shear : &bonds->moment;
-    const double length = turns_of(motion) ? 1.0 : bonds->rest[4 * k + 3],
-                 energy = stiffness->p != NULL && p->zeta > 0.0 ? vti_scalar(stiffness, k) : 0.0;
-    return constants[motion] + (energy > 0.0 ? 2.0 * p->zeta * sqrt(mass * energy) / length : 0.0);
+    const double energy = stiffness->p != NULL && p->zeta > 0.0 ? vti_scalar(stiffness, k) : 0.0,
+                 length = turns_of(motion) ? 1.0 : bonds->rest[4 * k + 3];
+    return constant + (energy > 0.0 ? 2.0 * p->zeta * sqrt(mass * energy) / length : 0.0);
 }
 
 /* ---- spheres ----------------------------------------------------------------------------------------------------- */
