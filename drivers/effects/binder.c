@@ -39,6 +39,12 @@ static const struct scene_field fields[] = {
      times},
     {"binder.most", SCENE_COUNT, SCENE_MAY, SCENE_POSITIVE, AT(most), "most bonds of a body",
      "Of bonds that are made where bodies touch; without it any number.", NULL},
+    {"binder.from", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, AT(from), "time of the first bonds",
+     "Bonds that are made where bodies touch are made at ends of steps from this time on; pairs that touch then, "
+     "included.",
+     NULL},
+    {"binder.until", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(until), "time of the last bonds",
+     "Until this time, which is later than from; without it there is no end.", NULL},
     {"binder.moment", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[0]), "stiffness K^m",
      "Energy: bending and torsion cost K^m/2 |theta|^2, theta being the angle between the bodies.", NULL},
     {"binder.axial", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[1]), "stiffness K^a",
@@ -76,7 +82,9 @@ static const struct {
 
 static void defaults(void *settings)
 {
-    ((struct binder_settings *)settings)->shear_form = VTI_SHEAR_OBJECTIVE;
+    struct binder_settings *binder = settings;
+    binder->shear_form = VTI_SHEAR_OBJECTIVE;
+    binder->until = INFINITY;
 }
 
 /** Whether bodies that are bonded are in contact, too: 1, 0, or -1 if there is no contact. */
@@ -118,6 +126,13 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
         return -1;
     if (!touching && binder->most != 0)
         return scene_reader_fail(reader, "binder.most", "all bonds are made at t = 0; give when: touching");
+    for (int k = 0; k < 2 && !touching; ++k)
+        if (scene_reader_has(reader, k ? "binder.until" : "binder.from"))
+            return scene_reader_fail(reader, k ? "binder.until" : "binder.from",
+                                     "all bonds are made at t = 0; give when: touching");
+    if (!(binder->from < binder->until))
+        return scene_reader_fail(reader, "binder.until", "is not later than from, %.17g; give a later time",
+                                 binder->from);
     const int has_table = binder->table[0] != '\0', in_table = scene->arrangement == SCENE_IN_TABLE;
     if (!touching && in_table && !has_table)
         return scene_reader_fail(reader, "binder", "bodies of a table have no neighbours; give table, a file of bonds");

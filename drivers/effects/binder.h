@@ -31,8 +31,9 @@ struct binder_settings {
     double stiffness[3];
     int64_t shear_form; /* vti_shear */
     double limit[LIMITS];
-    int64_t when; /* BINDER_START or BINDER_TOUCHING */
-    int64_t most; /* bonds of a body that are made where bodies touch; 0: any number */
+    int64_t when;       /* BINDER_START or BINDER_TOUCHING */
+    int64_t most;       /* bonds of a body that are made where bodies touch; 0: any number */
+    double from, until; /* times between which they are; until is infinite where it is not given */
 };
 
 /** When bonds are made: at t = 0, or at the end of the step in which their bodies touch (binder_touch.c). */
@@ -106,7 +107,7 @@ extern const struct effect_lines binder_lines;
 int binder_make_none(struct effect *e, const struct model *model, struct message *message);
 void binder_free_touch(struct bond_touch *touch);
 /** As effect_kind has it. */
-int64_t binder_join(struct effect *e, struct model *model, int64_t step, struct message *message);
+int64_t binder_join(struct effect *e, struct model *model, int64_t step, double t, struct message *message);
 /** What a run goes on with, as struct effect_memory_of has it. */
 int64_t binder_touch_size(const struct effect *e);
 void binder_touch_get(const struct effect *e, double *memory);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Bonds that are made where bodies touch: at the end of the step, after what breaks, each pair of spheres in contact
- * that has had no bond gets one that is at rest as they are then (EQUATIONS 6.6). It holds no energy, and the contact
- * inside it stays, so that neither loads nor energy jump. Pairs come in ascending order: numbers of bonds depend on the
- * motion alone. */
+ * that has had no bond gets one that is at rest as they are then (EQUATIONS 6.6), as long as the scene has bonds
+ * made. It holds no energy, and the contact inside it stays, so that neither loads nor energy jump. Pairs come in
+ * ascending order: numbers of bonds depend on the motion alone. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,13 +163,21 @@ static void count_meeting(struct binder_self *self)
         ++self->touch.meet[self->pair[k]];
 }
 
-int64_t binder_join(struct effect *e, struct model *model, int64_t step, struct message *message)
+/** Whether bonds are made at the end of a step at t, a product that may be off by its rounding. */
+static int in_window(const struct binder_settings *settings, double t)
+{
+    const double rounding = 4.0 * DBL_EPSILON * t;
+    return t >= settings->from - rounding && t <= settings->until + rounding;
+}
+
+int64_t binder_join(struct effect *e, struct model *model, int64_t step, double t, struct message *message)
 {
     struct binder_self *self = e->self;
-    const int64_t most = ((const struct binder_settings *)e->settings)->most, before = self->all;
+    const struct binder_settings *settings = e->settings;
+    const int64_t most = settings->most, before = self->all;
     const vti_contacts *contacts = NULL;
     int64_t at = 0;
-    if (!binder_touches(self))
+    if (!binder_touches(self) || !in_window(settings, t))
         return 0;
     if (find_contacts(model, &contacts) != VTI_OK || contacts == NULL)
         return -1;

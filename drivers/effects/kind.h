@@ -173,9 +173,9 @@ struct effect_kind {
      *  Returns as find_pairs. */
     int (*release)(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
                    struct message *message);
-    /** At the end of every step of such a model, after what breaks: makes lines anew, and returns how many, or -1 with
-     *  one line in *message. */
-    int64_t (*join)(struct effect *e, struct model *model, int64_t step, struct message *message);
+    /** At the end of every step of such a model, at t, after what breaks: makes lines anew, and returns how many, or -1
+     *  with one line in *message. */
+    int64_t (*join)(struct effect *e, struct model *model, int64_t step, double t, struct message *message);
     /** Makes *part act with the pairs alone that name a body of the slice, if the effect's have changed since it did
      *  last. Threads call it at once, each with a part of its own. Returns 0, or -1 if there is no memory. NULL: a
      *  slice looks at all pairs, or there are none. */

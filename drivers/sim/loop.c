@@ -99,7 +99,7 @@ static int one_step(struct run *run, int64_t step, vti_fault *fault)
     int status = probe_forces(run, run->stepper->stages);
     if (status == VTI_OK)
         status = finish(run);
-    return status == VTI_OK && run->breaks ? model_rupture(run->model, step) : status;
+    return status == VTI_OK && run->breaks ? model_rupture(run->model, step, (double)step * run->h) : status;
 }
 
 static int show(struct run *run, int64_t step)

@@ -195,7 +195,7 @@ int model_of_spheres(const struct model *model, const char *what, struct message
                        model->scene->name, what);
 }
 
-int model_rupture(struct model *model, int64_t step)
+int model_rupture(struct model *model, int64_t step, double t)
 {
     const int64_t *pair = NULL;
     int64_t broken, count = 0;
@@ -214,7 +214,7 @@ int model_rupture(struct model *model, int64_t step)
     }
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
-        const int64_t made = e->kind->join != NULL ? e->kind->join(e, model, step, &model->trouble) : 0;
+        const int64_t made = e->kind->join != NULL ? e->kind->join(e, model, step, t, &model->trouble) : 0;
         if (made < 0)
             return MODEL_E_PAIRS;
         broken += made;

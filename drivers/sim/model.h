@@ -77,9 +77,9 @@ const vti_effect *model_dissipates(const struct model *model);
 /** Returns 0 if the bodies are spheres, which is all that what knows; else -1 with one line in *message. */
 int model_of_spheres(const struct model *model, const char *what, struct message *message);
 
-/** What breaks at the end of the step, and what bonds are made then; where something is, forces are evaluated anew.
+/** What breaks at the end of the step, at t, and what bonds are made then; where something is, forces are evaluated anew.
  *  Returns VTI_OK or a status that model_text explains. */
-int model_rupture(struct model *model, int64_t step);
+int model_rupture(struct model *model, int64_t step, double t);
 
 /** What the effects keep beside the bodies, booked energies and what they remember, for a run that goes on with the
  *  same bits: how many doubles, and the doubles. */

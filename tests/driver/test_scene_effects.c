@@ -74,8 +74,8 @@ static const struct refusal refused[] = {
     {CHAIN "binder: {}\n" TIME, "2:1: binder: no stiffness; give moment, axial or shear"},
     {CHAIN "binder: {axial: 0}\n" TIME, "2:17: binder.axial: '0' is not positive; the stiffness K^a must be > 0"},
     {CHAIN "binder: {moment: -1}\n" TIME, "2:18: binder.moment: '-1' is not positive; the stiffness K^m must be > 0"},
-    {CHAIN "binder: {axial: 1, bending: 3}\n" TIME,
-     "2:20: binder.bending: unknown key 'bending'; known in binder: table, when, most, moment, axial, shear, break"},
+    {CHAIN "binder: {axial: 1, bending: 3}\n" TIME, "2:20: binder.bending: unknown key 'bending'; known in binder: "
+                                                    "table, when, most, from, until, moment, axial, shear, break"},
     {CHAIN "binder: {shear: 200}\n" TIME, "2:17: binder.shear: '200' is not a section; write its keys, each on a "
                                           "line of its own: stiffness, form"},
     {CHAIN "binder: {shear: {form: objective}}\n" TIME,
@@ -89,6 +89,11 @@ static const struct refusal refused[] = {
 
     /* binder.break */
     {CHAIN "binder: {axial: 1, most: 3}\n" TIME, "2:26: binder.most: all bonds are made at t = 0; give when: touching"},
+    {CHAIN "binder: {axial: 1, from: 3}\n" TIME, "2:26: binder.from: all bonds are made at t = 0; give when: touching"},
+    {CHAIN "binder: {axial: 1, until: 3}\n" TIME,
+     "2:27: binder.until: all bonds are made at t = 0; give when: touching"},
+    {CHAIN "contact: {stiffness: 1, bonded: yes}\nbinder: {axial: 1, when: touching, from: 3, until: 3}\n" TIME,
+     "3:52: binder.until: is not later than from, 3; give a later time"},
     {CHAIN "binder: {axial: 1, when: touching}\n" TIME,
      "2:26: binder.when: bonds that are made where bodies touch need their contact; give contact"},
     {CHAIN "binder: {axial: 1, when: touching}\ncontact: {stiffness: 1}\n" TIME,

@@ -116,6 +116,42 @@ TEST(most_of_a_body)
     model_destroy(&model);
 }
 
+/** Bonds of the row after 400 steps by h = 0.002 and the step of the first, 401 where there is none. */
+static int64_t bonds_within(const char *window, int64_t *first)
+{
+    struct scene scene;
+    struct model model;
+    char text[512];
+    write_text("b.csv", ROW);
+    snprintf(text, sizeof text,
+             "bodies: {table: b.csv}\nbinder: {when: touching%s, " STIFF "}\n" BONDED "h: 0.002\nt_end: 0.8\n", window);
+    make_model(text, &scene, &model);
+    for (int64_t step = 0; step < 400; ++step)
+        go(&model, step, step + 1);
+    const int64_t all = binder_of(&model)->all;
+    *first = all > 0 ? (int64_t)binder_of(&model)->breaking.made[0] : 401;
+    model_destroy(&model);
+    return all;
+}
+
+/** At the ends of the steps from one time to another, both of them included, and not before or after. */
+TEST(window_of_time)
+{
+    int64_t first, then;
+    char window[64];
+    const int64_t all = bonds_within("", &first);
+    assert_true(all == 2 && first > 10 && first < 300);
+    for (int64_t later = 0; later < 4; ++later) { /* while they are in touch */
+        snprintf(window, sizeof window, ", from: %.3f", 0.002 * (double)(first + later));
+        assert_int_equal(bonds_within(window, &then), 2);
+        assert_int_equal(then, first + later);
+    }
+    snprintf(window, sizeof window, ", until: %.3f", 0.002 * (double)first);
+    assert_int_equal(bonds_within(window, &then), 1);
+    snprintf(window, sizeof window, ", until: %.4f", 0.002 * (double)first - 0.001);
+    assert_int_equal(bonds_within(window, &then), 0);
+}
+
 #define CROWD                                                                                                          \
     "bodies: {lattice: {counts: [3, 3, 4], spacing: 1.1}, mass: 1, diameter: 1, random: {seed: 3, v: 2, omega: 1}}\n"  \
     "binder: {when: touching, " STIFF ", break: {stretch: 0.04, bending: 3}}\n" BONDED                                 \
@@ -209,5 +245,5 @@ TEST(once_for_each_pair)
 }
 
 RUN_TESTS(cmocka_unit_test(made_at_rest), cmocka_unit_test(books_close), cmocka_unit_test(most_of_a_body),
-          cmocka_unit_test(goes_on_with_the_same_bits), cmocka_unit_test(lines_as_they_were),
-          cmocka_unit_test(once_for_each_pair))
+          cmocka_unit_test(window_of_time), cmocka_unit_test(goes_on_with_the_same_bits),
+          cmocka_unit_test(lines_as_they_were), cmocka_unit_test(once_for_each_pair))
