@@ -60,14 +60,28 @@ VTI_INLINE void gather_motion(enum touch_layout layout, struct vti_carry *c, con
     vti_carry_stretch(c, d0, a_i, a_j);
 }
 
-VTI_INLINE void scatter_load(const vti_friction *p, vti_held *held, const struct vti_loads *f, int l)
+/** The way back of gather_loads. */
+VTI_INLINE void scatter_loads(const vti_friction *p, vti_held *first, const int64_t at[WIDTH],
+                              const struct vti_loads *f)
 {
-    for (int k = 0; k < 3 && p->sliding > 0.0; ++k)
-        held->sliding[k] = lanes_get(f->sliding[k], l);
-    for (int k = 0; k < 3 && p->rolling > 0.0; ++k)
-        held->rolling[k] = lanes_get(f->rolling[k], l);
+    double *const table = (double *)(void *)first;
+    if (p->sliding > 0.0)
+        lanes_untriple(table + SLIDING_AT, at, f->sliding);
+    if (p->rolling > 0.0)
+        lanes_untriple(table + ROLLING_AT, at, f->rolling);
     if (p->twisting > 0.0)
-        held->twisting = lanes_get(f->twisting, l);
+        lanes_scatter(table + TWISTING_AT, at, f->twisting);
+}
+
+/** Where pairs were out of reach before the drift, loads are those before it, and nothing is lost. */
+VTI_INLINE void leave(lanes_mask out, const struct vti_loads *before, struct vti_loads *f, struct vti_taken *taken)
+{
+    for (int k = 0; k < 3; ++k) {
+        f->sliding[k] = lanes_where(out, before->sliding[k], f->sliding[k]);
+        f->rolling[k] = lanes_where(out, before->rolling[k], f->rolling[k]);
+        taken->lost[k] = lanes_where(out, lanes_of(0.0), taken->lost[k]);
+    }
+    f->twisting = lanes_where(out, before->twisting, f->twisting);
 }
 
 /** Pairs that were out of reach before the drift are left as they are: lists need not have them. */
@@ -76,29 +90,24 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
 {
     const double coefficient[VTI_FRICTION_BOOKS] = {p->sliding, p->rolling, p->twisting};
     struct vti_carry c;
-    struct vti_loads loads;
+    struct vti_loads before, loads;
     struct vti_taken taken;
     struct side i, j;
-    int64_t place[WIDTH];
-    const vti_held *held[WIDTH];
-    double delta0[WIDTH];
+    int64_t place[WIDTH], at[WIDTH];
     gather_touches(layout, p->contacts, b, whole(pairs->pair, first, pairs->count, place), &c.touch, &i, &j);
     gather_motion(layout, &c, &i, &j, b, drifted, pairs, first);
-    whole_held(pairs->held, first, pairs->count, held);
-    gather_loads(p, held, &loads);
+    whole_slots(pairs->held[0], pairs->held, first, pairs->count, at);
+    gather_loads(p, pairs->held[0], at, &before);
+    loads = before;
     vti_carry_loads(p, &c, p->sliding, &loads, &taken);
-    lanes_store(pairs->delta + first, c.touch.delta);
-    lanes_store(delta0, c.delta0);
-    for (int l = 0; l < WIDTH && first + l < pairs->count; ++l) {
-        if (!(delta0[l] >= -p->reach)) {
-            pairs->delta[first + l] = INFINITY;
-            continue;
-        }
-        scatter_load(p, pairs->held[first + l], &loads, l);
-        for (int k = 0; k < VTI_FRICTION_BOOKS; ++k)
-            if (coefficient[k] > 0.0)
-                vti_sum_add(&p->lost[k], lanes_get(taken.lost[k], l));
-    }
+    const lanes_mask near = c.delta0 >= -p->reach;
+    if (!lanes_all(near))
+        leave(near == 0, &before, &loads, &taken);
+    lanes_store(pairs->delta + first, lanes_where(near, c.touch.delta, lanes_of(INFINITY)));
+    scatter_loads(p, pairs->held[0], at, &loads);
+    for (int k = 0; k < VTI_FRICTION_BOOKS; ++k)
+        if (coefficient[k] > 0.0)
+            sum_lanes(&p->lost[k], taken.lost[k], pairs->count - first);
 }
 
 static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs)

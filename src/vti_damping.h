@@ -87,20 +87,15 @@ VTI_INLINE void vti_damping_coefficients(const vti_dashpots *p, const struct vti
 
 /* ---- limits ------------------------------------------------------------------------------------------------------ */
 
-/** What the springs of friction hold at a touch, by its bodies in vti_held; nothing where there is no friction. */
-static inline const vti_held *vti_damping_held_by(const vti_dashpots *p, int64_t i, int64_t j)
+/** What the springs of friction hold at one touch; nothing where there is no friction. */
+static inline const vti_held *vti_damping_held(const vti_dashpots *p, const struct vti_touch *touch)
 {
     static const vti_held none;
     if (p->friction == NULL || p->friction->history == NULL || p->friction->history->slot == NULL)
         return &none;
-    const vti_held *held = vti_history_find(p->friction->history, i, j);
+    const vti_held *held =
+        vti_history_find(p->friction->history, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
     return held != NULL ? held : &none;
-}
-
-/** The same of one touch. */
-static inline const vti_held *vti_damping_held(const vti_dashpots *p, const struct vti_touch *touch)
-{
-    return vti_damping_held_by(p, touch->i + 1, touch->j >= 0 ? touch->j + 1 : -1 - touch->wall);
 }
 
 /** How much of F_n the load of a motion may be; 0: there is no limit. */

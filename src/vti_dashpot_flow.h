@@ -83,12 +83,12 @@ VTI_INLINE void turn(struct place *at, const lanes l[3])
 VTI_INLINE void flow_normal(const vti_dashpots *p, struct place *at, double t)
 {
     const lanes m = at->mass[NORMAL], un = at->approach, least = vti_damping_force(&at->damping, -t);
-    lanes size = -m * at->gone[NORMAL] * un, impulse[3];
+    lanes size = -m * at->gone[NORMAL] * un;
     if (!p->pull)
         size = lanes_where(size < least, least, size);
-    for (int k = 0; k < 3; ++k)
-        impulse[k] = size * at->touch.n[k];
-    push(at, impulse);
+    vti_touch_press(&at->touch, size, &at->motion);
+    if (at->touch.moves)
+        at->worked -= size * lanes_dot(at->touch.n, at->touch.v_j);
     at->lost[NORMAL] = -size * (un + 0.5 * size * at->per[NORMAL]);
 }
 
@@ -145,16 +145,18 @@ VTI_INLINE void flow_twisting(const vti_dashpots *p, struct place *at, double t)
     turn(at, w);
 }
 
-VTI_INLINE void flow_of(int motion, const vti_dashpots *p, struct place *at, double t)
+VTI_INLINE void flow_of(int motion, const struct vti_sweep *s, struct place *at)
 {
+    if (!s->damped[motion])
+        return;
     if (motion == NORMAL)
-        flow_normal(p, at, t);
+        flow_normal(s->p, at, s->t);
     else if (motion == TANGENTIAL)
-        flow_tangential(p, at, t);
+        flow_tangential(s->p, at, s->t);
     else if (motion == ROLLING)
-        flow_rolling(p, at, t);
+        flow_rolling(s->p, at, s->t);
     else
-        flow_twisting(p, at, t);
+        flow_twisting(s->p, at, s->t);
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
@@ -173,17 +175,25 @@ VTI_INLINE int flow_touch(const struct vti_sweep *s, struct place *at)
     const lanes_mask idle = (touch->delta <= 0.0) & (other <= 0.0);
     if (lanes_all(idle))
         return 0;
-    vti_touch_roll(&at->motion, w);
-    at->spin = lanes_dot(w, touch->n);
-    at->worked = zero;
+    at->spin = at->worked = zero;
+    if (s->damped[TWISTING]) {
+        vti_touch_roll(&at->motion, w);
+        at->spin = lanes_dot(w, touch->n);
+    }
     for (int k = 0; k < MOTIONS; ++k)
         at->lost[k] = zero;
     vti_damping_at(touch, other, &at->damping);
     find_decays(s, idle, at);
-    for (int k = 0; k < MOTIONS; ++k) {
-        const int motion = s->drift < 0.0 ? MOTIONS - 1 - k : k;
-        if (s->damped[motion])
-            flow_of(motion, s->p, at, s->t);
+    if (s->drift < 0.0) {
+        flow_of(TWISTING, s, at);
+        flow_of(ROLLING, s, at);
+        flow_of(TANGENTIAL, s, at);
+    }
+    flow_of(NORMAL, s, at);
+    if (!(s->drift < 0.0)) {
+        flow_of(TANGENTIAL, s, at);
+        flow_of(ROLLING, s, at);
+        flow_of(TWISTING, s, at);
     }
     return 1;
 }

@@ -95,25 +95,51 @@ VTI_INLINE void scatter_velocities(enum touch_layout layout, const vti_bodies *b
 /** Of the first count pairs, in their order. */
 VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t count)
 {
-    for (int l = 0; at->touch.moves && l < WIDTH && l < count; ++l)
-        vti_sum_add(s->p->walls->work, lanes_get(at->worked, l));
-    for (int k = 0; k < MOTIONS; ++k)
-        for (int l = 0; s->damped[k] && l < WIDTH && l < count; ++l)
-            vti_sum_add(&s->p->lost[k], lanes_get(at->lost[k], l));
+    if (at->touch.moves)
+        sum_lanes(s->p->walls->work, at->worked, count);
+    if (s->damped[NORMAL])
+        sum_lanes(&s->p->lost[NORMAL], at->lost[NORMAL], count);
+    if (s->damped[TANGENTIAL])
+        sum_lanes(&s->p->lost[TANGENTIAL], at->lost[TANGENTIAL], count);
+    if (s->damped[ROLLING])
+        sum_lanes(&s->p->lost[ROLLING], at->lost[ROLLING], count);
+    if (s->damped[TWISTING])
+        sum_lanes(&s->p->lost[TWISTING], at->lost[TWISTING], count);
+}
+
+/** What springs hold between bodies i and j, or where j is NULL at a wall: 0 where there are none. */
+VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const struct side *j, int64_t wall,
+                           struct vti_loads *f)
+{
+    static const vti_friction none;
+    const vti_history *const table = p->friction != NULL ? p->friction->history : NULL;
+    int64_t at[WIDTH] = {0}, holds[WIDTH];
+    if (table == NULL || table->slot == NULL) {
+        gather_loads(&none, NULL, at, f);
+        return;
+    }
+    for (int l = 0; l < WIDTH; ++l) {
+        const vti_held *const held = vti_history_at(table, i->body[l] + 1, j != NULL ? j->body[l] + 1 : -1 - wall);
+        at[l] = slot_at(table->slot, held);
+        holds[l] = held->i;
+    }
+    const lanes_mask empty = lanes_zero(holds);
+    gather_loads(p->friction, table->slot, at, f);
+    for (int k = 0; k < 3; ++k) {
+        f->sliding[k] = lanes_where(empty, lanes_of(0.0), f->sliding[k]);
+        f->rolling[k] = lanes_where(empty, lanes_of(0.0), f->rolling[k]);
+    }
+    f->twisting = lanes_where(empty, lanes_of(0.0), f->twisting);
 }
 
 VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which, int64_t count)
 {
-    static const vti_friction none;
-    const vti_held *held[WIDTH];
     struct place at;
     struct side i, j;
     gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
     gather_velocities(layout, s->b, &i, &j, &at);
     at.damping.zeta = s->p->zeta;
-    for (int l = 0; l < WIDTH && s->p->friction != NULL; ++l)
-        held[l] = vti_damping_held_by(s->p, i.body[l] + 1, j.body[l] + 1);
-    gather_loads(s->p->friction != NULL ? s->p->friction : &none, held, &at.held);
+    find_loads(s->p, &i, &j, 0, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter_velocities(layout, s->b, &i, &j, &at.motion);
@@ -170,9 +196,7 @@ VTI_INLINE void load_at_wall(enum touch_layout layout, const struct vti_sweep *s
 VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
                                    int64_t first)
 {
-    static const vti_friction none;
     const vti_dashpots *const p = s->p;
-    const vti_held *held[WIDTH];
     struct place at;
     struct side i;
     for (int l = 0; l < WIDTH; ++l) {
@@ -181,9 +205,7 @@ VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sw
     }
     load_at_wall(layout, s, from, first, &i, &at);
     at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[from->wall] : p->zeta;
-    for (int l = 0; l < WIDTH && p->friction != NULL; ++l)
-        held[l] = vti_damping_held_by(p, i.body[l] + 1, -1 - from->wall);
-    gather_loads(p->friction != NULL ? p->friction : &none, held, &at.held);
+    find_loads(p, &i, NULL, from->wall, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter(layout, &s->b->v, &i, at.motion.v_i);

@@ -171,7 +171,7 @@ struct carrying {
     struct vti_carried pairs;
 };
 
-/** Increments of attitude of bodies that turn by L. */
+/** Increments of attitude of bodies that turn by L; beyond count, up to a whole number of lanes, the last ones again. */
 static void find_turns(struct carrying *c, const vti_bodies *turning)
 {
     struct vti_carried *pairs = &c->pairs;
@@ -184,6 +184,9 @@ static void find_turns(struct carrying *c, const vti_bodies *turning)
             for (int n = 0; n < 3; ++n)
                 pairs->turn[3 * j + n][k] = a[n];
         }
+    for (int64_t k = pairs->count; k % VTI_LANES_MOST != 0; ++k)
+        for (int n = 0; n < 6; ++n)
+            pairs->turn[n][k] = pairs->turn[n][pairs->count - 1];
 }
 
 /** Carries the springs of the pairs that wait; those that have parted leave the table. */
@@ -192,7 +195,7 @@ static void carry_waiting(struct carrying *c)
     struct vti_carried *pairs = &c->pairs;
     const int64_t count = pairs->count;
     const vti_bodies *const turning = vti_drifted_bodies(c->drifted, c->b);
-    if (vti_turns_by_spin(turning))
+    if (count > 0 && vti_turns_by_spin(turning))
         find_turns(c, turning);
     if (count > 0)
         vti_touch_kernels_for(count)->carry(c->p, c->b, c->drifted, pairs);

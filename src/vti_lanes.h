@@ -7,6 +7,7 @@
  * For every width there are
  *     lanes_all      whether a comparison holds in all lanes
  *     lanes_holds    1 where it does in lane l, 0 else
+ *     lanes_zero     where whole numbers are 0
  *     lanes_where    a where a comparison holds, b elsewhere
  *     lanes_half_to  2^-k of whole 0 <= k <= 1022
  *     lanes_gather   p[at[0]], p[at[1]], ...                                               lanes_scatter   the way back
@@ -77,6 +78,13 @@ VTI_INLINE double lanes_get(lanes a, int l)
 VTI_INLINE int lanes_holds(lanes_mask m, int l)
 {
     return (int)(m[l] & 1);
+}
+
+VTI_INLINE lanes_mask lanes_zero(const int64_t p[WIDTH])
+{
+    lanes_mask m;
+    memcpy(&m, p, sizeof m);
+    return m == 0;
 }
 
 VTI_INLINE lanes lanes_sqrt(lanes a)
@@ -457,6 +465,11 @@ VTI_INLINE int lanes_holds(lanes_mask m, int l)
 {
     (void)l;
     return m;
+}
+
+VTI_INLINE lanes_mask lanes_zero(const int64_t p[1])
+{
+    return p[0] == 0;
 }
 
 VTI_INLINE lanes lanes_sqrt(lanes a)

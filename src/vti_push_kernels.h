@@ -27,7 +27,8 @@ VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, c
     const lanes_mask is_near = (r2 <= far * far) & (r2 > VTI_COINCIDENT * VTI_COINCIDENT),
                      touches = r2 < length * length;
     for (int l = 0; l < WIDTH && l < count; ++l) { /* what is not near is written over */
-        which[found] = lanes_holds(touches, l) ? first + l : -1 - (first + l);
+        if (which != NULL)
+            which[found] = lanes_holds(touches, l) ? first + l : -1 - (first + l);
         found += lanes_holds(is_near, l);
     }
     return found;
@@ -40,30 +41,38 @@ static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double rea
     const int64_t even = count - count % WIDTH;
     int64_t found = 0, n = 0;
     for (; packed && n < even; n += WIDTH)
-        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which + found);
+        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which != NULL ? which + found : NULL);
     for (; n < count; n += WIDTH)
-        found += near_lanes(ANY, p, b, reach, first + n, count - n, which + found);
+        found += near_lanes(ANY, p, b, reach, first + n, count - n, which != NULL ? which + found : NULL);
     return found;
 }
 
 /* ---- what springs do --------------------------------------------------------------------------------------------- */
 
-/** To body i, if it is of the slice. */
-VTI_INLINE void add_row(enum touch_layout layout, const vti_bodies *b, const vti_view *view, int64_t i,
-                        const double row[3])
+VTI_INLINE void add_row(enum touch_layout layout, const vti_view *view, int64_t i, const double row[3])
 {
-    if (!vti_has(view) || !vti_owns(b, i))
-        return;
     if (layout == PACKED)
         triple_store(view->c[0] + 3 * i, triple_plus(triple_load(view->c[0] + 3 * i), triple_load(row)));
     else
         vti_add(view, i, row);
 }
 
+/** To body i, if it is of the slice. */
+VTI_INLINE void add_loads(enum touch_layout layout, const vti_bodies *b, int64_t i, const double force[3],
+                          const double moment[3])
+{
+    if (!vti_owns(b, i))
+        return;
+    if (vti_has(&b->force))
+        add_row(layout, &b->force, i, force);
+    if (vti_has(&b->moment))
+        add_row(layout, &b->moment, i, moment);
+}
+
 /** F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f of sliding, T_i -= f, T_j += f of rolling, and of twisting
  *  with f n. */
 VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, const int64_t *which,
-                           const vti_held *const held[WIDTH], int64_t count)
+                           const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
 {
     enum { F_I, F_J, T_I, T_J, ROWS };
     struct vti_touch at;
@@ -73,7 +82,7 @@ VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, cons
     double row[ROWS][3 * WIDTH];
     int64_t to[WIDTH];
     gather_touches(layout, p->contacts, b, which, &at, &i, &j);
-    gather_loads(p, held, &f);
+    gather_loads(p, slots, slot, &f);
     lanes_cross(at.n, f.sliding, across);
     for (int k = 0; k < 3; ++k) {
         const lanes moment = f.rolling[k] + f.twisting * at.n[k];
@@ -86,10 +95,8 @@ VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, cons
     for (int k = 0; k < ROWS; ++k)
         lanes_untriple(row[k], to, act[k]);
     for (int l = 0; l < WIDTH && l < count; ++l) {
-        add_row(layout, b, &b->force, i.body[l], row[F_I] + 3 * l);
-        add_row(layout, b, &b->moment, i.body[l], row[T_I] + 3 * l);
-        add_row(layout, b, &b->force, j.body[l], row[F_J] + 3 * l);
-        add_row(layout, b, &b->moment, j.body[l], row[T_J] + 3 * l);
+        add_loads(layout, b, i.body[l], row[F_I] + 3 * l, row[T_I] + 3 * l);
+        add_loads(layout, b, j.body[l], row[F_J] + 3 * l, row[T_J] + 3 * l);
     }
 }
 
@@ -99,14 +106,14 @@ static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t cou
     const int packed = is_packed(b) && (!vti_has(&b->force) || vti_is_packed(&b->force)) &&
                        (!vti_has(&b->moment) || vti_is_packed(&b->moment));
     int64_t place[WIDTH];
-    const vti_held *springs[WIDTH];
+    int64_t slot[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const pairs = whole(which, first, count, place);
-        whole_held(held, first, count, springs);
+        whole_slots(held[0], held, first, count, slot);
         if (packed)
-            push_lanes(PACKED, p, b, pairs, springs, count - first);
+            push_lanes(PACKED, p, b, pairs, held[0], slot, count - first);
         else
-            push_lanes(ANY, p, b, pairs, springs, count - first);
+            push_lanes(ANY, p, b, pairs, held[0], slot, count - first);
     }
 }
 

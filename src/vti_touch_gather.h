@@ -105,13 +105,6 @@ VTI_INLINE const int64_t *whole(const int64_t *which, int64_t first, int64_t cou
     return place;
 }
 
-/** And what they hold. */
-VTI_INLINE void whole_held(vti_held *const *held, int64_t first, int64_t count, const vti_held *place[WIDTH])
-{
-    for (int l = 0; l < WIDTH; ++l)
-        place[l] = held[first + l < count ? first + l : count - 1];
-}
-
 /** Where pairs touch; sides become theirs. */
 VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b,
                                const int64_t *which, struct vti_touch *at, struct side *i, struct side *j)
@@ -130,33 +123,54 @@ VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, 
     vti_touch_between(at, d, diameter_i, diameter_j);
 }
 
-/** Three numbers that begin so far from the start of each. */
-VTI_INLINE void gather_held(const vti_held *const held[WIDTH], size_t from, lanes r[3])
-{
-    double row[3][WIDTH];
-    for (int l = 0; l < WIDTH; ++l)
-        for (int k = 0; k < 3; ++k)
-            row[k][l] = ((const double *)(const void *)((const char *)held[l] + from))[k];
-    for (int k = 0; k < 3; ++k)
-        r[k] = lanes_load(row[k]);
-}
+/** Where loads stand in a slot of the table, in numbers. */
+enum {
+    SLIDING_AT = offsetof(vti_held, sliding) / sizeof(double),
+    ROLLING_AT = offsetof(vti_held, rolling) / sizeof(double),
+    TWISTING_AT = offsetof(vti_held, twisting) / sizeof(double)
+};
 
-/** What the springs that there are hold, 0 of others. */
-VTI_INLINE void gather_loads(const vti_friction *p, const vti_held *const held[WIDTH], struct vti_loads *f)
+/** What the springs that there are hold, 0 of others; slots begin so many numbers behind the first. */
+VTI_INLINE void gather_loads(const vti_friction *p, const vti_held *first, const int64_t at[WIDTH], struct vti_loads *f)
 {
-    double twisting[WIDTH];
+    const double *const table = (const double *)(const void *)first;
     for (int k = 0; k < 3; ++k)
         f->sliding[k] = f->rolling[k] = lanes_of(0.0);
     f->twisting = lanes_of(0.0);
     if (p->sliding > 0.0)
-        gather_held(held, offsetof(vti_held, sliding), f->sliding);
+        lanes_triples(table + SLIDING_AT, at, f->sliding);
     if (p->rolling > 0.0)
-        gather_held(held, offsetof(vti_held, rolling), f->rolling);
-    if (!(p->twisting > 0.0))
-        return;
+        lanes_triples(table + ROLLING_AT, at, f->rolling);
+    if (p->twisting > 0.0)
+        f->twisting = lanes_gather(table + TWISTING_AT, at);
+}
+
+/** Where a slot begins, so. */
+VTI_INLINE int64_t slot_at(const vti_held *first, const vti_held *held)
+{
+    return (const double *)(const void *)held - (const double *)(const void *)first;
+}
+
+/** Those of WIDTH pairs from the first on; where count ends before, the last one is repeated. */
+VTI_INLINE void whole_slots(const vti_held *slot, vti_held *const *held, int64_t first, int64_t count,
+                            int64_t at[WIDTH])
+{
     for (int l = 0; l < WIDTH; ++l)
-        twisting[l] = held[l]->twisting;
-    f->twisting = lanes_load(twisting);
+        at[l] = slot_at(slot, held[first + l < count ? first + l : count - 1]);
+}
+
+/** Adds the first count, at most WIDTH, to the sum in their order. */
+VTI_INLINE void sum_lanes(vti_sum *to, lanes a, int64_t count)
+{
+    vti_sum sum = *to;
+    if (count >= WIDTH)
+        for (int l = 0; l < WIDTH; ++l)
+            vti_sum_add(&sum, lanes_get(a, l));
+    else
+        for (int l = 0; l < WIDTH - 1; ++l)
+            if (l < count)
+                vti_sum_add(&sum, lanes_get(a, l));
+    *to = sum;
 }
 
 #endif

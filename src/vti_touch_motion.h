@@ -88,6 +88,14 @@ VTI_INLINE void vti_touch_change(lanes a[3], lanes factor, const lanes b[3])
         a[c] += factor * b[c];
 }
 
+/** The impulse p n on body i, which turns nothing. */
+VTI_INLINE void vti_touch_press(const struct vti_touch *at, lanes p, struct vti_touch_motion *m)
+{
+    vti_touch_change(m->v_i, at->per_m_i * p, at->n);
+    if (at->j >= 0)
+        vti_touch_change(m->v_j, -at->per_m_j * p, at->n);
+}
+
 /** The impulse p at the contact point, on body i. */
 VTI_INLINE void vti_touch_push(const struct vti_touch *at, const lanes p[3], struct vti_touch_motion *m)
 {

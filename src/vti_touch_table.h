@@ -16,7 +16,9 @@ struct vti_carried {
     vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
     int turned;                  /* whether increments of attitude are known, of bodies that turn by L; else they are */
-    double turn[6][VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j */
+    double turn[6]
+               [VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j; beyond count, up to a whole number of lanes,
+                                  * the last ones again */
 };
 
 /** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the
@@ -33,7 +35,7 @@ struct vti_sweep; /* of dashpots (vti_dashpot_flow.h) */
 
 struct vti_touch_kernels {
     /** Of so many pairs of the list from the first on those with directions and no gap wider than reach, in their order,
-     *  into pair[count]: k where pair k overlaps, -1 - k where there is a gap. Returns how many. */
+     *  into pair[count], unless that is NULL: k where pair k overlaps, -1 - k where there is a gap. Returns how many. */
     int64_t (*near)(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
                     int64_t *pair);
     /** Adds what the springs of pairs hold to forces and moments, pair by pair in their order. */
