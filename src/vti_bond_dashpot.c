@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Dashpots of bonds as flows of the time t (EQUATIONS 6.3), with u and w of vti_touch.h for shares of 1/2:
- *
- *     axial p = m_n expm1(-c_a t/m_n) (u.n) n             shear p = m_t expm1(-c_s t/m_t) P u
- *     bending l = J_r expm1(-c_b t/J_r) P w               twisting l = J_r expm1(-c_w t/J_r) (w.n) n
- *
- * Bond by bond in this order, backward reversed. Bodies with moments, and clumps whose spheres are bonded, have the
- * tensors K and H of vti_joint.h in the place of masses: shear and bending have two modes, each damped by its own. */
+ * Dashpots of bonds as flows of velocities: the order of the bonds, by colours as contacts' (EQUATIONS 6.4), and the
+ * effect; what a bond between spheres does is in vti_bond_kernels.h. Bodies with moments, and clumps whose spheres are
+ * bonded, have the tensors K and H of vti_joint.h in the place of masses: shear and bending have two modes, each damped
+ * by its own; those bonds go one by one. */
+#include "vti_bond_flow.h"
+#include "vti_colour.h"
 #include "vti_decay.h"
 #include "vti_joint.h"
 #include "vti_touch.h"
 
-enum { AXIAL, SHEAR, BENDING, TWISTING, MOTIONS };
+enum { MOTIONS = VTI_BOND_DASHPOT_BOOKS };
 
 /** Bond k where it is. Returns 1, or 0 where its bodies coincide. */
 VTI_INLINE int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bodies *b, int64_t k)
@@ -33,58 +32,39 @@ VTI_INLINE int find_bond(struct vti_touch *at, const vti_bonds *p, const vti_bod
     return 1;
 }
 
-/** Bond k on the way: backwards where a drift has been. */
-static int64_t bond_at(const vti_bonds *p, int64_t k, double drift)
+/** Windows of the list from the first on; where a drift has been the same from the last on. */
+static void visit_bonds(const vti_bonds *bonds, double drift, vti_colour_work *work, const void *context)
 {
-    return drift < 0.0 ? p->count - 1 - k : k;
+    const int64_t windows = (bonds->count + VTI_WINDOW - 1) / VTI_WINDOW;
+    int64_t number[VTI_WINDOW];
+    struct vti_window window;
+    vti_window_clear(&window, bonds->count);
+    for (int64_t w = 0; w < windows; ++w) {
+        const int64_t first = VTI_WINDOW * (drift < 0.0 ? windows - 1 - w : w), left = bonds->count - first,
+                      count = left < VTI_WINDOW ? left : VTI_WINDOW;
+        for (int64_t n = 0; n < count; ++n)
+            number[n] = first + n;
+        vti_window_work(&window, bonds->pair, bonds->base, number, count, drift < 0.0, work, context);
+    }
 }
 
-static int turns_of(int motion)
+/** c of one motion of bond k. */
+static double coefficient(const vti_bond_dashpots *p, int motion, double mass, int64_t k)
 {
-    return motion == BENDING || motion == TWISTING;
-}
-
-/** Of a motion with that reduced mass, or moment of inertia: the constant and 2 zeta sqrt(m k); stiffness is an energy,
- *  k that over length^2. */
-VTI_INLINE double coefficient(const vti_bond_dashpots *p, int motion, double mass, int64_t k)
-{
-    const vti_bonds *bonds = p->bonds;
-    const double constant = motion == AXIAL     ? p->axial
-                            : motion == SHEAR   ? p->shear
-                            : motion == BENDING ? p->bending
-                                                : p->twisting;
-    const vti_scalars *stiffness = motion == AXIAL ? &bonds->axial : motion == SHEAR ? &bonds->shear : &bonds->moment;
-    const double energy = stiffness->p != NULL && p->zeta > 0.0 ? vti_scalar(stiffness, k) : 0.0,
-                 length = turns_of(motion) ? 1.0 : bonds->rest[4 * k + 3];
-    return constant + (energy > 0.0 ? 2.0 * p->zeta * sqrt(mass * energy) / length : 0.0);
+    const vti_scalars *const stiffness = vti_bond_stiffness(p, motion);
+    const double energy = stiffness->p != NULL && p->zeta > 0.0 ? vti_scalar(stiffness, k) : 0.0;
+    return vti_bond_coefficient(p, motion, mass, energy, vti_bond_turns(motion) ? 1.0 : p->bonds->rest[4 * k + 3]);
 }
 
 /* ---- spheres ----------------------------------------------------------------------------------------------------- */
 
-static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, struct vti_touch_motion *m, double t,
-                     int64_t k, int motion)
+/** So many bonds of one colour in this order. */
+static void flow_colour(const void *sweep, const int64_t *bonds, int64_t count, int64_t most)
 {
-    const int turns = turns_of(motion);
-    if (turns && !m->turns)
-        return;
-    const double mass = 1.0 / (turns             ? vti_touch_per_rolling(at)
-                               : motion == AXIAL ? vti_touch_per_normal(at)
-                                                 : vti_touch_per_tangential(at));
-    const double c = coefficient(p, motion, mass, k);
-    double a[3], along[3];
-    if (!(c > 0.0))
-        return;
-    if (turns)
-        vti_touch_roll(m, a);
-    else
-        vti_touch_slip(at, m, a);
-    vti_touch_split(at, a, along);
-    double *const damped = motion == AXIAL || motion == TWISTING ? along : a;
-    vti_sum_add(&p->lost[motion], vti_touch_decay(mass, vti_decay(c * t / mass).gone, damped));
-    if (turns)
-        vti_touch_turn(at, damped, m);
-    else
-        vti_touch_push(at, damped, m);
+    for (int64_t first = 0; first < count; first += most) {
+        const int64_t left = count - first, n = left < most ? left : most;
+        vti_touch_kernels_for(n)->flow_bonds(sweep, n, bonds + first);
+    }
 }
 
 /* ---- bodies of any inertia --------------------------------------------------------------------------------------- */
@@ -92,7 +72,7 @@ static void flow_one(const vti_bond_dashpots *p, const struct vti_touch *at, str
 static void flow_modes(const vti_bond_dashpots *p, struct vti_joint *at, const double span[][3], double t, int64_t k,
                        int motion)
 {
-    const int turns = turns_of(motion), along = motion == AXIAL || motion == TWISTING;
+    const int turns = vti_bond_turns(motion), along = motion == VTI_AXIAL || motion == VTI_TWIST;
     struct vti_joint_modes modes;
     double u[3], push[3], c[3];
     vti_joint_modes_of(at, turns, along ? 1 : 2, span + !along, &modes);
@@ -123,16 +103,30 @@ static void flow_joint(const vti_bond_dashpots *p, const struct vti_touch *bond,
         vti_joint_store(of, &at.side[side]);
 }
 
+/** Bonds between bodies of any inertia, or spheres of clumps. */
+struct joints {
+    const vti_bond_dashpots *p;
+    struct vti_bearing of;
+    const vti_bodies *spheres; /* those of the list */
+    double t, drift;
+};
+
+/** So many bonds of one colour, one by one. */
+static void flow_joints_of(const void *joints, const int64_t *bonds, int64_t count, int64_t most)
+{
+    const struct joints *const s = joints;
+    struct vti_touch at;
+    (void)most;
+    for (int64_t k = 0; k < count; ++k)
+        if (find_bond(&at, s->p->bonds, s->spheres, bonds[k]))
+            flow_joint(s->p, &at, &s->of, s->t, s->drift, bonds[k]);
+}
+
 static void flow_joints(const void *self, const vti_clumps *clumps, const vti_bodies *bodies, double t, double drift)
 {
     const vti_bond_dashpots *p = self;
-    const struct vti_bearing of = {clumps, bodies};
-    struct vti_touch at;
-    for (int64_t k = 0; k < p->bonds->count; ++k) {
-        const int64_t bond = bond_at(p->bonds, k, drift);
-        if (find_bond(&at, p->bonds, clumps != NULL ? &clumps->spheres : bodies, bond))
-            flow_joint(p, &at, &of, t, drift, bond);
-    }
+    const struct joints s = {p, {clumps, bodies}, clumps != NULL ? &clumps->spheres : bodies, t, drift};
+    visit_bonds(p->bonds, drift, flow_joints_of, &s);
 }
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
@@ -140,22 +134,11 @@ static void flow_joints(const void *self, const vti_clumps *clumps, const vti_bo
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_bond_dashpots *p = self;
-    struct vti_touch at;
-    struct vti_touch_motion motion;
-    if (vti_has(&b->moments)) {
+    const struct vti_bond_sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    if (vti_has(&b->moments))
         flow_joints(p, NULL, b, t, drift);
-        return;
-    }
-    for (int64_t k = 0; k < p->bonds->count; ++k) {
-        const int64_t bond = bond_at(p->bonds, k, drift);
-        if (!find_bond(&at, p->bonds, b, bond))
-            continue;
-        vti_touch_masses(&at, b);
-        vti_touch_load(&at, b, &motion);
-        for (int m = 0; m < MOTIONS; ++m)
-            flow_one(p, &at, &motion, t, bond, drift < 0.0 ? MOTIONS - 1 - m : m);
-        vti_touch_store(&at, b, &motion);
-    }
+    else
+        visit_bonds(p->bonds, drift, flow_colour, &s);
 }
 
 static int check(const void *self, const vti_bodies *b)

@@ -2,6 +2,7 @@
  *
  * Dashpots of contacts and walls as flows of velocities: the order of the touches (EQUATIONS 6.4), restitution, and the
  * effect. What a touch does is in vti_dashpot_flow.h. */
+#include "vti_colour.h"
 #include "vti_dashpot_flow.h"
 #include "vti_joint.h"
 #include "vti_touch.h"
@@ -9,22 +10,12 @@
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 
-/** Pairs within reach are taken together, so many at once in the order of the list, and given colours: each the
- *  smallest that neither of its bodies has yet. They are worked colour by colour; pairs of the last colour may share
- *  bodies, and are worked one by one. What else the list holds does not matter. */
-enum { WINDOW = 256, COLOURS = 64, LAST = COLOURS - 1, BODIES = 4 * WINDOW, FOUND = 8 * WINDOW };
+/** So many pairs within reach are found at once at most. */
+enum { FOUND = 8 * VTI_WINDOW };
 
-struct window {
-    int64_t found[FOUND];   /* pairs in the order of the list, as vti_touch_kernels.near has them, */
-    int64_t sorted[WINDOW]; /* and those of one window as they are worked */
-    int64_t colour[WINDOW];
-    int64_t ends[COLOURS + 1]; /* of the colours, in their order */
-    struct {
-        int64_t body;      /* from 1; 0: nobody */
-        uint64_t coloured; /* colours of its pairs, as bits */
-    } table[BODIES];
-    int64_t taken[2 * WINDOW]; /* slots of it that are */
-    int64_t slots;             /* of it, a power of 2 */
+struct places {
+    int64_t found[FOUND]; /* in the order of the list, as vti_touch_kernels.near has them */
+    struct vti_window window;
 };
 
 static int64_t least_of(int64_t a, int64_t b)
@@ -32,64 +23,10 @@ static int64_t least_of(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/** Nobody is in the table, which serves windows of a list of so many pairs. */
-static void clear(struct window *w, int64_t pairs)
-{
-    w->slots = 8;
-    while (w->slots < BODIES && w->slots < 4 * pairs)
-        w->slots *= 2;
-    for (int64_t k = 0; k < w->slots; ++k)
-        w->table[k].body = 0;
-}
-
-/** Where body i stands in the table. */
-VTI_INLINE int64_t slot_of(struct window *w, int64_t i)
-{
-    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (w->slots - 1);
-    while (w->table[at].body != 0 && w->table[at].body != i + 1)
-        at = (at + 1) & (w->slots - 1);
-    if (w->table[at].body == 0) {
-        w->table[at].body = i + 1;
-        w->table[at].coloured = 0;
-    }
-    return at;
-}
-
-/** The smallest colour that is not among those; LAST is always free. */
-VTI_INLINE int64_t free_colour(uint64_t coloured)
-{
-    int64_t c = 0;
-    for (coloured &= ~(UINT64_C(1) << LAST); (coloured & 15) == 15; coloured >>= 4)
-        c += 4;
-    return c + (INT64_C(0x4010201030102010) >> 4 * (coloured & 15) & 15);
-}
-
-/** Colours, and the end of each. Nobody is left in the table. Returns how many there are. */
-static int64_t colour(const vti_contacts *p, struct window *w, const int64_t *found, int64_t count)
-{
-    int64_t of[COLOURS] = {0}, most = 0, end = 0;
-    for (int64_t n = 0; n < count; ++n) {
-        const int64_t k = vti_touch_number(found[n]), i = slot_of(w, vti_contact_body(p, k, 0)),
-                      j = slot_of(w, vti_contact_body(p, k, 1));
-        const int64_t c = free_colour(w->table[i].coloured | w->table[j].coloured);
-        w->table[i].coloured |= UINT64_C(1) << c;
-        w->table[j].coloured |= UINT64_C(1) << c;
-        w->taken[2 * n] = i;
-        w->taken[2 * n + 1] = j;
-        w->colour[n] = c;
-        most = c > most ? c : most;
-        ++of[c];
-    }
-    for (int64_t c = 0; c <= most; ++c)
-        w->ends[c] = end += of[c];
-    for (int64_t n = 0; n < 2 * count; ++n)
-        w->table[w->taken[n]].body = 0;
-    return most + 1;
-}
-
 /** So many pairs of one colour in this order, at most so many at once. */
-static void flow_colour(const struct vti_sweep *s, const int64_t *found, int64_t count, int64_t most)
+static void flow_colour(const void *sweep, const int64_t *found, int64_t count, int64_t most)
 {
+    const struct vti_sweep *const s = sweep;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(count);
     int64_t pair[VTI_TOUCHES];
     for (int64_t first = 0; first < count; first += most) {
@@ -100,26 +37,14 @@ static void flow_colour(const struct vti_sweep *s, const int64_t *found, int64_t
 }
 
 /** Forwards or backwards. */
-static void flow_window(const struct vti_sweep *s, struct window *w, const int64_t *found, int64_t count)
+static void flow_window(const struct vti_sweep *s, struct places *w, const int64_t *found, int64_t count)
 {
-    const int back = s->drift < 0.0;
-    const int64_t colours = colour(s->p->contacts, w, found, count);
-    int64_t to[COLOURS];
-    to[0] = 0;
-    for (int64_t c = 1; c < colours; ++c)
-        to[c] = w->ends[c - 1];
-    for (int64_t n = 0; n < count; ++n) {
-        const int64_t at = to[w->colour[n]]++;
-        w->sorted[back ? count - 1 - at : at] = found[n];
-    }
-    for (int64_t k = 0; k < colours; ++k) {
-        const int64_t c = back ? colours - 1 - k : k, first = c > 0 ? w->ends[c - 1] : 0, end = w->ends[c];
-        flow_colour(s, w->sorted + (back ? count - end : first), end - first, c == LAST ? 1 : VTI_TOUCHES);
-    }
+    vti_window_work(&w->window, s->p->contacts->pair, s->p->contacts->base, found, count, s->drift < 0.0, flow_colour,
+                    s);
 }
 
 /** Windows from the first pair on. */
-static void flow_forwards(const struct vti_sweep *s, struct window *w)
+static void flow_forwards(const struct vti_sweep *s, struct places *w)
 {
     const vti_contacts *const list = s->p->contacts;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
@@ -128,8 +53,8 @@ static void flow_forwards(const struct vti_sweep *s, struct window *w)
         int64_t done = 0;
         most = least_of(list->count - first, FOUND - count);
         count += kernels->near(list, s->b, s->p->reach, first, most, w->found + count);
-        for (; count - done >= WINDOW; done += WINDOW)
-            flow_window(s, w, w->found + done, WINDOW);
+        for (; count - done >= VTI_WINDOW; done += VTI_WINDOW)
+            flow_window(s, w, w->found + done, VTI_WINDOW);
         count -= done;
         memmove(w->found, w->found + done, (size_t)count * sizeof *w->found);
     }
@@ -139,11 +64,11 @@ static void flow_forwards(const struct vti_sweep *s, struct window *w)
 /** How many pairs the last of the windows of so many has. */
 static int64_t last_window(int64_t all)
 {
-    return (all - 1) % WINDOW + 1;
+    return (all - 1) % VTI_WINDOW + 1;
 }
 
 /** The same windows from the last on, of a list of which all pairs are found at once. */
-static void flow_few_backwards(const struct vti_sweep *s, struct window *w)
+static void flow_few_backwards(const struct vti_sweep *s, struct places *w)
 {
     const vti_contacts *const list = s->p->contacts;
     int64_t all = vti_touch_kernels_for(list->count)->near(list, s->b, s->p->reach, 0, list->count, w->found);
@@ -155,7 +80,7 @@ static void flow_few_backwards(const struct vti_sweep *s, struct window *w)
 }
 
 /** And of any other. */
-static void flow_many_backwards(const struct vti_sweep *s, struct window *w)
+static void flow_many_backwards(const struct vti_sweep *s, struct places *w)
 {
     const vti_contacts *const list = s->p->contacts;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
@@ -163,8 +88,8 @@ static void flow_many_backwards(const struct vti_sweep *s, struct window *w)
     for (int64_t end = list->count, most; all > 0; end -= most) { /* from the window's end on */
         const int64_t size = last_window(all), free = size - count;
         most = least_of(end, free);
-        const int64_t found = kernels->near(list, s->b, s->p->reach, end - most, most, w->sorted);
-        memcpy(w->found + free - found, w->sorted, (size_t)found * sizeof *w->found);
+        const int64_t found = kernels->near(list, s->b, s->p->reach, end - most, most, w->window.sorted);
+        memcpy(w->found + free - found, w->window.sorted, (size_t)found * sizeof *w->found);
         count += found;
         if (count < size)
             continue;
@@ -244,7 +169,7 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     const vti_dashpots *p = self;
     const int pairs = p->contacts != NULL && p->contacts->count > 0;
     struct vti_sweep s = {.p = p, .b = b, .t = t, .drift = drift};
-    struct window w;
+    struct places w;
     if (vti_has(&b->moments)) {
         vti_dashpots_flow_joints(p, NULL, b, t, drift);
         return;
@@ -253,7 +178,7 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     if (drift < 0.0)
         flow_walls(&s);
     if (pairs)
-        clear(&w, p->contacts->count);
+        vti_window_clear(&w.window, p->contacts->count);
     if (pairs && drift < 0.0)
         (p->contacts->count <= FOUND ? flow_few_backwards : flow_many_backwards)(&s, &w);
     else if (pairs)

@@ -14,7 +14,7 @@ VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_swee
     const vti_contacts *const p = s->p->contacts;
     struct side i, j;
     lanes d[3], x[3], u[3], v[3];
-    sides_of(p, which, &i, &j);
+    sides_of(p->pair, p->base, which, &i, &j);
     gather(layout, &s->b->x, &i, d);
     gather(layout, &s->b->x, &j, x);
     gather(layout, &s->b->v, &i, u);
@@ -51,46 +51,6 @@ static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *fou
 }
 
 /* ---- flows ------------------------------------------------------------------------------------------------------- */
-
-/** 1/m, or 1/J */
-VTI_INLINE lanes per(const vti_scalars *s, const struct side *side)
-{
-    return s->stride == 0 ? lanes_of(1.0 / *s->p) : 1.0 / scalars(s, side);
-}
-
-/** Velocities, and what resists their change. */
-VTI_INLINE void gather_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
-                                  const struct side *j, struct place *at)
-{
-    struct vti_touch *const touch = &at->touch;
-    struct vti_touch_motion *const m = &at->motion;
-    const lanes zero = lanes_of(0.0);
-    m->turns = vti_has(&b->omega);
-    gather(layout, &b->v, i, m->v_i);
-    gather(layout, &b->v, j, m->v_j);
-    touch->per_m_i = per(&b->mass, i);
-    touch->per_m_j = per(&b->mass, j);
-    touch->per_j_i = touch->per_j_j = zero;
-    for (int k = 0; k < 3; ++k)
-        m->w_i[k] = m->w_j[k] = zero;
-    if (!m->turns)
-        return;
-    gather(layout, &b->omega, i, m->w_i);
-    gather(layout, &b->omega, j, m->w_j);
-    touch->per_j_i = per(&b->inertia, i);
-    touch->per_j_j = per(&b->inertia, j);
-}
-
-VTI_INLINE void scatter_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
-                                   const struct side *j, const struct vti_touch_motion *m)
-{
-    scatter(layout, &b->v, i, m->v_i);
-    scatter(layout, &b->v, j, m->v_j);
-    if (!m->turns)
-        return;
-    scatter(layout, &b->omega, i, m->w_i);
-    scatter(layout, &b->omega, j, m->w_j);
-}
 
 /** Of the first count pairs, in their order. */
 VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t count)
@@ -137,7 +97,7 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     struct place at;
     struct side i, j;
     gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
-    gather_velocities(layout, s->b, &i, &j, &at);
+    gather_velocities(layout, s->b, &i, &j, &at.touch, &at.motion);
     at.damping.zeta = s->p->zeta;
     find_loads(s->p, &i, &j, 0, &at.held);
     if (!flow_touch(s, &at))

@@ -17,7 +17,7 @@ VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, c
     lanes d[3], x[3];
     for (int l = 0; l < WIDTH; ++l)
         all[l] = first + (l < count ? l : count - 1);
-    sides_of(p, all, &i, &j);
+    sides_of(p->pair, p->base, all, &i, &j);
     gather(layout, &b->x, &i, d);
     gather(layout, &b->x, &j, x);
     for (int c = 0; c < 3; ++c)

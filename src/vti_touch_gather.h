@@ -24,11 +24,11 @@ struct side {
     int64_t body[WIDTH], packed[WIDTH]; /* their numbers; where their vectors begin, if they lie packed */
 };
 
-VTI_INLINE void sides_of(const vti_contacts *p, const int64_t *which, struct side *i, struct side *j)
+VTI_INLINE void sides_of(const int64_t *list, int64_t base, const int64_t *which, struct side *i, struct side *j)
 {
     for (int l = 0; l < WIDTH; ++l) {
-        i->body[l] = vti_contact_body(p, which[l], 0);
-        j->body[l] = vti_contact_body(p, which[l], 1);
+        i->body[l] = list[2 * which[l]] - base;
+        j->body[l] = list[2 * which[l] + 1] - base;
         i->packed[l] = 3 * i->body[l];
         j->packed[l] = 3 * j->body[l];
     }
@@ -110,7 +110,7 @@ VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, 
                                const int64_t *which, struct vti_touch *at, struct side *i, struct side *j)
 {
     lanes d[3], x[3];
-    sides_of(p, which, i, j);
+    sides_of(p->pair, p->base, which, i, j);
     at->i = at->j = 0;
     at->moves = 0;
     gather(layout, &b->x, i, d);
@@ -171,6 +171,44 @@ VTI_INLINE void sum_lanes(vti_sum *to, lanes a, int64_t count)
             if (l < count)
                 vti_sum_add(&sum, lanes_get(a, l));
     *to = sum;
+}
+
+/** 1/m, or 1/J */
+VTI_INLINE lanes per(const vti_scalars *s, const struct side *side)
+{
+    return s->stride == 0 ? lanes_of(1.0 / *s->p) : 1.0 / scalars(s, side);
+}
+
+/** Velocities, and what resists their change. */
+VTI_INLINE void gather_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
+                                  const struct side *j, struct vti_touch *touch, struct vti_touch_motion *m)
+{
+    const lanes zero = lanes_of(0.0);
+    m->turns = vti_has(&b->omega);
+    gather(layout, &b->v, i, m->v_i);
+    gather(layout, &b->v, j, m->v_j);
+    touch->per_m_i = per(&b->mass, i);
+    touch->per_m_j = per(&b->mass, j);
+    touch->per_j_i = touch->per_j_j = zero;
+    for (int k = 0; k < 3; ++k)
+        m->w_i[k] = m->w_j[k] = zero;
+    if (!m->turns)
+        return;
+    gather(layout, &b->omega, i, m->w_i);
+    gather(layout, &b->omega, j, m->w_j);
+    touch->per_j_i = per(&b->inertia, i);
+    touch->per_j_j = per(&b->inertia, j);
+}
+
+VTI_INLINE void scatter_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
+                                   const struct side *j, const struct vti_touch_motion *m)
+{
+    scatter(layout, &b->v, i, m->v_i);
+    scatter(layout, &b->v, j, m->v_j);
+    if (!m->turns)
+        return;
+    scatter(layout, &b->omega, i, m->w_i);
+    scatter(layout, &b->omega, j, m->w_j);
 }
 
 #endif

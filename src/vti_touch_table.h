@@ -31,7 +31,8 @@ struct vti_at_wall {
     double v_j[3][VTI_TOUCHES], w_j[3][VTI_TOUCHES];
 };
 
-struct vti_sweep; /* of dashpots (vti_dashpot_flow.h) */
+struct vti_sweep;      /* of dashpots (vti_dashpot_flow.h) */
+struct vti_bond_sweep; /* of bonds' (vti_bond_flow.h) */
 
 struct vti_touch_kernels {
     /** Of so many pairs of the list from the first on those with directions and no gap wider than reach, in their order,
@@ -48,6 +49,8 @@ struct vti_touch_kernels {
     void (*flow)(const struct vti_sweep *s, int64_t count, const int64_t *pair);
     /** And those of bodies at a wall. */
     void (*flow_at)(const struct vti_sweep *s, const struct vti_at_wall *at);
+    /** And those of bonds no two of which share a body. */
+    void (*flow_bonds)(const struct vti_bond_sweep *s, int64_t count, const int64_t *bond);
 };
 
 /** The pair's number in the list, of what near has found. */

@@ -5,6 +5,7 @@
  * kernels' tables are private to the library. */
 #include "support.h"
 
+#include "../../src/vti_bond_flow.h"
 #include "../../src/vti_carry.h"
 #include "../../src/vti_dashpot_flow.h"
 #include "../../src/vti_touch_table.h"
@@ -338,6 +339,65 @@ static void pushes(const struct vti_touch_kernels *kernels)
     }
 }
 
+/* ---- dashpots of bonds ------------------------------------------------------------------------------------------- */
+
+/** All bonds at once, and one by one by the kernel for any processor. What one does test bond_dashpot says. */
+static void bond_flows(const struct vti_touch_kernels *kernels)
+{
+    static double rest[PAIRS][4], stiffness[3][PAIRS], weight[2][N];
+    rng g = rng_seed(31);
+    int changes = 0;
+    for (int trial = 0; trial < LAYOUTS * 4 * 16; ++trial) {
+        const int kind = trial / LAYOUTS;
+        vti_bodies b = bodies_in(trial % LAYOUTS);
+        vti_sum lost[2][VTI_BOND_DASHPOT_BOOKS] = {{{0.0, 0.0}}};
+        double moved[2][ROOM];
+        int64_t bond[PAIRS];
+        draw(&g, &b);
+        put(&b.x, 14, 0.0, 0.0, 0.0); /* where the other of bond 7 is */
+        put(&b.x, 15, 0.0, 0.0, 0.0);
+        for (int64_t k = 0; k < PAIRS; ++k) {
+            bond[k] = (5 * k + trial) % PAIRS;
+            rest[k][3] = uniform(&g, 0.5, 1.5);
+            for (int m = 0; m < 3; ++m)
+                stiffness[m][k] = uniform(&g, 0, 100);
+        }
+        for (int i = 0; i < 2 * N; ++i)
+            weight[i / N][i % N] = uniform(&g, 0.5, 2);
+        b.mass = trial % 5 ? vti_scalars_array(weight[0]) : vti_scalars_one(weight[0]);
+        b.inertia = trial % 3 ? vti_scalars_array(weight[1]) : vti_scalars_one(weight[1]);
+        if (trial % 7 == 0)
+            b.omega = vti_view_none();
+        const vti_scalars none = {NULL, 0, 0};
+        const vti_bonds bonds = {.count = PAIRS,
+                                 .pair = bodies.pair[0],
+                                 .base = 1,
+                                 .rest = rest[0],
+                                 .moment = kind % 2 ? vti_scalars_array(stiffness[0]) : none,
+                                 .axial = kind % 3 ? vti_scalars_one(stiffness[1]) : none,
+                                 .shear = kind % 5 ? vti_scalars_array(stiffness[2]) : none};
+        vti_bond_dashpots p = {.bonds = &bonds,
+                               .zeta = kind % 4 ? 0.3 : 0.0,
+                               .axial = kind % 7 ? 0.5 : 0.0,
+                               .shear = kind % 4 == 2 ? 0.4 : 0.0,
+                               .bending = kind % 4 == 1 ? 0.2 : 0.0,
+                               .twisting = 0.1,
+                               .lost = lost[0]};
+        const struct vti_bond_sweep s = {.p = &p, .b = &b, .t = 0.2, .drift = trial % 2 ? 0.1 : -0.1};
+        start = bodies;
+        for (int64_t k = 0; k < PAIRS; ++k)
+            vti_touch_baseline.flow_bonds(&s, 1, &bond[k]);
+        memcpy(moved, bodies.all[1], sizeof moved);
+        changes += memcmp(moved, start.all[1], sizeof moved) != 0;
+        bodies = start;
+        p.lost = lost[1];
+        kernels->flow_bonds(&s, PAIRS, bond);
+        assert_same_bits(bodies.all[1], moved, 2 * ROOM);
+        assert_same_bits(lost[0], lost[1], 2 * VTI_BOND_DASHPOT_BOOKS);
+    }
+    assert_true(changes > LAYOUTS * 4 * 14);
+}
+
 /* ---- the order of the pairs (EQUATIONS 6.4) ---------------------------------------------------------------------- */
 
 enum { MANY = 130, LIST = 2600, TOGETHER = 256 };
@@ -439,6 +499,47 @@ TEST(order_of_the_pairs)
         assert_same_bits(velocity, v, 3 * MANY);
         assert_same_bits(spin, w, 3 * MANY);
         assert_same_bits(lost, lost_too, 2 * VTI_DASHPOT_BOOKS);
+    }
+}
+
+/** Bonds of a crowd, all of one list: in the order of contacts' pairs. */
+TEST(order_of_the_bonds)
+{
+    static const double one = 1.0;
+    static double rest[LIST][4];
+    rng g = rng_seed(37);
+    for (int trial = 0; trial < 4; ++trial) {
+        vti_sum lost[2][VTI_BOND_DASHPOT_BOOKS] = {{{0.0, 0.0}}};
+        double v[MANY][3], w[MANY][3];
+        draw_crowd(&g);
+        all = 700;
+        memcpy(v, velocity, sizeof v);
+        memcpy(w, spin, sizeof w);
+        vti_bodies b = vti_bodies_none(MANY);
+        b.x = vti_view_packed(place_of[0]);
+        b.v = vti_view_packed(velocity[0]);
+        b.omega = vti_view_packed(spin[0]);
+        b.mass = b.inertia = vti_scalars_one(&one);
+        const double drift = trial % 2 ? -0.01 : 0.01;
+        for (int64_t k = 0; k < all; ++k)
+            rest[k][3] = 1.0;
+        vti_bonds bonds = {.count = all, .pair = listed[0], .rest = rest[0]};
+        vti_bond_dashpots p = {.bonds = &bonds, .axial = 0.3, .shear = 0.2, .bending = 0.1, .lost = lost[0]};
+        vti_effect effect = vti_bond_dashpots_effect(&p);
+        assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &b), VTI_OK);
+        expect_order(INFINITY);
+        assert_int_equal(count, all);
+        p.lost = lost[1];
+        b.v = vti_view_packed(v[0]);
+        b.omega = vti_view_packed(w[0]);
+        bonds.count = 1;
+        for (int64_t n = 0; n < count; ++n) {
+            bonds.pair = listed[order[drift < 0.0 ? count - 1 - n : n]];
+            assert_int_equal(vti_effects_flow(&effect, 1, 0.1, drift, &b), VTI_OK);
+        }
+        assert_same_bits(velocity, v, 3 * MANY);
+        assert_same_bits(spin, w, 3 * MANY);
+        assert_same_bits(lost[0], lost[1], 2 * VTI_BOND_DASHPOT_BOOKS);
     }
 }
 
@@ -584,6 +685,7 @@ static void agree(const struct vti_touch_kernels *kernels)
     pushes(kernels);
     carries(kernels);
     flows(kernels);
+    bond_flows(kernels);
 }
 
 TEST(baseline)
@@ -613,5 +715,6 @@ TEST(avx512)
     skip();
 }
 
-RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(springs_of_a_crowd), cmocka_unit_test(walls),
-          cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))
+RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(order_of_the_bonds),
+          cmocka_unit_test(springs_of_a_crowd), cmocka_unit_test(walls), cmocka_unit_test(baseline),
+          cmocka_unit_test(avx2), cmocka_unit_test(avx512))
