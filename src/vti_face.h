@@ -61,6 +61,22 @@ static inline void vti_face_from_axis(const vti_walls *p, int64_t w, const doubl
     }
 }
 
+/** Where plane w stands: N, and n.x on it. */
+static inline double vti_face_plane(const vti_walls *p, int64_t w, double n[3])
+{
+    const double *const plane = p->plane + 4 * w;
+    const vti_wall_motion *const m = vti_face_motion(p, w);
+    for (int k = 0; k < 3; ++k)
+        n[k] = plane[k];
+    return m != NULL ? plane[3] + vti_dot(plane, m->moved) : plane[3];
+}
+
+/** g of a plane that stands at offset. */
+static inline double vti_face_above(const double n[3], double offset, const double x[3])
+{
+    return vti_dot(n, x) - offset;
+}
+
 /** g and N; g is NaN where a number is. */
 static inline double vti_face_gap(const vti_walls *p, int64_t w, const double x[3], double n[3])
 {
@@ -69,11 +85,8 @@ static inline double vti_face_gap(const vti_walls *p, int64_t w, const double x[
         vti_face_from_axis(p, w, x, d);
         return vti_face_inside(p->cylinder + 7 * (w - p->count), d, n);
     }
-    const double *const plane = p->plane + 4 * w;
-    const vti_wall_motion *const m = vti_face_motion(p, w);
-    for (int k = 0; k < 3; ++k)
-        n[k] = plane[k];
-    return vti_dot(plane, x) - (m != NULL ? plane[3] + vti_dot(plane, m->moved) : plane[3]);
+    const double offset = vti_face_plane(p, w, n);
+    return vti_face_above(n, offset, x);
 }
 
 /** The axis about which wall w turns. */

@@ -63,26 +63,44 @@ static int check(const void *self, const vti_bodies *b)
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
 /** 1 - g/(D/2) of a body of that radius: positive if they touch; NaN if a number is, which must show. */
-static inline double overlap(const vti_walls *p, int64_t w, const double x[3], double radius, double n[3])
+static inline double overlap_of(double gap, double radius)
 {
-    return 1.0 - vti_face_gap(p, w, x, n) / radius;
+    return 1.0 - gap / radius;
 }
 
-/** F = (K/(D/2)) o^{3/2} along the normal, of wall w on the bodies begin <= i < end. */
-static void press(const vti_walls *walls, int64_t w, const vti_bodies *b, int64_t begin, int64_t end)
+static inline double overlap(const vti_walls *p, int64_t w, const double x[3], double radius, double n[3])
 {
-    const vti_walls p = *walls; /* what no force is written over stays in registers */
+    return overlap_of(vti_face_gap(p, w, x, n), radius);
+}
+
+/** F = (K/(D/2)) o^{3/2} along the normal, of wall w on the bodies begin <= i < end. A plane stands where it does for all
+ *  of them; and what is copied here, which no force is written over, stays in registers. */
+VTI_INLINE void press_face(int is_plane, const vti_walls *walls, int64_t w, const vti_bodies *b, int64_t begin,
+                           int64_t end)
+{
+    const vti_walls p = *walls;
+    const vti_view place = b->x, load = b->force;
+    double n[3];
+    const double offset = is_plane ? vti_face_plane(&p, w, n) : 0.0;
     for (int64_t i = begin; i < end; ++i) {
         const double radius = 0.5 * vti_scalar(&p.diameter, i);
-        double x[3], n[3];
-        vti_load(&b->x, i, x);
-        const double o = overlap(&p, w, x, radius, n);
+        double x[3];
+        vti_load(&place, i, x);
+        const double o = overlap_of(is_plane ? vti_face_above(n, offset, x) : vti_face_gap(&p, w, x, n), radius);
         if (o <= 0.0)
             continue;
         const double f = vti_hertz_force(vti_face_stiffness(&p, w, i, radius), radius, o),
                      force[3] = {f * n[0], f * n[1], f * n[2]};
-        vti_add(&b->force, i, force);
+        vti_add(&load, i, force);
     }
+}
+
+static void press(const vti_walls *p, int64_t w, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (w < p->count)
+        press_face(1, p, w, b, begin, end);
+    else
+        press_face(0, p, w, b, begin, end);
 }
 
 /** Of so many bodies at once the places stay in the first-level cache from wall to wall. */

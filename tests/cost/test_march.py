@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""No -march makes a step, an effect or a lone body dearer than the default build by more than 5 %, whatever the compiler: the
-library is built here with and without, and instructions are counted by callgrind, which knows vectors up to AVX2.
+"""No -march makes a step, an effect or a lone body dearer than the default build by more than 5 %, whatever the compiler, and no
+compiler's default build dearer than gcc's: the library is built here by each, and callgrind, which knows vectors up to AVX2, counts.
 test_march.py ROOT VALGRIND"""
 import concurrent.futures
 import glob
@@ -56,7 +56,7 @@ with tempfile.TemporaryDirectory() as root:
         counts = dict(zip(builds, pool.map(per_step, (f"{folder}/cost" for folder in builds.values()))))
 for (compiler, flag), found in counts.items():
     for name, value in found.items():
-        default = counts[compiler, ""][name]
-        check(value <= 1.05 * default, f"{compiler} {flag}: {name}: {value:.0f} instructions a step, {value / default:.3f} of the "
-              f"default's, {value / counts[COMPILERS[0], ''][name]:.3f} of {COMPILERS[0]}'s")
+        default, first = counts[compiler, ""][name], counts[COMPILERS[0], ""][name]
+        check(value <= 1.05 * default and (flag != "" or value <= 1.05 * first), f"{compiler} {flag}: {name}: {value:.0f} instructions a step, "
+              f"{value / default:.3f} of the default's, {value / first:.3f} of {COMPILERS[0]}'s")
 conclude()
