@@ -40,7 +40,7 @@ static void name_of(const struct run_files *files, int kind, char name[264])
     if (kind == HDF5)
         snprintf(name, 264, "%s", files->hdf5);
     else
-        snprintf(name, 264, "%s%s", files->stem, endings[kind]);
+        snprintf(name, 264, "%.240s%s", files->stem, endings[kind]); /* run_files_name has seen to it */
 }
 
 /* ---- what is there ----------------------------------------------------------------------------------------------- */
