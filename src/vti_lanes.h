@@ -361,7 +361,8 @@ VTI_INLINE four upper(lanes a)
 
 VTI_INLINE int lanes_all(lanes_mask m)
 {
-    return four_all(SHUFFLE(m, m, 0, 1, 2, 3) & SHUFFLE(m, m, 4, 5, 6, 7));
+    typedef long long eight VECTOR(8);
+    return (unsigned char)__builtin_ia32_cvtq2mask512((eight)m) == 0xff;
 }
 
 VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[8])

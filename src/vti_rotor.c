@@ -87,8 +87,9 @@ struct vti_rotor_rates vti_rotor_rates_of(const vti_bodies *b, int64_t i)
     double L[3], p[3], w[3];
     vti_rotor_spin(b, i, L);
     body_of(b, i, &body);
-    const struct rotor_axes at = rotor_axes_of(body.m);
-    const struct rotor_rates per = rotor_rates_of(&at, body.square);
+    struct rotor_moments along;
+    const struct rotor_axes at = rotor_axes_of(body.m, &along);
+    const struct rotor_rates per = rotor_rates_of(&along, body.square);
     lanes_rotate(body.q, per.scale, -1.0, L, p);
     struct vti_rotor_rates rates = {.energy = 0.0};
     for (int k = 0; k < 3; ++k) {

@@ -25,12 +25,15 @@ VTI_INLINE lanes rotor_worst(lanes a, lanes b)
 
 /* ---- axes -------------------------------------------------------------------------------------------------------- */
 
-/** Which axes x, y and r are, by up to three pairs that change places, and the moments m along x, y, r with their
- *  differences m_r - m_x, m_r - m_y. */
+/** Which axes x, y and r are, by up to three pairs that change places. */
 struct rotor_axes {
     lanes_mask second, first; /* r is axis 1; axis 0; of three equal moments, whichever */
     lanes_mask swapped;       /* |d_y| > |d_x| but for the last exchange */
     lanes_mask odd;           /* x, y, -r are right-handed */
+};
+
+/** The moments m along x, y, r with their differences m_r - m_x, m_r - m_y. */
+struct rotor_moments {
     lanes m[3], off[2];
 };
 
@@ -43,21 +46,22 @@ VTI_INLINE void rotor_swap(lanes_mask where, lanes *a, lanes *b)
 
 /** An axis is in the middle if the next one's moment is above its own and the other's is not, or the other way round.
  *  d_i = (m_r - m_i)/(m_r m_i). */
-VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3])
+VTI_INLINE struct rotor_axes rotor_axes_of(const lanes m[3], struct rotor_moments *along)
 {
     struct rotor_axes at;
+    lanes *const a = along->m, *const off = along->off;
     const lanes_mask rises = m[0] < m[1];
     at.second = rises ^ (m[1] >= m[2]);
     at.first = rises ^ (m[2] >= m[0]);
     for (int n = 0; n < 3; ++n)
-        at.m[n] = m[n];
-    rotor_swap(at.second, at.m + 1, at.m + 2);
-    rotor_swap(at.first, at.m, at.m + 2);
-    at.off[0] = at.m[2] - at.m[0];
-    at.off[1] = at.m[2] - at.m[1];
-    at.swapped = lanes_abs(at.off[1]) * at.m[0] > lanes_abs(at.off[0]) * at.m[1];
-    rotor_swap(at.swapped, at.m, at.m + 1);
-    rotor_swap(at.swapped, at.off, at.off + 1);
+        a[n] = m[n];
+    rotor_swap(at.second, a + 1, a + 2);
+    rotor_swap(at.first, a, a + 2);
+    off[0] = a[2] - a[0];
+    off[1] = a[2] - a[1];
+    at.swapped = lanes_abs(off[1]) * a[0] > lanes_abs(off[0]) * a[1];
+    rotor_swap(at.swapped, a, a + 1);
+    rotor_swap(at.swapped, off, off + 1);
     at.odd = at.second ^ at.first ^ at.swapped;
     return at;
 }
@@ -96,18 +100,18 @@ struct rotor_rates {
     lanes_mask sound; /* what is divided by stays within the range of numbers */
 };
 
-VTI_INLINE struct rotor_rates rotor_rates_of(const struct rotor_axes *at, lanes square)
+VTI_INLINE struct rotor_rates rotor_rates_of(const struct rotor_moments *along, lanes square)
 {
-    const lanes both = at->m[0] * at->m[1], all = both * at->m[2], whole = all * square, inv = 1.0 / whole,
+    const lanes both = along->m[0] * along->m[1], all = both * along->m[2], whole = all * square, inv = 1.0 / whole,
                 share = square * inv;
     struct rotor_rates rates = {.k_r = both * share,
-                                .d = {(at->off[0] * share) * at->m[1], (at->off[1] * share) * at->m[0]},
+                                .d = {(along->off[0] * share) * along->m[1], (along->off[1] * share) * along->m[0]},
                                 .scale = (2.0 * all) * inv,
-                                .sound = (whole > 0x1p-900) & (whole < 0x1p900)};
+                                .sound = whole + inv < 0x1p900};
     if (WIDTH == 1 && !lanes_all(rates.sound)) { /* one by one */
-        rates.k_r = 1.0 / at->m[2];
+        rates.k_r = 1.0 / along->m[2];
         for (int n = 0; n < 2; ++n)
-            rates.d[n] = (at->off[n] / at->m[2]) / at->m[n];
+            rates.d[n] = (along->off[n] / along->m[2]) / along->m[n];
         rates.scale = 2.0 / square;
     }
     return rates;
@@ -389,8 +393,9 @@ struct rotor_start {
 
 VTI_INLINE void rotor_start_of(lanes t, const struct rotor_body *body, const lanes L[3], struct rotor_start *from)
 {
-    from->at = rotor_axes_of(body->m);
-    const struct rotor_rates rates = rotor_rates_of(&from->at, body->square);
+    struct rotor_moments along;
+    from->at = rotor_axes_of(body->m, &along);
+    const struct rotor_rates rates = rotor_rates_of(&along, body->square);
     from->turn = t * rates.k_r;
     from->e[0] = t * rates.d[0];
     from->e[1] = t * rates.d[1];

@@ -148,13 +148,13 @@ VTI_INLINE void load_general(const struct vti_move *move, const vti_bodies *b, i
 /** The attitude turned by the increment; 0, where it is not to be used, if some lane needs more care: of a body near a
  *  half turn, or one whose products could leave the range. The pair of an increment is never small, so that one sum
  *  tells: |f u| < 2^15 c, |alpha| < 2^29, c < 2^34 and 2 |d| < c. */
-VTI_INLINE int turn_general(int by_alpha, const struct rotor_increment *d, lanes q[4])
+VTI_INLINE int turn_general(int by_alpha, lanes square, const struct rotor_increment *d, lanes q[4])
 {
     const lanes uu = d->f * d->f * lanes_dot(d->u, d->u), cc = d->c * d->c;
     if (by_alpha) {
         lanes add[3];
         const lanes dot = incremental(d->c, d->f, d->u, d->side, q, add);
-        const lanes sizes = 0x1p-58 * lanes_square(q) + 0x1p-68 * cc;
+        const lanes sizes = 0x1p-58 * square + 0x1p-68 * cc;
         const lanes_mask near = (4.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d->c * lanes_abs(d->c);
         for (int k = 0; k < 3; ++k)
             q[k] += add[k];
@@ -178,7 +178,7 @@ enum { NO_SPHERES, SOME_SPHERES, ALL_SPHERES };
 
 VTI_INLINE int spheres_of(lanes_mask round)
 {
-    return lanes_all(round) ? ALL_SPHERES : lanes_all(~round) ? NO_SPHERES : SOME_SPHERES;
+    return lanes_all(~round) ? NO_SPHERES : lanes_all(round) ? ALL_SPHERES : SOME_SPHERES;
 }
 
 /** The increments of those of a block that are spheres, by their own drift. */
@@ -220,7 +220,7 @@ VTI_INLINE void drift_general(int law, int rotor, double time, const vti_quat_vi
 /** Where the drift of a block of packed bodies begins. */
 struct begun {
     struct rotor_start from;
-    lanes attitude[3];
+    lanes attitude[3], square; /* its square with the 2 of its pair */
     int spheres;
 };
 
@@ -254,6 +254,7 @@ VTI_INLINE void begin_packed(const struct vti_move *move, const vti_bodies *b, s
     to->spheres = spheres_of(rotor_is_round(g.body.m));
     for (int n = 0; n < 3; ++n)
         to->attitude[n] = g.attitude[n];
+    to->square = lanes_square(g.attitude);
     if (to->spheres == ALL_SPHERES)
         return;
     turned_body(&own_axes, i, &g);
@@ -271,7 +272,7 @@ VTI_INLINE void turn_packed(int law, int rotor, const struct vti_move *move, con
         load_packed(stream_of(&b->spin), i, L);
         drift_spheres(law, lanes_of(move->drift), begun->spheres, m, L, d);
     }
-    if (turn_general(1, d, q)) {
+    if (turn_general(1, begun->square, d, q)) {
         lanes there[3];
         lanes_join(q, there);
         store(PACKED, stream_of(&b->alpha), i, there);
@@ -336,7 +337,7 @@ VTI_INLINE void move_general(int law, int rotor, const struct vti_move *move, co
         int sound = 1;
         if (law != 0) {
             drift_general(law, rotor, move->drift, &b->principal, i, &g, &d);
-            sound = turn_general(by_alpha, &d, g.attitude);
+            sound = turn_general(by_alpha, lanes_square(g.attitude), &d, g.attitude);
             if (shows)
                 turned_body(&b->principal, i, &g);
         } else if (by_alpha)
