@@ -8,6 +8,7 @@ Copies the tree to a scratch folder, builds the core and its tests there once (t
 chosen), and then, for each fault: puts it in, builds, runs suite by suite until a test fails, or the tests that the fault
 names, and takes it out. The stored digest, which any change would break, is left out. Says
 which fault was caught by which test. Exits with 1 if one was not, or if a fault's text does not occur exactly once."""
+import argparse
 import os
 import re
 import shutil
@@ -79,8 +80,15 @@ def check(folder, number, fault):
 
 def main():
     faults = read_faults()
-    chosen = [int(a) for a in sys.argv[1:] if a.isdigit()] or range(1, len(faults) + 1)
-    if "--list" in sys.argv:
+    parser = argparse.ArgumentParser(description="Do the tests notice each of the deliberate faults of faults.txt?")
+    parser.add_argument("number", nargs="*", type=int, help=f"of faults, 1 to {len(faults)} (default all)")
+    parser.add_argument("--list", action="store_true", help="only say which they are")
+    asked = parser.parse_args()
+    for k in asked.number:
+        if not 1 <= k <= len(faults):
+            parser.error(f"fault {k}: there are 1 to {len(faults)}; --list shows them")
+    chosen = asked.number or range(1, len(faults) + 1)
+    if asked.list:
         for k in chosen:
             print(f"{k:3} {faults[k - 1][0]}: {faults[k - 1][1]}  ->  {faults[k - 1][2]}")
         return 0
