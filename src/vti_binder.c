@@ -80,7 +80,7 @@ static void apply(const void *self, const vti_bodies *b)
     for (int64_t first = 0; first < bonds->count; first += TILE) {
         const int64_t last = bonds->count - first < TILE ? bonds->count : first + TILE;
         kernel->loads[evaluated](bonds, b, first, last, rows);
-        all->sum[1][layout == ANY](terms, bonds, b, first, last, rows); /* of the slice's bodies only */
+        all->sum[layout == ANY](terms, bonds, b, first, last, rows);
     }
 }
 
@@ -232,7 +232,7 @@ int vti_bonds_sum(const vti_bonds *bonds, const double *loads, int64_t first, in
     const int status = pass_check(bonds, b, first, last, loads);
     const int terms = status == VTI_OK ? terms_of(bonds) : 0;
     if (status == VTI_OK)
-        kernels(bonds->count)->sum[1][layout_of(terms, b) == ANY](terms, bonds, b, first, last, loads);
+        kernels(bonds->count)->sum[layout_of(terms, b) == ANY](terms, bonds, b, first, last, loads);
     return status;
 }
 

@@ -341,66 +341,70 @@ VTI_INLINE void store(enum layout layout, const vti_view *view, int64_t body, st
     }
 }
 
-/** The sums of the body that was i of the last bond, -1 for none. Lists name a body i several times in a row; until
- *  another one comes its sums stay in registers, as no j is that body. */
+/** The sums of the body that was i of the last bond, -1 for one that is not of the slice. Lists name a body i several
+ *  times in a row; until another one comes its sums stay in registers, as no j is that body. */
 struct sums {
-    int forces, moments;
     int64_t body;
     struct triple force, moment;
 };
 
 /** Leaves one body, and takes another. */
-VTI_INLINE void sums_turn(enum layout layout, const vti_bodies *b, int64_t body, struct sums *s)
+VTI_INLINE void sums_turn(enum layout layout, int forces, int moments, const vti_bodies *b, int64_t body,
+                          struct sums *s)
 {
-    if (s->forces && s->body >= 0)
+    if (forces && s->body >= 0)
         store(layout, &b->force, s->body, s->force);
-    if (s->moments && s->body >= 0)
+    if (moments && s->body >= 0)
         store(layout, &b->moment, s->body, s->moment);
-    if (s->forces && body >= 0)
+    if (forces && body >= 0)
         s->force = load(layout, &b->force, body);
-    if (s->moments && body >= 0)
+    if (moments && body >= 0)
         s->moment = load(layout, &b->moment, body);
     s->body = body;
 }
 
-/** Adds the rows of the bonds first <= k < last to their bodies; where it is sliced, to those of the slice. */
-VTI_INLINE void sum_all(enum layout layout, int sliced, int terms, const vti_bonds *bonds, const vti_bodies *bodies,
+VTI_INLINE int is_of_slice(const vti_bodies *b, int64_t body)
+{
+    return (uint64_t)body - (uint64_t)b->first < (uint64_t)b->count;
+}
+
+/** Adds the rows of the bonds first <= k < last to those of their bodies that are in the slice. */
+VTI_INLINE void sum_all(enum layout layout, int forces, int moments, const vti_bonds *bonds, const vti_bodies *bodies,
                         int64_t first, int64_t last, const double *rows)
 {
     const vti_bodies b = *bodies;
-    const int64_t base = bonds->base + (sliced ? b.first : 0), shift = sliced ? b.first : 0;
-    struct sums s = {.forces = terms & (TERM_AXIAL | TERM_SHEAR) && vti_has(&b.force),
-                     .moments = terms & (TERM_MOMENT | TERM_SHEAR) && vti_has(&b.moment),
-                     .body = -1};
+    const int64_t *const ends = bonds->pair, base = bonds->base;
+    struct sums s = {-1, triple_of(0.0, 0.0, 0.0), triple_of(0.0, 0.0, 0.0)};
     for (int64_t k = first; k < last; ++k, rows += VTI_BOND_LOADS) {
-        const int64_t i = bonds->pair[2 * k] - base, j = bonds->pair[2 * k + 1] - base;
-        const int has_i = !sliced || (i >= 0 && i < b.count), has_j = !sliced || (j >= 0 && j < b.count);
+        const int64_t i = ends[2 * k] - base, j = ends[2 * k + 1] - base;
         const struct triple force = triple_of(rows[0], rows[1], rows[6]);
-        if (i + shift != s.body)
-            sums_turn(layout, &b, has_i ? i + shift : -1, &s);
-        if (s.forces && has_i)
-            s.force = triple_plus(s.force, force);
-        if (s.forces && has_j)
-            store(layout, &b.force, j + shift, triple_minus(load(layout, &b.force, j + shift), force));
-        if (s.moments && has_i)
-            s.moment = triple_plus(s.moment, triple_of(rows[2], rows[3], rows[7]));
-        if (s.moments && has_j)
-            store(layout, &b.moment, j + shift,
-                  triple_plus(load(layout, &b.moment, j + shift), triple_of(rows[4], rows[5], rows[8])));
+        if (i != s.body)
+            sums_turn(layout, forces, moments, &b, is_of_slice(&b, i) ? i : -1, &s);
+        s.force = triple_plus(s.force, force);
+        s.moment = triple_plus(s.moment, triple_of(rows[2], rows[3], rows[7]));
+        if (!is_of_slice(&b, j))
+            continue;
+        if (forces)
+            store(layout, &b.force, j, triple_minus(load(layout, &b.force, j), force));
+        if (moments)
+            store(layout, &b.moment, j, triple_plus(load(layout, &b.moment, j), triple_of(rows[4], rows[5], rows[8])));
     }
-    sums_turn(layout, &b, -1, &s);
+    sums_turn(layout, forces, moments, &b, -1, &s);
 }
 
-#define SUM(NAME, LAYOUT, SLICED)                                                                                      \
+#define SUM(NAME, LAYOUT)                                                                                              \
     static void sum_##NAME(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,        \
                            const double *rows)                                                                         \
     {                                                                                                                  \
-        sum_all(LAYOUT, SLICED, terms, bonds, b, first, last, rows);                                                   \
+        const int forces = terms & (TERM_AXIAL | TERM_SHEAR) && vti_has(&b->force);                                    \
+        const int moments = terms & (TERM_MOMENT | TERM_SHEAR) && vti_has(&b->moment);                                 \
+        if (forces && moments)                                                                                         \
+            sum_all(LAYOUT, 1, 1, bonds, b, first, last, rows);                                                        \
+        else if (forces || moments)                                                                                    \
+            sum_all(LAYOUT, forces, moments, bonds, b, first, last, rows);                                             \
     }
-SUM(packed, ALPHA, 0)
-SUM(any, ANY, 0)
-SUM(packed_sliced, ALPHA, 1)
-SUM(any_sliced, ANY, 1)
+SUM(packed, ALPHA)
+SUM(any, ANY)
 
 /* ---- kernels ----------------------------------------------------------------------------------------------------- */
 
@@ -459,5 +463,5 @@ const struct bond_kernels BOND_KERNELS = {{{PICK(none), PICK_TURNED(moment), PIC
                                            PICK_SHEAR(PICK_TURNED, objective),
                                            PICK_SHEAR(PICK_TURNED, quartic),
                                            PICK_SHEAR(PICK, printed)},
-                                          {{sum_packed, sum_any}, {sum_packed_sliced, sum_any_sliced}},
+                                          {sum_packed, sum_any},
                                           measure};

@@ -253,10 +253,16 @@ VTI_INLINE void four_scatter(double *p, const int64_t at[4], four a)
         p[at[l]] = a[l];
 }
 
+/** The pair at p and the one at q: loads that are put in place, and no shuffle. */
+VTI_INLINE four two_pairs(const double *p, const double *q)
+{
+    const pair low = pair_load(p);
+    return __builtin_ia32_vinsertf128_pd256(SHUFFLE(low, low, 0, 1, -1, -1), pair_load(q), 1);
+}
+
 VTI_INLINE void four_triples(const double *p, const int64_t at[4], four a[3])
 {
-    const four x = SHUFFLE(pair_load(p + at[0]), pair_load(p + at[2]), 0, 1, 2, 3);
-    const four y = SHUFFLE(pair_load(p + at[1]), pair_load(p + at[3]), 0, 1, 2, 3);
+    const four x = two_pairs(p + at[0], p + at[2]), y = two_pairs(p + at[1], p + at[3]);
     a[0] = SHUFFLE(x, y, 0, 4, 2, 6);
     a[1] = SHUFFLE(x, y, 1, 5, 3, 7);
     a[2] = four_gather(p + 2, at);
@@ -344,9 +350,14 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
 
 /* ---- eight ------------------------------------------------------------------------------------------------------- */
 
+/** gcc makes a shuffle of one, which waits for the one port that has any, where b comes from memory. */
 VTI_INLINE lanes two_fours(four a, four b)
 {
+#ifdef __clang__
     return SHUFFLE(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    return __builtin_ia32_insertf64x4_mask(__builtin_ia32_pd512_256pd(a), b, 1, lanes_of(0.0), 0xff);
+#endif
 }
 
 VTI_INLINE four lower(lanes a)
@@ -403,33 +414,66 @@ VTI_INLINE void lanes_spread(lanes k, lanes p[3])
     p[2] = SHUFFLE(k, k, 5, 5, 6, 6, 6, 7, 7, 7);
 }
 
-/** Components of four bodies and of the next four, of n numbers each. */
-#define HALVES(WHAT, N)                                                                                                \
-    VTI_INLINE void lanes_##WHAT(const double *p, const int64_t at[8], lanes a[N])                                     \
-    {                                                                                                                  \
-        four x[N], y[N];                                                                                               \
-        four_##WHAT(p, at, x);                                                                                         \
-        four_##WHAT(p, at + 4, y);                                                                                     \
-        for (int k = 0; k < (N); ++k)                                                                                  \
-            a[k] = two_fours(x[k], y[k]);                                                                              \
+VTI_INLINE lanes four_pairs(const double *p, int64_t a, int64_t b, int64_t c, int64_t d)
+{
+    return two_fours(two_pairs(p + a, p + b), two_pairs(p + c, p + d));
+}
+
+/** Bodies 0, 2, 4, 6 and 1, 3, 5, 7 as pairs (x, y) and (y, z). */
+VTI_INLINE void lanes_triples(const double *p, const int64_t at[8], lanes a[3])
+{
+    lanes xy[2], yz[2];
+    for (int k = 0; k < 2; ++k) {
+        xy[k] = four_pairs(p, at[k], at[k + 2], at[k + 4], at[k + 6]);
+        yz[k] = four_pairs(p + 1, at[k], at[k + 2], at[k + 4], at[k + 6]);
     }
-#define HALVES_BACK(WHAT, N)                                                                                           \
-    VTI_INLINE void lanes_##WHAT(double *p, const int64_t at[8], const lanes a[N])                                     \
-    {                                                                                                                  \
-        four x[N], y[N];                                                                                               \
-        for (int k = 0; k < (N); ++k) {                                                                                \
-            x[k] = lower(a[k]);                                                                                        \
-            y[k] = upper(a[k]);                                                                                        \
-        }                                                                                                              \
-        four_##WHAT(p, at, x);                                                                                         \
-        four_##WHAT(p, at + 4, y);                                                                                     \
+    a[0] = SHUFFLE(xy[0], xy[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    a[1] = SHUFFLE(xy[0], xy[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    a[2] = SHUFFLE(yz[0], yz[1], 1, 9, 3, 11, 5, 13, 7, 15);
+}
+
+VTI_INLINE void lanes_untriple(double *p, const int64_t at[8], const lanes a[3])
+{
+    const lanes x = SHUFFLE(a[0], a[1], 0, 8, 2, 10, 4, 12, 6, 14), y = SHUFFLE(a[0], a[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    pair_store(p + at[0], SHUFFLE(x, x, 0, 1));
+    pair_store(p + at[1], SHUFFLE(y, y, 0, 1));
+    pair_store(p + at[2], SHUFFLE(x, x, 2, 3));
+    pair_store(p + at[3], SHUFFLE(y, y, 2, 3));
+    pair_store(p + at[4], SHUFFLE(x, x, 4, 5));
+    pair_store(p + at[5], SHUFFLE(y, y, 4, 5));
+    pair_store(p + at[6], SHUFFLE(x, x, 6, 7));
+    pair_store(p + at[7], SHUFFLE(y, y, 6, 7));
+    lanes_scatter(p + 2, at, a[2]);
+}
+
+/** As four_transpose, of the lower and the upper halves. */
+VTI_INLINE void halves_transpose(const lanes r[4], lanes c[4])
+{
+    const lanes x = SHUFFLE(r[0], r[1], 0, 8, 2, 10, 4, 12, 6, 14), y = SHUFFLE(r[0], r[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    const lanes z = SHUFFLE(r[2], r[3], 0, 8, 2, 10, 4, 12, 6, 14), w = SHUFFLE(r[2], r[3], 1, 9, 3, 11, 5, 13, 7, 15);
+    c[0] = SHUFFLE(x, z, 0, 1, 8, 9, 4, 5, 12, 13);
+    c[1] = SHUFFLE(y, w, 0, 1, 8, 9, 4, 5, 12, 13);
+    c[2] = SHUFFLE(x, z, 2, 3, 10, 11, 6, 7, 14, 15);
+    c[3] = SHUFFLE(y, w, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+VTI_INLINE void lanes_quads(const double *p, const int64_t at[8], lanes a[4])
+{
+    lanes r[4];
+    for (int l = 0; l < 4; ++l)
+        r[l] = two_fours(*(const four_there *)(p + at[l]), *(const four_there *)(p + at[l + 4]));
+    halves_transpose(r, a);
+}
+
+VTI_INLINE void lanes_unquad(double *p, const int64_t at[8], const lanes a[4])
+{
+    lanes r[4];
+    halves_transpose(a, r);
+    for (int l = 0; l < 4; ++l) {
+        *(four_there *)(p + at[l]) = lower(r[l]);
+        *(four_there *)(p + at[l + 4]) = upper(r[l]);
     }
-HALVES(triples, 3)
-HALVES(quads, 4)
-HALVES_BACK(untriple, 3)
-HALVES_BACK(unquad, 4)
-#undef HALVES
-#undef HALVES_BACK
+}
 
 #endif
 #endif

@@ -80,7 +80,7 @@ static void apply(const struct bond_kernels *kernels, int terms, const struct bo
 {
     static double rows[WEB_MAX * VTI_BOND_LOADS];
     kernel->loads[layout](&w.bonds, b, 0, w.bonds.count, rows);
-    kernels->sum[0][layout == 2](terms, &w.bonds, b, 0, w.bonds.count, rows);
+    kernels->sum[layout == 2](terms, &w.bonds, b, 0, w.bonds.count, rows);
 }
 
 static void agree(const struct bond_kernels *kernels)
