@@ -20,9 +20,9 @@ pour() {
     python3 bench/granular/packing.py settled "$1/out.h5" "$1/beads.csv"
 }
 
-# columns FOLDER: run-out against height, of two packings each; high ones take longer.
+# columns FOLDER: run-out against height, of three packings each; high ones take longer.
 columns() {
-    for seed in 1 2; do
+    for seed in 1 2 3; do
         for count in 50 75 100 150 200 300 450 700 1000; do
             pour "$1/poured-$count-$seed" 10 $count $seed
             beads "$1/column-$count-$seed" --set bodies.table="$(realpath "$1/poured-$count-$seed/beads.csv")" --h 2e-5 \
@@ -31,9 +31,9 @@ columns() {
     done
 }
 
-# slopes FOLDER: angles of repose against friction, for two lengths of rolling resistance and two seeds.
+# slopes FOLDER: angles of repose against friction, for two lengths of rolling resistance and four packings.
 slopes() {
-    for seed in 1 2; do
+    for seed in 1 2 3 4; do
         pour "$1/box-$seed" 25 250 $seed
         for rolling in 0.00003 0.0003; do
             for mu in 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8; do

@@ -42,8 +42,13 @@ for angle in (12, 20, 31):
     check(abs(front - 160 * RADIUS) < 1e-12, f"... its front is at {front:.4g}, without the bead that is far away")
 
 some = [granular.Column(1, a, 2.5 * a**0.7, 3.0 * a) for a in (0.5, 1.0, 3.0)]
-exponent, factor = granular.power(some)
-check(abs(exponent - 0.7) < 1e-12 and abs(factor - 2.5) < 1e-12, f"2.5 a^0.7 is {factor:.3g} a^{exponent:.3g}")
+exponent, factor, error = granular.power(some)
+check(abs(exponent - 0.7) < 1e-12 and abs(factor - 2.5) < 1e-12 and error < 1e-12,
+      f"2.5 a^0.7 is {factor:.3g} a^{exponent:.3g}, give or take {error:.1g}")
+off = [granular.Column(1, math.exp(k), math.exp(k + shift), 1.0) for k, shift in ((0, 0.1), (1, -0.2), (2, 0.1))]
+# residuals 0.1, -0.2, 0.1 have no slope: sqrt(0.06/1/2)
+check(abs(granular.power(off)[2] - math.sqrt(0.03)) < 1e-12, "an exponent has the standard error of its slope")
+check(granular.spread([1.0, 3.0]) == "2.0 (1.4)", "two values have their mean and their standard deviation")
 
 # head on the struck bead takes (1 + e)/2; across, friction is mu times that
 normal = np.array([0.6, 0.0, 0.8])

@@ -90,10 +90,17 @@ def columns(folder):
 
 
 def power(some, measure="runout"):
-    """Exponent and factor of run-out = factor aspect^exponent."""
-    exponent, offset = np.polyfit(np.log([one.aspect for one in some]), np.log([getattr(one, measure) for one in some]),
-                                  1)
-    return float(exponent), float(np.exp(offset))
+    """Exponent and factor of run-out = factor aspect^exponent, and the standard error of the exponent."""
+    x, y = (np.log([getattr(one, name) for one in some]) for name in ("aspect", measure))
+    exponent, offset = np.polyfit(x, y, 1)
+    off = y - exponent * x - offset
+    error = np.sqrt(np.sum(off**2) / max(len(x) - 2, 1) / np.sum((x - np.mean(x)) ** 2))
+    return float(exponent), float(np.exp(offset)), float(error)
+
+
+def spread(values, digits=1):
+    """Their mean, and in brackets the standard deviation of one."""
+    return f"{np.mean(values):.{digits}f} ({np.std(values, ddof=len(values) > 1):.{digits}f})"
 
 
 def slopes(folder):
@@ -165,7 +172,7 @@ def picture(some, found, times, angles):
     runs.plot(aspect, [one.furthest for one in some], ".", color=style.GREY, label="furthest bead")
     for chosen, look in ((aspect <= SQUAT, 1), (aspect >= TALL, 2)):
         if np.sum(chosen) > 1:
-            exponent, factor = power([one for one, taken in zip(some, chosen) if taken])
+            exponent, factor, _ = power([one for one, taken in zip(some, chosen) if taken])
             ends = np.array([aspect[chosen].min() / 1.2, aspect[chosen].max() * 1.2])
             runs.plot(ends, factor * ends**exponent, color=style.LOOKS[look].colour,
                       label=f"{factor:.2g} $a^{{{exponent:.2f}}}$")
@@ -174,8 +181,10 @@ def picture(some, found, times, angles):
     runs.legend()
     for length, look in zip(lengths(found), style.LOOKS):
         mus = sorted(mu for mu, other in found if other == length)
-        repose.plot(mus, [np.mean(found[mu, length]) for mu in mus], look.marker + "-", color=look.colour,
-                    label=rf"$\mu_r$ = {float(length) * 1e3:g} mm")
+        each = [found[mu, length] for mu in mus]
+        repose.errorbar(mus, [np.mean(some) for some in each], [np.std(some, ddof=len(some) > 1) for some in each],
+                        fmt=look.marker + "-", capsize=3, color=look.colour,
+                        label=rf"$\mu_r$ = {float(length) * 1e3:g} mm")
     repose.set(title="angle of repose", xlabel=r"$\mu$", ylabel="degrees")
     repose.legend()
     turning.plot(times, angles, color=style.LOOKS[0].colour)
@@ -188,27 +197,34 @@ def columns_part(page, some):
     page.text("`scenes/column.yaml` with other tables: beads poured into a box of ten diameters' width beside the "
               "smooth wall, settled, and let go. a is height over width. Run-out is (end - start)/start of the front "
               f"behind which {SHARE:.0%} of the beads lie; beside it that of the furthest bead of the heap, beads that "
-              "roll away alone left out: the place of one bead.")
-    page.table(["beads", "a", "run-out/width", "furthest/width"],
-               [[str(one.beads), f"{one.aspect:.2f}", f"{one.runout:.2f}", f"{one.furthest:.2f}"] for one in some])
+              "roll away alone left out: the place of one bead. Means over the packings, and in brackets the standard "
+              "deviation of one.")
+    alike = [[one for one in some if one.beads == beads] for beads in sorted({one.beads for one in some})]
+    page.table(["beads", "packings", "a", "run-out/width", "furthest/width"],
+               [[str(same[0].beads), str(len(same)),
+                 *(spread([getattr(one, name) for one in same], 2) for name in ("aspect", "runout", "furthest"))]
+                for same in alike])
     squat, tall = [one for one in some if one.aspect <= SQUAT], [one for one in some if one.aspect >= TALL]
     if len(squat) > 1 and len(tall) > 1:
-        (low, first), (high, second) = power(squat), power(tall)
+        (low, first, below), (high, second, above) = power(squat), power(tall)
+        furthest = [power(part, "furthest") for part in (squat, tall)]
         page.text(f"Two regimes: {first:.2f} a^{low:.2f} up to a = {SQUAT:g}, {second:.2f} a^{high:.2f} from a = "
-                  f"{TALL:g} on; of the furthest bead a^{power(squat, 'furthest')[0]:.2f} and "
-                  f"a^{power(tall, 'furthest')[0]:.2f}. In channels {LAWS} found a^1 below 2 to 3 and a^(2/3) above; "
-                  "the factors depend on friction. Columns are ten beads wide, and packings differ: points scatter.")
+                  f"{TALL:g} on, the exponents with standard errors of {below:.2f} and {above:.2f}; of the furthest "
+                  f"bead a^{furthest[0][0]:.2f} and a^{furthest[1][0]:.2f}, {furthest[0][2]:.2f} and "
+                  f"{furthest[1][2]:.2f}. In channels {LAWS} found a^1 below 2 to 3 and a^(2/3) above; the factors "
+                  "depend on friction. Columns are ten beads wide, and packings differ: points scatter.")
 
 
 def repose_part(page, found):
     page.heading("Angle of repose against friction")
     page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the slope that is left, "
-              "mean of the seeds and in brackets half of their range. mu is that between beads, the plane keeps its "
-              "0.8; mu_r is the length of the rolling resistance, the mean radius being 1.5 mm.")
+              f"mean over {max(len(some) for some in found.values())} packings and in brackets the standard deviation "
+              "of one. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling resistance, "
+              "the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):
         angles = [found.get((mu, length), [float("nan")]) for length in lengths(found)]
-        rows.append([f"{mu:g}", *(f"{np.mean(some):.1f} ({(max(some) - min(some)) / 2:.1f})" for some in angles)])
+        rows.append([f"{mu:g}", *(spread(some) for some in angles)])
     page.table(["mu", *(f"mu_r = {float(length) * 1e3:g} mm" for length in lengths(found))], rows)
 
 
