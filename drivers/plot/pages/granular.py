@@ -219,8 +219,8 @@ def repose_part(page, found):
     page.heading("Angle of repose against friction")
     page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the slope that is left, "
               f"mean over {max(len(some) for some in found.values())} packings and in brackets the standard deviation "
-              "of one. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling resistance, "
-              "the mean radius being 1.5 mm.")
+              "of one. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling "
+              "resistance, the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):
         angles = [found.get((mu, length), [float("nan")]) for length in lengths(found)]
