@@ -113,7 +113,7 @@ module vti_types
     type, bind(c) :: vti_multistep
         type(c_ptr) :: name = c_null_ptr
         integer(c_int64_t) :: depth = 0
-        real(c_double) :: c = 0, reach = 0
+        real(c_double) :: c = 0, u = 0, reach = 0
         type(c_ptr) :: about = c_null_ptr
     end type
 

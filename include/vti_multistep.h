@@ -12,23 +12,24 @@ extern "C" {
 #endif
 
 /** AN(K, c): Adams' and Stoermer's formulas on the accelerations, which are vectors of space, with the exact turning
- *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1. Linear momentum is kept to rounding, angular
+ *  under the Omega that they integrate to (EQUATIONS 8.1). Order K + 1, an10's K. Linear momentum is kept to rounding, angular
  *  momentum and energy to the order only: the error of the energy grows with time. For smooth forces, and with
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
- *  the rate of damping or gyration stays below 0.16, 0.046, 0.013 and 0.006 for K = 4, 6, 8 and 9: little of it, then,
+ *  the rate of damping or gyration stays below 0.16, 0.024, 0.006 and 0.0045 for K = 4, 7, 9 and 10: little of it, then,
  *  or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such
  *  forces, and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
 typedef struct vti_multistep {
-    const char *name;  /**< what vti_multistep_find knows it by */
-    int64_t depth;     /**< K, accelerations that it remembers, 1 to 10 */
-    double c;          /**< of the corrector: accurate at 3/4, steady at larger steps where it is negative */
-    double reach;      /**< oscillations of frequency f are stable while h f < reach */
+    const char *name; /**< what vti_multistep_find knows it by */
+    int64_t depth;    /**< K, accelerations that it remembers, 1 to 10 */
+    double c;         /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative */
+    double u;         /**< added to g_K, the weight by which v is corrected; 0, or the order is K and the step larger */
+    double reach;     /**< oscillations of frequency f are stable while h f < reach */
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 
-/** "an4", "an6", "an8", "an9" by their K; NULL if there is none of that name. The objects are constants of the
+/** "an4", "an7", "an9", "an10" by their K; NULL if there is none of that name. The objects are constants of the
  *  library. */
 VTI_API const vti_multistep *vti_multistep_find(const char *name);
 /** How many there are. */
@@ -45,8 +46,9 @@ typedef struct vti_past {
 } vti_past;
 
 /** Remembers the accelerations by the force and moment of now. At the start, and after any jump, once before each of
- *  K - 1 steps of h by another method, and once after the last: then known = K. For the order that method has to
- *  be accurate: srkn11 for K up to 8, kl8 in parts of h/4 for 9. */
+ *  K - 1 steps of h by another method, and once after the last: then known = K. They are few, and need not be as good
+ *  as K promises: four by srkn6, after which vti_multistep objects of the depths 5, 6 ... with c = 1, which record by
+ *  themselves, take one evaluation each; or, for errors below 1e-10, all by srkn11. */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:
@@ -62,7 +64,7 @@ VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
  *  less than K, or where there is no memory. Views of rounding errors (x_low ...) are refused with VTI_E_VIEW. */
 VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                   vti_fault *fault);
-/** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g_K D| of a body of the
+/** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g D| of a body of the
  *  slice, by which v (*velocity) and Omega (*spin) are about to be corrected; 0 where there are none, NaN if one is not
  *  a number. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
  *  a touch or a jump. Changes nothing. */

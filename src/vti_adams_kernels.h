@@ -208,11 +208,17 @@ VTI_INLINE void adams_add(const vti_view *view, int first, int64_t i, double t, 
     quad_into_view(view, first, i, a);
 }
 
-/** By D, off: v = v_p + h g_K D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g_K D_b, and turn = c h^2 d_K D_b. */
+/** g = g_K + u. */
+VTI_INLINE double adams_corrector(const vti_multistep *m)
+{
+    return adams_g[m->depth] + m->u;
+}
+
+/** By D, off: v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b, and turn = c h^2 d_K D_b. */
 static inline void adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
                                  int64_t begin, int64_t end, double *turn)
 {
-    const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
+    const double g = h * adams_corrector(m), d = m->c * h * h * adams_d[m->depth];
     const vti_view v = bodies->v, omega = bodies->omega, force = bodies->force, moment = bodies->moment;
     const vti_view x = vti_has(&v) ? bodies->x : v;
     const vti_scalars mass = bodies->mass, inertia = bodies->inertia;

@@ -2,7 +2,7 @@
  *
  * What the library has beside lists of kicks and drifts at equal steps, as programs run it.
  *
- * Multistep methods (EQUATIONS 8.1): K - 1 steps by a stepper that is accurate enough, the accelerations remembered
+ * Multistep methods (EQUATIONS 8.1): K - 1 steps by others that are accurate enough, the accelerations remembered
  * before each, then one force evaluation a step. What they remember is all that they keep beside the bodies, so that a
  * checkpoint goes on with it. Where something touches, the K - 1 steps are back in time and undone, so that what begins
  * to touch at the start does so within a step of theirs, which takes off what it would miss of that.
@@ -26,24 +26,40 @@ static struct rival ways[MOST]; /* in the order of the library's table, filled i
 
 /* ---- multistep methods ------------------------------------------------------------------------------------------- */
 
-/** Steps of h that begin a run. For the order K + 1 their own has to be K: srkn11 has it up to 8 at the steps that are
- *  stable, from 9 on kl8 at a quarter of the step. */
-static int start_step(struct course *c, int64_t depth)
+/** A step by a list of kicks and drifts. */
+static int list_step(struct course *c, const vti_stepper *by)
 {
-    const vti_stepper *const by = vti_stepper_find(depth < 9 ? "srkn11" : "kl8");
-    const int parts = depth < 9 ? 1 : 4;
-    const double h = c->h / parts;
     int status = VTI_OK;
-    for (int part = 0; part < parts && status == VTI_OK; ++part) {
-        for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
-            status = vti_step_stage(by, k, h, &c->bodies, &c->fault);
-            if (status == VTI_OK)
-                status = course_forces(c);
-        }
+    for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
+        status = vti_step_stage(by, k, c->h, &c->bodies, &c->fault);
         if (status == VTI_OK)
-            status = vti_step_finish(by, h, &c->bodies);
+            status = course_forces(c);
     }
-    return status;
+    return status == VTI_OK ? vti_step_finish(by, c->h, &c->bodies) : status;
+}
+
+static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
+{
+    int status = vti_multistep_predict(m, c->h, past, &c->bodies, &c->fault);
+    if (status == VTI_OK)
+        status = course_forces(c);
+    return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
+}
+
+/** A step of the start, K - 1 of them: of methods that are stable at large steps up to four by srkn6, and then one each
+ *  by AN(5), AN(6) ..., which evaluate once; of others all by srkn11. Their orders are less than K, but at such steps
+ *  they err by less than the rest of the way does, down to about 1e-11 by srkn6. */
+static int start_step(struct course *c, const vti_multistep *m, vti_past *past)
+{
+    enum { GROWS_FROM = 5 };
+    const int large = m->reach > 0.5;
+    const vti_multistep grown = {.depth = past->known, .c = 1.0};
+    int status = past->known == 0 ? vti_multistep_record(past, &c->bodies) : VTI_OK;
+    if (status == VTI_OK && large && past->known >= GROWS_FROM)
+        return multistep(c, &grown, past);
+    if (status == VTI_OK)
+        status = list_step(c, vti_stepper_find(large ? "srkn6" : "srkn11"));
+    return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
 }
 
 /** Where something touches: what, positions before a step, and for the start all bodies and the loads of its steps. */
@@ -99,16 +115,18 @@ static void move_loads(struct course *c, int64_t k, int put)
 }
 
 /** K - 1 steps back in time, which are then undone. */
-static int start_back(struct course *c, int64_t depth, vti_past *past)
+static int start_back(struct course *c, const vti_multistep *m, vti_past *past)
 {
+    const int64_t depth = m->depth;
     const vti_kept *const now = &((struct touching *)c->tool)->now;
     int status = vti_step_keep(&c->bodies, now);
     turn_back(c->v, c->n);
     turn_back(c->w, c->n);
     for (int64_t k = 1; k < depth && status == VTI_OK; ++k) {
-        status = start_step(c, depth);
+        status = start_step(c, m, past);
         move_loads(c, k, 0);
     }
+    past->known = 0;
     for (int64_t k = depth - 1; k > 0 && status == VTI_OK; --k) {
         move_loads(c, k, 1);
         status = vti_multistep_record(past, &c->bodies);
@@ -118,16 +136,12 @@ static int start_back(struct course *c, int64_t depth, vti_past *past)
     return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
 }
 
-static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
+static int step(struct course *c, const vti_multistep *m, vti_past *past)
 {
     struct touching *const t = c->tool;
     if (t != NULL)
         memcpy(t->before, c->x, (size_t)(3 * c->n) * sizeof *t->before);
-    int status = vti_multistep_predict(m, c->h, past, &c->bodies, &c->fault);
-    if (status == VTI_OK)
-        status = course_forces(c);
-    if (status == VTI_OK)
-        status = vti_multistep_correct(m, c->h, past, &c->bodies);
+    const int status = multistep(c, m, past);
     if (status != VTI_OK || t == NULL)
         return status;
     const vti_view before = vti_view_packed(t->before);
@@ -139,12 +153,9 @@ static int go_multistep(struct course *c, int64_t steps)
 {
     const vti_multistep *const m = vti_multistep_at(c->rival - ways);
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
-    int status = c->tool != NULL && past.known == 0 ? start_back(c, m->depth, &past) : VTI_OK;
+    int status = c->tool != NULL && past.known == 0 ? start_back(c, m, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        if (past.known < m->depth)
-            status = vti_multistep_record(&past, &c->bodies);
-        if (status == VTI_OK)
-            status = past.known < m->depth ? start_step(c, m->depth) : multistep(c, m, &past);
+        status = past.known < m->depth ? start_step(c, m, &past) : step(c, m, &past);
         c->number[0] = (double)past.known;
         c->steps += status == VTI_OK;
     }
@@ -159,7 +170,7 @@ const struct rival *multistep_at(int64_t i)
     if (ways[i].go == NULL) {
         /* evaluations of a step vary, for the first ones take more */
         const struct rival way = {
-            .stepper = RIVAL_STEPPER(m->name, m->depth + 1, 0.0, 0, m->reach, m->about),
+            .stepper = RIVAL_STEPPER(m->name, m->depth + (m->u == 0.0), 0.0, 0, m->reach, m->about),
             .own_width = 6 * m->depth,
             .prepare = prepare_multistep,
             .go = go_multistep,

@@ -143,6 +143,7 @@ static const int64_t layout[] = {
     AT(vti_multistep, name),
     AT(vti_multistep, depth),
     AT(vti_multistep, c),
+    AT(vti_multistep, u),
     AT(vti_multistep, reach),
     AT(vti_multistep, about),
     SIZE(vti_past),

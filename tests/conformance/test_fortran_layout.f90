@@ -137,7 +137,7 @@ contains
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
             c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost), c_loc(friction%wall_sliding)])
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
-            c_loc(multistep%c), c_loc(multistep%reach), c_loc(multistep%about)])
+            c_loc(multistep%c), c_loc(multistep%u), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
         call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), &
             c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &

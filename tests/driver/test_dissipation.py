@@ -141,7 +141,7 @@ def refusals(base):
               f"a list that leaves walls out: {walls.stderr.strip()}")
     path = f"{base}/fall.yaml"
     for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone"),
-                          ("an6", "smooth forces of positions alone")):
+                          ("an7", "smooth forces of positions alone")):
         result = run(RUN, path, "--stepper", stepper, "-o", f"{base}/none.h5")
         check(result.returncode == 1 and len(result.stderr.splitlines()) == 1 and word in result.stderr
               and "drag dissipates" in result.stderr and "take vti2" in result.stderr and not os.path.exists(f"{base}/none.h5"),

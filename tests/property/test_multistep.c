@@ -76,7 +76,7 @@ static void solve(chain *c, enum chain_storage storage)
 static void orders(void **state)
 {
     (void)state;
-    static const double finest[] = {0.01, 0.02, 0.02, 0.025};
+    static const double finest[] = {0.01, 0.02, 0.025, 0.04};
     chain exact;
     solve(&exact, CHAIN_ALPHA);
     for (int64_t k = 0; k < vti_multistep_count(); ++k) {
@@ -91,7 +91,8 @@ static void orders(void **state)
         }
         const double order = log2(error[0] / error[1]);
         print_message("%s: errors %.2e, %.2e, order %.2f\n", m->name, error[0], error[1], order);
-        assert_true(order > (double)m->depth + 0.4 && order < (double)m->depth + 2.0);
+        const double expected = (double)m->depth + (m->u == 0.0);
+        assert_true(order > expected - 0.6 && order < expected + 1.0);
     }
 }
 
@@ -115,6 +116,8 @@ static double growth(const vti_multistep *m, double h)
         for (int k = 0; k < 60000; ++k) {
             assert_int_equal(vti_multistep_predict(m, h, &past, &b, NULL), VTI_OK);
             f[0] = -x[0];
+            if (fabs(x[0]) > 1e100)
+                return INFINITY;
             assert_int_equal(vti_multistep_correct(m, h, &past, &b), VTI_OK);
             size[half] = k >= 59900 ? fmax(size[half], hypot(x[0], v[0])) : 0.0;
         }
@@ -173,7 +176,7 @@ static void steady_spin(void **state)
 static void slices_and_copies(void **state)
 {
     (void)state;
-    const vti_multistep *m = vti_multistep_find("an6");
+    const vti_multistep *m = vti_multistep_find("an7");
     for (int storage = CHAIN_ALPHA; storage <= CHAIN_QUAT; ++storage) {
         flight whole, parts;
         flight_make(&whole, (enum chain_storage)storage, m->depth);
@@ -284,11 +287,12 @@ static void refusals(void **state)
 {
     (void)state;
     flight f;
-    const vti_multistep *m = vti_multistep_find("an8");
-    vti_multistep wrong[] = {*m, *m, *m};
+    const vti_multistep *m = vti_multistep_find("an7");
+    vti_multistep wrong[] = {*m, *m, *m, *m};
     wrong[0].depth = 0;
     wrong[1].depth = 11;
     wrong[2].c = NAN;
+    wrong[3].u = INFINITY;
     flight_make(&f, CHAIN_ALPHA, DEPTH);
     const chain before = f.c;
     vti_bodies b = chain_bodies(&f.c);
@@ -298,7 +302,7 @@ static void refusals(void **state)
     assert_null(vti_multistep_at(vti_multistep_count()));
     assert_null(vti_multistep_at(-1));
     assert_int_equal(vti_multistep_predict(NULL, 0.1, &f.past, &b, &fault), VTI_E_STEPPER);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 4; ++k)
         assert_int_equal(vti_multistep_predict(&wrong[k], 0.1, &f.past, &b, &fault), VTI_E_STEPPER);
     assert_int_equal(vti_multistep_predict(m, 0.1, NULL, &b, &fault), VTI_E_NULL);
     assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, NULL, &fault), VTI_E_NULL);

@@ -37,8 +37,9 @@ static void assert_order(const char *where, const char *of, const vti_stepper *m
     print_message("%s: %s: %s order %.3f +- %.3f, errors %.2e ... %.2e\n", where, method->name, of, fit.order,
                   fit.interval, error[0], error[RUNGS - 1]);
     assert_true(fit.points >= 4);
-    /* order 10 has little room between its longest steps, whose errors fall faster, and rounding */
-    assert_close(fit.order, (double)method->order, method->order < 10 ? 0.5 : 2.0);
+    /* order 10 has little room between its longest steps, whose errors fall faster, and rounding, and the start of an10
+     * is of order 7, which shows in runs so short: tests/property/test_multistep.c starts better and measures closer */
+    assert_close(fit.order, (double)method->order, method->order < 10 ? 0.5 : 3.0);
 }
 
 static void orders(const struct ladder *ladder)
@@ -64,13 +65,13 @@ static void orders(const struct ladder *ladder)
 
 TEST(pendulum)
 {
-    const struct ladder ladder = {"pendulum", 10.0, {320, 240, 160, 60}};
+    const struct ladder ladder = {"pendulum", 10.0, {320, 50, 60, 60}};
     orders(&ladder);
 }
 
 TEST(chain)
 {
-    const struct ladder ladder = {"chain", 1.0, {300, 200, 150, 230}};
+    const struct ladder ladder = {"chain", 1.0, {300, 180, 200, 200}};
     orders(&ladder);
 }
 
@@ -84,7 +85,7 @@ TEST(touches)
     read_scene("torus", &scene);
     const double t_end = 0.25;
     const vti_bodies exact = reference_of(&scene, t_end, &memory);
-    for (int64_t i = 0; i < 3; ++i) {
+    for (int64_t i = 0; i < METHODS; ++i) {
         const vti_stepper *method = &multistep_at(i)->stepper;
         double velocity[2] = {0.0, 0.0};
         for (int half = 0; half < 2; ++half)
@@ -122,16 +123,16 @@ static void drift(const char *name, double h, int64_t steps, int parts, double *
 TEST(energy_drifts_evenly)
 {
     enum { PARTS = 4 };
-    double of_an8[PARTS], of_srkn11[PARTS];
-    drift("an8", 0.125, 8000, PARTS, of_an8);
+    double of_an10[PARTS], of_srkn11[PARTS];
+    drift("an10", 0.125, 8000, PARTS, of_an10);
     drift("srkn11", 0.125, 8000, PARTS, of_srkn11);
     for (int k = 0; k < PARTS; ++k) {
-        print_message("t = %d: an8 %.3e, %.2e a unit of time; srkn11 %.2e\n", 1000 * (k + 1), of_an8[k],
-                      of_an8[k] / (1000.0 * (k + 1)), of_srkn11[k]);
-        assert_close(of_an8[k] / of_an8[0], k + 1, 0.2 * (k + 1));
+        print_message("t = %d: an10 %.3e, %.2e a unit of time; srkn11 %.2e\n", 1000 * (k + 1), of_an10[k],
+                      of_an10[k] / (1000.0 * (k + 1)), of_srkn11[k]);
+        assert_close(of_an10[k] / of_an10[0], k + 1, 0.2 * (k + 1));
         assert_below(fabs(of_srkn11[k]), 1e-9);
     }
-    assert_true(fabs(of_an8[0]) > 1e-6);
+    assert_true(fabs(of_an10[0]) > 1e-6);
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(pendulum), cmocka_unit_test(chain), cmocka_unit_test(touches),

@@ -90,7 +90,7 @@ static void predict(const vti_multistep *m, double h, struct system *s, const vt
 static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[3])
 {
     static const double ones[DEPTH] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
-    const double g = h * adams_g[m->depth], d = m->c * h * h * adams_d[m->depth];
+    const double g = h * (adams_g[m->depth] + m->u), d = m->c * h * h * adams_d[m->depth];
     for (int c = 0; c < 6; ++c) {
         double f =
             c < 3 ? *at(&b->force, i, c) / b->mass.p[i * b->mass.stride] : *at(&b->moment, i, c - 3) / s->inertia[i];

@@ -42,12 +42,12 @@ def write(page, cost):
     page.text(_beaten(cost))
     page.text(f"- **Smooth forces, accuracy wanted** (bonds, joints, gravity; no contacts): `srkn11` or `srkn14`, below 1e-8 "
               f"`kl8` as well. {_gain(cost, False)}")
-    page.text("- **Trajectories, and forces that are dear**: `an8`, below 1e-8 `an9`. They need the fewest "
+    page.text("- **Trajectories, and forces that are dear**: `an10`, below 1e-8 `an9`. They need the fewest "
               "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a "
               "force, the more they gain (the table above has forces that are cheap). They are not symplectic: energy "
               "drifts linearly and angular momentum is kept to their order alone; over long times take the symplectic "
               "lists.")
-    page.text("- **Contacts or walls, accuracy wanted**: `an4`, `an6` or `an8`. Where a contact begins or ends within a step they "
+    page.text("- **Contacts or walls, accuracy wanted**: `an4`, `an7` or `an10`. Where a contact begins or ends within a step they "
               "take off what the step misses by that, which no other method of equal steps does; so they are of order 4.5 "
               "there, and the others of 2.5. Where quiet times and touches take turns, `srkn11` with a tolerance "
               "(`srkn11-tol` in the tables).")
