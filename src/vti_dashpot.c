@@ -28,7 +28,13 @@ static void flow_colour(const void *sweep, const int64_t *found, int64_t count, 
 {
     const struct vti_sweep *const s = sweep;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(count);
-    int64_t pair[VTI_TOUCHES];
+    int64_t pair[VTI_TOUCHES], any = 0;
+    for (int64_t n = 0; n < count; ++n)
+        any |= found[n];
+    if (any >= 0 && most > 1) { /* none is apart */
+        kernels->flow(s, count, found);
+        return;
+    }
     for (int64_t first = 0; first < count; first += most) {
         const int64_t touching = kernels->soon(s, least_of(count - first, most), found + first, pair);
         if (touching > 0)

@@ -90,19 +90,16 @@ static void push_from_wall(void *context, const struct vti_touch *touch, vti_hel
 static void push_pairs(const vti_friction *p, const vti_bodies *b)
 {
     const vti_contacts *const list = p->contacts;
-    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
-    int64_t pair[VTI_TOUCHES];
+    int64_t pair[VTI_TOUCHES], count = 0;
     vti_held *held[VTI_TOUCHES];
-    for (int64_t first = 0; first < list->count; first += VTI_TOUCHES) {
-        const int64_t left = list->count - first, most = left < VTI_TOUCHES ? left : VTI_TOUCHES,
-                      found = kernels->near(list, b, 0.0, first, most, pair);
-        int64_t count = 0;
-        for (int64_t n = 0; n < found; ++n) {
-            pair[count] = vti_touch_number(pair[n]);
-            held[count] = held_by(p, pair[count]);
-            count += held[count]->i != 0;
-        }
-        kernels->push(p, b, count, pair, held);
+    for (int64_t k = 0; k < list->count; ++k) {
+        pair[count] = k;
+        held[count] = held_by(p, k);
+        count += held[count]->i != 0;
+        if (count < VTI_TOUCHES && k < list->count - 1)
+            continue;
+        vti_touch_kernels_for(count)->push(p, b, count, pair, held);
+        count = 0;
     }
 }
 

@@ -70,7 +70,7 @@ VTI_INLINE void add_loads(enum touch_layout layout, const vti_bodies *b, int64_t
 }
 
 /** F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f of sliding, T_i -= f, T_j += f of rolling, and of twisting
- *  with f n. */
+ *  with f n; nothing where they do not touch. */
 VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, const int64_t *which,
                            const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
 {
@@ -91,6 +91,10 @@ VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, cons
         act[T_I][k] = at.s_i * at.r * across[k] - moment;
         act[T_J][k] = at.s_j * at.r * across[k] + moment;
     }
+    const lanes_mask touches = (at.delta >= 0.0) & (at.r > VTI_COINCIDENT);
+    for (int k = 0; k < ROWS && !lanes_all(touches); ++k)
+        for (int c = 0; c < 3; ++c)
+            act[k][c] = lanes_where(touches, act[k][c], lanes_of(0.0));
     lanes_strided(3, to);
     for (int k = 0; k < ROWS; ++k)
         lanes_untriple(row[k], to, act[k]);
