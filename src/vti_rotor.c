@@ -137,13 +137,6 @@ static int rotor_of(const struct vti_move *move)
     return move->rotor == 0 ? 2 : move->rotor;
 }
 
-/** t d |L|, of which no more than 2^20 matters. */
-static double cut_off(double td, double size)
-{
-    const double turn = fabs(td) * size;
-    return copysign(turn < 0x1p20 ? turn : 0x1p20, td);
-}
-
 /** Where a drift begins; in another unit of moments and L, if their products leave the range. */
 static void start_of(double t, const struct rotor_body *body, const double L[3], struct rotor_start *from)
 {
@@ -180,7 +173,7 @@ static void drift_hard(int law, int rotor, double t, const struct rotor_body *bo
         u[k] = isinf(u[k]) ? copysign(0x1p1000, u[k]) : u[k];
     }
     for (int k = 0; k < 2; ++k)
-        start.e[k] = cut_off(t * start.e[k] * unit, size);
+        start.e[k] *= (t * size) * unit; /* however large: the turns are cut */
     start.square = vti_dot(start.p, start.p);
     rotor_lists_of(law, rotor, &from, &list, 1);
     const struct increment whole = increment(law, u);
