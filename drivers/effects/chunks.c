@@ -7,8 +7,8 @@
 #include "threads.h"
 
 enum {
-    FEW = 1024,      /* bodies that are one chunk */
-    CHUNK = 256,     /* bodies of the others: fewer are not worth a chunk of their own */
+    LEAST = 1024,    /* bodies of more than one chunk; each so many are as many chunks more, */
+    CHUNKS = 4,      /* which two threads, or four, share evenly */
     PAIRS_WORTH = 64 /* of a round: for fewer nobody is woken */
 };
 
@@ -196,7 +196,8 @@ int chunks_create(struct chunks *c, int64_t bodies)
 {
     memset(c, 0, sizeof *c);
     c->bodies = bodies;
-    c->count = bodies < FEW ? 1 : bodies / CHUNK < CHUNKS_MOST ? bodies / CHUNK : CHUNKS_MOST;
+    c->count = bodies / LEAST * CHUNKS;
+    c->count = c->count < 1 ? 1 : c->count < CHUNKS_MOST ? c->count : CHUNKS_MOST;
     c->groups = c->count * (c->count + 1) / 2;
     c->rounds = 2 * c->count - 1;
     c->of = calloc((size_t)c->count, sizeof *c->of);
