@@ -196,7 +196,7 @@ def cost():
     n = wide**3
     grid = numpy.stack(numpy.meshgrid(*[numpy.arange(wide)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     path = write_atoms("ellipsoid", 2.0 * (grid - wide / 2), 0.0 * grid, 0.0 * grid + [0.03, 0.02, -0.01])
-    theirs, ours, ratio = times(20, 41, r"^Modify +\| ([\d.e+-]+)", scene="aspheres.in", theirs="nve/asphere", style="ellipsoid",
+    theirs, ours, ratio = times(5, 81, r"^Modify +\| ([\d.e+-]+)", scene="aspheres.in", theirs="nve/asphere", style="ellipsoid",
                                 atoms=path, **NOTHING)
     print(f"        the fix alone, {n} ellipsoids: {1e9 * ours / n:.1f} ns for each and step, nve/asphere {1e9 * theirs / n:.1f}:"
           f" {ratio:.1f} times")
