@@ -117,9 +117,11 @@ static inline vec linear_lever(uneven *m, int s)
     return vec_of(r);
 }
 
+/** v and L of the first two bodies, 0 where there is one. */
 static inline void linear_state(const uneven *m, vec y[4])
 {
-    for (int i = 0; i < 2; ++i) {
+    memset(y, 0, 4 * sizeof *y);
+    for (int i = 0; i < 2 && i < m->t.c.n; ++i) {
         double w[3], spin[3];
         uneven_omega(m, i, w);
         uneven_times(m, i, 1, w, spin);
