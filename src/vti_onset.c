@@ -108,34 +108,57 @@ static void of_pairs(const vti_contacts *p, double h, const vti_view *before, co
     }
 }
 
-/** A wall that moves was where its velocity says. */
-static void of_wall(const vti_walls *p, int64_t w, double h, const vti_view *before, const vti_bodies *b)
+/** Wall w, which moves with this velocity, and body i, which was at from, of the wall's place now, and is at x. Returns
+ *  1 where that has crossed. */
+static int of_wall(const vti_walls *p, int64_t w, double h, int64_t i, const double from[3], const double x[3],
+                   const double velocity[3], const vti_bodies *b)
+{
+    const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * nearly;
+    struct crossing at = {.rate = 0.0};
+    double v[3], impulse[3], shift[3];
+    at.overlap[0] = touching - vti_face_gap(p, w, from, at.n[0]);
+    at.overlap[1] = touching - vti_face_gap(p, w, x, at.n[1]);
+    if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
+        return 0;
+    vti_load(&b->v, i, v);
+    for (int k = 0; k < 3; ++k)
+        v[k] -= velocity[k];
+    at.rate = -vti_dot(at.n[1], v);
+    at.k = vti_face_stiffness(p, w, i, radius) / (radius * radius * sqrt(radius));
+    missed(&at, h, impulse, shift);
+    take(b, i, 1.0, impulse, shift);
+    return 1;
+}
+
+/** Where a wall moves it was where its velocity says. Most bodies are farther from a wall than they have come, which
+ *  takes the gap at their place alone. */
+static void of_walls(const vti_walls *p, double h, const vti_view *before, const vti_bodies *b)
 {
     static const vti_wall_motion still;
-    const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
+    const int64_t faces = vti_faces(p);
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
-        const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * nearly;
-        struct crossing at = {.rate = 0.0};
-        double x[2][3], v[3], way[3], impulse[3], shift[3];
-        vti_load(before, i, x[0]);
-        vti_load(&b->x, i, x[1]);
-        for (int k = 0; k < 3; ++k) {
-            x[0][k] += h * velocity[k];
-            way[k] = x[1][k] - x[0][k];
+        const double touching = 0.5 * vti_scalar(&p->diameter, i) * nearly;
+        double was[3], x[3], from[3] = {0.0}, way[3], n[3], square = 0.0;
+        int fresh = 1; /* x is */
+        vti_load(before, i, was);
+        vti_load(&b->x, i, x);
+        for (int64_t w = 0; w < faces; ++w) {
+            const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
+            const double overlap = touching - vti_face_gap(p, w, x, n);
+            if (p->motion != NULL || fresh) {
+                for (int k = 0; k < 3; ++k) {
+                    from[k] = was[k] + h * velocity[k];
+                    way[k] = x[k] - from[k];
+                }
+                square = 2.0 * vti_dot(way, way);
+            }
+            fresh = 0;
+            if (overlap * overlap > square) /* it cannot have crossed */
+                continue;
+            fresh = of_wall(p, w, h, i, from, x, velocity, b);
+            if (fresh)
+                vti_load(&b->x, i, x);
         }
-        at.overlap[1] = touching - vti_face_gap(p, w, x[1], at.n[1]);
-        if (at.overlap[1] * at.overlap[1] > 2.0 * vti_dot(way, way)) /* it cannot have crossed */
-            continue;
-        at.overlap[0] = touching - vti_face_gap(p, w, x[0], at.n[0]);
-        if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
-            continue;
-        vti_load(&b->v, i, v);
-        for (int k = 0; k < 3; ++k)
-            v[k] -= velocity[k];
-        at.rate = -vti_dot(at.n[1], v);
-        at.k = vti_face_stiffness(p, w, i, radius) / (radius * radius * sqrt(radius));
-        missed(&at, h, impulse, shift);
-        take(b, i, 1.0, impulse, shift);
     }
 }
 
@@ -171,7 +194,7 @@ int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *co
         return status;
     if (contacts != NULL)
         of_pairs(contacts, h, before, b);
-    for (int64_t w = 0; w < vti_faces(walls); ++w)
-        of_wall(walls, w, h, before, b);
+    if (walls != NULL)
+        of_walls(walls, h, before, b);
     return VTI_OK;
 }
