@@ -173,9 +173,11 @@ VTI_INLINE void bond_evaluate(int terms, int form, const struct bond_state *b, s
     lanes along = lanes_of(-0.0); /* a sum leaves what is added to -0 as it is */
     for (int k = 0; k < 3; ++k)
         out->force[k] = out->moment_i[k] = out->moment_j[k] = out->energy[k] = lanes_of(-0.0);
-    if (terms & TERM_MOMENT)
+    /* the moment's long chain comes last where a block fills all that a processor looks ahead; its sums commute */
+    const int pulls = terms & (TERM_AXIAL | TERM_SHEAR), last = pulls && WIDTH > 4;
+    if (terms & TERM_MOMENT && !last)
         moment_term(b, out);
-    if (!(terms & (TERM_AXIAL | TERM_SHEAR)))
+    if (!pulls)
         return;
     const lanes r = lanes_sqrt(lanes_dot(b->d, b->d));
     const lanes inv_r = lanes_where(r > VTI_COINCIDENT, 1.0 / r, lanes_of(0.0));
@@ -188,6 +190,8 @@ VTI_INLINE void bond_evaluate(int terms, int form, const struct bond_state *b, s
         objective_shear(form, b, inv_r, n, &along, out);
     for (int k = 0; k < 3; ++k)
         out->force[k] += along * n[k];
+    if (terms & TERM_MOMENT && last)
+        moment_term(b, out);
 }
 
 /** What the bond holds (EQUATIONS 6.7), each by the loads of its term alone:
