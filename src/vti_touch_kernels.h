@@ -7,4 +7,5 @@
 #include "vti_dashpot_kernels.h"
 #include "vti_push_kernels.h"
 
-const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs, push_springs, carry, soon, flow_pairs, flow_at_wall, flow_bonds};
+const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs, push_springs, carry,     soon,
+                                                flow_pairs, flow_at_wall, flow_bonds};
