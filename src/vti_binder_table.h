@@ -23,7 +23,7 @@ struct bond_kernels {
     struct bond_kernel of[4][4];
     /** Adds rows to those of their bodies that are in the slice, in the order of the bonds; [layout is ANY] */
     void (*sum[2])(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
-                      const double *rows);
+                   const double *rows);
     /** What the bonds first <= k < last hold, VTI_BOND_MEASURES numbers each. */
     void (*measure)(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
                     double *rows);
