@@ -169,7 +169,10 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 "longer than t = %g name the others by --steppers\n",
                 best->stepper->name, a->t_end);
     if (best->error < 0.33 * a->target)
-        fprintf(file, "note: stability, not the error, sets the step: the error is %.1e\n", best->error);
+        fprintf(file, "note: %s: the error is %.1e\n",
+                isfinite(stable_least(&a->limits, best->stepper)) ? "stability, not the error, sets the step"
+                                                                  : "fewer steps are not tried",
+                best->error);
     if (best->source != OFFER_MEASURED)
         fprintf(file, "note: pilots were not allowed to go over the whole time to this error; --budget %.2g would do\n",
                 150.0 * (isfinite(best->seconds) ? best->seconds : 1.0));

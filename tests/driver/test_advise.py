@@ -66,7 +66,8 @@ def promise(name, t_end, error):
           f"time {seconds:.2e} s, predicted {advice['predicted_seconds']:.2e} s")
     check(found <= 1.5 * error, what + ": the error is not above 1.5 times the one asked for")
     bound = advice["stable_h"]
-    at_bound = bound is not None and advice["h"] > 0.4 * bound  # stability may ask for less than the error does
+    # stability may ask for less than the error does, and where nothing oscillates no fewer than four steps are tried
+    at_bound = advice["h"] > 0.4 * bound if bound is not None else t_end / advice["h"] < 4.5
     check(found >= error / 3 or at_bound, what + ": nor below a third of it, unless stability sets the step")
     check(advice["source"] == "measured" and advice["interval"][0] <= found <= advice["interval"][1],
           what + ": it is as predicted")
