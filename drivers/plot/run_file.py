@@ -18,7 +18,7 @@ import numpy as np
 from . import outlines
 from .hdf5_file import RUN, Reader, opened, text
 
-NOT_ENERGIES = ("t", "total", "energy_modified", "bonds", "fragments")
+NOT_ENERGIES = ("t", "total", "energy_modified", "bonds", "fragments", "error_velocity", "error_omega")
 VECTORS = ("momentum", "spin", "angular")
 BLOWN = 10      # times all energies at t = 0: an error of this size is no error any more
 

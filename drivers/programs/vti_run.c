@@ -11,6 +11,7 @@
 #include "terminal.h"
 #include "run.h"
 #include "signals.h"
+#include "step_errors.h"
 #include "scene.h"
 #include "shape.h"
 #include "travel.h"
@@ -41,6 +42,9 @@ static const struct option_row rows[] = {
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
     {"--fields", "force,moment", OPTION_TEXT, &fields, OPTION_ANY,
      "one or both of each body in OUT.h5 and OUT.xdmf too, in every frame"},
+    {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
+     "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
+     "srkn6, srkn11, srkn14 and an4 to an10"},
     {"--no-dump", NULL, OPTION_OFF, &request.dump, OPTION_ANY, "no OUT.dump, the largest of the files"},
     {"--xdmf", NULL, OPTION_ON, &request.xdmf, OPTION_ANY,
      "OUT.xdmf for more than 2000 frames too: 1-8 kB for each; ParaView reads OUT.h5 itself"},
@@ -189,6 +193,29 @@ static void say_done(const struct run *run, FILE *file)
 
 /* ---- after ------------------------------------------------------------------------------------------------------ */
 
+/** The largest of all steps, and where the estimate jumped. */
+static void say_errors(const struct model *model, FILE *file)
+{
+    static const char *const of[2] = {"velocity", "angular velocity"};
+    const int there[2] = {model->translates, model->turns};
+    const char *before = "largest estimated error of a step:";
+    if (model->errors == NULL)
+        return;
+    const struct step_errors_found *f = &model->errors->found;
+    for (int k = 0; k < 2; ++k)
+        if (there[k]) {
+            fprintf(file, "%s %.3g in %s (t = %.10g)", before, f->most[k], of[k], f->most_t[k]);
+            before = ",";
+        }
+    fputc('\n', file);
+    if (f->jumps > 0.0)
+        fprintf(
+            file,
+            "warning: the estimate grew tenfold in %.0f step%s, first in the one to t = %.10g: something touched or "
+            "jumped there; reduce h if that matters\n",
+            f->jumps, f->jumps > 1.0 ? "s" : "", f->jump_t);
+}
+
 /** Energy drift, time and files. */
 static void say_end(const struct run *run, FILE *file)
 {
@@ -213,6 +240,7 @@ static void say_end(const struct run *run, FILE *file)
         fprintf(file,
                 "no .xdmf of so many frames, 1 to 8 kB for each: ParaView reads %s itself, and --xdmf writes it\n",
                 run->output);
+    say_errors(&run->model, file);
     fprintf(file, "%s\n", run->judgement.text);
 }
 

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "plain.h"
+#include "step_errors.h"
 #include "travel.h"
 
 enum { MOST = 16, CONTROLLED = 3 };
@@ -26,16 +27,36 @@ static struct rival ways[MOST]; /* in the order of the library's table, filled i
 
 /* ---- multistep methods ------------------------------------------------------------------------------------------- */
 
+/** When the step that is made ends. */
+static double step_end(const struct course *c)
+{
+    return (double)(c->steps + 1) * c->h;
+}
+
 /** A step by a list of kicks and drifts. */
 static int list_step(struct course *c, const vti_stepper *by)
 {
-    int status = VTI_OK;
+    struct step_errors *const errors = c->model->errors;
+    int status = step_errors_watch(errors, by, 0, c->h, &c->bodies);
     for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
         status = vti_step_stage(by, k, c->h, &c->bodies, &c->fault);
         if (status == VTI_OK)
             status = course_forces(c);
+        if (status == VTI_OK)
+            status = step_errors_watch(errors, by, k + 1, c->h, &c->bodies);
     }
-    return status == VTI_OK ? vti_step_finish(by, c->h, &c->bodies) : status;
+    if (status == VTI_OK)
+        status = vti_step_finish(by, c->h, &c->bodies);
+    return status == VTI_OK && errors != NULL ? step_errors_end(errors, by, step_end(c), &c->bodies) : status;
+}
+
+static int take_error(struct course *c, const vti_multistep *m, const vti_past *past)
+{
+    double error[2];
+    const int status = vti_multistep_error(m, c->h, past, &c->bodies, &error[0], &error[1]);
+    if (status == VTI_OK)
+        step_errors_take(c->model->errors, step_end(c), &c->bodies, error);
+    return status;
 }
 
 static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
@@ -43,6 +64,8 @@ static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
     int status = vti_multistep_predict(m, c->h, past, &c->bodies, &c->fault);
     if (status == VTI_OK)
         status = course_forces(c);
+    if (status == VTI_OK && c->model->errors != NULL)
+        status = take_error(c, m, past);
     return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
 }
 
@@ -119,6 +142,8 @@ static int start_back(struct course *c, const vti_multistep *m, vti_past *past)
 {
     const int64_t depth = m->depth;
     const vti_kept *const now = &((struct touching *)c->tool)->now;
+    struct step_errors *const errors = c->model->errors;
+    c->model->errors = NULL; /* no steps of the run */
     int status = vti_step_keep(&c->bodies, now);
     turn_back(c->v, c->n);
     turn_back(c->w, c->n);
@@ -126,6 +151,7 @@ static int start_back(struct course *c, const vti_multistep *m, vti_past *past)
         status = start_step(c, m, past);
         move_loads(c, k, 0);
     }
+    c->model->errors = errors;
     past->known = 0;
     for (int64_t k = depth - 1; k > 0 && status == VTI_OK; --k) {
         move_loads(c, k, 1);
@@ -155,7 +181,10 @@ static int go_multistep(struct course *c, int64_t steps)
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
     int status = c->tool != NULL && past.known == 0 ? start_back(c, m, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        status = past.known < m->depth ? start_step(c, m, &past) : step(c, m, &past);
+        const int starts = past.known < m->depth;
+        status = starts ? start_step(c, m, &past) : step(c, m, &past);
+        if (starts)
+            step_errors_part(c->model->errors); /* the next one may be by another method */
         c->number[0] = (double)past.known;
         c->steps += status == VTI_OK;
     }
@@ -246,8 +275,20 @@ static int watched_step(struct course *c, double h, double error[2])
     return status == VTI_OK ? vti_step_error(by, &c->bodies, &errors, &error[0], &error[1]) : status;
 }
 
-/** A step of h is tried, and undone if it is not accepted. One that fails is too long, until none is short enough. */
-static int try_step(struct course *c, vti_control *control, double h, int64_t *accepted)
+/** Of an accepted step that ends at t. Steps of other lengths err by other amounts: none is compared. */
+static void take_controlled(struct course *c, double t, const double error[2])
+{
+    struct step_errors *const errors = c->model->errors;
+    if (errors != NULL && c->number[IS_CUT] != 0.0)
+        step_errors_cut(errors, error);
+    else if (errors != NULL)
+        step_errors_take(errors, t, &c->bodies, error);
+    step_errors_part(errors);
+}
+
+/** A step of h from t is tried, and undone if it is not accepted. One that fails is too long, until none is short
+ *  enough. */
+static int try_step(struct course *c, vti_control *control, double t, double h, int64_t *accepted)
 {
     const vti_kept before = kept_before(c);
     double error[2] = {NAN, NAN};
@@ -261,6 +302,8 @@ static int try_step(struct course *c, vti_control *control, double h, int64_t *a
     const int judged = vti_control_judge(control, h, error[0], error[1], accepted);
     if (!*accepted)
         vti_step_undo(&c->bodies, &before);
+    else
+        take_controlled(c, t + h, error);
     return judged == VTI_OK || status == VTI_OK ? judged : status;
 }
 
@@ -272,7 +315,7 @@ static int free_steps(struct course *c, double end)
     while (status == VTI_OK && c->number[TIME] + control.h < end) {
         const double h = control.h;
         int64_t accepted;
-        status = try_step(c, &control, h, &accepted);
+        status = try_step(c, &control, c->number[TIME], h, &accepted);
         if (accepted) {
             c->number[TIME] += h;
             c->number[LONGEST] = fmax(c->number[LONGEST], h);
@@ -294,7 +337,7 @@ static int cut_step(struct course *c, double end)
     while (status == VTI_OK && t < end) {
         const double left = end - t, h = fmin(control.h, left);
         int64_t accepted;
-        status = try_step(c, &control, h, &accepted);
+        status = try_step(c, &control, t, h, &accepted);
         if (accepted)
             t = h < left ? t + h : end;
     }
@@ -308,6 +351,7 @@ static int go_controlled(struct course *c, int64_t steps)
     const double end = (double)(c->steps + steps) * c->h;
     if (c->number[IS_CUT] != 0.0)
         vti_step_undo(&c->bodies, &kept);
+    step_errors_uncut(c->model->errors);
     c->evals -= (int64_t)c->number[CUT_EVALS];
     c->number[IS_CUT] = c->number[LONGEST] = 0.0;
     int status = free_steps(c, end);

@@ -122,6 +122,12 @@ static const struct rival *way_of(const vti_stepper *stepper)
     return way != NULL && stepper == &way->stepper ? way : method_rival(stepper);
 }
 
+int method_estimates(const vti_stepper *stepper)
+{
+    const struct rival *way = way_of(stepper);
+    return stepper->estimates > 0 || (way != NULL && method_rival(stepper) == NULL);
+}
+
 const char *method_kind(const vti_stepper *stepper)
 {
     return method_rival(stepper) != NULL ? "rival" : strncmp(stepper->name, "vti", 3) == 0 ? "paper" : "ours";

@@ -28,6 +28,8 @@ const struct rival *method_rival(const vti_stepper *stepper);
 /** The stepper with steps by a tolerance, such as "srkn11-tol" of srkn11; itself if it is one; NULL if it has no
  *  estimate of its error. */
 const vti_stepper *method_controlled(const vti_stepper *stepper);
+/** Whether it has an estimate of what a step errs by. */
+int method_estimates(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */
 const char *method_kind(const vti_stepper *stepper);
 

@@ -13,6 +13,7 @@
 #include "number.h"
 #include "signals.h"
 #include "slices.h"
+#include "step_errors.h"
 #include "threads.h"
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
@@ -58,6 +59,20 @@ static int make_models(struct run *run, struct message *message)
     return model_create(&run->sorted, &run->model, message);
 }
 
+/** Of steppers that have an estimate, what steps err by is recorded if it is asked for. */
+static int open_errors(struct run *run, struct message *message)
+{
+    if (!run->request->errors)
+        return 0;
+    if (!method_estimates(run->scene.stepper))
+        return message_set(message,
+                           "%s: --errors: the stepper %s has no estimate of its error; take srkn6, srkn11, srkn14, "
+                           "an4, an7, an9 or an10, or leave --errors out",
+                           run->scene.name, run->scene.stepper->name);
+    run->model.errors = step_errors_create(run->model.bodies.count);
+    return run->model.errors != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
+}
+
 static int open_scene(struct run *run, struct message *message)
 {
     const struct run_request *r = run->request;
@@ -74,6 +89,8 @@ static int open_scene(struct run *run, struct message *message)
         return -1;
     if (run->scene.tolerance > 0.0 && method_controlled(run->scene.stepper) != NULL)
         run->scene.stepper = method_controlled(run->scene.stepper);
+    if (open_errors(run, message) != 0)
+        return -1;
     return travel_create(&run->travel, run->scene.stepper, &run->model, run->scene.h, message);
 }
 

@@ -26,6 +26,7 @@ struct run_request {
     int xdmf;        /* write the XDMF index of however many frames */
     int force;       /* replace files that are not ours */
     int fields;      /* FIELD_ (record.h) */
+    int errors;      /* record what single steps err by (step_errors.h) */
     int renumber;    /* work on the bodies of the table in another order (renumber.h) */
 };
 

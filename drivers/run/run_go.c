@@ -7,6 +7,7 @@
 #include "number.h"
 #include "signals.h"
 #include "state.h"
+#include "step_errors.h"
 
 static int stop(struct run *run, enum run_end end)
 {
@@ -96,6 +97,8 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
     verdict_row(&run->verdict, t, bodies, row);
     if (!isfinite(row[run->record.columns.total]))
         return broken(run, step, t, bodies, row);
+    if (run->model.errors != NULL)
+        step_errors_row(run->model.errors);
     return journal_add(&run->journal, &run->journal.rows, row, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
 }
 

@@ -8,6 +8,7 @@
 #include "number.h"
 #include "slices.h"
 #include "state.h"
+#include "step_errors.h"
 
 int64_t loop_steps(double t_end, double h)
 {
@@ -87,18 +88,25 @@ static int finish(struct run *run)
 /** One step of any method: stages of kick, drift and forces, what is left after the last, and what breaks then. */
 static int one_step(struct run *run, int64_t step, vti_fault *fault)
 {
+    struct model *const model = run->model;
     for (int64_t k = 0; k < run->stepper->stages; ++k) {
         int status = probe_forces(run, k);
         if (status == VTI_OK)
+            status = step_errors_watch(model->errors, run->stepper, k, run->h, &model->bodies);
+        if (status == VTI_OK)
             status = stage(run, k, fault);
         if (status == VTI_OK)
-            status = model_forces(run->model, &run->model->bodies);
+            status = model_forces(model, &model->bodies);
         if (status != VTI_OK)
             return status;
     }
     int status = probe_forces(run, run->stepper->stages);
     if (status == VTI_OK)
+        status = step_errors_watch(model->errors, run->stepper, run->stepper->stages, run->h, &model->bodies);
+    if (status == VTI_OK)
         status = finish(run);
+    if (status == VTI_OK && model->errors != NULL)
+        status = step_errors_end(model->errors, run->stepper, (double)step * run->h, &model->bodies);
     return status == VTI_OK && run->breaks ? model_rupture(run->model, step, (double)step * run->h) : status;
 }
 

@@ -7,6 +7,7 @@
 
 #include "model_parts.h"
 #include "slices.h"
+#include "step_errors.h"
 
 /* ---- from the scene ---------------------------------------------------------------------------------------------- */
 
@@ -95,6 +96,7 @@ int model_create(const struct scene *scene, struct model *model, struct message 
 void model_destroy(struct model *model)
 {
     slices_destroy(model);
+    step_errors_destroy(model->errors);
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
         if (e->kind->destroy != NULL && e->self != NULL)

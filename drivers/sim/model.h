@@ -16,7 +16,8 @@ enum { MODEL_EFFECTS = EFFECT_COUNT, MODEL_INVARIANTS = 8 };
 /** Among the statuses of the core: the pairs of an effect could not be found; model->trouble says why. */
 enum { MODEL_E_PAIRS = -1000 };
 
-struct slices; /* slices.h */
+struct slices;      /* slices.h */
+struct step_errors; /* step_errors.h */
 
 /** Effects stand in the order of effects/kinds.h, of those that there are. The model points into itself and must not be
  *  moved or copied. */
@@ -41,7 +42,8 @@ struct model {
     double *memory;                  /* of the bodies */
     const int64_t *number;           /* [bodies] as people know them, the tables'; NULL: as they are */
     struct message trouble;
-    struct slices *slices; /* of the bodies, for threads; NULL: all in one piece */
+    struct slices *slices;      /* of the bodies, for threads; NULL: all in one piece */
+    struct step_errors *errors; /* of its steps, the model's own; NULL: nobody asks for them */
 };
 
 /** What people call body i. */

@@ -5,6 +5,7 @@
 
 #include "modified.h"
 #include "shape.h"
+#include "step_errors.h"
 
 /* ---- quantities of the bodies, behind the energies -------------------------------------------------------------- */
 
@@ -37,9 +38,9 @@ static int has(const vti_bodies *bodies, const struct quantity *quantity)
 
 /* ---- all columns ------------------------------------------------------------------------------------------------ */
 
-/* Everything there is to record, in one array: these, three of each quantity, then the terms of all effects in the
+/* Everything there is to record, in one array: these, three of each quantity, two errors of steps, then the terms of all effects in the
  * model's order, then what all of them have booked, then what of their lines holds. */
-enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, TERMS = QUANTITY + 3 * QUANTITIES };
+enum { T, TRANSLATION, ROTATION, TOTAL, MODIFIED, QUANTITY, ERRORS = QUANTITY + 3 * QUANTITIES, TERMS = ERRORS + 2 };
 enum { BREAKS = 2, SOURCES = TERMS + EFFECT_TERMS_OF_ALL + BREAKS };
 
 /* if this is negative, enlarge COLUMNS (columns.h) */
@@ -104,6 +105,10 @@ void columns_of(const struct model *model, const vti_stepper *stepper, struct co
     const struct effect *breaking = shape_breaking(model);
     for (int k = 0; breaking != NULL && k < BREAKS; ++k)
         add(c, breaking->kind->breaks->name[k], source + k, -1);
+    if (model->errors != NULL && translates)
+        add(c, "error_velocity", ERRORS, -1);
+    if (model->errors != NULL && turns)
+        add(c, "error_omega", ERRORS + 1, -1);
 }
 
 void columns_values(const struct columns *c, double t, const vti_bodies *b, double row[COLUMNS])
@@ -137,6 +142,8 @@ void columns_values(const struct columns *c, double t, const vti_bodies *b, doub
     const struct effect *breaking = shape_breaking(c->model);
     if (breaking != NULL && source + BREAKS <= SOURCES)
         breaking->kind->breaks->count(breaking, value + source);
+    for (int k = 0; c->model->errors != NULL && k < 2; ++k)
+        value[ERRORS + k] = step_errors_shown(c->model->errors, k);
     for (int k = 0; k < c->count; ++k)
         row[k] = value[c->source[k]];
 }

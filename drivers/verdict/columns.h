@@ -22,8 +22,9 @@ struct columns {
 
 /** The model's columns: t, kinetic_translation, kinetic_rotation, a column per energy term of its effects, one per
  *  entry that they book, total, energy_modified if the stepper has one (modified.h), momentum_, spin_ and angular_ x,
- *  y, z, and of lines that may break how many hold, and fragments. Without translation there is no kinetic_translation and no momentum, without rotation no kinetic_rotation
- *  and no spin. */
+ *  y, z, of lines that may break how many hold, and fragments, and where the model's errors are asked for
+ *  error_velocity and error_omega. Without translation there is no kinetic_translation, no momentum and no
+ *  error_velocity, without rotation no kinetic_rotation, no spin and no error_omega. */
 void columns_of(const struct model *model, const vti_stepper *stepper, struct columns *columns);
 
 /** Their values for the bodies at time t, but for energy_modified, which verdict_row puts in its place. */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "step_errors.h"
+
 #define MEMBER(NAME, IS_INTEGER)                                                                                       \
     {                                                                                                                  \
 #NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \
@@ -340,11 +342,14 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
 
 /* ---- keeping it -------------------------------------------------------------------------------------------------- */
 
-enum { FINDINGS = sizeof(struct findings) / sizeof(double) };
+enum {
+    FINDINGS = sizeof(struct findings) / sizeof(double),
+    ERRORS = sizeof(struct step_errors_found) / sizeof(double)
+};
 
 int64_t verdict_size(const struct verdict *v)
 {
-    int64_t size = FINDINGS, k = 0;
+    int64_t size = FINDINGS + (v->model->errors != NULL ? ERRORS : 0), k = 0;
     for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
         size += e->kind->watch->size(e);
     return size;
@@ -355,6 +360,10 @@ void verdict_get(const struct verdict *v, double *state)
     int64_t k = 0;
     memcpy(state, &v->found, sizeof v->found);
     state += FINDINGS;
+    if (v->model->errors != NULL) {
+        memcpy(state, &v->model->errors->found, sizeof v->model->errors->found);
+        state += ERRORS;
+    }
     for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
         e->kind->watch->get(e, state);
 }
@@ -364,6 +373,10 @@ void verdict_put(struct verdict *v, const double *state)
     int64_t k = 0;
     memcpy(&v->found, state, sizeof v->found);
     state += FINDINGS;
+    if (v->model->errors != NULL) {
+        memcpy(&v->model->errors->found, state, sizeof v->model->errors->found);
+        state += ERRORS;
+    }
     for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
         e->kind->watch->put(e, state);
 }

@@ -169,7 +169,7 @@ def outputs(base, u):
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
             run(RUN, dissipating(base, u), "-o", f"{base}/dissipating.h5"),
-            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "-o", f"{base}/ellipsoids.h5")]
+            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",
                         "--no-plot", "-o", f"{base}/study-{name}"))
@@ -232,6 +232,7 @@ def written(base, u):
         found += [(f"`{file}`", "column", columns_of(f"{base}/study-{name}/{file}")) for file in ("study.csv", "timing.csv")]
     attributes, datasets = hdf5_of(f"{base}/dissipating.h5")
     found += [("`OUT.csv`", "column", columns_of(f"{base}/dissipating.csv")), ("`OUT.h5`", "dataset", datasets)]
+    found += [("`OUT.csv`", "column", columns_of(f"{base}/ellipsoids.csv"))]
     for name in ("clumps", "ellipsoids"):
         found += [("`OUT.dump`", "column", dump_of(f"{base}/{name}.dump")), ("`OUT.h5`", "dataset", hdf5_of(f"{base}/{name}.h5")[1])]
     attributes, datasets = hdf5_of(f"{base}/clumps-spheres.h5")
