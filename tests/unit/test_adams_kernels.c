@@ -7,7 +7,7 @@
 #include "../../src/vti_move.h"
 #include "units.h"
 
-enum { N = 11, FIRST = 2, END = 9, DEPTH = 9, ROOM = 21 * N };
+enum { N = 11, FIRST = 2, END = 9, DEPTH = 10, ROOM = 21 * N };
 enum { PACKED, SEPARATE, STRUCTS, LAYOUTS };
 enum { X, V, F, W, M, VIEWS };
 
@@ -89,7 +89,7 @@ static void predict(const vti_multistep *m, double h, struct system *s, const vt
 
 static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[3])
 {
-    static const double ones[DEPTH] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static const double ones[DEPTH] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     const double g = h * (adams_g[m->depth] + m->u), d = m->c * h * h * adams_d[m->depth];
     for (int c = 0; c < 6; ++c) {
         double f =
