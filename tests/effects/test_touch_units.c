@@ -463,6 +463,18 @@ static void draw_crowd(rng *g)
             }
 }
 
+/** The crowd as spheres of one mass and one inertia. */
+static vti_bodies bodies_of_crowd(void)
+{
+    static const double one = 1.0;
+    vti_bodies b = vti_bodies_none(MANY);
+    b.x = vti_view_packed(place_of[0]);
+    b.v = vti_view_packed(velocity[0]);
+    b.omega = vti_view_packed(spin[0]);
+    b.mass = b.inertia = vti_scalars_one(&one);
+    return b;
+}
+
 TEST(order_of_the_pairs)
 {
     static const double one = 1.0;
@@ -475,11 +487,7 @@ TEST(order_of_the_pairs)
         all = trial % 4 < 2 ? LIST : 700; /* pairs of more windows than are found at once, and of fewer */
         memcpy(v, velocity, sizeof v);
         memcpy(w, spin, sizeof w);
-        vti_bodies b = vti_bodies_none(MANY);
-        b.x = vti_view_packed(place_of[0]);
-        b.v = vti_view_packed(velocity[0]);
-        b.omega = vti_view_packed(spin[0]);
-        b.mass = b.inertia = vti_scalars_one(&one);
+        vti_bodies b = bodies_of_crowd();
         const double reach = trial % 3 ? 0.2 : INFINITY, drift = trial % 2 ? -0.01 : 0.01;
         vti_contacts contacts = {.count = all, .pair = listed[0], .diameter = vti_scalars_one(&one), .stiffness = 1.0};
         vti_dashpots p = {
@@ -506,7 +514,6 @@ TEST(order_of_the_pairs)
 /** Bonds of a crowd, all of one list: in the order of contacts' pairs. */
 TEST(order_of_the_bonds)
 {
-    static const double one = 1.0;
     static double rest[LIST][4];
     rng g = rng_seed(37);
     for (int trial = 0; trial < 4; ++trial) {
@@ -516,11 +523,7 @@ TEST(order_of_the_bonds)
         all = 700;
         memcpy(v, velocity, sizeof v);
         memcpy(w, spin, sizeof w);
-        vti_bodies b = vti_bodies_none(MANY);
-        b.x = vti_view_packed(place_of[0]);
-        b.v = vti_view_packed(velocity[0]);
-        b.omega = vti_view_packed(spin[0]);
-        b.mass = b.inertia = vti_scalars_one(&one);
+        vti_bodies b = bodies_of_crowd();
         const double drift = trial % 2 ? -0.01 : 0.01;
         for (int64_t k = 0; k < all; ++k)
             rest[k][3] = 1.0;
