@@ -49,7 +49,7 @@ granular() {
     columns "$1" &
     slopes "$1"
     wait $!
-    run "$1/drum" drum
+    run "$1/drum" drum --t-end 12
     run "$1/billiards" billiards
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.granular "$1" ${2:+--into "$2"}
 }

@@ -94,7 +94,7 @@ def error_of(folder, case, told):
         kind = [] if name in DISSIPATE else ["--cost"]
         done = run("mpirun", "-n", "1", program("vti-study"), *kind, path, *settings(sets),
                    "--steppers", told["stepper"], "--h", repr(told["h"]),
-                   "--t-end", str(t_end), "--no-plot", "--force", "-o", f"{folder}/study", timeout=100)
+                   "--t-end", str(t_end), "--no-plot", "--force", "-o", f"{folder}/study", timeout=300)
         with open(f"{folder}/study/{'study' if not kind else 'cost'}.csv", encoding="ascii", newline="") as file:
             return float(next(csv.DictReader(file))[told["measure"] + "_error"])
     except Exception as problem:  # noqa: BLE001  a row without an error is a row of the table

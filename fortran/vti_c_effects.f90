@@ -83,6 +83,13 @@ module vti_c_effects
             real(c_double) :: energy
         end function
 
+        function c_booked_of_body(effects, n, i) result(energy) bind(c, name='vti_booked_of_body')
+            import :: c_double, c_int64_t, vti_effect
+            type(vti_effect), intent(in) :: effects(*)
+            integer(c_int64_t), value :: n, i
+            real(c_double) :: energy
+        end function
+
         function c_energy(effects, n, bodies) result(energy) bind(c, name='vti_energy')
             import :: c_double, c_int64_t, vti_bodies, vti_effect
             type(vti_effect), intent(in) :: effects(*)

@@ -16,7 +16,8 @@ module vti_effects
     use vti_types
     implicit none
     private
-    public :: vti_apply, vti_energy, vti_booked, vti_step_check, vti_stable_step, vti_show_spring, vti_springs_none
+    public :: vti_apply, vti_energy, vti_booked, vti_booked_of_body, vti_step_check, vti_stable_step, &
+        vti_show_spring, vti_springs_none
     public :: vti_pairs_of_slice
     public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
@@ -78,6 +79,15 @@ contains
         type(vti_effect), intent(in) :: effects(:)
         real(c_double) :: energy
         energy = c_booked(effects, size(effects, kind=c_int64_t))
+    end function
+
+    !> What of it body i, from 1, has lost: the sum over the effects whose by_body is the address of an array
+    !> type(vti_sum) :: by_body(entries, bodies), zeros at the start, which goes up to i.
+    function vti_booked_of_body(effects, i) result(energy)
+        type(vti_effect), intent(in) :: effects(:)
+        integer(c_int64_t), intent(in) :: i
+        real(c_double) :: energy
+        energy = c_booked_of_body(effects, size(effects, kind=c_int64_t), i - 1)
     end function
 
     !> Whether all of them may be used with the bodies. VTI_E_NEEDS, with fault%body the number of the effect and

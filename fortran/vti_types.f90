@@ -136,7 +136,8 @@ module vti_types
     !> drift) the same with type(vti_clumps), intent(in) :: clumps; carry(self, bodies, drifted) is one with
     !> type(vti_drifted), intent(in) :: drifted; rupture(self, bodies) is a bind(c) function of an integer(c_int64_t).
     !> needs and gives have a bit for each quantity: ibset(0_c_int64_t, VTI_QUANTITY_X). booked is the address of an
-    !> array of as many type(vti_sum) as books says. springs(self, bodies, at, visit, context) is a bind(c) function of
+    !> array of as many type(vti_sum) as books says; by_body is null, or that of an array (of_body, bodies) of them: what
+    !> of booked each body has lost, in the first books of a column. springs(self, bodies, at, visit, context) is a bind(c) function of
     !> an integer(c_int), VTI_OK if all is well, that calls vti_show_spring(visit, context, spring) for each of its
     !> springs; type(c_ptr), value :: at, context (at is null or the address of a vti_deformation); type(c_funptr),
     !> value :: visit. Without springs an effect has no bound on the step; c_funloc(vti_springs_none) says that its
@@ -150,7 +151,8 @@ module vti_types
         integer(c_int64_t) :: needs = 0, gives = 0, smooth = 0, breaks = 0, dissipates = 0, terms = 0
         type(c_ptr) :: term = c_null_ptr
         integer(c_int64_t) :: books = 0
-        type(c_ptr) :: book = c_null_ptr, booked = c_null_ptr
+        type(c_ptr) :: book = c_null_ptr, booked = c_null_ptr, by_body = c_null_ptr
+        integer(c_int64_t) :: of_body = 0
     end type
 
     !> Bodies that hang by their body-fixed arm rho0 from pivots in a field along +e3; weight is m g.
@@ -165,11 +167,13 @@ module vti_types
 
     !> Drag: F = -linear u - quadratic |u| u with u = v - medium, RM = -angular Omega; coefficients that are absent do
     !> nothing. lost is the address of an array of two type(vti_sum), zeros at the start: what drag has taken out of
-    !> translation and out of rotation.
+    !> translation and out of rotation. Here and in the types below by_body is null, or the address of an array of
+    !> type(vti_sum), zeros at the start, of a column for each body, each as long as lost: what that body has lost, half
+    !> of what it loses together with another one.
     type, bind(c) :: vti_drag
         type(vti_scalars) :: linear, quadratic, angular
         real(c_double) :: medium(3) = 0
-        type(c_ptr) :: lost = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> Bonds between bodies; vti_bonds_between makes them from arrays. A stiffness that is absent is a term that is
@@ -191,7 +195,7 @@ module vti_types
     type, bind(c) :: vti_rupture
         type(c_ptr) :: bonds = c_null_ptr, id = c_null_ptr
         type(vti_scalars) :: stretch, normal, shear, bending, torsion, energy
-        type(c_ptr) :: lost = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> Dashpots of bonds: bonds is the address of a vti_bonds, lost that of an array of four type(vti_sum), zeros at the
@@ -199,7 +203,7 @@ module vti_types
     type, bind(c) :: vti_bond_dashpots
         type(c_ptr) :: bonds = c_null_ptr
         real(c_double) :: zeta = 0, axial = 0, shear = 0, bending = 0, twisting = 0
-        type(c_ptr) :: lost = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> What the springs of one touch hold: i and j count from 1 (j of plane w, which counts from 1 too: -w); i = 0 is an
@@ -217,12 +221,14 @@ module vti_types
     end type
 
     !> Friction of contacts and planes: contacts and walls as in vti_dashpots; history is the address of a vti_history,
-    !> lost that of an array of three type(vti_sum), zeros at the start.
+    !> lost that of an array of three type(vti_sum), zeros at the start. by_pair is null, or the address of an array of
+    !> real(c_double), (3, pairs of the list): what each pair has lost in the last drift, which by_body then has not.
     type, bind(c) :: vti_friction
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr
         real(c_double) :: sliding = 0, rolling = 0, twisting = 0, stiffness = 0, mindlin = 0, rolling_stiffness = 0, &
             twisting_stiffness = 0, reach = 0
-        type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr, wall_sliding = c_null_ptr
+        type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr, wall_sliding = c_null_ptr, by_body = c_null_ptr, &
+            by_pair = c_null_ptr
     end type
 
     !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
@@ -233,7 +239,7 @@ module vti_types
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
         integer(c_int64_t) :: pull = 0
         real(c_double) :: reach = 0
-        type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs
@@ -266,7 +272,7 @@ module vti_types
         integer(c_int64_t) :: cylinders = 0
         type(c_ptr) :: cylinder = c_null_ptr, motion = c_null_ptr, work = c_null_ptr
         type(vti_scalars) :: modulus
-        type(c_ptr) :: moduli = c_null_ptr
+        type(c_ptr) :: moduli = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> The spheres of clumps; vti_clumps_of makes it from arrays. spheres are the spheres as bodies of their own, views

@@ -26,8 +26,10 @@ typedef struct vti_bond_dashpots {
     double shear;           /**< mass/time */
     double bending;         /**< energy times time; needs omega */
     double twisting;        /**< energy times time; needs omega */
-    vti_sum *lost; /**< [VTI_BOND_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that the
+    vti_sum *lost;    /**< [VTI_BOND_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that the
                                  motions have lost so far, axial, shear, bending, twisting */
+    vti_sum *by_body; /**< [bodies][VTI_BOND_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each body
+                           has lost, half of what its bonds have; NULL: off. As in vti_dashpots bonds go one by one then */
 } vti_bond_dashpots;
 
 /** The effect of *dashpots, which must outlive it, as must the bonds, of an effect of their own. Needs x, v and mass,

@@ -32,6 +32,8 @@ typedef struct vti_drag {
     vti_sum *lost;         /**< [VTI_DRAG_BOOKS], memory of the caller's, zeros at the start: the energy that drag has
                                 taken out of translation and out of rotation so far. Where several threads have a slice
                                 of the bodies each, each has sums of its own. */
+    vti_sum *by_body; /**< [bodies][VTI_DRAG_BOOKS], memory of the caller's, zeros at the start: the same of each body,
+                                of clumps of each sphere; NULL: off */
 } vti_drag;
 
 /** The effect of *drag, which must outlive it. Stands before the other effects of an array, so that its flow is the

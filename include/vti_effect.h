@@ -115,6 +115,9 @@ typedef struct vti_effect {
     int64_t books;           /**< entries of booked energy, at most VTI_TERMS */
     const char *const *book; /**< names of the entries, one each */
     const vti_sum *booked; /**< [books]: what it has taken out of the motion so far; negative: put in (EQUATIONS 6.1) */
+    const vti_sum *by_body; /**< [bodies][of_body]: what of booked each body has lost, half of what it loses together
+                                 with another one; the first books of a body are those of booked; NULL: off */
+    int64_t of_body;        /**< entries of a body there, at least books */
 } vti_effect;
 
 /** The springs of an effect that has none: it calls visit for nothing. */
@@ -184,6 +187,9 @@ VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_dr
                               const vti_bodies *bodies);
 /** Sum of all booked energies: with vti_energy, what is constant. NaN where effects is NULL or n negative. */
 VTI_API double vti_booked(const vti_effect *effects, int64_t n);
+/** What of it body i, from 0, has lost: the sum over the effects that book by body, whose by_body has to go up to i. NaN
+ *  where effects is NULL, n negative or i negative. Of clumps (vti_clumped) the effect on the spheres has theirs. */
+VTI_API double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i);
 
 #ifdef __cplusplus
 }

@@ -66,6 +66,12 @@ typedef struct vti_friction {
                                        sliding, rolling and twisting have taken so far */
     const double *wall_sliding; /**< [planes], mu of each plane in place of sliding, which is to be above 0 still; NULL:
                                      of all the same */
+    vti_sum *by_body; /**< [bodies][VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: what each body has
+                             lost, of a pair half each, at a wall all; NULL: off. As in vti_dashpots pairs are worked one
+                             by one then */
+    double *by_pair;  /**< [contacts->count][VTI_FRICTION_BOOKS], memory of the caller's: what each pair of the list has
+                             lost in the last drift, which by_body then has no part of, for hosts whose threads have lists
+                             that share bodies, or who look at contacts one by one; NULL: off */
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs

@@ -40,6 +40,8 @@ typedef struct vti_rupture {
     vti_scalars energy;  /**< of U */
     vti_sum *lost;       /**< [VTI_RUPTURE_BOOKS], memory of the caller's, zeros at the start: the energy that bonds had
                               when they broke */
+    vti_sum *by_body; /**< [bodies], memory of the caller's, zeros at the start: of each body half of what its bonds had
+                              when they broke; NULL: off */
 } vti_rupture;
 
 /** Once before use, after vti_bonds_check: numbers ascend from bonds->base on, and every limit is > 0. On failure

@@ -39,6 +39,8 @@ typedef struct vti_walls {
                                   material of both, K = (4/3) E* R^3, 1/E* = 1/M_body + 1/M_wall, and stiffness and each
                                   are 0 and NULL (EQUATIONS 6.6) */
     const double *moduli;    /**< [count + cylinders], the same of each wall; NULL: they are rigid, 1/M_wall = 0 */
+    vti_sum *by_body; /**< [bodies], memory of the caller's, zeros at the start: what of work is each body's; NULL:
+                                  off */
 } vti_walls;
 
 /** The distance of the place x from wall w where it is now, and in n the unit normal there, from the wall to x; on a

@@ -120,6 +120,21 @@ double vti_booked(const vti_effect *effects, int64_t n)
     return vti_sum_value(&sum);
 }
 
+double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i)
+{
+    vti_sum sum = {0.0, 0.0};
+    if (n < 0 || i < 0 || (n > 0 && effects == NULL))
+        return NAN;
+    for (int64_t k = 0; k < n; ++k) {
+        const vti_effect *e = &effects[k];
+        for (int64_t j = 0; e->by_body != NULL && j < e->books; ++j) {
+            vti_sum_add(&sum, e->by_body[e->of_body * i + j].high);
+            vti_sum_add(&sum, e->by_body[e->of_body * i + j].low);
+        }
+    }
+    return vti_sum_value(&sum);
+}
+
 /* ---- steps ------------------------------------------------------------------------------------------------------- */
 
 static int check(const vti_stepper *method, double h, const vti_effect *effects, int64_t n, const vti_bodies *b,

@@ -2,12 +2,12 @@
  *
  * The table of the kernels that move many bodies at once. The files vti_move_*.c include this and nothing else: each is
  * compiled for vector units of its own, and defines MOVE_KERNELS, the name of its table. */
-#include "vti_adams_kernels.h"
+#include "multistep/vti_adams_kernels.h"
 #include "vti_move.h"
 
 #if VTI_WIDTH > 1
 
-#include "vti_rotor_kernels.h"
+#include "inertia/vti_rotor_kernels.h"
 
 const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               translate,

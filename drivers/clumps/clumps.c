@@ -84,13 +84,13 @@ void clumps_moments(const struct clump_template *of, const struct scene *scene, 
 /* ---- their spheres ----------------------------------------------------------------------------------------------- */
 
 /** What the scene's effects on spheres read and load: bits of vti_effect. */
-static int64_t views_of(const struct scene *scene)
+static int64_t views_of(const struct scene *scene, const struct tables *tables)
 {
     const int64_t velocities = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_OMEGA;
     int64_t views = 1 << VTI_QUANTITY_X;
     for (int k = 0; k < EFFECT_COUNT; ++k)
         if (scene->has[k] && kinds_has(kinds_at(k), &scene->settings, EFFECT_ON_SPHERES)) {
-            const vti_effect draft = kinds_draft(kinds_at(k), &scene->settings, NULL);
+            const vti_effect draft = kinds_draft(kinds_at(k), &scene->settings, &tables->effect[k]);
             views |= draft.needs | draft.gives;
             views |= kinds_has(kinds_at(k), &scene->settings, EFFECT_NEAR) ? velocities : 0;
         }
@@ -169,13 +169,13 @@ static void fill(struct clumps *clumps, const struct scene *scene, const struct 
         clumps->modulus = vti_scalars_array(moduli);
 }
 
-int clumps_place(struct clumps *clumps, const struct scene *scene, const struct table *table, const vti_bodies *bodies,
-                 const vti_scalars *modulus, struct message *message)
+int clumps_place(struct clumps *clumps, const struct scene *scene, const struct tables *tables,
+                 const vti_bodies *bodies, const vti_scalars *modulus, struct message *message)
 {
     enum { DOUBLES = 3 * 6 + 3 + 4 }; /* of a sphere: six views, an offset, four scalars */
     int64_t n = 0;
     for (int64_t i = 0; i < bodies->count; ++i)
-        n += clumps_template(clumps, scene, table, i)->count;
+        n += clumps_template(clumps, scene, &tables->bodies, i)->count;
     clumps->body = calloc((size_t)n, sizeof *clumps->body);
     clumps->memory = calloc((size_t)n * DOUBLES, sizeof *clumps->memory);
     if (clumps->body == NULL || clumps->memory == NULL)
@@ -184,8 +184,8 @@ int clumps_place(struct clumps *clumps, const struct scene *scene, const struct 
     double *block = clumps->memory;
     clumps->list.count = n;
     clumps->list.spheres = vti_bodies_none(n);
-    give_views(&clumps->list.spheres, views_of(scene), &block);
-    fill(clumps, scene, table, bodies, modulus, &block);
+    give_views(&clumps->list.spheres, views_of(scene, tables), &block);
+    fill(clumps, scene, &tables->bodies, bodies, modulus, &block);
     const int status = vti_bodies_seal(&clumps->list.spheres);
     return status == VTI_OK ? 0 : message_set(message, "%s: bodies.clumps: %s", scene->name, vti_status_text(status));
 }

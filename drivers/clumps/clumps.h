@@ -8,6 +8,7 @@
 #include "scene.h"
 
 struct table;
+struct tables;
 
 /** A template: spheres of the scene's list, and the solid that they make, of density 1. */
 struct clump_template {
@@ -37,8 +38,8 @@ void clumps_moments(const struct clump_template *of, const struct scene *scene, 
 
 /** Makes the spheres of all bodies, with the views that the scene's effects on spheres read and load. bodies have
  *  masses and an inertia; modulus is theirs. Returns 0, or -1 with one line in *message. */
-int clumps_place(struct clumps *clumps, const struct scene *scene, const struct table *table, const vti_bodies *bodies,
-                 const vti_scalars *modulus, struct message *message);
+int clumps_place(struct clumps *clumps, const struct scene *scene, const struct tables *tables,
+                 const vti_bodies *bodies, const vti_scalars *modulus, struct message *message);
 
 /** Harmless for one that is all zeros. */
 void clumps_destroy(struct clumps *clumps);

@@ -166,7 +166,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     struct stages g;
     memset(advice, 0, sizeof *advice);
     memset(&g, 0, sizeof g);
-    g.from = purse_clock();
+    g.from = g.pace_from = purse_clock();
     advice->target = g.goal = request->target;
     advice->t_end = request->t_end;
     advice->known = advice->order = advice->max_omega = advice->together = NAN;
@@ -180,6 +180,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     if (failed == 0) {
         struct search at_end = g.search;
         at_end.t_end = request->t_end;
+        g.pace_from = purse_clock();
         /* kinks ask for a sixth of the stable step or so */
         stages_open_purse(&g,
                           (g.search.kinked ? 6.0 : 1.0) * (double)search_fewest(&at_end, vti_stepper_find("exact")));

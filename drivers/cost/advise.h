@@ -76,6 +76,7 @@ struct offer {
     double h, error, seconds;
     double order;                 /* that its runs showed */
     double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
+    int coarse;                   /* ... which began near its stable step, where errors fall by more than any order */
     double doubt, below;          /* the error lies between error/below and error doubt; INFINITY: anywhere */
     double errors[COST_MEASURES]; /* by all measures; NaN where the scene has none, or nothing is known */
     enum offer_source source;
@@ -130,6 +131,7 @@ struct search {
     int measure, trajectory; /* of the errors; and by which runs come together or not */
     struct pilot solution;
     int solved;
+    double solution_apart; /* how far it is from the run in half as many steps */
     double omega0;
     double stable_h; /* of contacts as they are listed and bonds at rest: searches begin there */
     double limit;    /* force evaluations beyond which runs are too dear */
@@ -145,6 +147,11 @@ struct search {
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
 /** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
+/** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more
+ *  than the others. */
+double search_kinked_order(const vti_stepper *stepper);
+/** The median of those that are numbers, NaN if none is; sorts them. */
+double search_median(double *value, int64_t n);
 /** Says of how much doubt an error is that was followed by this order to so many times the steps: below it where forces
  *  have kinks, since between them it falls by the stepper's own order. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);

@@ -71,6 +71,8 @@ static int add_case(struct cost_plan *plan, const struct scene *scene, double t_
             "%s: tolerance: a cost study finds the tolerances by itself; leave it out and name srkn11-tol "
             "in --steppers",
             scene->name);
+    if (scene->control != 0)
+        return message_set(message, "%s: control: a cost study is of steps of one length; leave it out", scene->name);
     struct cost_case *c = &plan->cases[plan->cases_count];
     c->scene = scene;
     c->t_end = t_end;

@@ -43,7 +43,8 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
     s->t_end = s->advice->t_end;
     s->target = g->goal;
     const double work = stages_work_left(g, share), least = law_evals(s, found.stepper) * (double)s->bodies;
-    s->t_end *= fmin(1.0, work / least);
+    g->part = fmin(1.0, work / least);
+    s->t_end *= g->part;
     s->target /= offers_growth(s, found.stepper, s->measure);
     const int64_t fewest = search_fewest(s, found.stepper);
     const int64_t steps = pilot_steps((double)fewest * fmin(fmax(part * work / least, 1.0), most));
@@ -72,19 +73,40 @@ static int make_law_again(struct stages *g)
     if (best < 0)
         return 0;
     const struct offer *o = &s->advice->offers[best];
+    if (o->source == OFFER_SHORTER) { /* the pace was better than it looked: over more of the time, once */
+        const double longer = stages_work_left(g, share) / (law_evals(s, o->stepper) * (double)s->bodies);
+        return longer < worth * g->part ? 0 : make_law(g, best, share, 1.0, 1.0);
+    }
     const double fewest = (double)search_fewest(s, o->stepper), wanted = fmax(0.5 * (double)o->steps / fewest, 1.0),
                  seen = wanted / fmax(o->more, 1.0),
                  may = stages_work_left(g, share) / (law_evals(s, o->stepper) * (double)s->bodies);
     return fmin(wanted, may) < worth * seen || may < 1.0 ? 0 : make_law(g, best, share, 1.0, wanted);
 }
 
+/** Where seconds are limited, the pace: a few steps, before it is decided how much of the time the first runs go over. */
+static int feel_pace(struct stages *g)
+{
+    enum { STEPS = 64 };
+    struct search *s = &g->search;
+    const vti_stepper *exact = vti_stepper_find("exact");
+    struct pilot pilot;
+    if (!isfinite(s->purse.until) || s->purse.work > 0.0)
+        return 0;
+    s->t_end = s->advice->t_end;
+    s->t_end *= fmin(1.0, (double)STEPS / (double)search_fewest(s, exact));
+    const int result = search_run(s, exact, STEPS, &pilot);
+    pilot_destroy(&pilot);
+    return result < 0 ? -1 : 0;
+}
+
 int laws_go(struct stages *g)
 {
     struct search *s = &g->search;
-    const double first = 0.9, other = 0.3, part = 0.4, most = 8.0;
-    int result = 0;
+    /* seconds are not all alike */
+    const double first = isfinite(s->purse.until) ? 0.75 : 0.9, other = 0.3, part = 0.4, most = 8.0;
+    int result = feel_pace(g);
     stages_all_active(g);
-    for (int64_t k, told = 0; (k = cheapest_law(g)) >= 0; ++told) {
+    for (int64_t k, told = 0; result == 0 && (k = cheapest_law(g)) >= 0; ++told) {
         s->t_end = s->advice->t_end;
         if (told > 0 && law_evals(s, s->advice->offers[k].stepper) * (double)s->bodies > stages_work_left(g, other))
             break;

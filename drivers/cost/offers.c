@@ -26,20 +26,21 @@ struct offer offers_none(const vti_stepper *stepper)
 
 void offers_carry_over(const struct stages *g, const struct offer *found, double target, struct offer *o)
 {
-    static const double kinks = 2.0, enough = 10.0;
+    static const double enough = 10.0;
     const struct search *s = &g->search;
     const double longer = s->advice->t_end / s->t_end;
     *o = *found;
     if (found->steps == 0)
         return;
     double finer = 1.0;
-    /* below the errors that were seen kinks leave no more than the second order */
-    const double order = s->kinked ? fmin(found->order, kinks) : found->order;
+    /* below the errors that were seen kinks may leave no more than that */
+    const double order = s->kinked ? fmin(found->order, search_kinked_order(found->stepper)) : found->order;
     if (target > g->goal) {
         finer = fmax(plain_power(found->error / (aim * g->goal), 1.0 / order), 1.0);
         o->source = OFFER_FOLLOWED;
         search_doubt(s, o, order, finer);
         o->doubt = fmax(o->doubt, found->doubt);
+        o->below = fmax(o->below, found->below);
     }
     if (longer > 1.0) {
         o->source = OFFER_SHORTER;

@@ -7,7 +7,9 @@
 #include <string.h>
 #include <time.h>
 
-enum { LOOKS = 64 }; /* at the bodies of a run */
+/* at the bodies of a run: each costs about as much as a force evaluation, and the energy may be off within touches
+ * alone, in one step of a hundred */
+enum { LOOKS = 64, MOST_LOOKS = 1024, STEPS_OF_LOOK = 16 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
@@ -110,13 +112,22 @@ static int64_t purse_every(const struct flight *f, int64_t steps, int64_t bodies
     return (int64_t)fmin(fmax(every, 1.0), 1e15);
 }
 
+/** Steps between two looks at the energy. */
+static int64_t look_every(int64_t steps)
+{
+    const int64_t often = steps / STEPS_OF_LOOK, looks = often < LOOKS        ? LOOKS
+                                                         : often < MOST_LOOKS ? often
+                                                                              : MOST_LOOKS;
+    return (steps + looks - 1) / looks;
+}
+
 static int64_t fly(struct flight *f, const struct trial *trial)
 {
     struct pilot *pilot = f->pilot;
     const int64_t steps = trial->steps;
     const struct observer observers[] = {{see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0},
                                          {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0},
-                                         {look, f, (steps + LOOKS - 1) / LOOKS, 0}};
+                                         {look, f, look_every(steps), 0}};
     pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent;
     pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
     pilot->force_evals = travel_force_evals(&f->run.travel);

@@ -42,15 +42,40 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-/** That of a run of this stage: at the end if that is the scene's, else the largest of the second half of the marks,
- *  since an error may pass through zero at one of them. */
+double search_median(double *value, int64_t n)
+{
+    int64_t known = 0;
+    for (int64_t k = 0; k < n; ++k) { /* sorted in, those that are numbers */
+        int64_t at = known;
+        const double next = value[k];
+        if (isnan(next))
+            continue;
+        for (; at > 0 && value[at - 1] > next; --at)
+            value[at] = value[at - 1];
+        value[at] = next;
+        ++known;
+    }
+    return known == 0 ? NAN : 0.5 * (value[(known - 1) / 2] + value[known / 2]);
+}
+
+double search_kinked_order(const vti_stepper *stepper)
+{
+    const double most = vti_multistep_find(stepper->name) != NULL ? 3.0 : 2.0;
+    return fmin((double)stepper->order, most);
+}
+
+/** That of a run of this stage: at the end if that is the scene's. Else errors grow with the time on the whole and swing
+ *  about that, through zero or to twice of it: the median of what the second half of the marks says of the end. */
 static double error_of(const struct search *s, const struct pilot *pilot, int measure)
 {
+    enum { FIRST = PILOT_MARKS / 2 };
     const struct pilot *solution = s->solved ? &s->solution : NULL;
-    double most = pilot_error(pilot, solution, measure, PILOT_MARKS - 1);
-    for (int mark = PILOT_MARKS / 2; mark < PILOT_MARKS - 1 && s->t_end < s->advice->t_end; ++mark)
-        most = fmax(most, pilot_error(pilot, solution, measure, mark));
-    return most;
+    double at[PILOT_MARKS - FIRST];
+    if (measure == COST_ENERGY || s->t_end >= s->advice->t_end)
+        return pilot_error(pilot, solution, measure, PILOT_MARKS - 1);
+    for (int mark = FIRST; mark < PILOT_MARKS; ++mark)
+        at[mark - FIRST] = pilot_error(pilot, solution, measure, mark) * PILOT_MARKS / (mark + 1);
+    return search_median(at, PILOT_MARKS - FIRST);
 }
 
 static int scene_has(const struct pilot *pilot, int measure)
@@ -141,6 +166,7 @@ int search_solution(struct search *s, double share)
     s->purse.most = whole.most;
     s->purse.until = whole.until;
     s->solved = result == FOUND;
+    s->solution_apart = r.apart;
     if (s->solved)
         s->advice->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
     else
@@ -201,14 +227,26 @@ static void offer_set(const struct search *s, struct offer *o, int64_t steps, do
     o->seconds = price->seconds * (double)steps;
 }
 
-/** The run was made: its error is as sure as the solution is. */
+/** How far off an error may be because the solution is. Far below what was asked for it may be the solution's own: where
+ *  forces have kinks a lucky halving tells of an order that is not there. */
+static double unsure(const struct search *s, double error)
+{
+    if (!s->solved || s->measure == COST_ENERGY)
+        return 0.0;
+    const double kinked = s->solution_apart / (plain_exp2(search_kinked_order(s->advice->checked)) - 1.0);
+    return s->kinked && error < lowest * s->target ? fmax(kinked, s->advice->known) : s->advice->known;
+}
+
+/** The run was made: its error is as sure as the solution is. One that is not known to as much tells that it is small. */
 static void offer_measured(const struct search *s, struct offer *o, const struct pilot *pilot, double error,
                            const struct price *price)
 {
     offer_set(s, o, pilot->steps, error, price);
     all_errors(s, pilot, o->errors);
     o->source = OFFER_MEASURED;
-    o->doubt = o->below = 1.2;
+    const double sure = 1.2, known = unsure(s, error);
+    o->doubt = fmax(sure, 1.0 + known / error);
+    o->below = error > known ? fmax(sure, error / (error - known)) : INFINITY;
 }
 
 /** The next number of steps to try, or 0 if the search is over. above: the finest run that misses the error; below: the
@@ -254,7 +292,7 @@ static void follow(const struct search *s, struct offer *o, const struct point *
 
 void search_doubt(const struct search *s, struct offer *o, double order, double finer)
 {
-    const double far = 2.0, most = 2.0, higher = fmin(fmax((double)o->stepper->order - order, 0.0), most);
+    const double far = 2.0, higher = fmax((double)o->stepper->order - order, 0.0);
     o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
     if (s->breaks && finer > far)
         o->doubt = INFINITY;

@@ -34,7 +34,7 @@ double stages_work_left(const struct stages *g, double share)
     const struct purse *p = &g->search.purse;
     if (!isfinite(p->until))
         return share * left(g);
-    const double rate = p->work > 0.0 ? (purse_clock() - g->from) / p->work : first_guess;
+    const double rate = p->work > 0.0 ? (purse_clock() - g->pace_from) / p->work : first_guess;
     return share * left(g) / rate;
 }
 

@@ -10,10 +10,12 @@ struct stages {
     struct search search;
     const struct advise_request *request;
     double from;             /* when it began, purse_clock */
+    double pace_from;        /* when the first pilot did */
     double goal;             /* the error at the end of the whole time */
     int active[ADVICE_MOST]; /* offers that the next stage goes on with */
     int64_t active_count;
     int latest[ADVICE_MOST]; /* offers that the last stage has told something of */
+    double part;             /* of the time, that the last two runs of one stepper went over */
     int whole;               /* it was over the whole time */
     int complete;            /* ... and of the error asked for */
 };

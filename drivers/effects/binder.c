@@ -13,6 +13,7 @@
 #define AT(member) offsetof(struct binder_settings, member)
 
 static const struct scene_word times[] = {{"start", BINDER_START}, {"touching", BINDER_TOUCHING}, {NULL, 0}};
+static const struct scene_word joined[] = {{"bodies", BINDER_ON_BODIES}, {"spheres", BINDER_ON_SPHERES}, {NULL, 0}};
 static const struct scene_word shear_forms[] = {
     {"objective", VTI_SHEAR_OBJECTIVE}, {"quartic", VTI_SHEAR_QUARTIC}, {"printed", VTI_SHEAR_PRINTED}, {NULL, 0}};
 
@@ -30,6 +31,10 @@ static const struct scene_field fields[] = {
      "where bonds are not at rest at t = 0: the direction in the frame of body i, and a quaternion that takes vectors "
      "from the frame of j to that of i.",
      NULL},
+    {"binder.on", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(on), "what bonds join",
+     "bodies (without it); spheres: i and j of the table are spheres of bodies.clumps, from 0, body by body in the "
+     "order of their templates, and no two of one body; bonds are then at rest as the bodies are turned at t = 0.",
+     joined},
     {"binder.when", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(when), "when bonds are made",
      "start (default): at t = 0; touching: at the end of the step in which two spheres come into contact, at rest as "
      "they "
@@ -118,10 +123,22 @@ static int check_touching(const struct scene_reader *reader, const struct scene 
     return 0;
 }
 
+static int on_spheres(const union effect_settings *all)
+{
+    return ((const struct binder_settings *)kinds_settings_of(&effect_binder, all))->on == BINDER_ON_SPHERES;
+}
+
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct binder_settings *binder = settings;
     const int touching = binder->when == BINDER_TOUCHING;
+    if (binder->on == BINDER_ON_SPHERES && !scene->clumps.given)
+        return scene_reader_fail(reader, "binder.on", "there are no clumps; give bodies.clumps, or leave it out");
+    if (binder->on == BINDER_ON_SPHERES && binder->table[0] == '\0')
+        return scene_reader_fail(reader, "binder.on", "spheres have no neighbours; give table, a file of their bonds");
+    if (binder->on == BINDER_ON_SPHERES && binder->shear_form == VTI_SHEAR_PRINTED)
+        return scene_reader_fail(reader, "binder.shear.form",
+                                 "the printed shear knows bonds of bodies only; give objective or quartic");
     if (touching && check_touching(reader, scene, binder) != 0)
         return -1;
     if (!touching && binder->most != 0)
@@ -272,6 +289,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     made->self = &self->bonds;
     if (made->books > 0)
         made->booked = e->booked;
+    made->by_body = e->by_body;
     return 0;
 }
 
@@ -294,15 +312,19 @@ static void say(const struct effect *e, char *text, size_t size)
     if (binder_touches(self))
         snprintf(text, size, "bonds where bodies touch%s", what);
     else
-        snprintf(text, size, "%lld bonds%s", (long long)self->bonds.count, what);
+        snprintf(text, size, "%lld bonds%s%s", (long long)self->bonds.count, self->body != NULL ? " of spheres" : "",
+                 what);
 }
 
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
 {
     const int64_t number = binder_number(e->self, stable->element);
     (void)at;
-    snprintf(text, size, "bond %lld of bodies %lld and %lld", (long long)number, (long long)stable->i,
-             (long long)stable->j);
+    if (stable->j < 0) /* of a clump, which the force on its sphere turns */
+        snprintf(text, size, "pull of bonds on body %lld", (long long)stable->i);
+    else
+        snprintf(text, size, "bond %lld of bodies %lld and %lld", (long long)number, (long long)stable->i,
+                 (long long)stable->j);
 }
 
 /** A strain s at which the axial spring has taken up the energy and what is in it now, K/2 s^2. */
@@ -342,6 +364,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .draft = draft,
                                           .table = &binder_table,
                                           .check_tables = check_tables,
+                                          .on_spheres = on_spheres,
                                           .make = make,
                                           .join = binder_join,
                                           .take_part = binder_take_part,

@@ -30,6 +30,7 @@ struct binder_settings {
     char table[SCENE_PATH_SIZE]; /* of the bonds, "" for the neighbours of the arrangement */
     double stiffness[3];
     int64_t shear_form; /* vti_shear */
+    int64_t on;         /* BINDER_ON_BODIES, or BINDER_ON_SPHERES of clumps: what the table numbers */
     double limit[LIMITS];
     int64_t when;       /* BINDER_START or BINDER_TOUCHING */
     int64_t most;       /* bonds of a body that are made where bodies touch; 0: any number */
@@ -38,6 +39,7 @@ struct binder_settings {
 
 /** When bonds are made: at t = 0, or at the end of the step in which their bodies touch (binder_touch.c). */
 enum { BINDER_START, BINDER_TOUCHING };
+enum { BINDER_ON_BODIES, BINDER_ON_SPHERES };
 
 /** Which bonds have turned past half a turn (bond_turns.c). */
 struct bond_turns {
@@ -76,8 +78,9 @@ struct bond_touch {
 };
 
 struct binder_self {
-    vti_bonds bonds; /* those that hold; what the effect's self points to, so it stands first */
-    int64_t all;     /* how many there have been so far */
+    vti_bonds bonds;     /* those that hold; what the effect's self points to, so it stands first */
+    int64_t all;         /* how many there have been so far */
+    const int64_t *body; /* of each sphere, where they join spheres of clumps; else NULL */
     int64_t *pair;
     double *memory; /* rest vectors, rotations at rest if they have any, and stiffnesses */
     struct bond_turns turns;

@@ -31,7 +31,8 @@ static int compare(const void *a, const void *b)
 }
 
 /** The first row, in the order of the file, that bonds two bodies that are bonded already is at fault. */
-static int check_twice(const struct table *t, const int64_t *pair, struct entry *all, struct message *message)
+static int check_twice(const struct table *t, const char *what, const int64_t *pair, struct entry *all,
+                       struct message *message)
 {
     int64_t again = -1, first = -1;
     for (int64_t k = 0; k < t->rows; ++k) {
@@ -47,28 +48,36 @@ static int check_twice(const struct table *t, const int64_t *pair, struct entry 
         }
     if (again < 0)
         return 0;
-    return table_fail(t, again, message, "bodies %lld and %lld are bonded a second time, first by %s %lld; keep one",
+    return table_fail(t, again, message, "%s %lld and %lld are bonded a second time, first by %s %lld; keep one", what,
                       (long long)pair[2 * again], (long long)pair[2 * again + 1], t->has_lines ? "line" : "row",
                       (long long)first + (t->has_lines ? 2 : 0));
 }
 
-static int read_pairs(const struct model *model, const struct table *t, int64_t *pair, struct message *message)
+/** body: of each sphere, where spheres of clumps are bonded; else NULL. */
+static int read_pairs(const struct model *model, const struct table *t, const int64_t *body, int64_t *pair,
+                      struct message *message)
 {
+    const int64_t count = body != NULL ? model->clumps.list.count : model->bodies.count;
+    const char *const one = body != NULL ? "sphere" : "body", *const two = body != NULL ? "spheres" : "bodies";
     for (int64_t k = 0; k < t->rows; ++k) {
         for (int c = 0; c < 2; ++c) {
-            const double body = t->column[BOND_I + c][k];
-            if (body >= (double)model->bodies.count)
-                return table_fail(t, k, message, "%s: '%s' is not a body; there are %lld, counted from 0",
-                                  table_column(t->kind, BOND_I + c), NUMBER(body), (long long)model->bodies.count);
-            pair[2 * k + c] = (int64_t)body;
+            const double end = t->column[BOND_I + c][k];
+            if (end >= (double)count)
+                return table_fail(t, k, message, "%s: '%s' is not a %s; there are %lld, counted from 0",
+                                  table_column(t->kind, BOND_I + c), NUMBER(end), one, (long long)count);
+            pair[2 * k + c] = (int64_t)end;
         }
         if (pair[2 * k] == pair[2 * k + 1])
-            return table_fail(t, k, message, "body %lld is bonded to itself; name two bodies", (long long)pair[2 * k]);
+            return table_fail(t, k, message, "%s %lld is bonded to itself; name two %s", one, (long long)pair[2 * k],
+                              two);
+        if (body != NULL && body[pair[2 * k]] == body[pair[2 * k + 1]])
+            return table_fail(t, k, message, "spheres %lld and %lld are of one body, %lld; name spheres of two",
+                              (long long)pair[2 * k], (long long)pair[2 * k + 1], (long long)body[pair[2 * k]]);
     }
     struct entry *all = calloc(t->rows > 0 ? (size_t)t->rows : 1, sizeof *all);
     if (all == NULL)
         return out_of_memory(model, message);
-    const int result = check_twice(t, pair, all, message);
+    const int result = check_twice(t, two, pair, all, message);
     free(all);
     return result;
 }
@@ -88,12 +97,13 @@ static vti_scalars stiffness(const double *value, const struct table *t, int k, 
     return vti_scalars_array(p);
 }
 
-static int fail_rest(const struct model *model, const struct table *t, const int64_t *pair, int64_t bond,
+static int fail_rest(const struct model *model, const struct table *t, const struct binder_self *self, int64_t bond,
                      struct message *message)
 {
     char text[160];
-    snprintf(text, sizeof text, "the centres of bodies %lld and %lld give no direction to their bond; move one of them",
-             (long long)pair[2 * bond], (long long)pair[2 * bond + 1]);
+    snprintf(text, sizeof text, "the centres of %s %lld and %lld give no direction to their bond; move one of them",
+             self->body != NULL ? "spheres" : "bodies", (long long)self->pair[2 * bond],
+             (long long)self->pair[2 * bond + 1]);
     if (t->rows > 0)
         return table_fail(t, bond, message, "%s", text);
     return message_set(message, "%s: %s", model->scene->name, text);
@@ -134,22 +144,27 @@ static int take_rest(const struct table *t, double *rest, struct message *messag
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *t, struct message *message)
 {
     enum { REST = 4, STIFFNESSES = 3 };
-    const int turns = table_has(t, BOND_TURN) ? 4 : 0;
     const struct binder_settings *binder = e->settings;
+    const int on_spheres = binder->on == BINDER_ON_SPHERES, turns = on_spheres || table_has(t, BOND_TURN) ? 4 : 0;
     struct binder_self *self = e->self;
     vti_fault fault;
+    const vti_bodies *const joined = on_spheres ? model_spheres(model) : &model->bodies;
     const int64_t count = t->rows > 0 ? t->rows : arrange_bonds(model->scene);
+    self->body = on_spheres ? model->clumps.list.body : NULL;
+    if (on_spheres && vti_clumps_spread(&model->clumps.list, &model->bodies) != VTI_OK)
+        return message_set(message, "%s: bodies.clumps: their spheres have no places", model->scene->name);
     self->pair = calloc((size_t)(2 * count), sizeof *self->pair);
     self->memory = calloc((size_t)((REST + turns + STIFFNESSES) * count), sizeof *self->memory);
     if (self->pair == NULL || self->memory == NULL)
         return out_of_memory(model, message);
     if (t->rows == 0)
         arrange_bond_pairs(model->scene, self->pair);
-    else if (read_pairs(model, t, self->pair, message) != 0)
+    else if (read_pairs(model, t, self->body, self->pair, message) != 0)
         return -1;
-    if (vti_bonds_rest(count, self->pair, 0, &model->bodies.x, self->memory, &fault) != VTI_OK)
-        return fail_rest(model, t, self->pair, fault.body, message);
     double *turn = self->memory + REST * count, *next = turn + turns * count;
+    if ((on_spheres ? vti_bonds_rest_now(count, self->pair, 0, joined, self->memory, turn, &fault)
+                    : vti_bonds_rest(count, self->pair, 0, &joined->x, self->memory, &fault)) != VTI_OK)
+        return fail_rest(model, t, self, fault.body, message);
     vti_bonds *bonds = &self->bonds;
     if (take_rest(t, self->memory, message) != 0 || take_turns(t, turn, message) != 0)
         return -1;
@@ -161,7 +176,7 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
     bonds->axial = stiffness(&binder->stiffness[1], t, BOND_AXIAL, &next);
     bonds->shear = stiffness(&binder->stiffness[2], t, BOND_SHEAR, &next);
     bonds->shear_form = binder->shear_form;
-    const int status = vti_bonds_check(bonds, model->bodies.count, &fault);
+    const int status = vti_bonds_check(bonds, joined->count, &fault);
     if (status != VTI_OK)
         return message_set(message, "%s: bond %lld: %s", model->scene->name, (long long)fault.body,
                            vti_status_text(status));

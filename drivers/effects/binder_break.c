@@ -41,6 +41,7 @@ void binder_add_rupture(vti_effect *effect, int breaks)
     effect->dissipates = 1;
     effect->books = VTI_RUPTURE_BOOKS;
     effect->book = book;
+    effect->of_body = VTI_RUPTURE_BOOKS;
 }
 
 /* ---- making ------------------------------------------------------------------------------------------------------ */
@@ -88,6 +89,7 @@ void binder_take_limits(struct effect *e, const struct table *table)
     b->rupture.bonds = &self->bonds;
     b->rupture.id = b->id;
     b->rupture.lost = e->booked;
+    b->rupture.by_body = e->by_body;
 }
 
 int binder_make_breaking(struct effect *e, const struct model *model, const struct table *table,

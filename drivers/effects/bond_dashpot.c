@@ -40,6 +40,15 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     return 0;
 }
 
+/** As the bonds do. */
+static int on_spheres(const union effect_settings *all)
+{
+    int on = 0;
+    for (int k = 0; k < EFFECT_COUNT; ++k)
+        on |= kinds_at(k)->bonds != NULL && kinds_has(kinds_at(k), all, EFFECT_ON_SPHERES);
+    return on;
+}
+
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
 static void fill(vti_bond_dashpots *dashpots, const struct bond_dashpot_settings *d, vti_sum *lost)
@@ -78,6 +87,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
         if (model->rooms[k].kind->bonds != NULL)
             dashpots->bonds = model->rooms[k].kind->bonds(&model->rooms[k]);
     fill(dashpots, e->settings, e->booked);
+    dashpots->by_body = e->by_body;
     *made = vti_bond_dashpots_effect(dashpots);
     made->needs &= ~(int64_t)(1 << VTI_QUANTITY_OMEGA); /* what bonds turn has it */
     made->needs |= dashpots->bending > 0.0 || dashpots->twisting > 0.0 ? 1 << VTI_QUANTITY_OMEGA : 0;
@@ -96,5 +106,6 @@ const struct effect_kind effect_bond_dashpot = {.number = EFFECT_bond_dashpot,
                                                 .settings = sizeof(struct bond_dashpot_settings),
                                                 .check = check,
                                                 .draft = draft,
+                                                .on_spheres = on_spheres,
                                                 .make = make,
                                                 EFFECT_TERMS(terms)};

@@ -131,14 +131,14 @@ static int make(struct effect *e, const struct model *model, const struct table 
         free(pair);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     }
-    if (held > 0 && model->clumps.list.count > 0) {
+    if (held > 0 && model->clumps.list.count > 0 && !shape_lines_join_spheres(model)) {
         free(pair);
         return message_set(message,
                            "%s: contact.bonded: spheres of clumps touch, whether these are bonded or not; give yes",
                            model->scene->name);
     }
     for (int64_t k = 0; k < held; ++k)
-        shape_line(model, k, pair + 2 * k);
+        shape_ends(model, k, pair + 2 * k);
     self->contacts.diameter = model->diameter;
     self->contacts.stiffness = contact->stiffness;
     self->parts = !contact->bonded && shape_breaking(model) != NULL;

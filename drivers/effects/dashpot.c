@@ -198,6 +198,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     dashpots->friction = friction != NULL ? friction->kind->friction(friction, 0) : NULL;
     dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
     fill(dashpots, d, e->booked);
+    dashpots->by_body = e->by_body;
     if (effect_walls_match(model, "dashpot.wall_restitution", &d->walls, surfaces.walls, message) != 0)
         return -1;
     for (int64_t w = 0; w < d->walls.count; ++w)

@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Drag: a medium slows what moves and turns in it (EQUATIONS 6.3). */
+ * Drag: a medium slows what moves and turns in it (EQUATIONS 6.3), by coefficients of all bodies, or by those of each
+ * sphere, of diameter D, in slow flow (G. G. Stokes 1851, G. Kirchhoff 1876) and in fast flow (I. Newton 1687):
+ *
+ *     c = 3 pi viscosity D,     c_r = pi viscosity D^3,     k = pi/8 C_D density D^2 */
+#include <stdlib.h>
+
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
@@ -8,7 +13,13 @@ enum { ON_BODIES, ON_SPHERES };
 
 struct drag_settings {
     double linear, quadratic, angular, medium[3];
+    double viscosity, density, coefficient; /* of the medium; of the spheres in it */
     int64_t on;
+};
+
+struct drag_self {
+    vti_drag drag;
+    double *memory; /* coefficients of each sphere; NULL where all have the same */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -25,36 +36,85 @@ static const struct scene_field fields[] = {
      "Mass per length: F = -k |v - medium| (v - medium), of a sphere in fast flow 0.2 to 0.25 density D^2.", NULL},
     {"drag.angular", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, AT(angular), "coefficient c_r",
      "Energy times time: RM = -c_r Omega, of a sphere in slow flow pi viscosity D^3.", NULL},
+    {"drag.viscosity", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(viscosity), "dynamic viscosity",
+     "Mass per length and time, in the place of linear and angular: slow flow past each sphere by its own diameter D, "
+     "linear = 3 pi viscosity D and angular = pi viscosity D^3 (Stokes). Bodies turn, and of clumps each sphere feels "
+     "it (on: spheres).",
+     NULL},
+    {"drag.density", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(density), "density of the medium",
+     "Mass per volume, in the place of quadratic: fast flow past each sphere by its own diameter D, quadratic = pi/8 "
+     "coefficient density D^2 (Newton); of clumps each sphere feels it (on: spheres).",
+     NULL},
+    {"drag.coefficient", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(coefficient), "drag coefficient C_D",
+     "Of spheres, beside density; 0.44 where it is left out.", NULL},
     {"drag.medium", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(medium), "velocity of the medium",
      "What velocities tend to; [0, 0, 0] where it is left out.", NULL},
     {"drag.on", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(on), "what of clumps feels the medium",
-     "bodies (without it): the velocity of the centre of mass, and Omega; spheres: each sphere of bodies.clumps, with "
-     "these coefficients, the velocity v + Omega x r of its centre.",
+     "bodies (without it): the velocity of the centre of mass, and Omega; spheres: each sphere of bodies.clumps the "
+     "velocity v + Omega x r of its centre, with linear, quadratic and angular as they stand or those of its diameter.",
      places},
 };
 #undef AT
 
-static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
+static void defaults(void *settings)
 {
-    const struct drag_settings *drag = settings;
-    const int slows = drag->linear > 0.0 || drag->quadratic > 0.0, turns = drag->angular > 0.0;
-    const int known = scene->arrangement != SCENE_IN_TABLE;
-    if (!scene_reader_has(reader, "drag.linear") && !scene_reader_has(reader, "drag.quadratic") &&
-        !scene_reader_has(reader, "drag.angular"))
-        return scene_reader_fail(reader, "drag", "no coefficient; give linear, quadratic or angular");
-    if (known && slows && !scene->translates)
-        return scene_reader_fail(reader, drag->linear > 0.0 ? "drag.linear" : "drag.quadratic",
-                                 "acts on bodies that translate; give bodies.x or an arrangement of them");
-    if (known && turns && !scene->turns)
-        return scene_reader_fail(reader, "drag.angular", "acts on bodies that turn; give bodies.omega");
-    if (drag->on == ON_SPHERES && !scene->clumps.given)
-        return scene_reader_fail(reader, "drag.on", "there are no clumps; give bodies.clumps, or leave it out");
+    ((struct drag_settings *)settings)->coefficient = 0.44; /* Reynolds' numbers from 750 to 2e5 */
+}
+
+/** By what of the scene bodies are slowed, in translation and in rotation alone; NULL: by nothing. */
+static const char *slows_by(const struct drag_settings *drag)
+{
+    return drag->viscosity > 0.0   ? "drag.viscosity"
+           : drag->density > 0.0   ? "drag.density"
+           : drag->linear > 0.0    ? "drag.linear"
+           : drag->quadratic > 0.0 ? "drag.quadratic"
+                                   : NULL;
+}
+
+/** What diameters say is not said again, and of what has none nothing is said. */
+static int check_flow(const struct scene_reader *reader, const struct scene *scene, const struct drag_settings *drag)
+{
+    static const char *const twice[][2] = {
+        {"drag.linear", "drag.viscosity"}, {"drag.angular", "drag.viscosity"}, {"drag.quadratic", "drag.density"}};
+    const char *const flow = slows_by(drag);
+    const int has_diameter = scene->diameter != 0.0 || scene->clumps.given || scene->arrangement != SCENE_SINGLE;
+    for (size_t k = 0; k < sizeof twice / sizeof twice[0]; ++k)
+        if (scene_reader_has(reader, twice[k][0]) && scene_reader_has(reader, twice[k][1]))
+            return scene_reader_fail(reader, twice[k][0], "given besides %s, which says it; keep one of them",
+                                     twice[k][1]);
+    if (scene_reader_has(reader, "drag.coefficient") && drag->density == 0.0)
+        return scene_reader_fail(reader, "drag.coefficient", "given without drag.density; give that too");
+    if (drag->viscosity == 0.0 && drag->density == 0.0)
+        return 0;
+    if (!has_diameter)
+        return scene_reader_fail(reader, flow, "acts by the diameter; give bodies.diameter");
+    if (scene->clumps.given && drag->on != ON_SPHERES)
+        return scene_reader_fail(reader, flow, "acts by diameters, which spheres of clumps have; give on: spheres");
     return 0;
 }
 
-static int on_spheres(const void *settings)
+static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
-    return ((const struct drag_settings *)settings)->on == ON_SPHERES;
+    const struct drag_settings *drag = settings;
+    const char *const slows = slows_by(drag);
+    const int known = scene->arrangement != SCENE_IN_TABLE;
+    if (slows == NULL && !scene_reader_has(reader, "drag.linear") && !scene_reader_has(reader, "drag.quadratic") &&
+        !scene_reader_has(reader, "drag.angular") && !scene_reader_has(reader, "drag.coefficient"))
+        return scene_reader_fail(reader, "drag",
+                                 "no coefficient; give linear, quadratic or angular, viscosity or density");
+    if (known && slows != NULL && !scene->translates)
+        return scene_reader_fail(reader, slows,
+                                 "acts on bodies that translate; give bodies.x or an arrangement of them");
+    if (known && drag->angular > 0.0 && !scene->turns)
+        return scene_reader_fail(reader, "drag.angular", "acts on bodies that turn; give bodies.omega");
+    if (drag->on == ON_SPHERES && !scene->clumps.given)
+        return scene_reader_fail(reader, "drag.on", "there are no clumps; give bodies.clumps, or leave it out");
+    return check_flow(reader, scene, drag);
+}
+
+static int on_spheres(const union effect_settings *all)
+{
+    return ((const struct drag_settings *)kinds_settings_of(&effect_drag, all))->on == ON_SPHERES;
 }
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
@@ -68,9 +128,9 @@ static vti_scalars coefficient(const double *value)
 
 static void fill(vti_drag *drag, const struct drag_settings *settings, vti_sum *lost)
 {
-    drag->linear = coefficient(&settings->linear);
-    drag->quadratic = coefficient(&settings->quadratic);
-    drag->angular = coefficient(&settings->angular);
+    drag->linear = coefficient(settings->viscosity > 0.0 ? &settings->viscosity : &settings->linear);
+    drag->quadratic = coefficient(settings->density > 0.0 ? &settings->density : &settings->quadratic);
+    drag->angular = coefficient(settings->viscosity > 0.0 ? &settings->viscosity : &settings->angular);
     for (int k = 0; k < 3; ++k)
         drag->medium[k] = settings->medium[k];
     drag->lost = lost;
@@ -83,18 +143,51 @@ static vti_effect draft(const void *settings, const struct table *table)
     (void)table;
     fill(&drag, settings, none);
     vti_effect effect = vti_drag_effect(&drag);
+    effect.gives = ((const struct drag_settings *)settings)->viscosity > 0.0 ? EFFECT_MOMENT : 0;
     effect.self = effect.booked = NULL;
     return effect;
+}
+
+/** Coefficients of each sphere, in the place of what fill has put there. */
+static int fill_each(struct drag_self *self, const struct drag_settings *settings, const struct model *model,
+                     struct message *message)
+{
+    static const double pi = 3.14159265358979323846;
+    const int64_t n = model_spheres(model)->count;
+    const int slow = settings->viscosity > 0.0, fast = settings->density > 0.0;
+    if (!slow && !fast)
+        return 0;
+    if (model->diameter.p == NULL)
+        return message_set(message, "%s: %s acts by diameters; give a column diameter, or bodies.diameter",
+                           model->scene->name, slows_by(settings));
+    double *const c = self->memory = calloc((size_t)n, 3 * sizeof *c);
+    if (c == NULL)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    double *const angular = c + n, *const k = c + 2 * n;
+    for (int64_t s = 0; s < n; ++s) {
+        const double D = model->diameter.p[s * model->diameter.stride];
+        c[s] = 3.0 * pi * settings->viscosity * D;
+        angular[s] = pi * settings->viscosity * D * D * D;
+        k[s] = pi / 8.0 * settings->coefficient * settings->density * D * D;
+    }
+    self->drag.linear = slow ? vti_scalars_array(c) : self->drag.linear;
+    self->drag.angular = slow ? vti_scalars_array(angular) : self->drag.angular;
+    self->drag.quadratic = fast ? vti_scalars_array(k) : self->drag.quadratic;
+    return 0;
 }
 
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message)
 {
-    vti_drag *drag = effect_memory(e, sizeof *drag, message);
+    struct drag_self *self = effect_memory(e, sizeof *self, message);
     (void)table;
-    if (drag == NULL)
+    if (self == NULL)
         return -1;
-    fill(drag, e->settings, e->booked);
+    const vti_drag *drag = &self->drag;
+    fill(&self->drag, e->settings, e->booked);
+    self->drag.by_body = e->by_body;
+    if (fill_each(self, e->settings, model, message) != 0)
+        return -1;
     *made = vti_drag_effect(drag);
     if ((drag->linear.p != NULL || drag->quadratic.p != NULL) && !model->translates)
         return message_set(message, "%s: drag acts on bodies that translate; give columns x, y, z", model->scene->name);
@@ -102,6 +195,11 @@ static int make(struct effect *e, const struct model *model, const struct table 
         return message_set(message, "%s: drag.angular acts on bodies that turn; give columns omega_x, omega_y, omega_z",
                            model->scene->name);
     return 0;
+}
+
+static void destroy(struct effect *e)
+{
+    free(((struct drag_self *)e->self)->memory);
 }
 
 static const struct effect_term terms[] = {
@@ -112,8 +210,10 @@ const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         .key = "drag",
                                         EFFECT_FIELDS(fields),
                                         .settings = sizeof(struct drag_settings),
+                                        .defaults = defaults,
                                         .check = check,
                                         .draft = draft,
                                         .on_spheres = on_spheres,
                                         .make = make,
+                                        .destroy = destroy,
                                         EFFECT_TERMS(terms)};

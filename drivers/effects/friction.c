@@ -123,6 +123,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->friction.wall_sliding = f->walls.count > 0 ? f->walls.number : NULL;
     self->chunks = surfaces.chunks;
     fill(&self->friction, e->settings, NULL, e->booked);
+    self->friction.by_body = e->by_body;
     if (friction_make_chunks(self) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     *made = vti_friction_effect(&self->friction);
@@ -136,6 +137,7 @@ static void destroy(struct effect *e)
     for (int64_t k = 0; self->chunk != NULL && k < self->count; ++k)
         free(self->chunk[k].history.slot);
     free(self->chunk);
+    free(self->by_pair);
 }
 
 static const vti_friction *friction_of(const struct effect *e, int64_t k)

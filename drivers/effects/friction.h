@@ -20,6 +20,7 @@ struct friction_self {
     const struct chunks *chunks; /* NULL: none */
     int64_t count;               /* of chunks, or 1, of which only the history is used */
     struct friction_chunk *chunk;
+    double *by_pair;        /* of all chunks, where bodies have books: what each pair loses in one drift; NULL: none */
     vti_effect whole, made; /* as in one piece, and as it is */
 };
 

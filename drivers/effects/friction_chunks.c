@@ -32,11 +32,15 @@ static int make_room(vti_history *history, int64_t touches)
     return 0;
 }
 
-/** Bodies that may touch walls after the next drift, once for each: nearer than their diameter. */
-static int64_t near_walls(const struct friction_self *self, const vti_bodies *b)
+/** Bodies that may touch walls after the next drift, once for each: nearer than their diameter; all of them where these
+ *  are no more than the pairs, so that nobody needs to look. */
+static int64_t near_walls(const struct friction_self *self, const vti_bodies *b, int64_t pairs)
 {
     const vti_walls *walls = self->friction.walls;
-    int64_t count = 0;
+    int64_t count = walls != NULL ? b->count * (walls->count + walls->cylinders) : 0;
+    if (count <= pairs)
+        return count;
+    count = 0;
     for (int64_t w = 0; walls != NULL && w < walls->count + walls->cylinders; ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i) {
             const int64_t at = i * b->x.stride;
@@ -61,7 +65,25 @@ static int64_t find_in_chunk(void *context, int64_t k)
     const vti_contacts *contacts = chunks != NULL ? &chunks->of[k] : f->self->friction.contacts;
     const vti_bodies own = chunks != NULL ? chunks_slice(chunks, k, f->bodies) : *f->bodies;
     const int64_t pairs = contacts != NULL ? contacts->count : 0;
-    return make_room(history, history->used + pairs + near_walls(f->self, &own)) != 0;
+    return make_room(history, history->used + pairs + near_walls(f->self, &own, pairs)) != 0;
+}
+
+/** Where bodies have books chunks share some of them: pairs are booked one by one then, and joined afterwards. Returns 0,
+ *  or 1 if there is no memory. */
+static int make_books_of_pairs(struct friction_self *self)
+{
+    if (self->chunks == NULL || self->friction.by_body == NULL || self->friction.contacts == NULL)
+        return 0;
+    const size_t pairs = (size_t)self->friction.contacts->count + 1;
+    double *by_pair = realloc(self->by_pair, VTI_FRICTION_BOOKS * pairs * sizeof *by_pair);
+    if (by_pair == NULL)
+        return 1;
+    self->by_pair = by_pair;
+    for (int64_t k = 0; k < self->count; ++k) {
+        self->chunk[k].friction.by_pair = by_pair;
+        by_pair += VTI_FRICTION_BOOKS * self->chunks->of[k].count;
+    }
+    return 0;
 }
 
 int friction_find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
@@ -70,7 +92,7 @@ int friction_find_pairs(struct effect *e, const vti_bodies *bodies, struct messa
     struct finding finding = {self, bodies};
     const int64_t failed =
         self->chunks != NULL ? chunks_all(self->chunks, find_in_chunk, &finding) : find_in_chunk(&finding, 0);
-    if (failed == 0)
+    if (failed == 0 && make_books_of_pairs(self) == 0)
         return 0;
     return message_set(message, "friction: out of memory for %lld touches; use fewer bodies",
                        (long long)(self->friction.contacts != NULL ? self->friction.contacts->count : bodies->count));
@@ -251,6 +273,19 @@ static void energy(const void *friction, const vti_bodies *b, double *energies)
         energies[n] = vti_sum_value(&sum[n]);
 }
 
+/** What the pairs of a chunk have lost, half to each body. */
+static void share_pairs(const vti_friction *friction)
+{
+    const vti_contacts *const contacts = friction->contacts;
+    for (int64_t k = 0; k < 2 * contacts->count; ++k)
+        for (int n = 0; n < VTI_FRICTION_BOOKS; ++n) {
+            const double lost = friction->by_pair[VTI_FRICTION_BOOKS * (k / 2) + n];
+            if (lost != 0.0)
+                vti_sum_add(&friction->by_body[VTI_FRICTION_BOOKS * (contacts->pair[k] - contacts->base) + n],
+                            0.5 * lost);
+        }
+}
+
 struct carrying {
     const struct friction_self *self;
     const vti_bodies *bodies;
@@ -279,6 +314,8 @@ static void carry(const void *friction, const vti_bodies *b, const vti_drifted *
         if (k > 0) /* the table that check looks at */
             self->friction.history->missed += chunk->history.missed;
         chunk->history.missed = k > 0 ? 0 : chunk->history.missed;
+        if (chunk->friction.by_pair != NULL)
+            share_pairs(&chunk->friction);
     }
 }
 

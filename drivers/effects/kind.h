@@ -31,6 +31,8 @@ struct effect {
     const void *settings;      /* kind->settings bytes: what the scene says */
     void *self;                /* what it acts with: from effect_memory, or NULL */
     vti_sum booked[VTI_TERMS]; /* its booked energies, which make points to where it has some; a run keeps them */
+    vti_sum *by_body;          /* what of these each body has lost, of clumps each sphere, [of_body] of vti_effect;
+                                  NULL: nobody asks (scene.by_body) */
 };
 
 /** An effect as a slice of the bodies feels it. */
@@ -61,7 +63,7 @@ struct effect_lines {
     int quantities;                      /* at most EFFECT_QUANTITIES */
     int (*told)(const struct effect *e); /* how many of them, from the first on, this scene has; NULL: all */
     int64_t (*count)(const struct effect *e);
-    /** The bodies, from 0, of line k. */
+    /** The bodies, from 0, of line k; the spheres of clumps, where it acts on these, as values are asked of them. */
     void (*ends)(const struct effect *e, int64_t k, int64_t pair[2]);
     /** value[q][k] for quantity q of line k, with the bodies where they are at the end of the step. Returns VTI_OK or a
      *  status. */
@@ -150,8 +152,9 @@ struct effect_kind {
      *  to have: a moment if it turns them. */
     vti_effect (*draft)(const void *settings, const struct table *table);
     int spheres; /* 1: acts where surfaces meet: bodies need diameters, and small steps to meet */
-    int (*on_spheres)(const void *settings); /* whether it acts on the spheres of clumps; NULL: as spheres says */
-    int near;                                /* 1: looks at pairs that touch only at the end of the step, too */
+    /** Whether it acts on the spheres of clumps, by the settings of all kinds; NULL: as spheres says. */
+    int (*on_spheres)(const union effect_settings *all);
+    int near; /* 1: looks at pairs that touch only at the end of the step, too */
 
     /* Its table, which one of the fields names (SCENE_PATH). */
     const struct table_kind *table;

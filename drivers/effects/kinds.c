@@ -67,14 +67,13 @@ int kinds_has(const struct effect_kind *kind, const union effect_settings *all, 
     const vti_effect draft = kinds_draft(kind, all, NULL);
     const int translates =
         (draft.gives & EFFECT_FORCE) != 0 || (draft.needs & 1 << VTI_QUANTITY_X) != 0 || kind->lines != NULL;
-    return trait == EFFECT_TRANSLATING ? translates
-           : trait == EFFECT_STIFF     ? translates && kind->field == NULL
-           : trait == EFFECT_SPHERES   ? kind->spheres
-           : trait == EFFECT_SURFACES  ? kind->surfaces != NULL
-           : trait == EFFECT_NEAR      ? kind->near
-           : trait == EFFECT_ON_SPHERES
-               ? kind->spheres || (kind->on_spheres != NULL && kind->on_spheres(kinds_settings_of(kind, all)))
-               : !draft.smooth;
+    return trait == EFFECT_TRANSLATING  ? translates
+           : trait == EFFECT_STIFF      ? translates && kind->field == NULL
+           : trait == EFFECT_SPHERES    ? kind->spheres
+           : trait == EFFECT_SURFACES   ? kind->surfaces != NULL
+           : trait == EFFECT_NEAR       ? kind->near
+           : trait == EFFECT_ON_SPHERES ? kind->spheres || (kind->on_spheres != NULL && kind->on_spheres(all))
+                                        : !draft.smooth;
 }
 
 void *effect_memory(struct effect *e, size_t bytes, struct message *message)

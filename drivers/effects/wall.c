@@ -157,6 +157,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     fill(&self->walls, wall);
     self->walls.diameter = model->diameter;
     self->walls.work = e->booked;
+    self->walls.by_body = e->by_body;
     if (wall->young > 0.0) {
         self->walls.modulus = modulus_of_bodies(model);
         self->walls.moduli = self->moduli;

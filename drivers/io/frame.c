@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "shape.h"
 
@@ -10,9 +11,12 @@ void frame_layout_of(const struct model *model, struct frame_layout *layout)
 {
     const vti_bodies *b = &model->bodies;
     int64_t next = 2;
-    const struct frame_layout empty = {model, b->count, b->v.c[0] != NULL, b->omega.c[0] != NULL, next, 0, 0, 0,
-                                       0,     NULL};
-    *layout = empty;
+    memset(layout, 0, sizeof *layout);
+    layout->model = layout->booking = model;
+    layout->n = b->count;
+    layout->translates = b->v.c[0] != NULL;
+    layout->turns = b->omega.c[0] != NULL;
+    layout->x = next;
     next += 3 * b->count;
     if (layout->translates) {
         layout->v = next;
@@ -23,7 +27,9 @@ void frame_layout_of(const struct model *model, struct frame_layout *layout)
         layout->alpha = next + 3 * b->count;
         next += 6 * b->count;
     }
-    layout->doubles = next;
+    layout->entries = model_body_books(model, layout->entry);
+    layout->lost = layout->entries > 0 ? next : 0;
+    layout->doubles = next + layout->entries * b->count;
 }
 
 /** Where body i stands. */
@@ -51,6 +57,16 @@ void frame_take(const struct frame_layout *layout, int64_t step, double t, const
         copy(layout, &bodies->omega, frame + layout->omega);
         copy(layout, &bodies->alpha, frame + layout->alpha);
     }
+    for (int64_t k = 0; k < layout->entries; ++k)
+        model_body_booked(layout->booking, k, layout->number, frame + layout->lost + k * layout->n);
+}
+
+void frame_lost(const struct frame_layout *layout, const double *frame, double *lost)
+{
+    memset(lost, 0, (size_t)layout->n * sizeof *lost);
+    for (int64_t k = 0; k < layout->entries; ++k)
+        for (int64_t i = 0; i < layout->n && strncmp(layout->entry[k], "lost_", 5) == 0; ++i)
+            lost[i] += frame[layout->lost + k * layout->n + i];
 }
 
 void frame_attitudes(const struct frame_layout *layout, const double *frame, double *xyzw)

@@ -85,7 +85,7 @@ int record_box(const struct record *record, double low[3], double high[3], struc
 static const struct {
     const char *name;
     int field;
-} all[] = {{"force", FIELD_FORCE}, {"moment", FIELD_MOMENT}};
+} all[] = {{"force", FIELD_FORCE}, {"moment", FIELD_MOMENT}, {"lost", FIELD_LOST}};
 
 enum { ALL = sizeof all / sizeof all[0] };
 
@@ -100,7 +100,7 @@ int fields_read(const char *text, int *fields, struct message *message)
             if (strlen(all[k].name) == length && strncmp(at, all[k].name, length) == 0)
                 field = all[k].field;
         if (field == 0)
-            return message_set(message, "--fields: '%.*s' is not a field; there are force and moment",
+            return message_set(message, "--fields: '%.*s' is not a field; there are force, moment and lost",
                                length < 100 ? (int)length : 100, at);
         *fields |= field;
     }
@@ -109,7 +109,7 @@ int fields_read(const char *text, int *fields, struct message *message)
 
 int fields_check(int fields, const struct model *model, struct message *message)
 {
-    for (int64_t e = 0; e < model->effects_count && fields != 0; ++e)
+    for (int64_t e = 0; e < model->effects_count && (fields & FIELD_LOADS) != 0; ++e)
         if (model->effects[e].carry != NULL || model->effects[e].rupture != NULL)
             return message_set(
                 message,
@@ -117,9 +117,13 @@ int fields_check(int fields, const struct model *model, struct message *message)
                 "out",
                 model->effects[e].name);
     const vti_bodies *b = &model->bodies;
+    const char *name[EFFECT_TERMS_OF_ALL];
     const int there = (b->force.c[0] != NULL ? FIELD_FORCE : 0) | (b->moment.c[0] != NULL ? FIELD_MOMENT : 0);
+    if ((fields & FIELD_LOST) != 0 && model_body_books(model, name) == 0)
+        return message_set(message, "--fields: no effect of %s takes energy that bodies lose; leave lost out",
+                           model->scene->name);
     for (int k = 0; k < ALL; ++k)
-        if ((fields & ~there & all[k].field) != 0)
+        if ((fields & FIELD_LOADS & ~there & all[k].field) != 0)
             return message_set(message, "--fields: no effect of %s gives a %s; leave it out", model->scene->name,
                                all[k].name);
     return 0;

@@ -11,14 +11,17 @@
 /* ---- frames ----------------------------------------------------------------------------------------------------- */
 
 /** A frame of a trajectory: all bodies at one time, in doubles: step, t, then x[n][3], v[n][3] if the bodies translate,
- *  and omega[n][3] and alpha[n][3] if they turn. */
+ *  omega[n][3] and alpha[n][3] if they turn, and each entry of what they have lost [n], if that is asked for. */
 struct frame_layout {
     const struct model *model; /* must outlive the layout */
     int64_t n;
     int translates, turns;
-    int64_t x, v, omega, alpha; /* where they are in the frame; 0 is absent */
-    int64_t doubles;            /* of the whole frame */
-    const int64_t *number;      /* [n] where bodies go that frames are taken of (renumber.h); NULL: as they are */
+    int64_t x, v, omega, alpha;             /* where they are in the frame; 0 is absent */
+    int64_t lost, entries;                  /* and the entries of what bodies have lost (model_body_books), */
+    const char *entry[EFFECT_TERMS_OF_ALL]; /* their names, */
+    const struct model *booking;            /* and the model that books them */
+    int64_t doubles;                        /* of the whole frame */
+    const int64_t *number; /* [n] where bodies go that frames are taken of (renumber.h); NULL: as they are */
 };
 
 void frame_layout_of(const struct model *model, struct frame_layout *layout);
@@ -39,6 +42,9 @@ void frame_principal(const struct frame_layout *layout, const double *frame, int
 /** Where sphere s of the model's clumps is, and its velocity. */
 void frame_sphere(const struct frame_layout *layout, const double *frame, int64_t s, double x[3], double v[3]);
 
+/** Of each body the sum [n] of what it has lost: of all entries but the work of walls. */
+void frame_lost(const struct frame_layout *layout, const double *frame, double *lost);
+
 /** Whether bodies have fragments (struct effect_breaks), and which each of them is in [n]. */
 int frame_has_fragments(const struct frame_layout *layout);
 void frame_fragments(const struct frame_layout *layout, const double *frame, double *fragment);
@@ -54,12 +60,12 @@ int frame_loads(struct model *model, const struct frame_layout *layout, const do
 /* ---- what is written of bodies if it is asked for: --fields ----------------------------------------------------- */
 
 /** Sets of them are sums. */
-enum { FIELD_FORCE = 1, FIELD_MOMENT = 2 };
+enum { FIELD_FORCE = 1, FIELD_MOMENT = 2, FIELD_LOST = 4, FIELD_LOADS = FIELD_FORCE | FIELD_MOMENT };
 
 /** "force,moment", each once or more. Returns 0, or -1 with one line in *message. */
 int fields_read(const char *text, int *fields, struct message *message);
-/** Whether the model has them all: a force if an effect gives one, a moment alike. Returns 0, or -1 with one line in
- *  *message. */
+/** Whether the model has them all: a force if an effect gives one, a moment alike, losses if an effect books some.
+ *  Returns 0, or -1 with one line in *message. */
 int fields_check(int fields, const struct model *model, struct message *message);
 
 /* ---- the record ------------------------------------------------------------------------------------------------- */

@@ -86,12 +86,14 @@ static int write_text(const struct run_files *files, const struct record *record
                       struct message *message)
 {
     struct message ignored = {""};
+    char spheres[264];
     message->text[0] = '\0';
+    name_of(files, SPHERES, spheres);
     FILE *file = folder_open(files->folder, name, message);
     if (file == NULL)
         return -1;
     const int failed = kind == CSV    ? run_csv_write(record, file, message)
-                       : kind == XDMF ? run_xdmf_write(record, files->hdf5, file, message)
+                       : kind == XDMF ? run_xdmf_write(record, files->hdf5, spheres, file, message)
                                       : run_dump_write(record, file, message);
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }

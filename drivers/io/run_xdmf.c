@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Grids over time that share the points: "bodies" and one for the lines of each effect that has any, "bonds". Every
- * array is a slab of the rows of one frame in a dataset of /VTKHDF. Another grid for the planes of an effect, "walls",
- * has a square for each: one of all times, or where planes move one of each frame. */
+ * array is a slab of the rows of one frame in a dataset of /VTKHDF. Of clumps "spheres" is such a grid of OUT-spheres.h5.
+ * Another grid for the planes of an effect, "walls", has a square for each: one of all times, or where planes move one
+ * of each frame. */
 #include "run_formats.h"
 
 #include <math.h>
@@ -16,7 +17,9 @@ struct writer {
     const struct record *record;
     FILE *file;
     const char *name;                /* of the HDF5 file */
-    const struct shape_group *group; /* the grid is that of these lines; NULL: of the bodies */
+    const char *points;              /* of the grid: "bodies", "spheres" */
+    int64_t n;                       /* how many */
+    const struct shape_group *group; /* the grid is that of these lines; NULL: of the points */
 };
 
 static void escaped(FILE *file, const char *text)
@@ -46,7 +49,7 @@ static void whole(const struct writer *w, const char *path, int64_t rows, int64_
  *  four components are written so that every version of ParaView's reader takes them for what they are. */
 static void slab(const struct writer *w, const char *path, int64_t k, int64_t columns)
 {
-    const long long n = (long long)w->record->frames.n, all = n * (long long)w->record->journal->frames.mark.count;
+    const long long n = (long long)w->n, all = n * (long long)w->record->journal->frames.mark.count;
     fprintf(w->file,
             "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%lld%s %lld\">\n"
             "<DataItem Dimensions=\"3 2\" NumberType=\"Int\" Format=\"XML\">%lld 0 1 1 %lld %lld</DataItem>\n",
@@ -95,11 +98,13 @@ static void attribute(const struct writer *w, const char *name, int64_t k, int64
     fputs("</Attribute>\n", w->file);
 }
 
-static void fragments(const struct writer *w, int64_t k)
+static void number_attribute(const struct writer *w, const char *name, int64_t k)
 {
     const int64_t n = w->record->frames.n;
-    fputs("<Attribute Name=\"fragment\" AttributeType=\"Scalar\" Center=\"Node\">\n", w->file);
-    slab_of_numbers(w, "PointData/fragment", k, n, 0, n);
+    char path[64];
+    snprintf(path, sizeof path, "PointData/%s", name);
+    fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Node\">\n", name);
+    slab_of_numbers(w, path, k, n, 0, n);
     fputs("</Attribute>\n", w->file);
 }
 
@@ -108,13 +113,13 @@ static void fixed_attribute(const struct writer *w, const char *name, const char
     char path[64];
     snprintf(path, sizeof path, "PointData/%s", name);
     fprintf(w->file, "<Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Node\">\n", name);
-    whole(w, path, w->record->frames.n, 1, type);
+    whole(w, path, w->n, 1, type);
     fputs("</Attribute>\n", w->file);
 }
 
 static void topology(const struct writer *w)
 {
-    const long long n = (long long)w->record->frames.n, count = w->group != NULL ? (long long)w->group->count : n;
+    const long long n = (long long)w->n, count = w->group != NULL ? (long long)w->group->count : n;
     if (w->group != NULL)
         fprintf(w->file, "<Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"%lld\">\n",
                 count);
@@ -135,23 +140,40 @@ static void topology(const struct writer *w)
     fputs("</DataItem>\n</Topology>\n", w->file);
 }
 
-/** The lines of the group, or the bodies: "bonds", "bodies". */
+/** The lines of the group, the spheres of clumps, or the bodies: "bonds", "spheres", "bodies". */
 static void write_name(const struct writer *w)
 {
-    fprintf(w->file, "<Grid Name=\"%s%s", w->group != NULL ? w->group->effect->kind->lines->name : "bodies",
+    fprintf(w->file, "<Grid Name=\"%s%s", w->group != NULL ? w->group->effect->kind->lines->name : w->points,
             w->group != NULL ? "s" : "");
+}
+
+/** What every grid of a frame begins with: its time, and where its points are. */
+static void begin_frame(const struct writer *w, int64_t k, double t)
+{
+    write_name(w);
+    fprintf(w->file, "\" GridType=\"Uniform\">\n<Time Value=\"%s\"/>\n", NUMBER(t));
+    topology(w);
+    fputs("<Geometry GeometryType=\"XYZ\">\n", w->file);
+    slab(w, "Points", k, 3);
+    fputs("</Geometry>\n", w->file);
+}
+
+static int take_spheres(void *self, int64_t k, const double *frame)
+{
+    const struct writer *w = self;
+    begin_frame(w, k, frame[1]);
+    attribute(w, "velocity", k, 3);
+    fixed_attribute(w, "diameter", "Float");
+    fixed_attribute(w, "body", "Int");
+    fputs("</Grid>\n", w->file);
+    return ferror(w->file) ? -1 : 0;
 }
 
 static int take_frame(void *self, int64_t k, const double *frame)
 {
     const struct writer *w = self;
     const struct frame_layout *layout = &w->record->frames;
-    write_name(w);
-    fprintf(w->file, "\" GridType=\"Uniform\">\n<Time Value=\"%s\"/>\n", NUMBER(frame[1]));
-    topology(w);
-    fputs("<Geometry GeometryType=\"XYZ\">\n", w->file);
-    slab(w, "Points", k, 3);
-    fputs("</Geometry>\n", w->file);
+    begin_frame(w, k, frame[1]);
     if (layout->translates)
         attribute(w, "velocity", k, 3);
     if (layout->turns) {
@@ -168,7 +190,11 @@ static int take_frame(void *self, int64_t k, const double *frame)
     if ((w->record->fields & FIELD_MOMENT) != 0)
         attribute(w, "moment", k, 3);
     if (frame_has_fragments(layout))
-        fragments(w, k);
+        number_attribute(w, "fragment", k);
+    if (layout->entries > 0)
+        number_attribute(w, "lost", k);
+    for (int64_t e = 0; e < layout->entries; ++e)
+        number_attribute(w, layout->entry[e], k);
     if (shape_has_diameters(w->record->model))
         fixed_attribute(w, "diameter", "Float");
     fixed_attribute(w, "body", "Int");
@@ -276,26 +302,31 @@ static int write_planes(const struct writer *w, const struct effect *effect, str
     return failed;
 }
 
-static int write_over_time(struct writer *w, struct message *message)
+static int write_over_time(struct writer *w, int (*take)(void *self, int64_t k, const double *frame),
+                           struct message *message)
 {
     write_name(w);
     fputs(" over time\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", w->file);
-    const int failed = record_frames(w->record, take_frame, w, message);
+    const int failed = record_frames(w->record, take, w, message);
     fputs("</Grid>\n", w->file);
     return failed;
 }
 
-int run_xdmf_write(const struct record *record, const char *name, FILE *file, struct message *message)
+int run_xdmf_write(const struct record *record, const char *name, const char *spheres, FILE *file,
+                   struct message *message)
 {
     const struct model *model = record->model;
-    struct writer w = {record, file, name, NULL};
+    struct writer w = {record, file, name, "bodies", record->frames.n, NULL};
+    struct writer of_clumps = {record, file, spheres, "spheres", model->clumps.list.count, NULL};
     struct shape_group list[MODEL_EFFECTS];
     const int groups = shape_groups(model, list);
     fputs("<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n", file);
-    int failed = write_over_time(&w, message);
+    int failed = write_over_time(&w, take_frame, message);
+    if (failed == 0 && of_clumps.n > 0)
+        failed = write_over_time(&of_clumps, take_spheres, message);
     for (int g = 0; g < groups && failed == 0; ++g) {
         w.group = &list[g];
-        failed = write_over_time(&w, message);
+        failed = write_over_time(&w, take_frame, message);
     }
     for (int64_t k = 0; k < model->rooms_count && failed == 0; ++k)
         if (model->rooms[k].kind->planes != NULL)

@@ -33,23 +33,26 @@ struct quantity {
     int field; /* 0; or the field, which is made for all bodies at once */
 };
 
-enum { QUANTITIES = 10, WIDEST = 9 /* components */ };
+enum { KNOWN = 11, QUANTITIES = KNOWN + EFFECT_TERMS_OF_ALL, WIDEST = 9 /* components */ };
 
 static void quantities_of(const struct record *record, struct quantity list[QUANTITIES])
 {
     const struct frame_layout *layout = &record->frames;
-    const struct quantity all[QUANTITIES] = {{"velocity", layout->v, 3, NULL, 0},
-                                             {"omega", layout->omega, 3, NULL, 0},
-                                             {"alpha", layout->alpha, 3, NULL, 0},
-                                             {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
-                                             {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
-                                             {"director", layout->alpha, 3, frame_directors, 0},
-                                             {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
-                                             {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
-                                             {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
-                                             {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0}};
-    for (int q = 0; q < QUANTITIES; ++q)
-        list[q] = all[q];
+    const struct quantity all[KNOWN] = {{"velocity", layout->v, 3, NULL, 0},
+                                        {"omega", layout->omega, 3, NULL, 0},
+                                        {"alpha", layout->alpha, 3, NULL, 0},
+                                        {"attitude_xyzw", layout->alpha, 4, frame_attitudes, 0},
+                                        {"attitude_wxyz", layout->alpha, 4, frame_attitudes_w_first, 0},
+                                        {"director", layout->alpha, 3, frame_directors, 0},
+                                        {"ellipsoid", shape_has_axes(record->model), 9, frame_ellipsoids, 0},
+                                        {"force", record->fields & FIELD_FORCE, 3, NULL, FIELD_FORCE},
+                                        {"moment", record->fields & FIELD_MOMENT, 3, NULL, FIELD_MOMENT},
+                                        {"fragment", frame_has_fragments(layout), 1, frame_fragments, 0},
+                                        {"lost", layout->lost, 1, frame_lost, 0}};
+    memset(list, 0, QUANTITIES * sizeof *list);
+    memcpy(list, all, sizeof all);
+    for (int64_t k = 0; k < layout->entries; ++k)
+        list[KNOWN + k] = (struct quantity){layout->entry[k], layout->lost + k * layout->n, 1, NULL, 0};
 }
 
 static void fixed_data(struct hdf5_sink *s, const struct record *record)
@@ -132,7 +135,12 @@ static void take_group(struct writer *w, const struct shape_group *group, int64_
     memset(w->lines, 0, sizeof *w->lines * (size_t)(quantities * count));
     for (int q = 0; q < quantities; ++q)
         value[q] = w->lines + q * count + w->record->frames.n + group->first;
-    w->cells->failed |= lines->values(group->effect, &bodies, (int64_t)frame[0], value) != VTI_OK;
+    const struct model *const model = w->record->model;
+    const int on_spheres = shape_on_spheres(model, group->effect);
+    if (on_spheres) /* which nothing else needs any more, now that the run is over */
+        w->cells->failed |= vti_clumps_spread(&model->clumps.list, &bodies) != VTI_OK;
+    w->cells->failed |=
+        lines->values(group->effect, on_spheres ? model_spheres(model) : &bodies, (int64_t)frame[0], value) != VTI_OK;
     for (int q = 0; q < quantities; ++q)
         hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
                   w->lines + q * count);
@@ -159,8 +167,9 @@ static const double *values_of(struct writer *w, const struct quantity *q, const
 static int take_loads(struct writer *w, const double *frame)
 {
     const struct record *r = w->record;
-    const int status =
-        r->fields != 0 ? frame_loads(r->model, &r->frames, frame, w->loads, w->loads + 3 * r->frames.n) : VTI_OK;
+    const int status = (r->fields & FIELD_LOADS) != 0
+                           ? frame_loads(r->model, &r->frames, frame, w->loads, w->loads + 3 * r->frames.n)
+                           : VTI_OK;
     return status == VTI_OK ? 0
                             : message_set(w->message, "%s: forces at t = %.10g: %s", r->model->scene->name, frame[1],
                                           model_text(r->model, status));

@@ -107,6 +107,10 @@ static void say_best(const struct scene *scene, const struct advice *a, FILE *fi
         fprintf(file, ";\nit is told %s: nothing is known of how far off that is",
                 best->source == OFFER_SHORTER ? "from the first part of the time, before what may happen later"
                                               : "from coarser runs, and what breaks may break at another step");
+    else if (best->source != OFFER_MEASURED && !isfinite(best->below))
+        fprintf(file, ";\nit is at most %.1e, told %s, which err by less than pilots can tell",
+                best->error * best->doubt,
+                best->source == OFFER_SHORTER ? "from runs over the first part of the time" : "from coarser runs");
     else if (best->source != OFFER_MEASURED)
         fprintf(file, ";\nit lies between %.1e and %.1e, told %s", best->error / best->below, best->error * best->doubt,
                 best->source == OFFER_SHORTER ? "from the first part of the time" : "from coarser runs");
@@ -144,6 +148,9 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
 {
     const struct offer *best = &a->offers[0];
     const double nominal = (double)a->checked->order;
+    /* by half of the stable step it is half as many steps, and twice these, by nine tenths of a purse that is to hold
+     * the pace of a slower moment too */
+    const double two_runs = 2.0;
     const char *kink = scene_first_with(scene, EFFECT_KINKED);
     if (a->parted)
         fprintf(file,
@@ -173,7 +180,10 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 isfinite(stable_least(&a->limits, best->stepper)) ? "stability, not the error, sets the step"
                                                                   : "fewer steps are not tried",
                 best->error);
-    if (best->source != OFFER_MEASURED)
+    if (best->source == OFFER_STABILITY && a->evals > 0.0)
+        fprintf(file, "note: pilots were not allowed to go over the whole time; --budget %.2g would do for two runs\n",
+                two_runs * (double)best->force_evals * a->seconds / a->evals);
+    else if (best->source != OFFER_MEASURED)
         fprintf(file, "note: pilots were not allowed to go over the whole time to this error; --budget %.2g would do\n",
                 150.0 * (isfinite(best->seconds) ? best->seconds : 1.0));
 }
@@ -303,6 +313,8 @@ int main(int argc, char **argv)
         failed = scene_read(scenes[0], sets.text, sets.count, &scene, &message);
     if (failed == 0 && scene.tolerance > 0.0)
         failed = message_set(&message, "%s: tolerance: advice is on steps of one length; leave it out", scene.name);
+    if (failed == 0 && scene.control != 0)
+        failed = message_set(&message, "%s: control: advice is on steps of one length; leave it out", scene.name);
     if (failed == 0)
         failed = tables_read(&scene, &tables, &message);
     if (failed == 0)

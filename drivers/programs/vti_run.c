@@ -34,14 +34,21 @@ static const struct option_row rows[] = {
     {"--tolerance", "TOL", OPTION_KEY, &sets, OPTION_ANY,
      "choose steps whose estimated error in velocity and spin is at most that; for srkn11, srkn14 and srkn6, and H is "
      "then only the unit of --record and --frames; each row takes a further step, so there are about 100"},
+    {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
+     "integrating: steps that follow how fast bodies turn, for reversible steppers such as srkn6, whose energy keeps "
+     "without drift; naive: the same without that, to compare with; H is the step at rest and the unit of --record, "
+     "and "
+     "turning (--set) the angular velocity at which a step is 0.7 of it"},
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--record", "EVERY", OPTION_WHOLE, &request.record_every, 1, 0x1p53, "50 or 1e3",
      "steps between rows of energies and momenta (default: about 1000 rows)"},
     {"--frames", "EVERY", OPTION_WHOLE, &request.frames_every, 1, 0x1p53, "50 or 1e3",
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
-    {"--fields", "force,moment", OPTION_TEXT, &fields, OPTION_ANY,
-     "one or both of each body in OUT.h5 and OUT.xdmf too, in every frame"},
+    {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,
+     "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; lost: the energy that it has lost so far, "
+     "in "
+     "all and by the columns of OUT.csv"},
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
      "srkn6, srkn11, srkn14 and an4 to an10"},
@@ -126,6 +133,14 @@ static void say_step(struct run *run, FILE *file)
     struct model_limits limits;
     struct travel_tally tally;
     struct message trouble = {""};
+    if (travel_tally(&run->travel, &tally) && run->scene.control != 0) {
+        fprintf(file,
+                "%s to t = %.10g: steps of %s where bodies are at rest and 0.7 of that where they turn by %.4g a unit "
+                "of time; rows and frames at multiples of h = %s\n",
+                stepper->name, (double)run->steps * h, NUMBER(h), run->scene.turning > 0.0 ? run->scene.turning : 1.0,
+                NUMBER(h));
+        return;
+    }
     if (travel_tally(&run->travel, &tally)) {
         fprintf(file,
                 "%s to t = %.10g: steps with estimated errors of at most %.4g in velocity and spin; rows and frames at "
@@ -207,7 +222,7 @@ static void say_errors(const struct model *model, FILE *file)
             fprintf(file, "%s %.3g in %s (t = %.10g)", before, f->most[k], of[k], f->most_t[k]);
             before = ",";
         }
-    fputc('\n', file);
+    fputs("; that is of one step, and no measure of the error at the end, which vti-study tells\n", file);
     if (f->jumps > 0.0)
         fprintf(
             file,

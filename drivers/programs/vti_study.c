@@ -46,6 +46,8 @@ static const struct option_row rows[] = {
      "choose steps whose estimated error in velocity and spin is at most that, of srkn11, srkn14 and srkn6; the steps "
      "of "
      "--h are then only where runs are compared"},
+    {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
+     "integrating or naive: steps of up to h that follow how fast bodies turn, as in vti-run"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--sweep", "PATH=VALUES", OPTION_EACH, &sweeps, OPTION_ANY,
      "the study at each of many values of the scene: a range 1:1000 or 0:1:1/8 (ends included) or a list 100,200; may "

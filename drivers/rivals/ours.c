@@ -33,20 +33,19 @@ static double step_end(const struct course *c)
     return (double)(c->steps + 1) * c->h;
 }
 
-/** A step by a list of kicks and drifts. */
-static int list_step(struct course *c, const vti_stepper *by)
+int course_step(struct course *c, const vti_stepper *by, double h)
 {
     struct step_errors *const errors = c->model->errors;
-    int status = step_errors_watch(errors, by, 0, c->h, &c->bodies);
+    int status = step_errors_watch(errors, by, 0, h, &c->bodies);
     for (int64_t k = 0; k < by->stages && status == VTI_OK; ++k) {
-        status = vti_step_stage(by, k, c->h, &c->bodies, &c->fault);
+        status = vti_step_stage(by, k, h, &c->bodies, &c->fault);
         if (status == VTI_OK)
             status = course_forces(c);
         if (status == VTI_OK)
-            status = step_errors_watch(errors, by, k + 1, c->h, &c->bodies);
+            status = step_errors_watch(errors, by, k + 1, h, &c->bodies);
     }
     if (status == VTI_OK)
-        status = vti_step_finish(by, c->h, &c->bodies);
+        status = vti_step_finish(by, h, &c->bodies);
     return status == VTI_OK && errors != NULL ? step_errors_end(errors, by, step_end(c), &c->bodies) : status;
 }
 
@@ -81,7 +80,7 @@ static int start_step(struct course *c, const vti_multistep *m, vti_past *past)
     if (status == VTI_OK && large && past->known >= GROWS_FROM)
         return multistep(c, &grown, past);
     if (status == VTI_OK)
-        status = list_step(c, vti_stepper_find(large ? "srkn6" : "srkn11"));
+        status = course_step(c, vti_stepper_find(large ? "srkn6" : "srkn11"), c->h);
     return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
 }
 
@@ -216,8 +215,10 @@ const struct rival *multistep_at(int64_t i)
 static const double share = 1e-6, shortest = 0x1p-40;
 
 /** Numbers of a course: the tolerance, where it is and what it would try next, what programs are told of it, and
- *  whether the bodies are those of a step that was cut, with the evaluations that it took. */
+ *  whether the bodies are those of a step that was cut, with the evaluations that it took. A cut at the end of the run
+ *  alone leaves no trace in them: the run may go on, as if it had not been. */
 enum { TOLERANCE, TIME, STEP, HELD, LONGEST, ACCEPTED, REJECTED, CUT, IS_CUT, CUT_EVALS };
+enum { NOT_CUT, CUT_TO_LOOK, CUT_AT_END }; /* IS_CUT */
 
 /** Of own, a body's sums, its copy before the step, and its copy at the end of the last step that was not cut. */
 enum { ROWS = 3, SUMS = 6 * ROWS, KEEPS = 19 };
@@ -238,6 +239,9 @@ static vti_control control_of(const struct course *c)
 {
     vti_control control;
     vti_control_start(c->rival->table, c->number[TOLERANCE], c->number[STEP], &control);
+    const struct scene *scene = c->model->scene;
+    control.speed = scene->speed > 0.0 ? scene->speed : 1.0;
+    control.turning = scene->turning > 0.0 ? scene->turning : 1.0;
     control.held = (int64_t)c->number[HELD];
     control.least = shortest * c->h;
     return control;
@@ -279,7 +283,7 @@ static int watched_step(struct course *c, double h, double error[2])
 static void take_controlled(struct course *c, double t, const double error[2])
 {
     struct step_errors *const errors = c->model->errors;
-    if (errors != NULL && c->number[IS_CUT] != 0.0)
+    if (errors != NULL && c->number[IS_CUT] != NOT_CUT)
         step_errors_cut(errors, error);
     else if (errors != NULL)
         step_errors_take(errors, t, &c->bodies, error);
@@ -341,7 +345,9 @@ static int cut_step(struct course *c, double end)
         if (accepted)
             t = h < left ? t + h : end;
     }
-    c->number[CUT] += (double)(control.accepted + control.rejected);
+    const int64_t tried = control.accepted + control.rejected;
+    c->cut_at_end = c->ends ? tried : 0;
+    c->number[CUT] += (double)(tried - c->cut_at_end);
     return status;
 }
 
@@ -349,22 +355,34 @@ static int go_controlled(struct course *c, int64_t steps)
 {
     const vti_kept kept = kept_free(c);
     const double end = (double)(c->steps + steps) * c->h;
-    if (c->number[IS_CUT] != 0.0)
+    if (c->number[IS_CUT] != NOT_CUT)
         vti_step_undo(&c->bodies, &kept);
     step_errors_uncut(c->model->errors);
     c->evals -= (int64_t)c->number[CUT_EVALS];
-    c->number[IS_CUT] = c->number[LONGEST] = 0.0;
+    c->number[LONGEST] = c->number[IS_CUT] == CUT_AT_END ? c->number[LONGEST] : 0.0;
+    c->number[IS_CUT] = NOT_CUT;
     int status = free_steps(c, end);
     const int64_t evals = c->evals;
     if (status == VTI_OK)
         status = vti_step_keep(&c->bodies, &kept);
-    c->number[IS_CUT] = 1.0;
+    c->number[IS_CUT] = c->ends ? CUT_AT_END : CUT_TO_LOOK;
     if (status == VTI_OK)
         status = cut_step(c, end);
     c->number[CUT_EVALS] = (double)(c->evals - evals);
-    c->number[LONGEST] = fmax(c->number[LONGEST], fmin(c->number[STEP], end));
     c->steps += status == VTI_OK ? steps : 0;
     return status;
+}
+
+static void tally_controlled(const struct course *c, struct travel_tally *tally)
+{
+    const vti_stepper *const by = c->rival->table;
+    const double *number = c->number;
+    tally->accepted = (int64_t)number[ACCEPTED];
+    tally->rejected = (int64_t)number[REJECTED];
+    tally->cut = (int64_t)number[CUT] + c->cut_at_end;
+    tally->evals = 1 + (tally->accepted + tally->rejected + tally->cut) * by->evals;
+    tally->longest = c->steps > 0 ? fmax(number[LONGEST], fmin(number[STEP], (double)c->steps * c->h)) : 0.0;
+    tally->tolerance = number[TOLERANCE];
 }
 
 const struct rival *controlled_at(int64_t i)
@@ -386,21 +404,10 @@ const struct rival *controlled_at(int64_t i)
             .own_width = SUMS + 2 * KEEPS,
             .prepare = prepare_controlled,
             .go = go_controlled,
+            .tally = tally_controlled,
             .takes_forces = 1,
         };
         controlled[i] = way;
     }
     return &controlled[i];
-}
-
-void course_tally(const struct course *c, struct travel_tally *tally)
-{
-    const vti_stepper *const by = c->rival->table;
-    const double *number = c->number;
-    tally->accepted = (int64_t)number[ACCEPTED];
-    tally->rejected = (int64_t)number[REJECTED];
-    tally->cut = (int64_t)number[CUT];
-    tally->evals = 1 + (tally->accepted + tally->rejected + tally->cut) * by->evals;
-    tally->longest = number[LONGEST];
-    tally->tolerance = number[TOLERANCE];
 }

@@ -179,6 +179,11 @@ static int refused(const struct course *c, int status, struct message *message)
     if (status == RIVAL_E_DIVERGES)
         return message_set(message, "%s at h = %s: t = %.6g: its iteration does not converge; take a smaller h",
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
+    if (status == RIVAL_E_SPARSE)
+        return message_set(message,
+                           "%s at h = %s: t = %.6g: within a step bodies come to turn so much more slowly that no "
+                           "next one can be chosen; take a smaller h",
+                           c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
     return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->stepper.name, NUMBER(c->h),
                        (double)c->steps * c->h, model_text(c->model, status));
 }

@@ -36,8 +36,10 @@ struct rival {
     /** Before it goes on from a checkpoint: undoes what show has done to the memory; NULL if that is nothing. */
     void (*resume)(struct course *course);
     void (*dismiss)(struct course *course); /* NULL if there is nothing to free */
-    int takes_forces;                       /* 1: go begins with the forces of the bodies as they stand */
-    int general;                            /* RIVAL_OF_: which bodies it moves */
+    /** What has come of steps of variable length; NULL of those of h. */
+    void (*tally)(const struct course *course, struct travel_tally *tally);
+    int takes_forces; /* 1: go begins with the forces of the bodies as they stand */
+    int general;      /* RIVAL_OF_: which bodies it moves */
 };
 
 int64_t rival_count(void);
@@ -55,6 +57,10 @@ const struct rival *multistep_at(int64_t i);
  *  outside 0 <= i < 3. */
 const struct rival *controlled_at(int64_t i);
 
+/** The same of those whose steps follow how fast bodies turn: by the integrating controller, or the naive one. NULL
+ *  after the last. A scene calls for them by its control; they are not listed, nor found by name. */
+const struct rival *varied_at(int64_t i, int naive);
+
 /** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
  *  the model does not have are NULL. x, v, w, L, f and m are the model's own memory. */
 struct course {
@@ -70,6 +76,8 @@ struct course {
     double *number; /* [COURSE_NUMBERS], of the tool; they begin the memory, which with x, v, w is all that goes on */
     void *tool;     /* whatever a rival needs that is not numbers, or can be made anew */
     int begun;      /* forces are those of the bodies as they stand */
+    int ends;       /* the next go ends where nobody looks but at the end of the run: if that moves, none does */
+    int64_t cut_at_end; /* steps that were tried for that, of those by a tolerance */
     vti_fault fault;
 };
 
@@ -83,15 +91,14 @@ void course_destroy(struct course *course);
 int course_begin(struct course *course, struct message *message);
 /** Takes it so many steps further. Returns 0, or -1 with one line in *message. */
 int course_go(struct course *course, int64_t steps, struct message *message);
+/** A step of h by a list of kicks and drifts. Returns VTI_OK, or a status of the library or of the forces. */
+int course_step(struct course *course, const vti_stepper *by, double h);
 /** The bodies after these steps, velocities as the rival keeps them. */
 const vti_bodies *course_bodies(struct course *course);
 
 /** h times the fastest that there is, of the frequencies that vti_stable_step allows for and the spins of the bodies as
  *  they stand; 1 if nothing oscillates or spins. Returns 0, or -1 with one line in *message. */
 int course_fastest(struct course *course, double *most, struct message *message);
-
-/** Of a course that is controlled_at some number (travel.h). */
-void course_tally(const struct course *course, struct travel_tally *tally);
 
 /** Forces and moments of the bodies as they stand. */
 static inline int course_forces(struct course *course)

@@ -6,7 +6,7 @@
 #include "rival.h"
 
 /** Among the statuses of the core and of models: an implicit equation was not solved. */
-enum { RIVAL_E_DIVERGES = -2000 };
+enum { RIVAL_E_DIVERGES = -2000, RIVAL_E_SPARSE = -2001 };
 
 extern const struct rival rival_quat_euler, rival_mercury, rival_lammps;                /* normalised.c */
 extern const struct rival rival_yade_exp_verlet, rival_yade_leapfrog, rival_spiral;     /* exponential.c */

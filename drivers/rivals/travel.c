@@ -112,6 +112,36 @@ const vti_stepper *method_controlled(const vti_stepper *stepper)
     return way != NULL ? &way->stepper : NULL;
 }
 
+/** The stepper with steps that follow how fast bodies turn; NULL if they cannot. */
+static const struct rival *varied_of(const vti_stepper *stepper, int naive)
+{
+    for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
+        if (stepper == varied_at(i, naive)->table)
+            return varied_at(i, naive);
+    return NULL;
+}
+
+/** The way that the stepper is itself; NULL for all others. */
+static const struct rival *varied_way(const vti_stepper *stepper)
+{
+    for (int naive = 0; naive < 2; ++naive)
+        for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
+            if (stepper == &varied_at(i, naive)->stepper)
+                return varied_at(i, naive);
+    return NULL;
+}
+
+const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper)
+{
+    if (scene->control == 0 && !(scene->tolerance > 0.0))
+        return stepper;
+    if (scene->control != 0 && varied_way(stepper) != NULL)
+        return stepper;
+    const struct rival *way =
+        scene->control != 0 ? varied_of(stepper, scene->control == SCENE_NAIVE) : controlled_of(stepper);
+    return way != NULL ? &way->stepper : NULL;
+}
+
 /** What takes a model along where that is no list of kicks and drifts; else NULL. */
 static const struct rival *way_of(const vti_stepper *stepper)
 {
@@ -119,13 +149,16 @@ static const struct rival *way_of(const vti_stepper *stepper)
         if (stepper == &multistep_at(i)->stepper)
             return multistep_at(i);
     const struct rival *way = controlled_of(stepper);
-    return way != NULL && stepper == &way->stepper ? way : method_rival(stepper);
+    if (way != NULL && stepper == &way->stepper)
+        return way;
+    way = varied_way(stepper);
+    return way != NULL ? way : method_rival(stepper);
 }
 
 int method_estimates(const vti_stepper *stepper)
 {
     const struct rival *way = way_of(stepper);
-    return stepper->estimates > 0 || (way != NULL && method_rival(stepper) == NULL);
+    return stepper->estimates > 0 || (way != NULL && method_rival(stepper) == NULL && varied_way(stepper) == NULL);
 }
 
 const char *method_kind(const vti_stepper *stepper)
@@ -204,7 +237,9 @@ int travel_check(const vti_stepper *stepper, const struct model *model, struct m
     const vti_effect *e = model_dissipates(model);
     if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
-    const char *const why = way == NULL                     ? "it has negative coefficients"
+    const char *const why = varied_way(stepper) != NULL
+                                ? "a step that is undone would have dissipated already; leave control out"
+                            : way == NULL                   ? "it has negative coefficients"
                             : method_rival(stepper) != NULL ? "rivals have forces alone"
                             : way->table != NULL            ? "a step that is undone would have dissipated already"
                                                  : "a multistep method takes smooth forces of positions alone";
@@ -213,17 +248,29 @@ int travel_check(const vti_stepper *stepper, const struct model *model, struct m
                        model->scene->name, e->name, stepper->name, why);
 }
 
+/** Steps of variable length, by a stepper that cannot make them. */
+static int refuse_variable(const struct scene *scene, const char *stepper, struct message *message)
+{
+    if (scene->control != 0)
+        return message_set(message,
+                           "%s: control: the stepper %s is no reversible list of kicks and drifts with forces at its "
+                           "own positions alone, whose steps may vary without drift; take srkn6, srkn11 or exact, or "
+                           "leave control out",
+                           scene->name, stepper);
+    return message_set(message,
+                       "%s: tolerance: the stepper %s has no estimate of its error to choose steps by; take srkn11, "
+                       "srkn14 or srkn6, or leave the tolerance out",
+                       scene->name, stepper);
+}
+
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message)
 {
     memset(travel, 0, sizeof *travel);
-    if (model->scene->tolerance > 0.0 && method_controlled(stepper) == NULL)
-        return message_set(
-            message,
-            "%s: tolerance: the stepper %s has no estimate of its error to choose steps by; take srkn11, "
-            "srkn14 or srkn6, or leave the tolerance out",
-            model->scene->name, stepper->name);
-    stepper = model->scene->tolerance > 0.0 ? method_controlled(stepper) : stepper;
+    const char *const asked = stepper->name;
+    stepper = method_for(model->scene, stepper);
+    if (stepper == NULL)
+        return refuse_variable(model->scene, asked, message);
     const struct rival *way = way_of(stepper);
     travel->stepper = stepper;
     travel->list = *stepper;
@@ -264,9 +311,9 @@ int64_t travel_force_evals(const struct travel *travel)
 
 int travel_tally(const struct travel *travel, struct travel_tally *tally)
 {
-    if (travel->course == NULL || controlled_of(travel->stepper) == NULL)
+    if (travel->course == NULL || travel->course->rival->tally == NULL)
         return 0;
-    course_tally(travel->course, tally);
+    travel->course->rival->tally(travel->course, tally);
     return 1;
 }
 
@@ -366,6 +413,15 @@ static int64_t steps_to_look(int64_t step, int64_t last, const struct observer *
     return next;
 }
 
+/** Whether somebody looks there who would if the run went on. */
+static int is_looked_at(int64_t step, const struct observer *observers, int n)
+{
+    int looked = n == 0;
+    for (int k = 0; k < n; ++k)
+        looked |= step % observers[k].every == 0;
+    return looked;
+}
+
 static int course_show(struct travel *travel, int64_t last, const struct observer *observers, int n,
                        struct message *message)
 {
@@ -374,6 +430,7 @@ static int course_show(struct travel *travel, int64_t last, const struct observe
     int stopped = n > 0 && show(travel, last, observers, n);
     while (!stopped && travel->steps < last) {
         const int64_t steps = steps_to_look(travel->steps, last, observers, n);
+        travel->course->ends = !is_looked_at(travel->steps + steps, observers, n);
         if (course_go(travel->course, steps, message) != 0)
             return -1;
         travel->steps += steps;

@@ -28,6 +28,8 @@ const struct rival *method_rival(const vti_stepper *stepper);
 /** The stepper with steps by a tolerance, such as "srkn11-tol" of srkn11; itself if it is one; NULL if it has no
  *  estimate of its error. */
 const vti_stepper *method_controlled(const vti_stepper *stepper);
+/** What the scene runs the stepper as: itself, or with steps by its tolerance or its control; NULL if it cannot be. */
+const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper);
 /** Whether it has an estimate of what a step errs by. */
 int method_estimates(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */
@@ -57,8 +59,8 @@ struct travel {
  *  *message. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
 
-/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance, by steps that keep it,
- *  and h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
+/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance or a control, by steps
+ *  that go by it, and h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
  *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
@@ -86,16 +88,16 @@ void travel_resume(struct travel *travel, int64_t steps);
  *  takes the forces again when it goes on) is not counted. */
 int64_t travel_force_evals(const struct travel *travel);
 
-/** What steps by a tolerance have come to. */
+/** What steps of variable length have come to. */
 struct travel_tally {
     int64_t accepted, rejected; /* steps taken, and steps undone because their errors were too large */
     int64_t cut;                /* steps tried to end where somebody looked, which are undone thereafter */
     int64_t evals;              /* force evaluations of all of them */
     double longest;             /* step since the look before; 0 at first */
-    double tolerance;
+    double tolerance;           /* 0: steps go by the scene's control */
 };
 
-/** 1, and the tally, of steps by a tolerance; else 0. */
+/** 1, and the tally, of steps of variable length; else 0. */
 int travel_tally(const struct travel *travel, struct travel_tally *tally);
 
 void travel_destroy(struct travel *travel);

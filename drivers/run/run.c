@@ -76,8 +76,10 @@ static int open_errors(struct run *run, struct message *message)
 static int open_scene(struct run *run, struct message *message)
 {
     const struct run_request *r = run->request;
-    if (scene_read(r->scene, r->sets, r->sets_count, &run->scene, message) != 0 ||
-        tables_read(&run->scene, &run->tables, message) != 0 || make_models(run, message) != 0)
+    if (scene_read(r->scene, r->sets, r->sets_count, &run->scene, message) != 0)
+        return -1;
+    run->scene.by_body = (r->fields & FIELD_LOST) != 0;
+    if (tables_read(&run->scene, &run->tables, message) != 0 || make_models(run, message) != 0)
         return -1;
     run->steps = loop_steps(run->scene.t_end, run->scene.h);
     if (fields_check(r->fields, &run->model, message) != 0)
@@ -87,8 +89,8 @@ static int open_scene(struct run *run, struct message *message)
                            NUMBER(run->scene.h), NUMBER(run->scene.t_end));
     if (start_threads(run, message) != 0)
         return -1;
-    if (run->scene.tolerance > 0.0 && method_controlled(run->scene.stepper) != NULL)
-        run->scene.stepper = method_controlled(run->scene.stepper);
+    if (method_for(&run->scene, run->scene.stepper) != NULL)
+        run->scene.stepper = method_for(&run->scene, run->scene.stepper);
     if (open_errors(run, message) != 0)
         return -1;
     return travel_create(&run->travel, run->scene.stepper, &run->model, run->scene.h, message);
@@ -105,6 +107,8 @@ static int identify(struct run *run, struct message *message)
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
     identity_version(text);
     identity_scene(text, "", &run->scene, without);
+    if (run->scene.by_body)
+        fputs("books: of each body (--fields lost)\n", text);
     fputs("columns:", text);
     for (int c = 0; c < columns->count; ++c)
         fprintf(text, " %s", columns->name[c]);
@@ -251,6 +255,7 @@ int run_open(const struct run_request *request, struct run *run, struct message 
         return -1;
     frame_layout_of(run->shown, &run->record.frames);
     run->record.frames.number = run->renumbering.number;
+    run->record.frames.booking = &run->model;
     run->frame = malloc(sizeof *run->frame * (size_t)run->record.frames.doubles);
     if (run->frame == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);

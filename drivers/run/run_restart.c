@@ -120,6 +120,11 @@ static int read_frame(hid_t file, const struct record *record, int64_t k, double
     for (size_t q = 0; !failed && q < sizeof parts / sizeof parts[0]; ++q)
         if (parts[q].place != 0)
             failed = read_rows(file, parts[q].name, layout->n * k, layout->n, 3, frame + parts[q].place);
+    for (int64_t e = 0; !failed && e < layout->entries; ++e) {
+        char name[64];
+        snprintf(name, sizeof name, "VTKHDF/PointData/%s", layout->entry[e]);
+        failed = read_rows(file, name, layout->n * k, layout->n, 1, frame + layout->lost + e * layout->n);
+    }
     return failed;
 }
 

@@ -18,6 +18,9 @@ enum { SCENE_WALLS_MAX = SCENE_PLANES_MAX + SCENE_CYLINDERS_MAX, SCENE_SPHERES_M
 /** The most bodies of a scene: beyond, memory ends anyway, and products of counts stay far from their ends. */
 enum { SCENE_BODIES_MAX = 100000000 };
 
+/** How steps of variable length are chosen, if not by a tolerance. */
+enum scene_control { SCENE_INTEGRATING = 1, SCENE_NAIVE = 2 };
+
 /** Where the bodies are. */
 enum scene_arrangement { SCENE_SINGLE, SCENE_IN_RING, SCENE_IN_CHAIN, SCENE_IN_LATTICE, SCENE_IN_TABLE };
 
@@ -87,6 +90,7 @@ struct scene {
     /* As far as the file itself says; what a table says comes on top, and struct model has the final word. */
     int translates; /* positions are given */
     int turns;      /* attitude or angular velocity is given, or an effect turns bodies */
+    int by_body;    /* 1: what is booked is kept of each body too. Set by the caller after scene_read */
 
     enum scene_arrangement arrangement;
     struct scene_ring ring;
@@ -111,7 +115,9 @@ struct scene {
     const vti_stepper *stepper; /* "vti2" if the file has none; moments are in space */
     int64_t rotor; /* of bodies with three moments, in the place of the stepper's: 2, 4 or 6; 0 is the stepper's */
     double h, t_end;
-    double tolerance; /* of steps that keep it; 0 is none: steps of h */
+    double tolerance;      /* of steps that keep it; 0 is none: steps of h */
+    int64_t control;       /* enum scene_control, what else steps go by; 0 is nothing */
+    double speed, turning; /* units of what steps go by; 0 is 1 */
 };
 
 /** Reads and checks the YAML file at path. overrides are n "path.to.key=value" strings, as they follow --set; they
@@ -127,6 +133,8 @@ int64_t scene_bodies(const struct scene *scene);
 int64_t scene_templates(const struct scene *scene);
 /** The key that gives the positions: "bodies.ring" and so on. */
 const char *scene_positions_key(const struct scene *scene);
+/** The word of its control; NULL if it has none. */
+const char *scene_control_word(const struct scene *scene);
 /** The key of the first of its effects that has the trait, NULL if none has. Of stiff ones steps above h may be
  *  unstable. */
 const char *scene_first_with(const struct scene *scene, enum effect_trait trait);

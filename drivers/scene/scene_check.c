@@ -284,10 +284,29 @@ static int check_rotor(const struct scene_reader *reader, const struct scene *sc
                              "out");
 }
 
+/** Steps go by a tolerance or by a control, and only then have units. */
+static int check_control(const struct scene_reader *reader, const struct scene *scene)
+{
+    const int steered = scene->control != 0 || scene->tolerance > 0.0;
+    if (scene->control != 0 && scene->tolerance > 0.0)
+        return scene_reader_fail(reader, "control",
+                                 "given besides tolerance: steps go by how fast bodies turn or by their errors; keep "
+                                 "one");
+    if (scene->speed > 0.0 && !(scene->tolerance > 0.0))
+        return scene_reader_fail(reader, "speed", "given without a tolerance, whose unit it is; give both or neither");
+    if (scene->turning > 0.0 && !steered)
+        return scene_reader_fail(reader, "turning",
+                                 "given without a tolerance or a control, whose unit it is; give one of them, or leave "
+                                 "it out");
+    return 0;
+}
+
 int scene_check(const struct scene_reader *reader, struct scene *scene)
 {
     if (check_arrangement(reader, scene) != 0 || check_counts(reader, scene) != 0 || check_motion(reader, scene) != 0 ||
         check_effects(reader, scene) != 0 || check_properties(reader, scene) != 0)
         return -1;
-    return check_rotor(reader, scene) != 0 ? -1 : check_steps(reader, scene);
+    if (check_rotor(reader, scene) != 0 || check_control(reader, scene) != 0)
+        return -1;
+    return check_steps(reader, scene);
 }

@@ -66,9 +66,8 @@ static const struct scene_field head[] = {
      "Of each sphere, a length; without it neighbours of a ring, chain or lattice just touch.", NULL},
     {"bodies.clumps", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bodies of several spheres each",
      "Each body moves as one solid and stands where its centre of mass is; contacts and walls act on its spheres, all "
-     "else on the body, drag on either. Mass, moments and principal axes are those of the spheres' union, by 256 lines "
-     "across where "
-     "they overlap.",
+     "else on the body, drag and bonds on either. Mass, moments and principal axes are those of the spheres' union, by "
+     "256 lines across where they overlap.",
      NULL},
     {"bodies.clumps.spheres", SCENE_SPHERES, SCENE_MUST, SCENE_ANY, AT(clumps.spheres), "spheres of the templates",
      "Lengths: centre and diameter of each in the body at alpha = 0, from any point.", NULL},
@@ -99,6 +98,8 @@ static const struct scene_field head[] = {
 
 static const struct scene_word rotors[] = {{"2", 2}, {"4", 4}, {"6", 6}, {NULL, 0}};
 
+static const struct scene_word controls[] = {{"integrating", SCENE_INTEGRATING}, {"naive", SCENE_NAIVE}, {NULL, 0}};
+
 static const struct scene_field tail[] = {
     {"stepper", SCENE_STEPPER, SCENE_MAY, SCENE_ANY, AT(stepper), "integrator",
      "vti2 without it; vti-run --list steppers names them all.", NULL},
@@ -111,11 +112,30 @@ static const struct scene_field tail[] = {
      "Velocity and angular velocity; the stepper, srkn11, srkn14 or srkn6, chooses its steps by it, and h is only "
      "between rows.",
      NULL},
+    {"control", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(control), "steps that follow how fast bodies turn",
+     "A step is about h/sqrt(1 + |Omega|^2/turning^2), |Omega|^2 the mean over the bodies: integrating leaves no drift "
+     "of the energy, naive is there to compare with; of reversible steppers such as srkn6 and srkn11, without contacts "
+     "and dissipation, and h is also what rows are multiples of.",
+     controls},
+    {"speed", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(speed), "unit of a step's error in velocity",
+     "Velocity; 1 without it. Goes with a tolerance.", NULL},
+    {"turning", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(turning), "an angular velocity of the scene",
+     "Angular velocity; 1 without it. With a tolerance the unit of a step's error in angular velocity, with a control "
+     "that of the bodies' turning.",
+     NULL},
     {"t_end", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(t_end), "time at which the run ends",
      "Time, counted from t = 0; the run ends at the last multiple of h that is not later.", NULL},
 };
 
 enum { HEAD = sizeof head / sizeof head[0], TAIL = sizeof tail / sizeof tail[0] };
+
+const char *scene_control_word(const struct scene *scene)
+{
+    for (const struct scene_word *w = controls; w->word != NULL; ++w)
+        if (w->value == scene->control)
+            return w->word;
+    return NULL;
+}
 
 const struct scene_rows *scene_rows_of(enum scene_kind kind)
 {

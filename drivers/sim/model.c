@@ -24,6 +24,23 @@ static void put_on_spheres(struct model *model, int64_t k)
     model->effects[k] = vti_clumped_effect(&model->clumped[k]);
 }
 
+/** How many bodies, or spheres of clumps, an effect acts on. */
+static int64_t acted_on(const struct model *model, const struct effect *e)
+{
+    return has_clumps(model) && kinds_has(e->kind, &model->scene->settings, EFFECT_ON_SPHERES)
+               ? model->clumps.list.count
+               : model->bodies.count;
+}
+
+/** Books of each body, if somebody asks and there is something to book. */
+static int make_books(const struct model *model, struct effect *e, const vti_effect *draft, struct message *message)
+{
+    if (!model->scene->by_body || draft->books == 0)
+        return 0;
+    e->by_body = calloc((size_t)(acted_on(model, e) * draft->of_body) + 1, sizeof *e->by_body);
+    return e->by_body != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+}
+
 /** An effect of the scene, with memory of its own. */
 static int add_effect(struct model *model, const struct effect_kind *kind, const struct tables *tables,
                       struct message *message)
@@ -36,6 +53,8 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     const struct table *table = &tables->effect[kind->number];
     const vti_effect draft = kinds_draft(kind, &model->scene->settings, table);
     *made = draft;
+    if (make_books(model, e, &draft, message) != 0)
+        return -1;
     if (kind->make != NULL && kind->make(e, model, table, made, message) != 0)
         return -1;
     if (kinds_check_made(kind, &draft, made, message) != 0)
@@ -102,6 +121,7 @@ void model_destroy(struct model *model)
         if (e->kind->destroy != NULL && e->self != NULL)
             e->kind->destroy(e);
         free(e->self);
+        free(e->by_body);
     }
     clumps_destroy(&model->clumps);
     free(model->memory);
@@ -226,12 +246,38 @@ int model_rupture(struct model *model, int64_t step, double t)
 
 enum { BOOKS = 2 * VTI_TERMS }; /* doubles */
 
+/** Sums of all bodies of effect k. */
+static int64_t sums_of_bodies(const struct model *model, int64_t k)
+{
+    const struct effect *e = &model->rooms[k];
+    return e->by_body != NULL ? acted_on(model, e) * model->effects[k].of_body : 0;
+}
+
+static double *get_sums(const vti_sum *sum, int64_t n, double *memory)
+{
+    for (int64_t j = 0; j < n; ++j) {
+        *memory++ = sum[j].high;
+        *memory++ = sum[j].low;
+    }
+    return memory;
+}
+
+static const double *put_sums(vti_sum *sum, int64_t n, const double *memory)
+{
+    for (int64_t j = 0; j < n; ++j) {
+        sum[j].high = *memory++;
+        sum[j].low = *memory++;
+    }
+    return memory;
+}
+
 int64_t model_memory_size(const struct model *model)
 {
     int64_t size = 0;
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *e = &model->rooms[k];
         size += model->effects[k].books > 0 ? BOOKS : 0;
+        size += 2 * sums_of_bodies(model, k);
         size += e->kind->memory != NULL ? e->kind->memory->size(e) : 0;
     }
     return size;
@@ -241,10 +287,9 @@ void model_memory_get(const struct model *model, double *memory)
 {
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *e = &model->rooms[k];
-        for (int j = 0; model->effects[k].books > 0 && j < VTI_TERMS; ++j) {
-            *memory++ = e->booked[j].high;
-            *memory++ = e->booked[j].low;
-        }
+        if (model->effects[k].books > 0)
+            memory = get_sums(e->booked, VTI_TERMS, memory);
+        memory = get_sums(e->by_body, sums_of_bodies(model, k), memory);
         if (e->kind->memory == NULL)
             continue;
         e->kind->memory->get(e, memory);
@@ -256,15 +301,11 @@ int model_memory_put(struct model *model, const double *memory, int64_t size)
 {
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];
-        const int books = model->effects[k].books > 0;
-        if (size < (books ? BOOKS : 0))
+        const int64_t terms = model->effects[k].books > 0 ? VTI_TERMS : 0, sums = sums_of_bodies(model, k);
+        if (size < 2 * (terms + sums))
             return -1;
-        for (int j = 0; books && j < VTI_TERMS; ++j) {
-            e->booked[j].high = memory[2 * j];
-            e->booked[j].low = memory[2 * j + 1];
-        }
-        memory += books ? BOOKS : 0;
-        size -= books ? BOOKS : 0;
+        memory = put_sums(e->by_body, sums, put_sums(e->booked, terms, memory));
+        size -= 2 * (terms + sums);
         if (e->kind->memory == NULL)
             continue;
         const int64_t taken = e->kind->memory->put(e, memory, size);
@@ -274,6 +315,33 @@ int model_memory_put(struct model *model, const double *memory, int64_t size)
         size -= taken;
     }
     return size == 0 ? 0 : -1;
+}
+
+/* ---- what each body has lost --------------------------------------------------------------------------------------- */
+
+int64_t model_body_books(const struct model *model, const char *name[EFFECT_TERMS_OF_ALL])
+{
+    int64_t count = 0;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        for (int64_t j = 0; model->rooms[k].by_body != NULL && j < model->effects[k].books; ++j)
+            name[count++] = model->effects[k].book[j];
+    return count;
+}
+
+void model_body_booked(const struct model *model, int64_t k, const int64_t *number, double *value)
+{
+    int64_t of = 0;
+    while (model->rooms[of].by_body == NULL || k >= model->effects[of].books) {
+        k -= model->rooms[of].by_body != NULL ? model->effects[of].books : 0;
+        ++of;
+    }
+    const vti_effect *const acting = &model->acting[of];
+    const int64_t n = acted_on(model, &model->rooms[of]);
+    memset(value, 0, (size_t)model->bodies.count * sizeof *value);
+    for (int64_t s = 0; s < n; ++s) {
+        const int64_t i = model->on_spheres[of] ? model->clumps.list.body[s] - model->clumps.list.base : s;
+        value[number != NULL ? number[i] : i] += vti_sum_value(&acting->by_body[acting->of_body * s + k]);
+    }
 }
 
 /* ---- texts ------------------------------------------------------------------------------------------------------- */

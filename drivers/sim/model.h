@@ -90,6 +90,12 @@ void model_memory_get(const struct model *model, double *memory);
 /** Returns 0, or -1 if so many are not those of this model. */
 int model_memory_put(struct model *model, const double *memory, int64_t size);
 
+/** Entries of booked energy that are kept of each body (scene.by_body), in the order of the effects; their names go to
+ *  name. Returns how many: 0 where nobody asks, or nothing is booked. */
+int64_t model_body_books(const struct model *model, const char *name[EFFECT_TERMS_OF_ALL]);
+/** value[bodies] of entry k, of clumps the sum over the spheres; body i stands at number[i], unless that is NULL. */
+void model_body_booked(const struct model *model, int64_t k, const int64_t *number, double *value);
+
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 

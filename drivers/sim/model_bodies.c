@@ -252,7 +252,7 @@ static int place_spheres(struct model *model, const struct tables *tables, struc
     struct clumps *clumps = &model->clumps;
     if (!model->scene->clumps.given)
         return 0;
-    if (clumps_place(clumps, model->scene, &tables->bodies, &model->bodies, &model->modulus, message) != 0)
+    if (clumps_place(clumps, model->scene, tables, &model->bodies, &model->modulus, message) != 0)
         return -1;
     model->diameter = clumps->diameter;
     model->modulus = clumps->modulus;

@@ -57,12 +57,35 @@ const struct effect *shape_breaking(const struct model *model)
     return NULL;
 }
 
-void shape_line(const struct model *model, int64_t k, int64_t pair[2])
+int shape_on_spheres(const struct model *model, const struct effect *effect)
+{
+    return model->on_spheres[effect - model->rooms];
+}
+
+int shape_lines_join_spheres(const struct model *model)
+{
+    int all = 1;
+    for (int64_t r = 0; r < model->rooms_count; ++r)
+        all &= lines_of(&model->rooms[r]) == 0 || model->on_spheres[r];
+    return all;
+}
+
+void shape_ends(const struct model *model, int64_t k, int64_t pair[2])
 {
     const struct effect *e = model->rooms;
     for (; k >= lines_of(e); ++e)
         k -= lines_of(e);
     e->kind->lines->ends(e, k, pair);
+}
+
+void shape_line(const struct model *model, int64_t k, int64_t pair[2])
+{
+    const struct effect *e = model->rooms;
+    shape_ends(model, k, pair);
+    for (; k >= lines_of(e); ++e)
+        k -= lines_of(e);
+    for (int c = 0; c < 2 && shape_on_spheres(model, e); ++c)
+        pair[c] = model->clumps.list.body[pair[c]];
 }
 
 int shape_has_diameters(const struct model *model)

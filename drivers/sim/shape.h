@@ -31,8 +31,13 @@ int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECT
 int64_t shape_lines(const struct model *model);
 /** Numbers of each line of the effect in files, of those that it may have. */
 int shape_quantities(const struct effect *effect);
+/** What line k of all joins, from 0: bodies, or spheres of clumps where its effect acts on these. */
+void shape_ends(const struct model *model, int64_t k, int64_t pair[2]);
 /** The bodies, from 0, of line k of all. */
 void shape_line(const struct model *model, int64_t k, int64_t pair[2]);
+/** Whether it acts on the spheres of clumps; whether all lines do, if there are any. */
+int shape_on_spheres(const struct model *model, const struct effect *effect);
+int shape_lines_join_spheres(const struct model *model);
 
 /** The effect whose lines may break in this scene; NULL if there is none. */
 const struct effect *shape_breaking(const struct model *model);

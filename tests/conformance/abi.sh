@@ -38,7 +38,7 @@ fi
 # The library with debug information and unoptimised, so that nothing is optimised out of the description, without the kernels of
 # wider vector units, which show nothing.
 # shellcheck disable=SC2046  # sources are words
-${CC:-cc} -std=c99 -g -O0 -fPIC -fvisibility=hidden -Iinclude -shared -Wl,-soname,libvti.so $(ls src/*.c | grep -v _avx) \
+${CC:-cc} -std=c99 -g -O0 -fPIC -fvisibility=hidden -Iinclude -shared -Wl,-soname,libvti.so $(find src -name '*.c' ! -name '*_avx*' | sort) \
     -o "$work/libvti.so" -lm
 
 if [ "$task" = store ]; then

@@ -75,6 +75,7 @@ program test_fortran_effects
     call clumps()
     call probe()
     call sums()
+    call books()
     call finish()
 
 contains
@@ -267,5 +268,33 @@ contains
         end do
         call expect(abs(vti_integral_value(q) - 96) <= 0 .and. q%values == 65, 'integral of 3 t up to t = 8')
         call expect(same_bits([q%last], [24.0_c_double]), 'last value of the integral')
+    end subroutine
+
+    !> What drag takes of each body is what that body loses of its kinetic energy.
+    subroutine books()
+        type(state), target :: slowed
+        type(vti_sum), target :: lost(2), by_body(2, n)
+        type(vti_drag), target :: drag
+        type(vti_effect) :: effect(1)
+        type(vti_bodies) :: body
+        real(c_double), target :: coefficient = 0.5_c_double
+        real(c_double) :: before(n), each(n)
+        integer(c_int64_t) :: i
+        slowed = initial()
+        drag%linear = vti_scalars_one(coefficient)
+        drag%angular = vti_scalars_one(coefficient)
+        drag%lost = c_loc(lost)
+        drag%by_body = c_loc(by_body)
+        effect(1) = vti_drag_effect(drag)
+        body = bodies_of(slowed)
+        before = slowed%mass*sum(slowed%v**2, 1)/2 + slowed%inertia*sum(slowed%omega**2, 1)/2
+        call expect_status(vti_effects_flow(effect, 0.25_c_double, 0.25_c_double, body), VTI_OK, 'drag')
+        before = before - slowed%mass*sum(slowed%v**2, 1)/2 - slowed%inertia*sum(slowed%omega**2, 1)/2
+        do i = 1, n
+            each(i) = vti_booked_of_body(effect, i)
+        end do
+        call expect(all(before > 0 .and. abs(each - before) <= 40*epsilon(1.0_c_double)*(before + each)), &
+            'what each body has lost') ! some 40 operations
+        call expect(abs(sum(each) - vti_booked(effect)) <= n*epsilon(1.0_c_double)*sum(each), 'and all of them')
     end subroutine
 end program

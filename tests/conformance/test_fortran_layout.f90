@@ -121,13 +121,14 @@ contains
             c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
             c_loc(effect%flow_clumps), c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &
             c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%breaks), c_loc(effect%dissipates), &
-            c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked)])
+            c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked), &
+            c_loc(effect%by_body), c_loc(effect%of_body)])
         call add(c_sizeof(drifted), c_loc(drifted), [c_loc(drifted%t), c_loc(drifted%law), &
             c_loc(drifted%frame), c_loc(drifted%rotor), c_loc(drifted%clumps), c_loc(drifted%bodies)])
         call add(c_sizeof(pendulum), c_loc(pendulum), [c_loc(pendulum%weight), c_loc(pendulum%rho0)])
         call add(c_sizeof(gravity), c_loc(gravity), [c_loc(gravity%g)])
         call add(c_sizeof(drag), c_loc(drag), [c_loc(drag%linear), c_loc(drag%quadratic), c_loc(drag%angular), &
-            c_loc(drag%medium), c_loc(drag%lost)])
+            c_loc(drag%medium), c_loc(drag%lost), c_loc(drag%by_body)])
         call add(c_sizeof(held), c_loc(held), [c_loc(held%i), c_loc(held%j), c_loc(held%sliding), &
             c_loc(held%rolling), c_loc(held%twisting)])
         call add(c_sizeof(history), c_loc(history), [c_loc(history%slots), c_loc(history%used), &
@@ -135,20 +136,22 @@ contains
         call add(c_sizeof(friction), c_loc(friction), [c_loc(friction%contacts), c_loc(friction%walls), &
             c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
-            c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost), c_loc(friction%wall_sliding)])
+            c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost), c_loc(friction%wall_sliding), &
+            c_loc(friction%by_body), c_loc(friction%by_pair)])
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
             c_loc(multistep%c), c_loc(multistep%u), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
         call add(c_sizeof(bond_dashpots), c_loc(bond_dashpots), [c_loc(bond_dashpots%bonds), &
             c_loc(bond_dashpots%zeta), c_loc(bond_dashpots%axial), c_loc(bond_dashpots%shear), c_loc(bond_dashpots%bending), &
-            c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost)])
+            c_loc(bond_dashpots%twisting), c_loc(bond_dashpots%lost), c_loc(bond_dashpots%by_body)])
         call add(c_sizeof(rupture), c_loc(rupture), [c_loc(rupture%bonds), c_loc(rupture%id), c_loc(rupture%stretch), &
             c_loc(rupture%normal), c_loc(rupture%shear), c_loc(rupture%bending), c_loc(rupture%torsion), &
-            c_loc(rupture%energy), c_loc(rupture%lost)])
+            c_loc(rupture%energy), c_loc(rupture%lost), c_loc(rupture%by_body)])
         call add(c_sizeof(dashpots), c_loc(dashpots), [c_loc(dashpots%contacts), c_loc(dashpots%walls), &
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &
-            c_loc(dashpots%reach), c_loc(dashpots%lost), c_loc(dashpots%wall_zeta)])
+            c_loc(dashpots%reach), c_loc(dashpots%lost), c_loc(dashpots%wall_zeta), &
+            c_loc(dashpots%by_body)])
         call add(c_sizeof(bonds), c_loc(bonds), [c_loc(bonds%count), c_loc(bonds%pair), c_loc(bonds%base), &
             c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
             c_loc(bonds%shear_form), c_loc(bonds%turn)])
@@ -159,7 +162,8 @@ contains
             c_loc(motion%moved)])
         call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &
             c_loc(walls%stiffness), c_loc(walls%each), c_loc(walls%cylinders), c_loc(walls%cylinder), &
-            c_loc(walls%motion), c_loc(walls%work), c_loc(walls%modulus), c_loc(walls%moduli)])
+            c_loc(walls%motion), c_loc(walls%work), c_loc(walls%modulus), c_loc(walls%moduli), &
+            c_loc(walls%by_body)])
         call add(c_sizeof(spring), c_loc(spring), [c_loc(spring%element), c_loc(spring%i), c_loc(spring%j), &
             c_loc(spring%length), c_loc(spring%axial), c_loc(spring%across), c_loc(spring%shear), &
             c_loc(spring%arm_i), c_loc(spring%arm_j), c_loc(spring%bend), c_loc(spring%twist), &

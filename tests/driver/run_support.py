@@ -121,7 +121,7 @@ def read_xdmf(path):
             for attribute in grid.findall("Attribute"):
                 assert attribute.get("Center") in ("Node", "Cell")
                 data = xdmf_array(attribute.find("DataItem"), folder)
-                assert data.shape[1:] == {"Scalar": (), "Vector": (3,), "Matrix": (1, 4)}[attribute.get("AttributeType")]
+                assert data.shape[1:] == {"Scalar": (), "Vector": (3,), "Matrix": (1, 4), "Tensor": (1, 9)}[attribute.get("AttributeType")]
                 frame[attribute.get("Name")] = data.reshape(len(data), -1) if data.ndim > 1 else data
             frames.append(frame)
         grids[series.get("Name")] = frames

@@ -15,7 +15,8 @@ This page is made of `vti-run --list keys` by `tests/driver/scenes_page.py`; a t
 
 
 OTHERS = {"name": "Name", "stepper": "Stepper and time", "rotor": "Stepper and time", "h": "Stepper and time",
-          "tolerance": "Stepper and time", "t_end": "Stepper and time"}
+          "tolerance": "Stepper and time", "control": "Stepper and time", "speed": "Stepper and time",
+          "turning": "Stepper and time", "t_end": "Stepper and time"}
 
 
 def rows(listed):

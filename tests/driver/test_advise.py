@@ -180,6 +180,31 @@ def always():
           and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
 
 
+def between_touches():
+    """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below what was
+    asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
+    meet = """name: meet
+bodies: {lattice: {counts: [2, 2, 2], spacing: 1.0625, corner: [0, 0, 0]}, diameter: 1, mass: 1, random: {seed: 4, v: 0.5}}
+contact: {stiffness: 1000}
+gravity: [0, 0, -1]
+wall: {stiffness: 1000, planes: [[0, 0, 1, -0.75]]}
+h: 1/512
+t_end: 2
+"""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "meet.yaml"), "w", encoding="ascii") as file:
+            file.write(meet)
+        for name, t_end, error, stepper, far in (("block", 4, 1e-8, "an7", 50), ("torus", 1, 1e-6, "an7", 50),
+                                                 (f"{folder}/meet", 2, 1e-6, "an9", 200)):
+            advice = json.loads(run(advise, "--json", "--error", repr(error), "--steppers", stepper, "--t-end", str(t_end),
+                                    scene(name)).stdout)
+            found = float(follow(name, t_end, stepper, advice["h"])[advice["measure"] + "_error"])
+            low, high = advice["interval"]
+            check(advice["source"] == "followed" and low <= found <= high < 1e-4,
+                  f"{stepper} on {name}: {found:.1e} is in {low:.1e} ... {high:.1e}")
+            check(advice["predicted_error"] <= error and error / far < found, "... and the step is not far finer than it has to be")
+
+
 def measures():
     """The error of any of them can be asked for."""
     for measure in MEASURES:
@@ -228,6 +253,7 @@ h_max_omega_of_the_solution()
 known_to_its_share()
 rivals()
 always()
+between_touches()
 measures()
 general_inertia()
 refusals()

@@ -168,7 +168,7 @@ def outputs(base, u):
     steps = ",".join(repr(u["s"] / n) for n in (64, 128, 256))
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
-            run(RUN, dissipating(base, u), "-o", f"{base}/dissipating.h5"),
+            run(RUN, dissipating(base, u), "--fields", "lost", "-o", f"{base}/dissipating.h5"),
             run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",

@@ -25,7 +25,7 @@ from plot.pages import granular  # noqa: E402
 RADIUS = 0.0015
 
 
-def wedge(degrees, columns):
+def beads(degrees, columns):
     """Rows of beads that touch, below a line of that slope."""
     places = [((2 * k + 1) * RADIUS, 0.0, (2 * row + 1) * RADIUS) for k in range(columns)
               for row in range(max(1, int((columns - k) * math.tan(math.radians(degrees)))))]
@@ -33,10 +33,12 @@ def wedge(degrees, columns):
 
 
 for angle in (12, 20, 31):
-    x = wedge(angle, 80)
+    x = beads(angle, 80)
     radius = np.full(len(x), RADIUS)
     found = granular.slope(x, radius)
     check(abs(found - angle) < 1.0, f"a heap of {angle} degrees has {found:.1f}")
+    found = granular.wedge(x, radius)
+    check(abs(found - angle) < 1.0, f"... and its centre of mass is that of a wedge of {found:.1f}")
     away = np.vstack([x, [[1.0, 0.0, RADIUS]]])
     front = granular.front(away, np.full(len(away), RADIUS))
     check(abs(front - 160 * RADIUS) < 1e-12, f"... its front is at {front:.4g}, without the bead that is far away")

@@ -59,7 +59,7 @@ for path in sorted(files):
     check(not found, f"{place} names no effect: {found}")
 
 MOST = 25
-for room, _, inside in os.walk(os.path.join(root, "drivers")):
+for room, _, inside in (each for top in ("src", "drivers") for each in os.walk(os.path.join(root, top))):
     sources = [name for name in inside if name.endswith((".c", ".h", ".py", ".build"))]
     check(len(sources) <= MOST + 1, f"{os.path.relpath(room, root)} is one room: {len(sources)} files with its meson.build, at most {MOST + 1}")
 

@@ -244,6 +244,9 @@ def continued(base):
     cases = [("torus", "vti2", ["--record", "7", "--frames", "32"], ("0.1", "0.25", "0.4")),
              ("pendulum", "vti3-leapfrog", even, ("4", "4.5", "5")), ("pendulum", "srkn6", [], ("1/4", "1", "2")),
              ("torus", "an4", ["--record", "7", "--frames", "32"], ("0.002", "0.1", "0.25")),  # from within its start
+             # steps by a tolerance: the first end is no multiple of rows and frames, and cuts a step that none of one run is
+             ("torus", "srkn11", ["--record", "64", "--frames", "64", "--tolerance", "1e-6", "--errors", "--h", "1/256"], ("62/256", "1/4", "0.6")),
+             ("pendulum", "srkn6", ["--record", "16", "--frames", "32", "--control", "integrating", "--h", "1/4"], ("47/4", "16", "20")),
              ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2"))]
     for number, (name, stepper, options, ends) in enumerate(cases):
         arguments = [name + ".yaml" if name.startswith(base) else scene(name), "--stepper", stepper, *options]
@@ -408,8 +411,9 @@ def refused(base):
         ("two scenes", [scene("spin"), scene("torus")], ["only one scene"]),
         ("unknown option", [scene("spin"), "--frob"], ["--frob", "--help"]),
         ("option without value", [scene("spin"), "--record"], ["--record", "needs a value"]),
-        ("unknown field", [scene("torus"), "--fields", "force,spin"], ["--fields", "'spin'", "there are force and moment"]),
-        ("no field", [scene("torus"), "--fields", "force,"], ["--fields", "''", "there are force and moment"]),
+        ("unknown field", [scene("torus"), "--fields", "force,spin"], ["--fields", "'spin'", "there are force, moment and lost"]),
+        ("no field", [scene("torus"), "--fields", "force,"], ["--fields", "''", "there are force, moment and lost"]),
+        ("books of what takes nothing", [scene("torus"), "--fields", "lost"], ["--fields", "torus", "leave lost out"]),
         ("field that is not there", [scene("pile"), "--fields", "moment"], ["--fields", "pile", "gives a moment"]),
         ("value of an option without one", [scene("spin"), "--resume=yes"], ["--resume=yes", "takes no value"]),
         ("rows of no step", [scene("spin"), "--record", "0"], ["--record", "'0'", "write 50 or 1e3"]),
@@ -423,6 +427,8 @@ def refused(base):
          ["bodies.moments", "an4", "bodies.inertia"]),
         ("step control of spheres", [scene("slender"), "--stepper", "srkn11", "--tolerance", "1e-6"],
          ["bodies.moments", "step control", "bodies.inertia"]),
+        ("estimates of steps that go by turning", [scene("spin"), "--stepper", "srkn6", "--control", "naive", "--errors"],
+         ["--errors", "srkn6-naive"]),
         ("unknown path", [scene("spin"), "--set", "bodies.inertai=1"], ["bodies.inertai"]),
         ("wrong ending", [scene("spin"), "-o", f"{base}/out.yaml"], ["-o", "out.yaml", ".h5"]),
         ("unwritable place", [scene("spin"), "-o", f"{blocked}/out.h5"], [blocked, "-o"]),

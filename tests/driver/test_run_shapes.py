@@ -11,7 +11,7 @@ import numpy
 
 from plot_support import plot
 from programs import run
-from run_support import read_vtkhdf
+from run_support import read_vtkhdf, read_xdmf, same
 from tally import check, conclude
 
 RUN, PLOT = map(os.path.abspath, sys.argv[1:3])
@@ -102,6 +102,10 @@ def clumps(folder):
     check(near(numpy.concatenate([frame["Points"] for frame in shown]), stacked(dump, "x", "y", "z"))
           and near(numpy.concatenate([frame["velocity"] for frame in shown]), stacked(dump, "vx", "vy", "vz"))
           and near(numpy.concatenate([frame["diameter"] for frame in shown]), 2 * dump["radius"]), "... where the dump has them")
+    grids = read_xdmf(os.path.join(folder, "clumps.xdmf"))
+    check(list(grids) == ["bodies over time", "spheres over time"] and len(grids["bodies over time"][0]["Points"]) == 3
+          and same(shown, grids["spheres over time"], ["Points", "velocity", "diameter", "body"]),
+          "XDMF: the same spheres, in a grid beside the bodies")
     sphere = data["ellipsoid"].reshape(frames, 3, 3, 3)[:, 1]
     check(near(sphere, numpy.tile(3.0 * numpy.eye(3), (frames, 1, 1))), "the ellipsoid of a single sphere is that sphere")
     low, high = numpy.min(stacked(dump, "x", "y", "z") - dump["radius"][:, None], 0), numpy.max(
@@ -109,6 +113,33 @@ def clumps(folder):
     with open(os.path.join(folder, "clumps.dump"), encoding="ascii") as file:
         bounds = numpy.array([line.split() for line in file.read().split("ff ff ff\n")[1].splitlines()[:3]], float)
     check(near(bounds[:, 0], low) and near(bounds[:, 1], high), "the box holds all spheres of all frames")
+
+
+def bonded_spheres(folder):
+    """Four dumbbells, of which two are bonded by the spheres that face each other. One of these turns against the other, about their
+    line, by more than half a turn: lines join the bodies, energies are those of the rows, and the bond that has turned is counted."""
+    path = os.path.join(folder, "bonded")
+    for name, text in (("bonds.csv", "i,j\n2,1\n"),
+                       ("dumbbells.csv", "x,y,z,omega_x,omega_y,omega_z\n0,0,0,4,0,0\n5,0,0,0,0,0\n10,0,0,0,0,0\n15,0,0,0,0,0\n"), ("bonded.yaml", """bodies: {table: dumbbells.csv, mass: 2, random: {seed: 4, v: 0.1},
+         clumps: {spheres: [[-1, 0, 0, 1], [1, 0, 0, 1]]}}
+binder: {table: bonds.csv, axial: 9, moment: 0.1, on: spheres}
+bond_dashpot: {axial: 0.1}
+h: 1/64
+t_end: 2
+""")):
+        with open(os.path.join(folder, name), "w", encoding="ascii") as file:
+            file.write(text)
+    done = run(RUN, path + ".yaml", "-o", path + ".h5", "--record", "16", "--frames", "16")
+    check(done.returncode == 0 and "1 bonds of spheres" in done.stdout, f"bonded spheres run {done.stderr}")
+    frames = read_vtkhdf(path + ".h5")
+    with h5py.File(path + ".h5") as file:
+        held = file["energies/binder_axial"][...] + file["energies/binder_moment"][...]
+        turned = file.attrs["bonds_turned"]
+    check(all(numpy.array_equal(frame["Lines"], [[0, 1]]) or numpy.array_equal(frame["Lines"], [[1, 0]]) for frame in frames),
+          f"the bond is a line between the bodies: {frames[0]['Lines']}")
+    check(len(frames) == len(held) == 9 and max(held) > 0.01
+          and near(numpy.array([frame["bond_energy"][4] for frame in frames]), held), "its energy is that of the rows")
+    check(turned == 1, f"bonds that have turned past half a turn: {turned}")
 
 
 def outline(folder):
@@ -142,6 +173,7 @@ with tempfile.TemporaryDirectory() as root:
     clumps(root)
     outline(root)
     spheres_seen(root)
+    bonded_spheres(root)
     for scene in ("ellipsoids", "clumps"):
         done = plot(PLOT, os.path.join(root, scene + ".h5"), "-o", os.path.join(root, scene), only=("shapes.png",))
         check(done.returncode == 0 and os.path.getsize(os.path.join(root, scene, "shapes.png")) > 3000, f"{scene} are drawn {done.stderr}")

@@ -101,6 +101,51 @@ TEST(drag_on_spheres)
     }
 }
 
+/** One step of 2, which is enough where flows are exact: of spheres, and of a dumbbell that moves and turns along its axis
+ *  alone. The ledger closes to rounding. */
+static void slow_down(const char *text, struct scene *scene, struct model *model)
+{
+    make_model(text, scene, model);
+    const double energy = model_energy(model, &model->bodies);
+    go(model, 1, 2.0);
+    assert_close(model_energy(model, &model->bodies) + vti_booked(model->effects, 1), energy, 100 * EPS * energy);
+}
+
+/** Each sphere by its own diameter, as a body and in a clump: Stokes' c = 3 pi mu D and pi mu D^3, Newton's k = pi/8 C_D
+ *  rho D^2, under which v0/v = 1 + k v0 t/m; exponents and quotients to some ten roundings. */
+TEST(drag_by_diameters)
+{
+    static const double D[2] = {2.0, 1.0}, m[2] = {3.0, 0.5};
+    const double mu = 0.125, k = PI / 8.0 * 0.44 * 0.75, t = 2.0;
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,vx,vy,vz,omega_x,omega_y,omega_z,mass,diameter\n0,0,0,2,0,0,0,0,3,3,2\n"
+                        "5,0,0,2,0,0,0,0,3,0.5,1\n");
+    slow_down("bodies: {table: b.csv}\ndrag: {viscosity: 0.125}\nh: 2\nt_end: 2\n", &scene, &model);
+    for (int i = 0; i < 2; ++i) {
+        assert_close(at(&model.bodies.v, i, 0), 2.0 * exp(-3.0 * PI * mu * D[i] * t / m[i]), 100 * EPS);
+        assert_close(at(&model.bodies.omega, i, 2), 3.0 * exp(-PI * mu * D[i] * t / (0.1 * m[i])), 100 * EPS);
+    }
+    model_destroy(&model);
+    slow_down("bodies: {table: b.csv}\ndrag: {density: 0.75}\nh: 2\nt_end: 2\n", &scene, &model);
+    for (int i = 0; i < 2; ++i) {
+        assert_close(at(&model.bodies.v, i, 0), 2.0 / (1.0 + k * D[i] * D[i] * 2.0 * t / m[i]), 100 * EPS);
+        assert_true(at(&model.bodies.omega, i, 2) == 3.0);
+    }
+    model_destroy(&model);
+#define DUMBBELL                                                                                                       \
+    "bodies: {clumps: {spheres: [[1, 0, 0, 2], [4, 0, 0, 1]]}, mass: 9, x: [5, 6, 7], v: [2, 0, 0], alpha: [0, 0, "    \
+    "0], omega: [3, 0, 0]}\nh: 2\nt_end: 2\n"
+    const double about_axis = 0.4 * 8.0 + 0.4 * 0.25; /* spheres of masses 8 and 1 */
+    slow_down(DUMBBELL "drag: {viscosity: 0.125, on: spheres}\n", &scene, &model);
+    assert_close(at(&model.bodies.v, 0, 0), 2.0 * exp(-3.0 * PI * mu * (2.0 + 1.0) * t / 9.0), 100 * EPS);
+    assert_close(at(&model.bodies.omega, 0, 0), 3.0 * exp(-PI * mu * (8.0 + 1.0) * t / about_axis), 100 * EPS);
+    model_destroy(&model);
+    slow_down(DUMBBELL "drag: {density: 0.75, coefficient: 0.22, on: spheres}\n", &scene, &model);
+    assert_close(at(&model.bodies.v, 0, 0), 2.0 / (1.0 + k / 2.0 * (4.0 + 1.0) * 2.0 * t / 9.0), 100 * EPS);
+    model_destroy(&model);
+}
+
 #define TWO "clumps: {spheres: [[0, 0, 0, 1], [1, 0, 0, 1], [0, 0, 0, 2]], counts: [2, 1]"
 
 /** Templates take turns, or are named by the table; bodies may have masses of their own. */
@@ -300,7 +345,130 @@ TEST(bonded_clumps)
     model_destroy(&model);
 }
 
+/** Clumps of a sphere each are bonded as these are, to the bit. */
+TEST(bonded_spheres_of_one_are_bonded_bodies)
+{
+    double *after[2];
+    int64_t size = 0;
+    write_text("bonds.csv", "i,j,axial,shear\n0,1,30,5\n2,1,20,4\n");
+    for (int k = 0; k < 2; ++k) {
+        struct scene scene;
+        struct model model;
+        char text[400];
+        snprintf(text, sizeof text,
+                 "bodies: {chain: {count: 3, spacing: 2}, mass: 0.7, random: {seed: 3, v: 1, omega: 1}, clumps: "
+                 "{spheres: [[1, 2, 3, 1]]}}\nbinder: {table: bonds.csv, moment: 3, on: %s}\n" TIME,
+                 k == 0 ? "bodies" : "spheres");
+        make_model(text, &scene, &model);
+        assert_int_equal(model.on_spheres[0], k);
+        go(&model, 200, 1.0 / 64.0);
+        size = state_size(&model.bodies);
+        after[k] = malloc(sizeof(double) * (size_t)size);
+        state_get(&model.bodies, after[k]);
+        model_destroy(&model);
+    }
+    assert_memory_equal(after[0], after[1], sizeof(double) * (size_t)size);
+    free(after[0]);
+    free(after[1]);
+}
+
+#define DUMBBELLS                                                                                                      \
+    "bodies: {table: b.csv, mass: 2, clumps: {spheres: [[-1, 0, 0, 1], [1, 0, 0, 1.2]]}}\n"                            \
+    "binder: {table: bonds.csv, on: spheres, "
+
+/** Two dumbbells on a line, joined by the spheres that face each other: L0 = 3, k = K/L0^2 = 1, reduced mass 1. Velocity
+ *  Verlet has s = v h sin(n w)/sin w of it, 4 sin^2(w/2) = h^2. Bonds end where spheres are, not bodies. */
+TEST(a_bond_between_spheres)
+{
+    const double h = 1.0 / 16.0, w = 2.0 * asin(0.5 * h);
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,vx,vy,vz\n0,0,0,-0.05,0,0\n5,0,0,0.05,0,0\n");
+    write_text("bonds.csv", "i,j\n2,1\n");
+    make_model(DUMBBELLS "axial: 9}\n" TIME, &scene, &model);
+    const double gap = at(&model.bodies.x, 1, 0) - at(&model.bodies.x, 0, 0);
+    go(&model, 100, h);
+    const double stretch = at(&model.bodies.x, 1, 0) - at(&model.bodies.x, 0, 0) - gap;
+    assert_close(stretch, 0.1 * h * sin(100 * w) / sin(w), 1000 * EPS); /* 100 steps of numbers of 5 */
+    assert_true(at(&model.bodies.omega, 0, 2) == 0.0);
+    model_destroy(&model);
+}
+
+/** Bodies may be turned at t = 0: nothing pulls then. */
+TEST(bonds_between_spheres_begin_at_rest)
+{
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,alpha_x,alpha_y,alpha_z\n0,0,0,1,-3,0.5\n5,0,0,0.3,2,7\n");
+    write_text("bonds.csv", "i,j\n0,3\n1,2\n");
+    make_model(DUMBBELLS "axial: 9, moment: 2, shear: {stiffness: 3}}\n" TIME, &scene, &model);
+    for (int i = 0; i < 2; ++i)
+        for (int c = 0; c < 3; ++c) { /* stiffnesses of 9 over lengths of 3 */
+            assert_close(at(&model.bodies.force, i, c), 0.0, 100 * EPS);
+            assert_close(at(&model.bodies.moment, i, c), 0.0, 100 * EPS);
+        }
+    assert_close(model_energy(&model, &model.bodies), 0.0, EPS);
+    model_destroy(&model);
+}
+
+/** Aslant, with all terms: momenta to rounding, the energy to second order. What is bonded is no contact, all else is. */
+TEST(bonds_between_spheres_keep)
+{
+    double error[2];
+    write_text("b.csv",
+               "x,y,z,vx,vy,vz,omega_x,omega_y,omega_z\n0,0,0,0,0.1,0,0.3,0.2,-0.1\n1.5,1.2,0.4,0,-0.1,0,0,-0.2,0.3\n");
+    write_text("bonds.csv", "i,j,moment,shear\n0,3,0.5,0.4\n1,2,0.2,1\n");
+    for (int k = 0; k < 2; ++k) {
+        struct scene scene;
+        struct model model;
+        const int64_t steps = 1000 << k;
+        make_model(DUMBBELLS "axial: 5}\ncontact: {stiffness: 50}\n" TIME, &scene, &model);
+        assert_int_equal(model.effects_count, 2);
+        const struct kept start = measure(&model);
+        go(&model, steps, 8.0 / (double)steps);
+        const struct kept end = measure(&model);
+        for (int c = 0; c < 3; ++c) { /* as in a collision */
+            assert_close(end.momentum[c], start.momentum[c], 10.0 * sqrt((double)steps) * 4.0 * EPS);
+            assert_close(end.angular[c], start.angular[c], 10.0 * sqrt((double)steps) * 8.0 * EPS);
+        }
+        error[k] = fabs(end.energy - start.energy);
+        model_destroy(&model);
+    }
+    assert_true(error[0] < 1e-3 && error[1] < 0.3 * error[0]);
+    struct scene scene;
+    struct model model;
+    double of[2];
+    write_text("b.csv", "x,y,z\n0,0,0\n3,0,0\n"); /* spheres 1 and 2 overlap by 0.1 */
+    write_text("bonds.csv", "i,j\n1,2\n");
+    for (int k = 0; k < 2; ++k) {
+        make_model(k == 0 ? DUMBBELLS "axial: 9}\ncontact: {stiffness: 50}\n" TIME
+                          : DUMBBELLS "axial: 9}\ncontact: {stiffness: 50, bonded: yes}\n" TIME,
+                   &scene, &model);
+        of[k] = model_energy(&model, &model.bodies);
+        model_destroy(&model);
+    }
+    assert_true(of[0] == 0.0 && of[1] > 0.0);
+}
+
+TEST(bonds_between_spheres_refused)
+{
+    write_text("b.csv", "x,y,z\n0,0,0\n5,0,0\n");
+    write_text("bonds.csv", "i,j\n2,3\n");
+    assert_model_refused(DUMBBELLS "axial: 9}\n" TIME,
+                         "bonds.csv:2: spheres 2 and 3 are of one body, 1; name spheres of two");
+    write_text("bonds.csv", "i,j\n2,4\n");
+    assert_model_refused(DUMBBELLS "axial: 9}\n" TIME,
+                         "bonds.csv:2: j: '4' is not a sphere; there are 4, counted from 0");
+    write_text("bonds.csv", "i,j\n2,1\n1,2\n");
+    assert_model_refused(DUMBBELLS "axial: 9}\n" TIME,
+                         "bonds.csv:3: spheres 1 and 2 are bonded a second time, first by line 2; keep one");
+}
+
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(one_sphere_has_the_bits_of_a_sphere), cmocka_unit_test(a_dumbbell_by_hand),
-                    cmocka_unit_test(drag_on_spheres), cmocka_unit_test(templates), cmocka_unit_test(random_attitudes),
-                    cmocka_unit_test(no_contact_inside_a_clump), cmocka_unit_test(two_clumps_collide),
-                    cmocka_unit_test(refused_scenes), cmocka_unit_test(refused_models), cmocka_unit_test(bonded_clumps))
+                    cmocka_unit_test(drag_on_spheres), cmocka_unit_test(drag_by_diameters), cmocka_unit_test(templates),
+                    cmocka_unit_test(random_attitudes), cmocka_unit_test(no_contact_inside_a_clump),
+                    cmocka_unit_test(two_clumps_collide), cmocka_unit_test(refused_scenes),
+                    cmocka_unit_test(refused_models), cmocka_unit_test(bonded_clumps),
+                    cmocka_unit_test(bonded_spheres_of_one_are_bonded_bodies), cmocka_unit_test(a_bond_between_spheres),
+                    cmocka_unit_test(bonds_between_spheres_begin_at_rest), cmocka_unit_test(bonds_between_spheres_keep),
+                    cmocka_unit_test(bonds_between_spheres_refused))

@@ -75,7 +75,7 @@ static const struct refusal refused[] = {
     {CHAIN "binder: {axial: 0}\n" TIME, "2:17: binder.axial: '0' is not positive; the stiffness K^a must be > 0"},
     {CHAIN "binder: {moment: -1}\n" TIME, "2:18: binder.moment: '-1' is not positive; the stiffness K^m must be > 0"},
     {CHAIN "binder: {axial: 1, bending: 3}\n" TIME, "2:20: binder.bending: unknown key 'bending'; known in binder: "
-                                                    "table, when, most, from, until, moment, axial, shear, break"},
+                                                    "table, on, when, most, from, until, moment, axial, shear, break"},
     {CHAIN "binder: {shear: 200}\n" TIME, "2:17: binder.shear: '200' is not a section; write its keys, each on a "
                                           "line of its own: stiffness, form"},
     {CHAIN "binder: {shear: {form: objective}}\n" TIME,
@@ -116,12 +116,32 @@ static const struct refusal refused[] = {
     {CHAIN "binder: {moment: 1, break: {normal: 2}}\n" TIME,
      "2:37: binder.break.normal: bonds have no stiffness that could reach it; give binder.axial"},
 
+    {CHAIN "binder: {axial: 1, table: t.csv, on: spheres}\n" TIME,
+     "2:38: binder.on: there are no clumps; give bodies.clumps, or leave it out"},
+    {"bodies: {clumps: {spheres: [[0, 0, 0, 1]]}, chain: {count: 2, spacing: 1}, mass: 1}\n"
+     "binder: {axial: 1, on: spheres}\n" TIME,
+     "2:24: binder.on: spheres have no neighbours; give table, a file of their bonds"},
+    {"bodies: {clumps: {spheres: [[0, 0, 0, 1]]}, chain: {count: 2, spacing: 1}, mass: 1}\n"
+     "binder: {table: t.csv, shear: {stiffness: 1, form: printed}, on: spheres}\n" TIME,
+     "2:52: binder.shear.form: the printed shear knows bonds of bodies only; give objective or quartic"},
     /* drag */
-    {CHAIN "drag: {}\n" TIME, "2:1: drag: no coefficient; give linear, quadratic or angular"},
+    {CHAIN "drag: {}\n" TIME, "2:1: drag: no coefficient; give linear, quadratic or angular, viscosity or density"},
     {CHAIN "drag: {linear: -1}\n" TIME, "2:16: drag.linear: '-1' is negative; the coefficient c must be >= 0"},
     {SPIN "drag: {quadratic: 1}\n" TIME,
      "2:19: drag.quadratic: acts on bodies that translate; give bodies.x or an arrangement of them"},
     {POINT "drag: {angular: 1}\n" TIME, "2:17: drag.angular: acts on bodies that turn; give bodies.omega"},
+    {CHAIN "drag: {viscosity: 1, angular: 1}\n" TIME,
+     "2:31: drag.angular: given besides drag.viscosity, which says it; keep one of them"},
+    {CHAIN "drag: {quadratic: 1, density: 1}\n" TIME,
+     "2:19: drag.quadratic: given besides drag.density, which says it; keep one of them"},
+    {CHAIN "drag: {linear: 1, coefficient: 1}\n" TIME,
+     "2:32: drag.coefficient: given without drag.density; give that too"},
+    {SPIN "drag: {viscosity: 1}\n" TIME,
+     "2:19: drag.viscosity: acts on bodies that translate; give bodies.x or an arrangement of them"},
+    {"bodies: {mass: 1, x: [0, 0, 0], v: [0, 0, 1]}\ndrag: {density: 1}\n" TIME,
+     "2:17: drag.density: acts by the diameter; give bodies.diameter"},
+    {"bodies: {clumps: {spheres: [[0, 0, 0, 1]]}, mass: 1, x: [0, 0, 0], v: [0, 0, 0]}\ndrag: {density: 1}\n" TIME,
+     "2:17: drag.density: acts by diameters, which spheres of clumps have; give on: spheres"},
     {CHAIN "drag: {linear: 1, on: spheres}\n" TIME,
      "2:23: drag.on: there are no clumps; give bodies.clumps, or leave it out"},
     {CHAIN "drag: {linear: 1, on: air}\n" TIME, "2:23: drag.on: 'air' is not one of bodies, spheres; take one of them"},

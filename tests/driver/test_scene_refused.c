@@ -9,7 +9,7 @@
 #define NUMBER " is not a number; write 0.01, 1e-3, 1/64 or 2^-6"
 #define ROOT_KEYS                                                                                                      \
     "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, rotor, "  \
-    "h, tolerance, t_end"
+    "h, tolerance, control, speed, turning, t_end"
 #define BODY_KEYS                                                                                                      \
     "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
@@ -101,6 +101,13 @@ static const struct refusal files[] = {
     {SPIN "h: 1e-16\nt_end: 1\n", "3:8: t_end: '1' is more than 2^53 steps of h = 1e-16; take a larger h"},
     {SPIN TIME "stepper: rk4\n", "4:10: stepper: 'rk4' is not a stepper; take one of " STEPPERS},
     {SPIN TIME "stepper: [vti2]\n", "4:10: stepper: a list of 1 is not a word; write a single word"},
+    {SPIN TIME "control: exact\n", "4:10: control: 'exact' is not one of integrating, naive; take one of them"},
+    {SPIN TIME "control: naive\ntolerance: 1e-6\n",
+     "4:10: control: given besides tolerance: steps go by how fast bodies turn or by their errors; keep one"},
+    {SPIN TIME "control: naive\nspeed: 2\n",
+     "5:8: speed: given without a tolerance, whose unit it is; give both or neither"},
+    {SPIN TIME "turning: 2\n",
+     "4:10: turning: given without a tolerance or a control, whose unit it is; give one of them, or leave it out"},
     {SPIN TIME "rotor: 3\n", "4:8: rotor: '3' is not one of 2, 4, 6; take one of them"},
     {SPIN TIME "rotor: 4\n",
      "4:8: rotor: a sphere's turn is one, of any order; give bodies.moments or bodies.clumps, or leave it out"},

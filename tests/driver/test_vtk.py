@@ -37,8 +37,9 @@ RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
 READERS = {".h5": vtkHDFReader, ".xdmf": vtkXdmfReader}
 
 
-def read(path, ending):
-    """Frames as run_support's readers return them; which points the cells of the XDMF index join is left to those."""
+def read(path, ending, grid=0):
+    """Frames as run_support's readers return them, with the points of that grid; which of them the cells of the XDMF index join is
+    left to those."""
     reader, frames = READERS[ending](), []
     reader.SetFileName(path)
     reader.UpdateInformation()
@@ -49,7 +50,7 @@ def read(path, ending):
         reader.UpdateTimeStep(t)
         data = reader.GetOutputDataObject(0)
         blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())] if data.IsA("vtkMultiBlockDataSet") else [data]
-        data = blocks[0]
+        data = blocks[grid]
         frame = {"t": t, "Points": vtk_to_numpy(data.GetPoints().GetData()).copy()}
         for k in range(data.GetPointData().GetNumberOfArrays()):
             array = data.GetPointData().GetArray(k)
@@ -124,6 +125,8 @@ def spheres():
         frames = read_vtkhdf(f"{folder}/out-spheres.h5")
         check(len(frames) > 2 and same(frames, read(f"{folder}/out-spheres.h5", ".h5"), ["Points", "velocity", "diameter", "body"]),
               f"VTK finds the same {len(frames)} frames of {len(frames[0]['Points'])} spheres")
+        check(same(frames, read(f"{folder}/out.xdmf", ".xdmf", grid=1), ["Points", "velocity", "diameter", "body"]),
+              "... and as the second block of the XDMF index")
         reader, glyph, sphere = vtkHDFReader(), vtkGlyph3D(), vtkSphereSource()
         reader.SetFileName(f"{folder}/out-spheres.h5")
         reader.Update()

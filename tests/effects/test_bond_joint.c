@@ -216,7 +216,14 @@ TEST(equal_moments_are_spheres)
             m.moments[i][0] = m.moments[i][1] = m.moments[i][2] = m.t.c.inertia[i];
         uneven_spin_up(&m);
         web_terms(&w, web_grow(&w, &g, &m.t.c, 2, 1, 20), MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
-        vti_bond_dashpots dashpots = {&w.bonds, 0.3, 0.1, 0.2, 0.05, 0.1, m.lost}, of_spheres = dashpots;
+        vti_bond_dashpots dashpots = {.bonds = &w.bonds,
+                                      .zeta = 0.3,
+                                      .axial = 0.1,
+                                      .shear = 0.2,
+                                      .bending = 0.05,
+                                      .twisting = 0.1,
+                                      .lost = m.lost},
+                          of_spheres = dashpots;
         of_spheres.lost = lost;
         spheres = m.t.c;
         const vti_bodies b = crowd_bodies(&spheres);

@@ -6,7 +6,7 @@
 #include "crowd.h"
 #include "units.h"
 
-#include "../../src/vti_binder_table.h"
+#include "../../src/bonds/vti_binder_table.h"
 
 static crowd c, wide;
 static web w;

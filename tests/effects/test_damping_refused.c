@@ -215,7 +215,7 @@ TEST(dashpots_of_bonds)
     rng g = rng_seed(1430);
     two_bodies();
     web_terms(&w, web_grow(&w, &g, &m.c, 0, 1, 2), MOMENT, VTI_SHEAR_OBJECTIVE);
-    const vti_bond_dashpots good = {&w.bonds, 0.1, 1, 1, 1, 1, m.lost};
+    const vti_bond_dashpots good = {&w.bonds, 0.1, 1, 1, 1, 1, m.lost, NULL};
     for (int k = 0; k < 5; ++k)
         for (int bad = 0; bad < 4; ++bad) {
             vti_bond_dashpots p = good;
@@ -242,7 +242,7 @@ TEST(inertia_of_what_turns)
     two_bodies();
     web_terms(&w, web_grow(&w, &g, &m.c, 0, 1, 2), MOMENT, VTI_SHEAR_OBJECTIVE);
     const vti_dashpots p = all_dashpots();
-    const vti_bond_dashpots bonds = {&w.bonds, 0.1, 1, 1, 1, 1, m.lost};
+    const vti_bond_dashpots bonds = {&w.bonds, 0.1, 1, 1, 1, 1, m.lost, NULL};
     m.b.moment = vti_view_none();
     says(vti_dashpots_effect(&p), VTI_OK);
     says(vti_bond_dashpots_effect(&bonds), VTI_OK);

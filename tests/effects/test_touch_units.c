@@ -5,10 +5,10 @@
  * kernels' tables are private to the library. */
 #include "support.h"
 
-#include "../../src/vti_bond_flow.h"
-#include "../../src/vti_carry.h"
-#include "../../src/vti_dashpot_flow.h"
-#include "../../src/vti_touch_table.h"
+#include "../../src/dissipation/vti_bond_flow.h"
+#include "../../src/dissipation/vti_carry.h"
+#include "../../src/dissipation/vti_dashpot_flow.h"
+#include "../../src/dissipation/vti_touch_table.h"
 
 enum { PAIRS = 21, N = 2 * PAIRS, ROOM = 8 * N };
 enum { PACKED, SEPARATE, STRIDED, LAYOUTS };
@@ -86,6 +86,35 @@ static void draw(rng *g, const vti_bodies *b)
     }
 }
 
+/** All springs of one touch, and what they take. */
+static void hold_on(const vti_friction *p, const struct vti_carry *c, double mu, vti_held *held)
+{
+    const double coefficient[VTI_FRICTION_BOOKS] = {p->sliding, p->rolling, p->twisting};
+    struct vti_loads loads = {.twisting = held->twisting};
+    struct vti_taken taken;
+    memcpy(loads.sliding, held->sliding, sizeof loads.sliding);
+    memcpy(loads.rolling, held->rolling, sizeof loads.rolling);
+    vti_carry_loads(p, c, mu, &loads, &taken);
+    memcpy(held->sliding, loads.sliding, sizeof loads.sliding);
+    memcpy(held->rolling, loads.rolling, sizeof loads.rolling);
+    held->twisting = loads.twisting;
+    for (int k = 0; k < VTI_FRICTION_BOOKS; ++k) {
+        if (coefficient[k] > 0.0)
+            vti_sum_add(&p->lost[k], taken.lost[k]);
+        if (coefficient[k] > 0.0 && c->touch.moves)
+            vti_sum_add(p->walls->work, taken.worked[k]);
+    }
+}
+
+/** What one touch has been through. */
+static void go_along(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b, const vti_drifted *drifted)
+{
+    double d0[3], a_i[3], a_j[3];
+    vti_carry_motion(c, walls, b, drifted, d0, a_i, a_j);
+    vti_carry_stretch(c, d0, a_i, a_j);
+    memcpy(c->turned, a_j, sizeof a_j);
+}
+
 /** The springs of each pair alone. */
 static void expect(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, vti_held *held,
                    double delta[PAIRS])
@@ -93,12 +122,12 @@ static void expect(const vti_friction *p, const vti_bodies *b, const vti_drifted
     for (int64_t k = 0; k < PAIRS; ++k) {
         struct vti_carry c = {.delta0 = 0.0};
         assert_true(vti_touch_pair(&c.touch, p->contacts, b, k, INFINITY));
-        vti_carry_motion(&c, NULL, b, drifted);
+        go_along(&c, NULL, b, drifted);
         delta[k] = c.touch.delta;
         if (!(c.delta0 >= -p->reach))
             delta[k] = INFINITY;
         else
-            vti_carry_held(p, &c, &held[k]);
+            hold_on(p, &c, p->sliding, &held[k]);
     }
 }
 
@@ -280,6 +309,33 @@ static void nears(const struct vti_touch_kernels *kernels)
         }
         assert_int_equal(kernels->near(&contacts, &b, reach, first, end - first, found), count);
         assert_memory_equal(found, expected, (size_t)count * sizeof *found);
+    }
+}
+
+/** Bodies near a plane, one of which has left it in the drift; but for the last ones, which may be, no others. */
+static void nears_wall(const struct vti_touch_kernels *kernels)
+{
+    static const double plane[2][4] = {{0.6, 0.0, 0.8, -0.3}, {0.0, 1.0, 0.0, 0.2}};
+    rng g = rng_seed(43);
+    for (int trial = 0; trial < LAYOUTS * 16; ++trial) {
+        const vti_bodies b = bodies_in(trial % LAYOUTS);
+        const vti_walls walls = {
+            .count = 2, .plane = plane[0], .diameter = vti_scalars_array(bodies.diameter), .stiffness = 1.0};
+        const double reach = trial % 5 ? 0.1 * (trial % 5 - 1) : INFINITY;
+        const int64_t w = trial % 2, first = trial % 3, count = N - trial % 4;
+        struct vti_touch touch;
+        draw(&g, &b);
+        const uint64_t near = kernels->near_wall(&walls, &b, reach, 0.0, w, first, count);
+        for (int64_t k = 0; k < count; ++k) {
+            const int is_near = vti_touch_wall(&touch, &walls, &b, w, first + k, reach);
+            assert_true(is_near ? near >> k & 1 : k >= count - VTI_LANES_MOST || !(near >> k & 1));
+        }
+        assert_true(near >> (count - 1) >> 1 == 0);
+        const double r = uniform(&g, 0.01, 3.0); /* how far body 9 has come from inside of the wall */
+        const double *const n = plane[w], away = n[3] + 0.5 * bodies.diameter[9] + 0.999 * r;
+        put(&b.x, 9, away * n[0], away * n[1], away * n[2]);
+        put(&b.v, 9, 10.0 * r * n[0], 10.0 * r * n[1], 10.0 * r * n[2]);
+        assert_true(kernels->near_wall(&walls, &b, 0.0, 0.1, w, first, count) >> (9 - first) & 1);
     }
 }
 
@@ -681,11 +737,103 @@ TEST(walls)
     }
 }
 
+enum { WALLS = 4 };
+
+/** The springs of each body at each wall alone, as rows of a table. Returns how many hold something. */
+static int expect_at_walls(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted,
+                           vti_held held[MANY][WALLS])
+{
+    const vti_held none = {.i = 0};
+    int holds = 0;
+    for (int64_t i = 0; i < MANY; ++i)
+        for (int64_t w = 0; w < WALLS; ++w) {
+            struct vti_carry c = {.delta0 = 0.0};
+            assert_true(vti_touch_wall(&c.touch, p->walls, b, w, i, INFINITY));
+            if (c.touch.delta <= 0.0 && held[i][w].i == 0)
+                continue;
+            held[i][w].i = 1 + i;
+            held[i][w].j = -1 - w;
+            go_along(&c, p->walls, b, drifted);
+            hold_on(p, &c, vti_friction_of_wall(p, w), &held[i][w]);
+            if (c.touch.delta <= 0.0)
+                held[i][w] = none;
+            holds += held[i][w].i != 0;
+        }
+    return holds;
+}
+
+/** Springs of bodies at walls that stand and move, all at once, have the bits of one after the other; also of bodies
+ *  that a long drift has taken farther away than lists reach. */
+TEST(springs_at_walls)
+{
+    static const double plane[WALLS - 1][4] = {{0.0, 0.0, 1.0, -0.8}, {0.6, 0.8, 0.0, -0.7}, {-1.0, 0.0, 0.0, -0.6}},
+                                      cylinder[7] = {0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.9},
+                                      mu[WALLS] = {0.3, 0.0, 0.5, 0.4};
+    static double alpha[MANY][3];
+    rng g = rng_seed(41);
+    for (int trial = 0; trial < 48; ++trial) {
+        vti_sum lost[2][VTI_FRICTION_BOOKS] = {{{0.0, 0.0}}}, work[2] = {{0.0, 0.0}};
+        vti_held table[512], held[MANY][WALLS];
+        vti_history history = {512, 0, 0, table};
+        double diameter[MANY];
+        memset(table, 0, sizeof table);
+        memset(held, 0, sizeof held);
+        draw_crowd(&g);
+        for (int i = 0; i < MANY; ++i)
+            diameter[i] = uniform(&g, 0.1, 0.4);
+        vti_wall_motion motion[WALLS] = {
+            {.velocity = {0.1, 0.0, 0.2}, .spin = 0.3}, {.spin = 0.5}, {.spin = 0.1}, {.spin = 2.0}};
+        vti_walls of = {.count = WALLS - 1,
+                        .plane = plane[0],
+                        .diameter = vti_scalars_array(diameter),
+                        .stiffness = 3.0,
+                        .cylinders = 1,
+                        .cylinder = cylinder,
+                        .motion = trial % 2 ? motion : NULL,
+                        .work = &work[0]};
+        vti_friction p = {.walls = &of,
+                          .sliding = trial % 5 ? 0.4 : 0.0,
+                          .mindlin = trial % 5 ? 0.8 : 0.0,
+                          .rolling = trial % 3 ? 0.1 : 0.0,
+                          .rolling_stiffness = 1.0,
+                          .twisting = trial % 3 != 1 ? 0.1 : 0.0,
+                          .twisting_stiffness = 1.0,
+                          .reach = trial % 4 ? 0.01 : INFINITY,
+                          .history = &history,
+                          .lost = lost[0],
+                          .wall_sliding = trial % 7 ? mu : NULL};
+        vti_bodies b = bodies_of_crowd();
+        b.alpha = vti_view_packed(alpha[0]);
+        vti_effect effect = vti_friction_effect(&p);
+        int holds = 0;
+        for (int step = 0; step < 4; ++step) {
+            const vti_drifted drifted = {.t = step == 3 ? 0.3 : 0.02, .law = 1 + trial % 4, .frame = VTI_FRAME_SPACE};
+            for (int i = 0; i < 3 * MANY; ++i)
+                place_of[i / 3][i % 3] += drifted.t * velocity[i / 3][i % 3];
+            p.lost = lost[1];
+            of.work = &work[1];
+            holds = expect_at_walls(&p, &b, &drifted, held);
+            p.lost = lost[0];
+            of.work = &work[0];
+            assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+            assert_int_equal(history.used, holds);
+        }
+        for (int64_t i = 0; i < MANY; ++i)
+            for (int64_t w = 0; w < WALLS; ++w)
+                if (held[i][w].i != 0)
+                    assert_memory_equal(&held[i][w], vti_history_find(&history, 1 + i, -1 - w), sizeof held[i][w]);
+        assert_true(holds > 10);
+        assert_same_bits(lost[0], lost[1], 2 * VTI_FRICTION_BOOKS);
+        assert_same_bits(&work[0], &work[1], 2);
+    }
+}
+
 /* ---- the units --------------------------------------------------------------------------------------------------- */
 
 static void agree(const struct vti_touch_kernels *kernels)
 {
     nears(kernels);
+    nears_wall(kernels);
     pushes(kernels);
     carries(kernels);
     flows(kernels);
@@ -720,5 +868,5 @@ TEST(avx512)
 }
 
 RUN_TESTS(cmocka_unit_test(order_of_the_pairs), cmocka_unit_test(order_of_the_bonds),
-          cmocka_unit_test(springs_of_a_crowd), cmocka_unit_test(walls), cmocka_unit_test(baseline),
-          cmocka_unit_test(avx2), cmocka_unit_test(avx512))
+          cmocka_unit_test(springs_of_a_crowd), cmocka_unit_test(walls), cmocka_unit_test(springs_at_walls),
+          cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))

@@ -40,7 +40,7 @@ if [ -f "$lint/build.ninja" ]; then
     libraries="$libraries clang=$lint/src/libvti.a"
 fi
 
-sources="$(ls "$root"/src/vti_*.c | grep -v '_avx') $here/digest.c"
+sources="$(find "$root/src" -name 'vti_*.c' ! -name '*_avx*') $here/digest.c"
 
 # run PROGRAM: what it prints, and no program
 run() {
@@ -48,13 +48,13 @@ run() {
     rm "$1"
 }
 
-# objects FOLDER COMPILER-WITH-FLAGS SOURCE...
+# objects FOLDER COMPILER-WITH-FLAGS SOURCE...: of src/ROOM/FILE named as Meson does
 objects() {
     into=$1
     with=$2
     shift 2
     for source in "$@"; do
-        $with $flags -c "$source" -o "$into/$(basename "$source").o"
+        $with $flags -c "$source" -o "$into/$(echo "${source#"$root"/src/}" | sed 's:^/.*/:: ; s:/:_:g').o"
     done
 }
 
@@ -75,7 +75,7 @@ core() {
         AVX2) options=-mavx2 ;;
         AVX512) options="-mavx512f -mavx512dq -mavx512vl" ;;
         esac
-        objects "$work/$1-O3" "$1 -O3 $options" $(ls "$root"/src/vti_*_"$(echo "$unit" | tr AVX avx)".c)
+        objects "$work/$1-O3" "$1 -O3 $options" $(find "$root/src" -name "vti_*_$(echo "$unit" | tr AVX avx).c")
     done
 }
 

@@ -11,7 +11,7 @@ races() {
     echo 'int main(void) { return 0; }' >"$work/$1.c"
     "$1" -fsanitize=thread "$work/$1.c" -o "$work/$1" 2>/dev/null || { echo "threads: $1 skipped"; return 0; }
     "$1" -std=c99 -O1 -g -fsanitize=thread -ffp-contract=off -I"$root/include" \
-        $(ls "$root"/src/vti_*.c | grep -v _avx) "$root/tests/hard/test_threads.c" -lm -pthread -o "$work/$1"
+        $(find "$root/src" -name 'vti_*.c' ! -name '*_avx*') "$root/tests/hard/test_threads.c" -lm -pthread -o "$work/$1"
     "$work/$1"
     "$1" -std=c99 -O1 -g -fsanitize=thread -I"$root/include" -I"$root/tests" -I"$root/drivers/threads" \
         "$root/drivers/threads/threads.c" "$root/tests/driver/test_parts.c" -lcmocka -lm -pthread -o "$work/$1-parts"

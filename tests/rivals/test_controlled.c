@@ -92,6 +92,31 @@ TEST(tally)
     end(&many);
 }
 
+/** Errors are taken in units of the scene's speed and turning: of both, that is another tolerance. */
+TEST(units)
+{
+    struct scene scene;
+    struct journey one, other, less;
+    read_scene("chain", &scene);
+    scene.tolerance = 1e-6;
+    begin(&one, &scene, method_of("srkn11"), 1.0 / 4);
+    scene.tolerance = 1e-6 / 8;
+    scene.speed = scene.turning = 8.0;
+    begin(&other, &scene, method_of("srkn11"), 1.0 / 4);
+    scene.turning = 0.0; /* of the angular velocity, 1 */
+    begin(&less, &scene, method_of("srkn11"), 1.0 / 4);
+    go(&one, 16);
+    go(&other, 16);
+    go(&less, 16);
+    const vti_bodies a = travel_bodies(&one.travel), b = travel_bodies(&other.travel), c = travel_bodies(&less.travel);
+    assert_same_bits(a.omega.c[0], b.omega.c[0], (size_t)(3 * a.count)); /* 8 is a power of two */
+    assert_true(memcmp(a.omega.c[0], c.omega.c[0], (size_t)(3 * a.count) * sizeof(double)) != 0);
+    assert_true(less.travel.course->evals > one.travel.course->evals);
+    end(&one);
+    end(&other);
+    end(&less);
+}
+
 /** What an observer of each look finds. */
 struct watch {
     double p[3], l[3], off;
@@ -178,5 +203,5 @@ TEST(no_step_is_short_enough)
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
-                    cmocka_unit_test(momenta), cmocka_unit_test(touches), cmocka_unit_test(refused),
-                    cmocka_unit_test(no_step_is_short_enough))
+                    cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
+                    cmocka_unit_test(refused), cmocka_unit_test(no_step_is_short_enough))

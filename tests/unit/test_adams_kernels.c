@@ -3,7 +3,7 @@
  * The two halves of a step of a multistep method by the kernels of every vector width, in every layout, against
  * the equations (EQUATIONS 8.1) written out here number by number, to the bit; and that nothing beside a slice is
  * touched. */
-#include "../../src/vti_adams.h"
+#include "../../src/multistep/vti_adams.h"
 #include "../../src/vti_move.h"
 #include "units.h"
 

@@ -18,6 +18,7 @@ from .page import Page, write_page
 MU, RESTITUTION = 0.092, 0.97   # of scenes/billiards.yaml
 NEAR = 1.03                     # beads of one heap: of the distance at which they touch
 LOW, HIGH = 0.15, 0.85          # of the height of a heap, between which its slope is fitted
+SPAN = 3                        # seconds of a row of the drum's table
 SHARE = 0.95                    # of the beads, which lie behind the front
 SQUAT, TALL = 2.2, 2.8          # aspect ratios up to which, and from which, a law is fitted
 LAWS = ("Lajeunesse, Monnier and Homsy (Phys. Fluids 17, 2005) and Lube, Huppert, Sparks and Freundt "
@@ -64,6 +65,14 @@ def slope(x, radius):
     return float(np.degrees(np.arctan2(1, -np.polyfit(levels, width, 1)[0])))
 
 
+def wedge(x, radius):
+    """Degrees of the wedge against the wall at x = 0 that has the heap's centre of mass: its height over its distance. All
+    beads count, and the beads of the foot as much as those of the slope."""
+    inside = heap(x, radius)
+    middle = np.average(x[inside], axis=0, weights=radius[inside] ** 3)
+    return float(np.degrees(np.arctan2(middle[2], middle[0])))
+
+
 @dataclass(frozen=True)
 class Column:
     beads: int
@@ -104,12 +113,13 @@ def spread(values, digits=1):
 
 
 def slopes(folder):
-    """(mu, length) -> angles of repose, one of each seed."""
+    """(mu, length) -> angles of repose, the slope and that of the wedge, one pair of each seed."""
     found = {}
     for path in sorted(glob.glob(os.path.join(glob.escape(folder), "repose-*", "out.h5"))):
         mu, length, _ = os.path.basename(os.path.dirname(path)).split("-", 1)[1].rsplit("-", 2)
         run = read_run(path)
-        found.setdefault((float(mu), length), []).append(slope(run.frame(len(run.times) - 1).x, run.diameter / 2))
+        x = run.frame(len(run.times) - 1).x
+        found.setdefault((float(mu), length), []).append([angle(x, run.diameter / 2) for angle in (slope, wedge)])
     return found
 
 
@@ -181,10 +191,11 @@ def picture(some, found, times, angles):
     runs.legend()
     for length, look in zip(lengths(found), style.LOOKS):
         mus = sorted(mu for mu, other in found if other == length)
-        each = [found[mu, length] for mu in mus]
-        repose.errorbar(mus, [np.mean(some) for some in each], [np.std(some, ddof=len(some) > 1) for some in each],
-                        fmt=look.marker + "-", capsize=3, color=look.colour,
-                        label=rf"$\mu_r$ = {float(length) * 1e3:g} mm")
+        for measure, (line, name) in enumerate((("-", "slope"), (":", "wedge"))):
+            each = [np.array(found[mu, length])[:, measure] for mu in mus]
+            repose.errorbar(mus, [np.mean(some) for some in each], [np.std(some, ddof=len(some) > 1) for some in each],
+                            fmt=look.marker + line, capsize=3, color=look.colour,
+                            label=rf"{name}, $\mu_r$ = {float(length) * 1e3:g} mm")
     repose.set(title="angle of repose", xlabel=r"$\mu$", ylabel="degrees")
     repose.legend()
     turning.plot(times, angles, color=style.LOOKS[0].colour)
@@ -217,23 +228,26 @@ def columns_part(page, some):
 
 def repose_part(page, found):
     page.heading("Angle of repose against friction")
-    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the slope that is left, "
+    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the heap that is left, "
               f"mean over {max(len(some) for some in found.values())} packings and in brackets the standard deviation "
-              "of one. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling "
-              "resistance, the mean radius being 1.5 mm.")
+              f"of one. The slope is fitted between {LOW:.0%} and {HIGH:.0%} of the height, a dozen strips of beads, "
+              "and scatters; the wedge is that of the heap's centre of mass, of all its beads, its long foot among "
+              "them. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling resistance, "
+              "the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):
-        angles = [found.get((mu, length), [float("nan")]) for length in lengths(found)]
-        rows.append([f"{mu:g}", *(spread(some) for some in angles)])
-    page.table(["mu", *(f"mu_r = {float(length) * 1e3:g} mm" for length in lengths(found))], rows)
+        angles = [np.array(found.get((mu, length), [[float("nan")] * 2])) for length in lengths(found)]
+        rows.append([f"{mu:g}", *(spread(some[:, measure]) for some in angles for measure in (0, 1))])
+    page.table(["mu", *(f"{name}, mu_r = {float(length) * 1e3:g} mm" for length in lengths(found)
+                        for name in ("slope", "wedge"))], rows)
 
 
 def drum_part(page, times, angles):
     page.heading("The drum's surface")
-    page.text("`scenes/drum.yaml`: how far the centre of mass is off the vertical, mean and standard deviation over "
-              "each second.")
-    rows = [[f"{start} to {start + 1}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
-            for start in range(int(times[-1])) if np.any(inside := (times > start) & (times <= start + 1))]
+    page.text("`scenes/drum.yaml`, for longer: how far the centre of mass is off the vertical, mean and standard "
+              f"deviation over every {SPAN:g} seconds. Beads slip back one by one and in small avalanches.")
+    rows = [[f"{start} to {start + SPAN}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
+            for start in range(0, int(times[-1]), SPAN) if np.any(inside := (times > start) & (times <= start + SPAN))]
     page.table(["s", "degrees", "deviation"], rows)
 
 

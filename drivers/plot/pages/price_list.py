@@ -22,11 +22,12 @@ def price(ladder, error, column="seconds"):
     return float(found[0]) if len(found) else np.nan
 
 
-def cheapest(cost, scene, error, kinds=tuple(methods.FAMILIES), column="seconds", measure=None):
+def cheapest(cost, scene, error, kinds=tuple(methods.FAMILIES), column="seconds", measure=None, among=None):
     """The method of these kinds that reaches it for the least, and that price; None, NaN if none does. measure: as in
-    prices.csv; None: the scene's first."""
+    prices.csv; None: the scene's first. among: the methods that are looked at; None: all."""
     ladders = cost.by_measure[scene][measure] if measure else cost.prices[scene]
-    found = {method: price(ladder, error, column) for method, ladder in ladders.items() if ladder.kind in kinds}
+    found = {method: price(ladder, error, column) for method, ladder in ladders.items()
+             if ladder.kind in kinds and (among is None or method in among)}
     found = {method: value for method, value in found.items() if np.isfinite(value)}
     method = min(found, key=found.get, default=None)
     return method, found.get(method, np.nan)
@@ -39,10 +40,10 @@ def best(cost, scene, kind):
     return max(winners, key=lambda method: (winners.count(method), winners[::-1].index(method) * -1), default=None)
 
 
-def ratio(cost, scene, error, column="seconds", measure=None):
-    """Best of ours over best rival: the two methods and the ratio of their prices."""
+def ratio(cost, scene, error, column="seconds", measure=None, rivals=None):
+    """Best of ours over best rival, or over the best of these: the two methods and the ratio of their prices."""
     mine, own = cheapest(cost, scene, error, ("ours",), column, measure)
-    other, theirs = cheapest(cost, scene, error, ("rival",), column, measure)
+    other, theirs = cheapest(cost, scene, error, ("rival",), column, measure, rivals)
     return mine, other, own / theirs
 
 

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * The kernels of bonds, for the vector units that there may be. */
+#ifndef VTI_BINDER_TABLE_H
+#define VTI_BINDER_TABLE_H
+
+#include "../vti_internal.h"
+
+enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
+
+/** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY:
+ *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. */
+enum layout { ALPHA, QUAT, ANY, TURNED, LAYOUTS };
+
+struct bond_kernel {
+    /** The rows of the bonds first <= k < last, VTI_BOND_LOADS numbers each; [layout]. TURNED: NULL where nothing
+     *  that could be turned is a term, and of the printed shear. */
+    void (*loads[LAYOUTS])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
+    void (*energy)(const vti_bonds *bonds, const vti_bodies *b, double *energies);
+};
+
+struct bond_kernels {
+    /** [form of shear, 0 for none][moment + 2 axial] */
+    struct bond_kernel of[4][4];
+    /** Adds rows to those of their bodies that are in the slice, in the order of the bonds; [layout is ANY] */
+    void (*sum[2])(int terms, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
+                   const double *rows);
+    /** What the bonds first <= k < last hold, VTI_BOND_MEASURES numbers each. */
+    void (*measure)(int terms, int form, const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last,
+                    double *rows);
+};
+
+/** The same bits from each. */
+extern const struct bond_kernels vti_binder_baseline, vti_binder_avx2, vti_binder_avx512;
+
+#endif

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Rigid walls (EQUATIONS 3, E4): Hertzian contact with a particle of radius zero at the foot point, o = [1 -
+ * g/(D/2)]_+. Bodies are gone through once, a tile at a time, and each meets the walls in their order.
+ *
+ * A wall that moves at V puts in the work F.V t: at the ends of a drift half of it each, which is what the kicks there
+ * give (EQUATIONS 6.1), so that the ledger is as good as that of a wall at rest. */
+#include "vti_face.h"
+#include "../vti_shares.h"
+
+/* ---- checks ------------------------------------------------------------------------------------------------------ */
+
+static int is_unit(const double n[3])
+{
+    return fabs(vti_dot(n, n) - 1.0) < 1e-12;
+}
+
+static int are_finite(const double *numbers, int count)
+{
+    int good = 1;
+    for (int k = 0; k < count; ++k)
+        good &= isfinite(numbers[k]) != 0;
+    return good;
+}
+
+static int is_list(const vti_walls *p)
+{
+    return (p->count <= 0 || p->plane != NULL) && (p->cylinders <= 0 || p->cylinder != NULL) &&
+           (vti_faces(p) <= 0 || p->diameter.p != NULL) && (p->motion == NULL || p->work != NULL);
+}
+
+/** Axes are of length 1, radii positive, and all else finite. */
+static int are_good(const vti_walls *p)
+{
+    int good = 1;
+    for (int64_t w = 0; w < vti_faces(p); ++w) {
+        const double stiffness = p->each != NULL ? p->each[w] : p->stiffness;
+        const double modulus = p->moduli != NULL ? p->moduli[w] : 1.0;
+        const vti_wall_motion *const m = vti_face_motion(p, w);
+        const int is_plane = w < p->count;
+        good &= isfinite(stiffness) && stiffness >= 0.0 && isfinite(modulus) && modulus > 0.0;
+        good &= is_unit(vti_face_axis(p, w)) && are_finite(vti_face_axis(p, w), is_plane ? 4 : 7);
+        good &= is_plane || vti_face_axis(p, w)[6] > 0.0;
+        good &= m == NULL || (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) &&
+                              isfinite(m->spin));
+    }
+    return good;
+}
+
+/** VTI_E_CONTACT unless walls are good, diameters and moduli positive, and K has one source. */
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_walls *p = self;
+    if (!is_list(p))
+        return VTI_E_NULL;
+    const int material = p->modulus.p != NULL;
+    int good = are_good(p) && !(material && (p->each != NULL || p->stiffness != 0.0));
+    for (int64_t i = b->first; vti_faces(p) > 0 && i < b->first + b->count; ++i)
+        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0 &&
+                (!material || (isfinite(vti_scalar(&p->modulus, i)) && vti_scalar(&p->modulus, i) > 0.0));
+    return good ? VTI_OK : VTI_E_CONTACT;
+}
+
+/* ---- forces ------------------------------------------------------------------------------------------------------ */
+
+/** 1 - g/(D/2) of a body of that radius: positive if they touch; NaN if a number is, which must show. */
+static inline double overlap_of(double gap, double radius)
+{
+    return 1.0 - gap / radius;
+}
+
+static inline double overlap(const vti_walls *p, int64_t w, const double x[3], double radius, double n[3])
+{
+    return overlap_of(vti_face_gap(p, w, x, n), radius);
+}
+
+/** F = (K/(D/2)) o^{3/2} along the normal, of wall w on the bodies begin <= i < end. A plane stands where it does for all
+ *  of them; and what is copied here, which no force is written over, stays in registers. */
+VTI_INLINE void press_face(int is_plane, const vti_walls *walls, int64_t w, const vti_bodies *b, int64_t begin,
+                           int64_t end)
+{
+    const vti_walls p = *walls;
+    const vti_view place = b->x, load = b->force;
+    double n[3];
+    const double offset = is_plane ? vti_face_plane(&p, w, n) : 0.0;
+    for (int64_t i = begin; i < end; ++i) {
+        const double radius = 0.5 * vti_scalar(&p.diameter, i);
+        double x[3];
+        vti_load(&place, i, x);
+        const double gap = is_plane ? vti_face_above(n, offset, x) : vti_face_gap(&p, w, x, n);
+        if (gap >= radius) /* exactly where no overlap is > 0, without its division */
+            continue;
+        const double o = overlap_of(gap, radius), f = vti_hertz_force(vti_face_stiffness(&p, w, i, radius), radius, o),
+                     force[3] = {f * n[0], f * n[1], f * n[2]};
+        vti_add(&load, i, force);
+    }
+}
+
+static void press(const vti_walls *p, int64_t w, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (w < p->count)
+        press_face(1, p, w, b, begin, end);
+    else
+        press_face(0, p, w, b, begin, end);
+}
+
+/** Of so many bodies at once the places stay in the first-level cache from wall to wall. */
+enum { TILE = 256 };
+
+static void apply(const void *self, const vti_bodies *b)
+{
+    const vti_walls *p = self;
+    const int64_t walls = vti_has(&b->force) ? vti_faces(p) : 0, last = b->first + b->count;
+    for (int64_t begin = b->first; begin < last; begin += TILE)
+        for (int64_t w = 0; w < walls; ++w)
+            press(p, w, b, begin, last - begin < TILE ? last : begin + TILE);
+}
+
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    const vti_walls *p = self;
+    vti_sum sum = {0.0, 0.0};
+    for (int64_t w = 0; w < vti_faces(p); ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            const double radius = 0.5 * vti_scalar(&p->diameter, i);
+            double x[3], n[3];
+            vti_load(&b->x, i, x);
+            const double o = overlap(p, w, x, radius, n);
+            if (!(o <= 0.0))
+                vti_sum_add(&sum, vti_hertz_energy(vti_face_stiffness(p, w, i, radius), o));
+        }
+    energies[0] = vti_sum_value(&sum);
+}
+
+/** Every body at every wall, or those that touch one, as they do. */
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
+{
+    const vti_walls *p = self;
+    for (int64_t w = 0; w < vti_faces(p); ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i) {
+            const double radius = 0.5 * vti_scalar(&p->diameter, i);
+            double x[3], n[3];
+            vti_load(&b->x, i, x);
+            const double o = at != NULL ? at->overlap : overlap(p, w, x, radius, n);
+            const vti_spring s = {.element = w,
+                                  .i = i,
+                                  .j = -1,
+                                  .length = radius,
+                                  .axial = vti_hertz_stiffness(vti_face_stiffness(p, w, i, radius), o)};
+            if (at != NULL || !(o <= 0.0))
+                visit(context, &s);
+        }
+    return p->count < 0 || p->cylinders < 0 ? VTI_E_COUNT : VTI_OK;
+}
+
+/* ---- walls that move --------------------------------------------------------------------------------------------- */
+
+/** F.V of wall w on body i at x. */
+static double power(const vti_walls *p, int64_t w, const double x[3], int64_t i)
+{
+    double n[3];
+    const double radius = 0.5 * vti_scalar(&p->diameter, i), o = overlap(p, w, x, radius, n);
+    return o > 0.0 ? vti_hertz_force(vti_face_stiffness(p, w, i, radius), radius, o) * vti_dot(n, p->motion[w].velocity)
+                   : 0.0;
+}
+
+/** What wall w puts into all bodies over a drift of time t, by whose beginning (at = 0) or end (1) the bodies and the
+ *  wall are: each of the two is half of it. */
+static void book(const vti_walls *p, int64_t w, const vti_bodies *b, double t, int at_end)
+{
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double x[3], v[3];
+        vti_load(&b->x, i, x);
+        vti_load(&b->v, i, v);
+        for (int k = 0; k < 3 && !at_end; ++k)
+            x[k] -= t * v[k];
+        const double put_in = power(p, w, x, i);
+        if (put_in != 0.0)
+            vti_sum_add(p->work, -0.5 * t * put_in);
+        if (put_in != 0.0 && p->by_body != NULL)
+            vti_share(p->by_body, 1, 0, i, -1, -0.5 * t * put_in);
+    }
+}
+
+static void carry(const void *self, const vti_bodies *b, const vti_drifted *drifted)
+{
+    const vti_walls *p = self;
+    for (int64_t w = 0; w < vti_faces(p); ++w) {
+        vti_wall_motion *const m = &p->motion[w];
+        if (vti_dot(m->velocity, m->velocity) == 0.0)
+            continue;
+        book(p, w, b, drifted->t, 0);
+        for (int k = 0; k < 3; ++k)
+            m->moved[k] += drifted->t * m->velocity[k];
+        book(p, w, b, drifted->t, 1);
+    }
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+/** A force along n breaks momentum along it, and angular momentum across it. */
+static int64_t broken_by_plane(const double n[3])
+{
+    int64_t breaks = 0;
+    for (int k = 0; k < 3; ++k)
+        if (n[k] != 0.0)
+            breaks |= 1 << k | 8 << (k + 1) % 3 | 8 << (k + 2) % 3;
+    return breaks;
+}
+
+/** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z. */
+static int64_t broken_by_cylinder(const double cylinder[7], const double velocity[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        const int other = (k + 1) % 3, last = (k + 2) % 3, is_axis = cylinder[other] == 0.0 && cylinder[last] == 0.0;
+        const int stays =
+            cylinder[3 + other] == 0.0 && cylinder[3 + last] == 0.0 && velocity[other] == 0.0 && velocity[last] == 0.0;
+        if (is_axis)
+            return (077 & ~(1 << k)) & ~(stays ? 8 << k : 0);
+    }
+    return 077;
+}
+
+static int64_t broken_by(const vti_walls *p)
+{
+    static const double still[3] = {0.0, 0.0, 0.0};
+    int64_t breaks = 0;
+    for (int64_t w = 0; w < vti_faces(p); ++w)
+        breaks |= w < p->count
+                      ? broken_by_plane(vti_face_axis(p, w))
+                      : broken_by_cylinder(vti_face_axis(p, w), p->motion != NULL ? p->motion[w].velocity : still);
+    return breaks;
+}
+
+vti_effect vti_walls_effect(const vti_walls *walls)
+{
+    static const char *const term[] = {"wall"}, *const entry[] = {"work_wall"};
+    if (walls == NULL || !is_list(walls))
+        return vti_effect_none();
+    const int moves = walls->motion != NULL;
+    const vti_effect effect = {.name = "wall",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = VTI_LOOKS ? check : NULL,
+                               .springs = springs,
+                               .carry = moves ? carry : NULL,
+                               .self = walls,
+                               .needs = 1 << VTI_QUANTITY_X | (moves ? 1 << VTI_QUANTITY_V : 0),
+                               .gives = 1 << VTI_QUANTITY_FORCE,
+                               .terms = 1,
+                               .term = term,
+                               .breaks = broken_by(walls),
+                               .books = moves,
+                               .book = entry,
+                               .booked = walls->work,
+                               .by_body = walls->by_body,
+                               .of_body = moves};
+    return effect;
+}
+
+double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i)
+{
+    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls) || i < 0)
+        return NAN;
+    return vti_face_stiffness(walls, w, i, 0.5 * vti_scalar(&walls->diameter, i));
+}
+
+double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3])
+{
+    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls))
+        return NAN;
+    return vti_face_gap(walls, w, x, n);
+}

@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Dashpots of contacts and walls as flows of velocities: the order of the touches (EQUATIONS 6.4), restitution, and the
+ * effect. What a touch does is in vti_dashpot_flow.h. */
+#include "vti_colour.h"
+#include "vti_dashpot_flow.h"
+#include "vti_joint.h"
+#include "../vti_shares.h"
+#include "../contacts/vti_touch.h"
+#include "vti_touch_table.h"
+
+/* ---- pairs ------------------------------------------------------------------------------------------------------- */
+
+/** So many pairs within reach are found at once at most. */
+enum { FOUND = 8 * VTI_WINDOW };
+
+struct places {
+    int64_t found[FOUND]; /* in the order of the list, as vti_touch_kernels.near has them */
+    struct vti_window window;
+};
+
+static int64_t least_of(int64_t a, int64_t b)
+{
+    return a < b ? a : b;
+}
+
+/** So many pairs of one colour in this order, at most so many at once. */
+static void flow_colour(const void *sweep, const int64_t *found, int64_t count, int64_t most)
+{
+    const struct vti_sweep *const s = sweep;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(count);
+    int64_t pair[VTI_TOUCHES], any = 0;
+    for (int64_t n = 0; n < count; ++n)
+        any |= found[n];
+    if (any >= 0 && most > 1) { /* none is apart */
+        kernels->flow(s, count, found);
+        return;
+    }
+    for (int64_t first = 0; first < count; first += most) {
+        const int64_t touching = kernels->soon(s, least_of(count - first, most), found + first, pair);
+        if (touching > 0)
+            vti_touch_kernels_for(touching)->flow(s, touching, pair);
+    }
+}
+
+/** The same one by one, so that what each pair loses is known. */
+static void flow_singly(const void *sweep, const int64_t *found, int64_t count, int64_t most)
+{
+    const struct vti_sweep *const s = sweep;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(1);
+    vti_dashpots own = *s->p;
+    struct vti_sweep one = *s;
+    (void)most;
+    one.p = &own;
+    for (int64_t n = 0; n < count; ++n) {
+        vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
+        int64_t k;
+        own.lost = lost;
+        if (kernels->soon(&one, 1, found + n, &k) == 0)
+            continue;
+        kernels->flow(&one, 1, &k);
+        vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, vti_contact_body(own.contacts, k, 0),
+                      vti_contact_body(own.contacts, k, 1));
+    }
+}
+
+/** Forwards or backwards. */
+static void flow_window(const struct vti_sweep *s, struct places *w, const int64_t *found, int64_t count)
+{
+    vti_window_work(&w->window, s->p->contacts->pair, s->p->contacts->base, found, count, s->drift < 0.0,
+                    s->p->by_body == NULL ? flow_colour : flow_singly, s);
+}
+
+/** Windows from the first pair on. */
+static void flow_forwards(const struct vti_sweep *s, struct places *w)
+{
+    const vti_contacts *const list = s->p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
+    int64_t count = 0;
+    for (int64_t first = 0, most; first < list->count; first += most) {
+        int64_t done = 0;
+        most = least_of(list->count - first, FOUND - count);
+        count += kernels->near(list, s->b, s->p->reach, first, most, w->found + count);
+        for (; count - done >= VTI_WINDOW; done += VTI_WINDOW)
+            flow_window(s, w, w->found + done, VTI_WINDOW);
+        count -= done;
+        memmove(w->found, w->found + done, (size_t)count * sizeof *w->found);
+    }
+    flow_window(s, w, w->found, count);
+}
+
+/** How many pairs the last of the windows of so many has. */
+static int64_t last_window(int64_t all)
+{
+    return (all - 1) % VTI_WINDOW + 1;
+}
+
+/** The same windows from the last on, of a list of which all pairs are found at once. */
+static void flow_few_backwards(const struct vti_sweep *s, struct places *w)
+{
+    const vti_contacts *const list = s->p->contacts;
+    int64_t all = vti_touch_kernels_for(list->count)->near(list, s->b, s->p->reach, 0, list->count, w->found);
+    while (all > 0) {
+        const int64_t size = last_window(all);
+        all -= size;
+        flow_window(s, w, w->found + all, size);
+    }
+}
+
+/** And of any other. */
+static void flow_many_backwards(const struct vti_sweep *s, struct places *w)
+{
+    const vti_contacts *const list = s->p->contacts;
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
+    int64_t all = kernels->near(list, s->b, s->p->reach, 0, list->count, NULL), count = 0;
+    for (int64_t end = list->count, most; all > 0; end -= most) { /* from the window's end on */
+        const int64_t size = last_window(all), free = size - count;
+        most = least_of(end, free);
+        const int64_t found = kernels->near(list, s->b, s->p->reach, end - most, most, w->window.sorted);
+        memcpy(w->found + free - found, w->window.sorted, (size_t)found * sizeof *w->found);
+        count += found;
+        if (count < size)
+            continue;
+        flow_window(s, w, w->found, size);
+        all -= size;
+        count = 0;
+    }
+}
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** Whether somebody asks what each body loses at walls, or takes from them. */
+static int tells(const vti_dashpots *p)
+{
+    return p->by_body != NULL || p->walls->by_body != NULL;
+}
+
+/** One body, so that what it loses is known. */
+static void flow_one_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
+{
+    vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}}, work = {0.0, 0.0};
+    vti_dashpots own = *s->p;
+    vti_walls walls = *s->p->walls;
+    struct vti_sweep one = *s;
+    one.p = &own;
+    own.lost = lost;
+    own.walls = &walls;
+    walls.work = &work;
+    vti_touch_kernels_for(1)->flow_at(&one, at);
+    vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, at->body[0], -1);
+    if (at->moves)
+        vti_share_out(&work, 1, s->p->walls->work, s->p->walls->by_body, at->body[0], -1);
+}
+
+/** The bodies that wait. */
+static void flow_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
+{
+    const int64_t last = at->count - 1;
+    for (int64_t to = at->count; at->count > 0 && to % VTI_LANES_MOST != 0; ++to) {
+        at->body[to] = at->body[last];
+        at->r[to] = at->r[last];
+        at->delta[to] = at->delta[last];
+        at->length[to] = at->length[last];
+        at->stiffness[to] = at->stiffness[last];
+        for (int c = 0; c < 3; ++c) {
+            at->n[c][to] = at->n[c][last];
+            at->v_j[c][to] = at->v_j[c][last];
+            at->w_j[c][to] = at->w_j[c][last];
+        }
+    }
+    if (at->count == 1 && tells(s->p))
+        flow_one_waiting(s, at);
+    else if (at->count > 0)
+        vti_touch_kernels_for(at->count)->flow_at(s, at);
+    at->count = 0;
+}
+
+/** A body within reach joins those that wait, if it touches, or will at the other end of the drift. */
+static void wait_at_wall(const struct vti_sweep *s, const struct vti_touch *touch, int64_t most, struct vti_at_wall *at)
+{
+    const int64_t to = at->count;
+    double u[3];
+    vti_load(&s->b->v, touch->i, u);
+    for (int c = 0; c < 3 && touch->moves; ++c)
+        u[c] -= touch->v_j[c];
+    if (touch->delta <= 0.0 && touch->delta - s->drift * vti_dot(u, touch->n) <= 0.0)
+        return;
+    at->moves = touch->moves;
+    at->body[to] = touch->i;
+    at->r[to] = touch->r;
+    at->delta[to] = touch->delta;
+    at->length[to] = touch->length;
+    at->stiffness[to] = touch->stiffness;
+    for (int c = 0; c < 3; ++c) {
+        at->n[c][to] = touch->n[c];
+        at->v_j[c][to] = touch->moves ? touch->v_j[c] : 0.0;
+        at->w_j[c][to] = touch->moves ? touch->w_j[c] : 0.0;
+    }
+    if (++at->count == most)
+        flow_waiting(s, at);
+}
+
+/** Wall by wall, in the order of the walls, forwards or backwards: flows of different bodies at walls do not meet. */
+static void flow_walls(const struct vti_sweep *s)
+{
+    const vti_walls *walls = s->p->walls;
+    const int64_t first = s->b->first, end = first + s->b->count, count = vti_faces(walls),
+                  most = walls != NULL && tells(s->p) ? 1 : VTI_TOUCHES;
+    struct vti_touch touch;
+    struct vti_at_wall at;
+    at.count = 0;
+    for (int64_t k = 0; k < count; ++k) {
+        at.wall = s->drift < 0.0 ? count - 1 - k : k;
+        for (int64_t i = first; i < end; i += VTI_TOUCHES) {
+            const int64_t some = least_of(end - i, VTI_TOUCHES);
+            uint64_t bodies = vti_touch_kernels_for(some)->near_wall(walls, s->b, s->p->reach, 0.0, at.wall, i, some);
+            for (int64_t n = i; bodies != 0; ++n, bodies >>= 1)
+                if (bodies & 1 && vti_touch_wall(&touch, walls, s->b, at.wall, n, s->p->reach))
+                    wait_at_wall(s, &touch, most, &at);
+        }
+        flow_waiting(s, &at);
+    }
+}
+
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    const vti_dashpots *p = self;
+    const int pairs = p->contacts != NULL && p->contacts->count > 0;
+    struct vti_sweep s = {.p = p, .b = b, .t = t, .drift = drift};
+    struct places w;
+    if (vti_has(&b->moments)) {
+        vti_dashpots_flow_joints(p, NULL, b, t, drift);
+        return;
+    }
+    vti_damping_all(p, s.damped);
+    if (drift < 0.0)
+        flow_walls(&s);
+    if (pairs)
+        vti_window_clear(&w.window, p->contacts->count);
+    if (pairs && drift < 0.0)
+        (p->contacts->count <= FOUND ? flow_few_backwards : flow_many_backwards)(&s, &w);
+    else if (pairs)
+        flow_forwards(&s, &w);
+    if (!(drift < 0.0))
+        flow_walls(&s);
+}
+
+/* ---- restitution ------------------------------------------------------------------------------------------------- */
+
+/** atan(sqrt(s))/sqrt(s), atanh(sqrt(-s))/sqrt(-s) of s > -1: halved by atan x = 2 atan(x/(1 + sqrt(1 + x^2))) until
+ *  the series 1 - s/3 + s^2/5 - ... ends at s^8 < 2^-60. */
+static double arc(double s)
+{
+    double factor = 1.0, sum = 0.0;
+    while (fabs(s) > 1.0 / 256.0) {
+        const double half = 1.0 + sqrt(1.0 + s);
+        factor *= 2.0 / half;
+        s /= half * half;
+    }
+    for (int n = 8; n >= 0; --n)
+        sum = 1.0 / (2 * n + 1) - s * sum;
+    return factor * sum;
+}
+
+/** e of zeta: with arccos(zeta)/sqrt(1 - zeta^2) = (2/(1 + zeta)) atan(sqrt(s))/sqrt(s), s = (1 - zeta)/(1 + zeta) */
+static double restitution(double zeta, int64_t pull)
+{
+    const double pi = 3.14159265358979323846;
+    if (pull)
+        return vti_decay(pi * zeta / sqrt((1.0 - zeta) * (1.0 + zeta))).kept;
+    return vti_decay(4.0 * zeta / (1.0 + zeta) * arc((1.0 - zeta) / (1.0 + zeta))).kept;
+}
+
+double vti_dashpots_zeta(double e, int64_t pull)
+{
+    double low = 0.0, high = 1.0;
+    if (!(e > 0.0 && e <= 1.0))
+        return NAN;
+    while (!pull && high < 1e12 && restitution(high, pull) > e)
+        high *= 2.0;
+    for (int k = 0; k < 100; ++k) { /* halved until no number is left between them */
+        const double middle = 0.5 * (low + high);
+        if (restitution(middle, pull) > e)
+            low = middle;
+        else
+            high = middle;
+    }
+    return e < 1.0 ? high : 0.0;
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_dashpots *p = self;
+    const double all[] = {p->zeta, p->normal, p->tangential, p->ratio, p->rolling, p->twisting};
+    int good = p->reach >= 0.0;
+    for (int k = 0; k < 6; ++k)
+        good &= isfinite(all[k]) && all[k] >= 0.0;
+    for (int64_t w = 0; p->wall_zeta != NULL && w < vti_faces(p->walls); ++w)
+        good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
+    if (!good)
+        return VTI_E_DAMPING;
+    if (p->contacts != NULL &&
+        (p->contacts->diameter.p == NULL || (p->contacts->count > 0 && p->contacts->pair == NULL)))
+        return VTI_E_NULL;
+    return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+}
+
+vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
+{
+    static const char *const book[VTI_DASHPOT_BOOKS] = {"lost_dashpot_normal", "lost_dashpot_tangential",
+                                                        "lost_dashpot_rolling", "lost_dashpot_twisting"};
+    const vti_dashpots *p = dashpots;
+    if (p == NULL || p->lost == NULL || (p->contacts == NULL && p->walls == NULL))
+        return vti_effect_none();
+    const int turns = p->rolling > 0.0 || p->twisting > 0.0, slides = p->tangential > 0.0 || p->ratio > 0.0;
+    int64_t breaks = turns || slides ? 0700 : 0;
+    if (p->walls != NULL)
+        breaks |= turns || slides ? 0777 : vti_walls_effect(p->walls).breaks;
+    const vti_effect effect = {.name = "dashpot",
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .flow = flow,
+                               .flow_clumps = vti_dashpots_flow_joints,
+                               .self = p,
+                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
+                                        (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                               .breaks = breaks,
+                               .dissipates = 1,
+                               .books = p->twisting > 0.0  ? 4
+                                        : p->rolling > 0.0 ? 3
+                                        : slides           ? 2
+                                                           : 1,
+                               .book = book,
+                               .booked = p->lost,
+                               .by_body = p->by_body,
+                               .of_body = VTI_DASHPOT_BOOKS};
+    return effect;
+}

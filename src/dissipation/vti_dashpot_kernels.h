@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Dashpots of many pairs, no two of which share a body, at once. Included by vti_touch_kernels.h only. */
+#ifndef VTI_DASHPOT_KERNELS_H
+#define VTI_DASHPOT_KERNELS_H
+
+#include "vti_dashpot_flow.h"
+#include "vti_touch_gather.h"
+
+/* ---- which touch ------------------------------------------------------------------------------------------------- */
+
+/** Where pairs will not touch at the other end of the drift. */
+VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which)
+{
+    const vti_contacts *const p = s->p->contacts;
+    struct side i, j;
+    lanes d[3], x[3], u[3], v[3];
+    sides_of(p->pair, p->base, which, &i, &j);
+    gather(layout, &s->b->x, &i, d);
+    gather(layout, &s->b->x, &j, x);
+    gather(layout, &s->b->v, &i, u);
+    gather(layout, &s->b->v, &j, v);
+    for (int c = 0; c < 3; ++c) {
+        d[c] -= x[c];
+        u[c] -= v[c];
+    }
+    const lanes length = gather_length(p, which, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
+                r = lanes_sqrt(lanes_dot(d, d));
+    return length - r - s->drift * (lanes_dot(u, d) / r) <= 0.0;
+}
+
+static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pairs)
+{
+    const int packed = is_packed(s->b);
+    int64_t place[WIDTH], which[WIDTH], out[WIDTH], touching = 0;
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const here = whole(found, first, count, place);
+        int64_t any = 0;
+        for (int l = 0; l < WIDTH; ++l) {
+            which[l] = vti_touch_number(here[l]);
+            any |= here[l];
+        }
+        lanes_mask apart = lanes_of(0.0) > 0.0;
+        if (any < 0)
+            apart = packed ? stay_apart(PACKED, s, which) : stay_apart(ANY, s, which);
+        lanes_told(apart, out);
+        for (int l = 0; l < WIDTH && first + l < count; ++l) { /* what is apart is written over */
+            pairs[touching] = which[l];
+            touching += 1 - (out[l] & (here[l] < 0));
+        }
+    }
+    return touching;
+}
+
+/* ---- flows ------------------------------------------------------------------------------------------------------- */
+
+/** Of the first count pairs, in their order. */
+VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t count)
+{
+    if (at->touch.moves)
+        sum_lanes(s->p->walls->work, at->worked, count);
+    if (s->damped[NORMAL])
+        sum_lanes(&s->p->lost[NORMAL], at->lost[NORMAL], count);
+    if (s->damped[TANGENTIAL])
+        sum_lanes(&s->p->lost[TANGENTIAL], at->lost[TANGENTIAL], count);
+    if (s->damped[ROLLING])
+        sum_lanes(&s->p->lost[ROLLING], at->lost[ROLLING], count);
+    if (s->damped[TWISTING])
+        sum_lanes(&s->p->lost[TWISTING], at->lost[TWISTING], count);
+}
+
+/** What springs hold between bodies i and j, or where j is NULL at a wall: 0 where there are none. */
+VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const struct side *j, int64_t wall,
+                           struct vti_loads *f)
+{
+    static const vti_friction none;
+    const vti_history *const table = p->friction != NULL ? p->friction->history : NULL;
+    int64_t at[WIDTH] = {0}, holds[WIDTH];
+    if (table == NULL || table->slot == NULL) {
+        gather_loads(&none, NULL, at, f);
+        return;
+    }
+    for (int l = 0; l < WIDTH; ++l) {
+        const vti_held *const held = vti_history_at(table, i->body[l] + 1, j != NULL ? j->body[l] + 1 : -1 - wall);
+        at[l] = slot_at(table->slot, held);
+        holds[l] = held->i;
+    }
+    const lanes_mask empty = lanes_zero(holds);
+    gather_loads(p->friction, table->slot, at, f);
+    if (lanes_bits(empty) == 0)
+        return;
+    for (int k = 0; k < 3; ++k) {
+        f->sliding[k] = lanes_where(empty, lanes_of(0.0), f->sliding[k]);
+        f->rolling[k] = lanes_where(empty, lanes_of(0.0), f->rolling[k]);
+    }
+    f->twisting = lanes_where(empty, lanes_of(0.0), f->twisting);
+}
+
+VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which, int64_t count)
+{
+    struct place at;
+    struct side i, j;
+    gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
+    gather_velocities(layout, s->b, &i, &j, &at.touch, &at.motion);
+    at.damping.zeta = s->p->zeta;
+    find_loads(s->p, &i, &j, 0, &at.held);
+    if (!flow_touch(s, &at))
+        return;
+    scatter_velocities(layout, s->b, &i, &j, &at.motion);
+    book(s, &at, count);
+}
+
+static void flow_pairs(const struct vti_sweep *s, int64_t count, const int64_t *which)
+{
+    const int packed = is_packed(s->b);
+    int64_t place[WIDTH];
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const here = whole(which, first, count, place);
+        if (packed)
+            flow_lanes(PACKED, s, here, count - first);
+        else
+            flow_lanes(ANY, s, here, count - first);
+    }
+}
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** Of bodies from the first on: where they touch, their velocities and the wall's, and what resists. */
+VTI_INLINE void load_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
+                             int64_t first, const struct side *i, struct place *at)
+{
+    struct vti_touch *const touch = &at->touch;
+    struct vti_touch_motion *const m = &at->motion;
+    const lanes zero = lanes_of(0.0);
+    touch->i = 0;
+    touch->j = -1;
+    touch->wall = from->wall;
+    touch->moves = from->moves;
+    touch->r = lanes_load(from->r + first);
+    touch->delta = lanes_load(from->delta + first);
+    touch->length = lanes_load(from->length + first);
+    touch->stiffness = lanes_load(from->stiffness + first);
+    touch->s_i = lanes_of(1.0);
+    touch->s_j = touch->per_m_j = touch->per_j_j = touch->per_j_i = zero;
+    touch->per_m_i = per(&s->b->mass, i);
+    m->turns = vti_has(&s->b->omega);
+    gather(layout, &s->b->v, i, m->v_i);
+    for (int k = 0; k < 3; ++k) {
+        touch->n[k] = lanes_load(from->n[k] + first);
+        touch->v_j[k] = m->v_j[k] = from->moves ? lanes_load(from->v_j[k] + first) : zero;
+        touch->w_j[k] = m->w_j[k] = from->moves ? lanes_load(from->w_j[k] + first) : zero;
+        m->w_i[k] = zero;
+    }
+    if (!m->turns)
+        return;
+    gather(layout, &s->b->omega, i, m->w_i);
+    touch->per_j_i = per(&s->b->inertia, i);
+}
+
+VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
+                                   int64_t first)
+{
+    const vti_dashpots *const p = s->p;
+    struct place at;
+    struct side i;
+    for (int l = 0; l < WIDTH; ++l) {
+        i.body[l] = from->body[first + l];
+        i.packed[l] = 3 * i.body[l];
+    }
+    load_at_wall(layout, s, from, first, &i, &at);
+    at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[from->wall] : p->zeta;
+    find_loads(p, &i, NULL, from->wall, &at.held);
+    if (!flow_touch(s, &at))
+        return;
+    scatter(layout, &s->b->v, &i, at.motion.v_i);
+    if (at.motion.turns)
+        scatter(layout, &s->b->omega, &i, at.motion.w_i);
+    book(s, &at, from->count - first);
+}
+
+static void flow_at_wall(const struct vti_sweep *s, const struct vti_at_wall *at)
+{
+    const int packed = is_packed(s->b);
+    for (int64_t first = 0; first < at->count; first += WIDTH)
+        if (packed)
+            flow_lanes_at_wall(PACKED, s, at, first);
+        else
+            flow_lanes_at_wall(ANY, s, at, first);
+}
+
+#endif

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Drag as the exact flow of velocities (EQUATIONS 6.3). With u = v - V, z = c t/m, E = exp(-z), phi = (t/m) (1 - E)/z
+ * and k the quadratic coefficient,
+ *
+ *     m du/dt = -c u - k |u| u      u(t) = u E/(1 + k |u| phi)           (c = 0: u/(1 + k t |u|/m))
+ *     J dOmega/dt = -c_r Omega      Omega(t) = Omega exp(-c_r t/J)
+ *
+ *     dL/dt = -c_r Omega            about each principal axis of a body with moments the same, by its own moment
+ *
+ * A sphere of a clump, with the tensor K of vti_joint.h at its centre: du/dt = -(c + k |u|) K u is linear in the time
+ * tau, dtau = (c + k |u|) dt, and
+ *
+ *     u = exp(-K tau) u0,     tau = c t + ln(1 + k |u0| phi)/kappa,     kappa = u0.K u0/u0.u0,     phi of m = 1/kappa
+ *
+ * is exact where k = 0 or u0 is an eigenvector of K, of second order else, and gains nowhere. The spheres of a body do
+ * not commute: one after the other, backwards in the reverse order.
+ *
+ * Booked is p.(v + v')/2, what the impulse p on the medium takes (6.1). */
+#include "vti_decay.h"
+#include "vti_joint.h"
+#include "../vti_shares.h"
+
+static double value(const vti_scalars *s, int64_t i)
+{
+    return s->p != NULL ? vti_scalar(s, i) : 0.0;
+}
+
+/** a = toward + (a - toward) (1 - gone), the residual of compensated sums included; in *mean the old and new a's. */
+static void decay(const vti_view *view, const vti_view *low, int64_t i, const double toward[3], double kept,
+                  double gone, double change[3], double mean[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        double *const a = view->c[k] + i * view->stride;
+        const double before = *a, u = before - toward[k];
+        change[k] = -gone * u;
+        *a = gone < 0.5 ? before + change[k] : toward[k] + kept * u; /* each where it rounds less */
+        mean[k] = 0.5 * (before + *a);
+        if (vti_has(low))
+            low->c[k][i * low->stride] *= kept;
+    }
+}
+
+static void slow(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    const double c = value(&p->linear, i), k = value(&p->quadratic, i), m = vti_scalar(&b->mass, i), z = c * t / m;
+    const struct vti_decay e = vti_decay(z);
+    const double phi = t / m * vti_decay_mean(z, &e);
+    double u[3], change[3], mean[3];
+    vti_load(&b->v, i, u);
+    for (int d = 0; d < 3; ++d)
+        u[d] -= p->medium[d];
+    const double more = k > 0.0 ? k * vti_norm(u) * phi : 0.0;
+    decay(&b->v, &b->v_low, i, p->medium, e.kept / (1.0 + more), (e.gone + more) / (1.0 + more), change, mean);
+    vti_sum_add(lost, -m * vti_dot(change, mean));
+}
+
+static void slow_turning(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    static const double still[3] = {0.0, 0.0, 0.0};
+    const double j = vti_scalar(&b->inertia, i);
+    const struct vti_decay e = vti_decay(value(&p->angular, i) * t / j);
+    double change[3], mean[3];
+    decay(&b->omega, &b->omega_low, i, still, e.kept, e.gone, change, mean);
+    vti_sum_add(lost, -j * vti_dot(change, mean));
+}
+
+/** L of a body of any inertia, about its principal axes. */
+static void slow_axes(struct vti_joint *at, double c, double t, vti_sum *lost)
+{
+    const double each[3] = {c, c, c};
+    struct vti_joint_modes axes = {.count = 3};
+    double l[3];
+    memcpy(axes.yield, at->side[0].per, sizeof axes.yield);
+    memcpy(axes.along, at->side[0].axis, sizeof axes.along);
+    vti_joint_decay(&axes, each, t, at->side[0].w, l);
+    vti_sum_add(lost, vti_joint_lost(&axes, at->side[0].w, l));
+    vti_joint_push(at, 1, l);
+}
+
+static const double centre[3];
+
+static void slow_general(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
+{
+    const struct vti_bearing itself = {NULL, b};
+    struct vti_joint at = {.side = {{.body = i}, {.body = -1}}};
+    vti_joint_load(&itself, i, centre, &at.side[0]);
+    slow_axes(&at, value(&p->angular, i), t, lost);
+    vti_joint_store(&itself, &at.side[0]);
+}
+
+/* ---- spheres of clumps ------------------------------------------------------------------------------------------- */
+
+/** Along the arm a sphere moves as its body does, by 1/m, and across it by what the two other modes of K are. */
+static void find_modes(const struct vti_joint *at, struct vti_joint_modes *modes)
+{
+    const double *const arm = at->side[0].arm, length = vti_norm(arm);
+    double n[3] = {1.0, 0.0, 0.0}, span[2][3];
+    for (int k = 0; k < 3 && length > VTI_COINCIDENT; ++k)
+        n[k] = arm[k] / length;
+    vti_joint_across(n, span);
+    vti_joint_modes_of(at, 0, 2, (const double(*)[3])span, modes);
+    memcpy(modes->along[2], n, sizeof n);
+    modes->yield[2] = at->side[0].per_m;
+    modes->count = 3;
+}
+
+/** ln(1 + x) of x >= 0: by ln(1 + x) = 2 ln(1 + y), y = x/(1 + sqrt(1 + x)), until the series of 2 atanh(x/(2 + x)) ends
+ *  at (x/(2 + x))^12 < 2^-60. */
+static double log_above(double x)
+{
+    double factor = 2.0, sum = 0.0;
+    while (x > 1.0 / 16.0) {
+        x /= 1.0 + sqrt(1.0 + x);
+        factor *= 2.0;
+    }
+    const double y = x / (2.0 + x);
+    for (int n = 5; n >= 0; --n)
+        sum = 1.0 / (2 * n + 1) + y * y * sum;
+    return factor * y * sum;
+}
+
+/** tau of a sphere with the velocity u beside the medium. */
+static double exposure(const struct vti_joint_modes *modes, const double u[3], double c, double k, double t)
+{
+    const double uu = vti_dot(u, u);
+    double kappa = 0.0;
+    for (int m = 0; m < 3; ++m)
+        kappa += modes->yield[m] * vti_dot(u, modes->along[m]) * vti_dot(u, modes->along[m]);
+    if (!(k > 0.0 && kappa > 0.0))
+        return c * t;
+    kappa /= uu;
+    const double z = c * t * kappa;
+    const struct vti_decay e = vti_decay(z);
+    return c * t + log_above(k * sqrt(uu) * t * kappa * vti_decay_mean(z, &e)) / kappa;
+}
+
+static void slow_sphere(const vti_drag *p, struct vti_joint *at, int64_t s, double t)
+{
+    struct vti_joint_modes modes;
+    double v[3], u[3], push[3];
+    find_modes(at, &modes);
+    vti_joint_velocity(at, 0, v);
+    for (int d = 0; d < 3; ++d)
+        u[d] = v[d] - p->medium[d];
+    const double tau = exposure(&modes, u, value(&p->linear, s), value(&p->quadratic, s), t), each[3] = {tau, tau, tau};
+    vti_joint_decay(&modes, each, 1.0, u, push);
+    vti_sum_add(&p->lost[0], vti_joint_lost(&modes, v, push));
+    vti_joint_push(at, 0, push);
+}
+
+static void flow_spheres(const void *self, const vti_clumps *clumps, const vti_bodies *bodies, double t, double drift)
+{
+    const vti_drag *p = self;
+    vti_sum own[VTI_DRAG_BOOKS];
+    vti_drag single = *p; /* which books what one sphere loses */
+    const struct vti_bearing of = {clumps, bodies};
+    const vti_bodies spheres = vti_clumps_spheres(clumps, bodies);
+    const int slows = p->linear.p != NULL || p->quadratic.p != NULL, back = drift < 0.0;
+    struct vti_joint at = {.side = {{.body = -1}, {.body = -1}}};
+    single.lost = own;
+    for (int64_t k = 0; k < spheres.count; ++k) {
+        const int64_t s = spheres.first + (back ? spheres.count - 1 - k : k);
+        memset(own, 0, sizeof own);
+        vti_joint_load(&of, s, centre, &at.side[0]);
+        if (slows && !back)
+            slow_sphere(&single, &at, s, t);
+        if (p->angular.p != NULL)
+            slow_axes(&at, vti_scalar(&p->angular, s), t, &own[1]);
+        if (slows && back)
+            slow_sphere(&single, &at, s, t);
+        vti_joint_store(&of, &at.side[0]);
+        vti_share_out(own, VTI_DRAG_BOOKS, p->lost, p->by_body, s, -1);
+    }
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+static void flow_singly(const vti_drag *p, const vti_bodies *b, double t, double drift);
+
+static void flow(const void *self, const vti_bodies *b, double t, double drift)
+{
+    const vti_drag *p = self;
+    if (p->by_body != NULL) {
+        flow_singly(p, b, t, drift);
+        return;
+    }
+    for (int64_t i = b->first; (p->linear.p != NULL || p->quadratic.p != NULL) && i < b->first + b->count; ++i)
+        slow(p, b, i, t, &p->lost[0]);
+    for (int64_t i = b->first; p->angular.p != NULL && i < b->first + b->count; ++i)
+        (vti_has(&b->moments) ? slow_general : slow_turning)(p, b, i, t, &p->lost[1]);
+}
+
+/** Bodies one by one, so that what each loses is known. */
+static void flow_singly(const vti_drag *p, const vti_bodies *b, double t, double drift)
+{
+    vti_drag single = *p;
+    single.by_body = NULL;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        const vti_bodies body = vti_bodies_slice(*b, i, 1);
+        vti_sum own[VTI_DRAG_BOOKS] = {{0.0, 0.0}};
+        single.lost = own;
+        flow(&single, &body, t, drift);
+        vti_share_out(own, VTI_DRAG_BOOKS, p->lost, p->by_body, i, -1);
+    }
+}
+
+static int are_good(const vti_scalars *s, const vti_bodies *b)
+{
+    int good = 1;
+    const int64_t end = s->stride == 0 ? b->first + (b->count > 0) : b->first + b->count;
+    for (int64_t i = b->first; s->p != NULL && i < end; ++i)
+        good &= isfinite(vti_scalar(s, i)) && vti_scalar(s, i) >= 0.0;
+    return good;
+}
+
+/** One value for all is looked at; arrays are where the library was built to look. */
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_drag *p = self;
+    const vti_scalars *const all[] = {&p->linear, &p->quadratic, &p->angular};
+    int good = isfinite(p->medium[0]) && isfinite(p->medium[1]) && isfinite(p->medium[2]);
+    for (int k = 0; k < 3; ++k)
+        if (VTI_LOOKS || all[k]->stride == 0)
+            good &= are_good(all[k], b);
+    if (!good)
+        return VTI_E_DAMPING;
+    return p->angular.p != NULL && b->inertia.p == NULL && !vti_has(&b->moments) ? VTI_E_INERTIA : VTI_OK;
+}
+
+vti_effect vti_drag_effect(const vti_drag *drag)
+{
+    static const char *const book[VTI_DRAG_BOOKS] = {"lost_drag_translation", "lost_drag_rotation"};
+    const int64_t force = 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS, moment = 1 << VTI_QUANTITY_OMEGA;
+    if (drag == NULL || drag->lost == NULL)
+        return vti_effect_none();
+    const int slows = drag->linear.p != NULL || drag->quadratic.p != NULL, turns = drag->angular.p != NULL;
+    const vti_effect effect = {.name = "drag",
+                               .check = check,
+                               .springs = vti_springs_none,
+                               .flow = flow,
+                               .flow_clumps = flow_spheres,
+                               .self = drag,
+                               .needs = (slows ? force : 0) | (turns ? moment : 0),
+                               .smooth = 1,
+                               .breaks = (slows ? 077 : 0) | (turns ? 0770 : 0),
+                               .dissipates = 1,
+                               .books = slows + turns,
+                               .book = book + !slows,
+                               .booked = drag->lost + !slows,
+                               .by_body = drag->by_body != NULL ? drag->by_body + !slows : NULL,
+                               .of_body = VTI_DRAG_BOOKS};
+    return effect;
+}

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Friction: forces and energies of the springs, and the lists that they are gone through by; how springs are carried
+ * along is in vti_friction_carry.c (EQUATIONS 6.5). The load f is what a spring holds back with: with the arms s_i d and s_j d
+ *
+ *     F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f       (sliding)
+ *     T_i -= f, T_j += f                                           (rolling; twisting with f n)                      */
+#include "../contacts/vti_cage.h"
+#include "vti_friction_touches.h"
+#include "vti_spring.h"
+#include "../contacts/vti_touch.h"
+
+/* ---- the table --------------------------------------------------------------------------------------------------- */
+
+static int is_power_of_2(int64_t n)
+{
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+int vti_history_add(vti_history *history, const vti_held *held)
+{
+    if (history == NULL || history->slot == NULL || held == NULL)
+        return VTI_E_NULL;
+    if (!is_power_of_2(history->slots))
+        return VTI_E_HISTORY;
+    vti_held *const at = history->used < history->slots ? vti_history_at(history, held->i, held->j) : NULL;
+    if (at == NULL || (at->i == 0 && history->used + 1 >= history->slots))
+        return VTI_E_HISTORY;
+    history->used += at->i == 0;
+    *at = *held;
+    return VTI_OK;
+}
+
+/* ---- all touches, in the order of the lists ---------------------------------------------------------------------- */
+
+typedef void visitor(void *context, const struct vti_touch *touch, vti_held *held);
+
+/** Calls visit for all pairs that hold something. */
+static void visit_pairs(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+{
+    struct vti_touch touch;
+    for (int64_t k = 0; p->contacts != NULL && k < p->contacts->count; ++k) {
+        if (!vti_touch_pair(&touch, p->contacts, b, k, 0.0))
+            continue;
+        vti_held *const held = vti_history_at(p->history, touch.i + 1, touch.j + 1);
+        if (held->i != 0)
+            visit(context, &touch, held);
+    }
+}
+
+/** And for body i at all walls where it does. */
+VTI_INLINE void visit_at_walls(const vti_friction *p, const vti_bodies *b, int64_t i, visitor *visit, void *context)
+{
+    struct vti_touch touch;
+    for (int64_t w = 0; w < vti_faces(p->walls); ++w) {
+        if (!vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
+            continue;
+        vti_held *const held = vti_history_at(p->history, i + 1, -1 - w);
+        if (held->i != 0)
+            visit(context, &touch, held);
+    }
+}
+
+/** And for all bodies at walls. */
+VTI_INLINE void visit_walls(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
+{
+    const int64_t end = vti_faces(p->walls) > 0 ? b->first + b->count : b->first;
+    for (int64_t first = b->first; first < end; first += VTI_TOUCHES) {
+        uint64_t bodies = vti_friction_near_walls(p, b, 0.0, 0.0, first);
+        for (int64_t i = first; bodies != 0; ++i, bodies >>= 1)
+            if (bodies & 1)
+                visit_at_walls(p, b, i, visit, context);
+    }
+}
+
+/* ---- forces and energies ----------------------------------------------------------------------------------------- */
+
+static void push_from_wall(void *context, const struct vti_touch *touch, vti_held *held)
+{
+    const vti_bodies *b = context;
+    double moment[3];
+    if (!vti_owns(b, touch->i))
+        return;
+    vti_cross(touch->n, held->sliding, moment);
+    for (int k = 0; k < 3; ++k)
+        moment[k] = touch->s_i * touch->r * moment[k] - (held->rolling[k] + held->twisting * touch->n[k]);
+    for (int k = 0; k < 3 && vti_has(&b->force); ++k)
+        b->force.c[k][touch->i * b->force.stride] -= held->sliding[k];
+    if (vti_has(&b->moment))
+        vti_add(&b->moment, touch->i, moment);
+}
+
+/** Pairs that hold something, as many at once as a kernel takes. */
+static void push_pairs(const vti_friction *p, const vti_bodies *b)
+{
+    const vti_contacts *const list = p->contacts;
+    int64_t pair[VTI_TOUCHES], count = 0;
+    vti_held *held[VTI_TOUCHES];
+    for (int64_t k = 0; k < list->count; ++k) {
+        pair[count] = k;
+        held[count] = vti_friction_slot(p, k);
+        count += held[count]->i != 0;
+        if (count < VTI_TOUCHES && k < list->count - 1)
+            continue;
+        vti_touch_kernels_for(count)->push(p, b, count, pair, held);
+        count = 0;
+    }
+}
+
+static void apply(const void *self, const vti_bodies *b)
+{
+    const vti_friction *p = self;
+    vti_bodies all = *b;
+    if (p->contacts != NULL)
+        push_pairs(p, b);
+    visit_walls(p, b, push_from_wall, &all);
+}
+
+struct energies {
+    const vti_friction *p;
+    vti_sum sum[VTI_FRICTION_BOOKS];
+};
+
+/** |f|^2/(2 k) */
+static void add_energy(void *context, const struct vti_touch *touch, vti_held *held)
+{
+    struct energies *e = context;
+    const double k = vti_carry_stiffness(e->p, touch, touch->delta);
+    if (k > 0.0)
+        vti_sum_add(&e->sum[0], 0.5 * vti_dot(held->sliding, held->sliding) / k);
+    if (e->p->rolling > 0.0)
+        vti_sum_add(&e->sum[1], 0.5 * vti_dot(held->rolling, held->rolling) / e->p->rolling_stiffness);
+    if (e->p->twisting > 0.0)
+        vti_sum_add(&e->sum[2], 0.5 * held->twisting * held->twisting / e->p->twisting_stiffness);
+}
+
+static int terms_of(const vti_friction *p)
+{
+    return p->twisting > 0.0 ? 3 : p->rolling > 0.0 ? 2 : 1;
+}
+
+static void energy(const void *self, const vti_bodies *b, double *energies)
+{
+    struct energies e = {.p = self};
+    visit_pairs(self, b, add_energy, &e);
+    visit_walls(self, b, add_energy, &e);
+    for (int k = 0; k < terms_of(self); ++k)
+        energies[k] = vti_sum_value(&e.sum[k]);
+}
+
+/* ---- the stable step (EQUATIONS 6.10) ---------------------------------------------------------------------------- */
+
+/** The springs of a touch as it is (at NULL), or at the overlap of *at. */
+static void show(const vti_friction *p, struct vti_touch *touch, int64_t element, const vti_deformation *at,
+                 vti_spring_visit *visit, void *context)
+{
+    if (at == NULL && touch->delta <= 0.0)
+        return;
+    const double delta = at != NULL ? at->overlap * touch->length : touch->delta;
+    const vti_spring s = {.element = element,
+                          .i = touch->i,
+                          .j = touch->j,
+                          .length = touch->length,
+                          .shear = vti_carry_stiffness(p, touch, delta) * touch->length * touch->length,
+                          .arm_i = touch->s_i,
+                          .arm_j = touch->s_j,
+                          .bend = p->rolling > 0.0 ? p->rolling_stiffness : 0.0,
+                          .twist = p->twisting > 0.0 ? p->twisting_stiffness : 0.0};
+    visit(context, &s);
+}
+
+/** Any two may touch: each body is held by twice its neighbours' springs to its place, as in vti_contact.c. */
+static int cages(const vti_friction *p, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                 void *context)
+{
+    struct vti_cages cages;
+    const int status = vti_cages_of(p->contacts, b, &cages);
+    for (int64_t i = b->first; status == VTI_OK && b->count > 1 && i < b->first + b->count; ++i) {
+        const double radius = 0.5 * vti_scalar(&p->contacts->diameter, i);
+        const struct vti_cage cage = vti_cage_at(&cages, i, at->overlap);
+        const struct vti_touch touch = {.i = i, .j = -1, .length = cage.length, .stiffness = cage.stiffness};
+        const double z = 2.0 * cage.z, k = vti_carry_stiffness(p, &touch, at->overlap * touch.length);
+        const vti_spring s = {.element = i,
+                              .i = i,
+                              .j = -1,
+                              .length = radius,
+                              .shear = z * k * radius * radius,
+                              .arm_i = 1.0,
+                              .bend = p->rolling > 0.0 ? z * p->rolling_stiffness : 0.0,
+                              .twist = p->twisting > 0.0 ? z * p->twisting_stiffness : 0.0};
+        visit(context, &s);
+    }
+    return status;
+}
+
+static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
+                   void *context)
+{
+    const vti_friction *p = self;
+    struct vti_touch touch;
+    const int meet = at != NULL && at->meet;
+    const int status = p->contacts != NULL && meet ? cages(p, b, at, visit, context) : VTI_OK;
+    for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k)
+        if (vti_touch_pair(&touch, p->contacts, b, k, INFINITY))
+            show(p, &touch, k, at, visit, context);
+    for (int64_t w = 0; w < vti_faces(p->walls); ++w)
+        for (int64_t i = b->first; i < b->first + b->count; ++i)
+            if (vti_touch_wall(&touch, p->walls, b, w, i, INFINITY))
+                show(p, &touch, w, at, visit, context);
+    return status;
+}
+
+/* ---- the effect -------------------------------------------------------------------------------------------------- */
+
+static int check(const void *self, const vti_bodies *b)
+{
+    const vti_friction *p = self;
+    (void)b;
+    const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
+                          p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
+    int good = p->reach >= 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
+    for (int k = 0; k < 7; ++k)
+        good &= isfinite(all[k]) && all[k] >= 0.0;
+    for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(p->walls); ++w)
+        good &= isfinite(p->wall_sliding[w]) && p->wall_sliding[w] >= 0.0;
+    good &= !(p->rolling > 0.0) || p->rolling_stiffness > 0.0;
+    good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
+    if (!good)
+        return VTI_E_DAMPING;
+    if (p->history->slot == NULL || (p->contacts != NULL && (p->contacts->diameter.p == NULL ||
+                                                             (p->contacts->count > 0 && p->contacts->pair == NULL))))
+        return VTI_E_NULL;
+    return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
+}
+
+vti_effect vti_friction_effect(const vti_friction *friction)
+{
+    static const char *const term[] = {"friction_sliding", "friction_rolling", "friction_twisting"};
+    static const char *const book[VTI_FRICTION_BOOKS] = {"lost_friction_sliding", "lost_friction_rolling",
+                                                         "lost_friction_twisting"};
+    const vti_friction *p = friction;
+    if (p == NULL || p->lost == NULL || p->history == NULL || (p->contacts == NULL && p->walls == NULL))
+        return vti_effect_none();
+    const vti_effect effect = {.name = "friction",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = springs,
+                               .carry = vti_friction_carry,
+                               .self = p,
+                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA |
+                                        1 << VTI_QUANTITY_OMEGA,
+                               .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
+                               .breaks = p->walls != NULL ? 0777 : 0700,
+                               .dissipates = 1,
+                               .terms = terms_of(p),
+                               .term = term,
+                               .books = terms_of(p),
+                               .book = book,
+                               .booked = p->lost,
+                               .by_body = p->by_body,
+                               .of_body = VTI_FRICTION_BOOKS};
+    return effect;
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Which pairs of a list are near each other, and what their springs do to them, many at once. Included by
+ * vti_touch_kernels.h only. */
+#ifndef VTI_PUSH_KERNELS_H
+#define VTI_PUSH_KERNELS_H
+
+#include "../contacts/vti_face.h"
+#include "vti_touch_gather.h"
+
+/* ---- which are near ---------------------------------------------------------------------------------------------- */
+
+/** Of so many pairs from the first on, WIDTH at most. */
+VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b, double reach,
+                              int64_t first, int64_t count, int64_t *which)
+{
+    int64_t all[WIDTH], found = 0;
+    struct side i, j;
+    lanes d[3], x[3];
+    for (int l = 0; l < WIDTH; ++l)
+        all[l] = first + (l < count ? l : count - 1);
+    sides_of(p->pair, p->base, all, &i, &j);
+    gather(layout, &b->x, &i, d);
+    gather(layout, &b->x, &j, x);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= x[c];
+    const lanes length = gather_length(p, all, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
+                far = length + reach, r2 = lanes_dot(d, d);
+    int64_t is_near[WIDTH], touches[WIDTH];
+    lanes_told((r2 <= far * far) & (r2 > VTI_COINCIDENT * VTI_COINCIDENT), is_near);
+    lanes_told(r2 < length * length, touches);
+    for (int l = 0; l < WIDTH && l < count; ++l) { /* what is not near is written over */
+        if (which != NULL)
+            which[found] = (-1 - (first + l)) ^ touches[l]; /* of -1 - k all bits are those of k turned over */
+        found -= is_near[l];
+    }
+    return found;
+}
+
+static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
+                          int64_t *which)
+{
+    const int packed = vti_is_packed(&b->x);
+    const int64_t even = count - count % WIDTH;
+    int64_t found = 0, n = 0;
+    for (; packed && n < even; n += WIDTH)
+        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which != NULL ? which + found : NULL);
+    for (; n < count; n += WIDTH)
+        found += near_lanes(ANY, p, b, reach, first + n, count - n, which != NULL ? which + found : NULL);
+    return found;
+}
+
+/* ---- which bodies are near a wall -------------------------------------------------------------------------------- */
+
+/** Of WIDTH bodies from the first on, at a plane that stands at offset. */
+VTI_INLINE unsigned near_plane(enum touch_layout layout, const vti_bodies *b, const vti_scalars *diameter,
+                               const double normal[3], double offset, double reach, double h, int64_t first)
+{
+    struct side i;
+    lanes x[3], v[3], n[3];
+    for (int l = 0; l < WIDTH; ++l) {
+        i.body[l] = first + l;
+        i.packed[l] = 3 * i.body[l];
+    }
+    for (int k = 0; k < 3; ++k)
+        n[k] = lanes_of(normal[k]);
+    gather(layout, &b->x, &i, x);
+    const lanes length = 0.5 * scalars(diameter, &i), delta = length - (lanes_dot(n, x) - offset);
+    if (!(h > 0.0))
+        return lanes_bits(delta >= -reach);
+    gather(layout, &b->v, &i, v);
+    const lanes way = lanes_abs(h * lanes_dot(v, n));
+    return lanes_bits(delta + 2.0 * way + 1e-6 * length >= -reach);
+}
+
+/** Where a wall is not a plane, or moves over the drift, any body may be near. */
+static uint64_t near_wall(const vti_walls *p, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
+                          int64_t count)
+{
+    const int packed = vti_is_packed(&b->x) && (!(h > 0.0) || vti_is_packed(&b->v));
+    const uint64_t any = ~UINT64_C(0) >> (64 - count);
+    uint64_t bits = 0;
+    int64_t k = 0;
+    double n[3];
+    if (w >= p->count || (h > 0.0 && p->motion != NULL))
+        return any;
+    const double offset = vti_face_plane(p, w, n);
+    for (; k + WIDTH <= count; k += WIDTH) {
+        const uint64_t here = packed ? near_plane(PACKED, b, &p->diameter, n, offset, reach, h, first + k)
+                                     : near_plane(ANY, b, &p->diameter, n, offset, reach, h, first + k);
+        bits |= here << k;
+    }
+    return k < count ? bits | (any & ~UINT64_C(0) << k) : bits;
+}
+
+/* ---- what springs do --------------------------------------------------------------------------------------------- */
+
+VTI_INLINE void add_row(enum touch_layout layout, const vti_view *view, int64_t i, const double row[3])
+{
+    if (layout == PACKED)
+        triple_store(view->c[0] + 3 * i, triple_plus(triple_load(view->c[0] + 3 * i), triple_load(row)));
+    else
+        vti_add(view, i, row);
+}
+
+/** To body i, if it is of the slice. */
+VTI_INLINE void add_loads(enum touch_layout layout, const vti_bodies *b, int64_t i, const double force[3],
+                          const double moment[3])
+{
+    if (!vti_owns(b, i))
+        return;
+    if (vti_has(&b->force))
+        add_row(layout, &b->force, i, force);
+    if (vti_has(&b->moment))
+        add_row(layout, &b->moment, i, moment);
+}
+
+/** F_i -= f, F_j += f, T_i += s_i d x f, T_j += s_j d x f of sliding, T_i -= f, T_j += f of rolling, and of twisting
+ *  with f n; nothing where they do not touch. */
+VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, const int64_t *which,
+                           const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
+{
+    enum { F_I, F_J, T_I, T_J, ROWS };
+    struct vti_touch at;
+    struct vti_loads f;
+    struct side i, j;
+    lanes across[3], act[ROWS][3];
+    double row[ROWS][3 * WIDTH];
+    int64_t to[WIDTH];
+    gather_touches(layout, p->contacts, b, which, &at, &i, &j);
+    gather_loads(p, slots, slot, &f);
+    lanes_cross(at.n, f.sliding, across);
+    for (int k = 0; k < 3; ++k) {
+        const lanes moment = f.rolling[k] + f.twisting * at.n[k];
+        act[F_I][k] = -f.sliding[k];
+        act[F_J][k] = f.sliding[k];
+        act[T_I][k] = at.s_i * at.r * across[k] - moment;
+        act[T_J][k] = at.s_j * at.r * across[k] + moment;
+    }
+    const lanes_mask touches = (at.delta >= 0.0) & (at.r > VTI_COINCIDENT);
+    for (int k = 0; k < ROWS && !lanes_all(touches); ++k)
+        for (int c = 0; c < 3; ++c)
+            act[k][c] = lanes_where(touches, act[k][c], lanes_of(0.0));
+    lanes_strided(3, to);
+    for (int k = 0; k < ROWS; ++k)
+        lanes_untriple(row[k], to, act[k]);
+    for (int l = 0; l < WIDTH && l < count; ++l) {
+        add_loads(layout, b, i.body[l], row[F_I] + 3 * l, row[T_I] + 3 * l);
+        add_loads(layout, b, j.body[l], row[F_J] + 3 * l, row[T_J] + 3 * l);
+    }
+}
+
+static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *which,
+                         vti_held *const *held)
+{
+    const int packed = is_packed(b) && (!vti_has(&b->force) || vti_is_packed(&b->force)) &&
+                       (!vti_has(&b->moment) || vti_is_packed(&b->moment));
+    int64_t place[WIDTH];
+    int64_t slot[WIDTH];
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const pairs = whole(which, first, count, place);
+        whole_slots(held[0], held, first, count, slot);
+        if (packed)
+            push_lanes(PACKED, p, b, pairs, held[0], slot, count - first);
+        else
+            push_lanes(ANY, p, b, pairs, held[0], slot, count - first);
+    }
+}
+
+#endif

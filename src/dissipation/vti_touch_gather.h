@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Pairs of bodies as lanes, a pair to a lane: where they are and what they have, from any layout, and the way back.
+ * Included by vti_touch_kernels.h only. */
+#ifndef VTI_TOUCH_GATHER_H
+#define VTI_TOUCH_GATHER_H
+
+#include "../vti_lanes.h"
+
+#include "../contacts/vti_hertz.h"
+#include "../contacts/vti_touch_motion.h"
+#include "vti_touch_table.h"
+
+/** PACKED: all vectors lie as x[n][3]. ANY: whatever the views say. */
+enum touch_layout { ANY, PACKED };
+
+static inline int is_packed(const vti_bodies *b)
+{
+    return vti_is_packed(&b->x) && vti_is_packed(&b->v) && (!vti_has(&b->omega) || vti_is_packed(&b->omega));
+}
+
+/** Bodies of one side of the pairs. */
+struct side {
+    int64_t body[WIDTH], packed[WIDTH]; /* their numbers; where their vectors begin, if they lie packed */
+};
+
+VTI_INLINE void sides_of(const int64_t *list, int64_t base, const int64_t *which, struct side *i, struct side *j)
+{
+    for (int l = 0; l < WIDTH; ++l) {
+        i->body[l] = list[2 * which[l]] - base;
+        j->body[l] = list[2 * which[l] + 1] - base;
+        i->packed[l] = 3 * i->body[l];
+        j->packed[l] = 3 * j->body[l];
+    }
+}
+
+VTI_INLINE void times(const struct side *side, int64_t stride, int64_t at[WIDTH])
+{
+    for (int l = 0; l < WIDTH; ++l)
+        at[l] = side->body[l] * stride;
+}
+
+VTI_INLINE void gather(enum touch_layout layout, const vti_view *view, const struct side *side, lanes r[3])
+{
+    int64_t at[WIDTH];
+    if (layout == PACKED) {
+        lanes_triples(view->c[0], side->packed, r);
+        return;
+    }
+    times(side, view->stride, at);
+    for (int k = 0; k < 3; ++k)
+        r[k] = lanes_gather(view->c[k], at);
+}
+
+VTI_INLINE void scatter(enum touch_layout layout, const vti_view *view, const struct side *side, const lanes r[3])
+{
+    int64_t at[WIDTH];
+    if (layout == PACKED) {
+        lanes_untriple(view->c[0], side->packed, r);
+        return;
+    }
+    times(side, view->stride, at);
+    for (int k = 0; k < 3; ++k)
+        lanes_scatter(view->c[k], at, r[k]);
+}
+
+VTI_INLINE lanes scalars(const vti_scalars *s, const struct side *side)
+{
+    int64_t at[WIDTH];
+    if (s->stride == 0)
+        return lanes_of(*s->p);
+    times(side, s->stride, at);
+    return lanes_gather(s->p, at);
+}
+
+/** The length from which on they touch, as vti_contact_length has it. */
+VTI_INLINE lanes gather_length(const vti_contacts *p, const int64_t *which, lanes diameter_i, lanes diameter_j)
+{
+    double each[WIDTH];
+    if (p->length.p == NULL)
+        return 0.5 * diameter_i + 0.5 * diameter_j;
+    for (int l = 0; l < WIDTH; ++l)
+        each[l] = vti_scalar(&p->length, which[l]);
+    return lanes_load(each);
+}
+
+/** K, as vti_contact_stiffness has it. */
+VTI_INLINE lanes gather_stiffness(const vti_contacts *p, const struct side *i, const struct side *j, lanes length)
+{
+    double each[WIDTH];
+    if (p->modulus.p == NULL)
+        return lanes_of(p->stiffness);
+    for (int l = 0; l < WIDTH; ++l)
+        each[l] = vti_contact_stiffness(p, i->body[l], j->body[l], lanes_get(length, l));
+    return lanes_load(each);
+}
+
+/** The WIDTH pairs from the first on; where count ends before, the last one is repeated, in place. */
+VTI_INLINE const int64_t *whole(const int64_t *which, int64_t first, int64_t count, int64_t place[WIDTH])
+{
+    if (first + WIDTH <= count)
+        return which + first;
+    for (int l = 0; l < WIDTH; ++l)
+        place[l] = which[first + l < count ? first + l : count - 1];
+    return place;
+}
+
+/** Where pairs touch; sides become theirs. */
+VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b,
+                               const int64_t *which, struct vti_touch *at, struct side *i, struct side *j)
+{
+    lanes d[3], x[3];
+    sides_of(p->pair, p->base, which, i, j);
+    at->i = at->j = 0;
+    at->moves = 0;
+    gather(layout, &b->x, i, d);
+    gather(layout, &b->x, j, x);
+    for (int c = 0; c < 3; ++c)
+        d[c] -= x[c];
+    const lanes diameter_i = scalars(&p->diameter, i), diameter_j = scalars(&p->diameter, j);
+    at->length = gather_length(p, which, diameter_i, diameter_j);
+    at->stiffness = gather_stiffness(p, i, j, at->length);
+    vti_touch_between(at, d, diameter_i, diameter_j);
+}
+
+/** Where loads stand in a slot of the table, in numbers. */
+enum {
+    SLIDING_AT = offsetof(vti_held, sliding) / sizeof(double),
+    ROLLING_AT = offsetof(vti_held, rolling) / sizeof(double),
+    TWISTING_AT = offsetof(vti_held, twisting) / sizeof(double)
+};
+
+/** What the springs that there are hold, 0 of others; slots begin so many numbers behind the first. */
+VTI_INLINE void gather_loads(const vti_friction *p, const vti_held *first, const int64_t at[WIDTH], struct vti_loads *f)
+{
+    const double *const table = (const double *)(const void *)first;
+    for (int k = 0; k < 3; ++k)
+        f->sliding[k] = f->rolling[k] = lanes_of(0.0);
+    f->twisting = lanes_of(0.0);
+    if (p->sliding > 0.0)
+        lanes_triples(table + SLIDING_AT, at, f->sliding);
+    if (p->rolling > 0.0)
+        lanes_triples(table + ROLLING_AT, at, f->rolling);
+    if (p->twisting > 0.0)
+        f->twisting = lanes_gather(table + TWISTING_AT, at);
+}
+
+/** Where a slot begins, so. */
+VTI_INLINE int64_t slot_at(const vti_held *first, const vti_held *held)
+{
+    return (const double *)(const void *)held - (const double *)(const void *)first;
+}
+
+/** Those of WIDTH pairs from the first on; where count ends before, the last one is repeated. */
+VTI_INLINE void whole_slots(const vti_held *slot, vti_held *const *held, int64_t first, int64_t count,
+                            int64_t at[WIDTH])
+{
+    for (int l = 0; l < WIDTH; ++l)
+        at[l] = slot_at(slot, held[first + l < count ? first + l : count - 1]);
+}
+
+/** Adds the first count, at most WIDTH, to the sum in their order. */
+VTI_INLINE void sum_lanes(vti_sum *to, lanes a, int64_t count)
+{
+    vti_sum sum = *to;
+    if (count >= WIDTH)
+        for (int l = 0; l < WIDTH; ++l)
+            vti_sum_add(&sum, lanes_get(a, l));
+    else
+        for (int l = 0; l < WIDTH - 1; ++l)
+            if (l < count)
+                vti_sum_add(&sum, lanes_get(a, l));
+    *to = sum;
+}
+
+/** 1/m, or 1/J */
+VTI_INLINE lanes per(const vti_scalars *s, const struct side *side)
+{
+    return s->stride == 0 ? lanes_of(1.0 / *s->p) : 1.0 / scalars(s, side);
+}
+
+/** Velocities, and what resists their change. */
+VTI_INLINE void gather_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
+                                  const struct side *j, struct vti_touch *touch, struct vti_touch_motion *m)
+{
+    const lanes zero = lanes_of(0.0);
+    m->turns = vti_has(&b->omega);
+    gather(layout, &b->v, i, m->v_i);
+    gather(layout, &b->v, j, m->v_j);
+    touch->per_m_i = per(&b->mass, i);
+    touch->per_m_j = per(&b->mass, j);
+    touch->per_j_i = touch->per_j_j = zero;
+    for (int k = 0; k < 3; ++k)
+        m->w_i[k] = m->w_j[k] = zero;
+    if (!m->turns)
+        return;
+    gather(layout, &b->omega, i, m->w_i);
+    gather(layout, &b->omega, j, m->w_j);
+    touch->per_j_i = per(&b->inertia, i);
+    touch->per_j_j = per(&b->inertia, j);
+}
+
+VTI_INLINE void scatter_velocities(enum touch_layout layout, const vti_bodies *b, const struct side *i,
+                                   const struct side *j, const struct vti_touch_motion *m)
+{
+    scatter(layout, &b->v, i, m->v_i);
+    scatter(layout, &b->v, j, m->v_j);
+    if (!m->turns)
+        return;
+    scatter(layout, &b->omega, i, m->w_i);
+    scatter(layout, &b->omega, j, m->w_j);
+}
+
+#endif

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * AN(K, c) (EQUATIONS 8.1). With a = F/m, w = Omega, b = RM/J and the backward differences N^0 f = f_n,
+ * N^j f_n = N^{j-1} f_n - N^{j-1} f_{n-1}:
+ *
+ *     predict   v_p = v + h sum g_j N^j a,  x_p = x + h v + h^2 sum d_j N^j a,  w_p = w + h sum g_j N^j b
+ *               R_p = R turned by the Magnus vector of w(s) = w + h sum G_j(s) N^j b
+ *     correct   D = f_{n+1} - sum_{j<K} N^j f_n, f_{n+1} at the predicted state
+ *               v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b,  R = R(c h^2 d_K D_b) R_p,  g = g_K + u
+ *
+ * With u not 0 the last order is given for a larger reach: of K = 10 the one of order 10 has that of K = 8 with c = -3/4
+ * and half its error. */
+#include <string.h>
+
+#include "vti_adams_kernels.h"
+#include "../vti_move.h"
+
+/* c is of the widest reach for 7, of the smallest error for 9; c and u of 10 make its error small and its reach wide */
+static const vti_multistep methods[] = {
+    {"an4", 4, 1.0, 0.0, 0.565, "Adams-Nystroem, order 5, one force evaluation a step; not symplectic"},
+    {"an7", 7, -0.75, 0.0, 0.825, "the same of order 8"},
+    {"an9", 9, 0.8, 0.0, 0.178, "the same of order 10, at smaller steps than the others"},
+    {"an10", 10, 0.345, -0.165, 0.57, "the same of order 10"},
+};
+
+enum { METHODS = sizeof methods / sizeof methods[0] };
+
+int64_t vti_multistep_count(void)
+{
+    return METHODS;
+}
+
+const vti_multistep *vti_multistep_at(int64_t index)
+{
+    return index >= 0 && index < METHODS ? &methods[index] : NULL;
+}
+
+const vti_multistep *vti_multistep_find(const char *name)
+{
+    for (int64_t i = 0; name != NULL && i < METHODS; ++i)
+        if (strcmp(name, methods[i].name) == 0)
+            return &methods[i];
+    return NULL;
+}
+
+/* ---- what is remembered -------------------------------------------------------------------------------------------- */
+
+static int check_past(const vti_past *past, const vti_bodies *b, vti_fault *fault)
+{
+    if (past == NULL)
+        return VTI_E_NULL;
+    const int status = vti_bodies_ready_or(b, fault);
+    if (status != VTI_OK)
+        return status;
+    if (vti_has(&b->moments))
+        return vti_refuse(VTI_E_MOMENTS, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
+    const vti_view *const low[] = {&b->x_low, &b->v_low, &b->alpha_low, &b->omega_low};
+    for (int k = 0; k < 4; ++k)
+        if (vti_has(low[k]))
+            return vti_refuse(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X_LOW + k, fault);
+    if (past->memory == NULL || past->depth < 1 || past->known < 0 || past->known > past->depth)
+        return vti_refuse(VTI_E_PAST, -1, (double)past->known, VTI_QUANTITY_NONE, fault);
+    return VTI_OK;
+}
+
+int vti_multistep_record(vti_past *past, const vti_bodies *b)
+{
+    const int status = check_past(past, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        struct adams_felt f, off;
+        adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
+        adams_compare(1, 0, adams_levels(past), adams_differences(past, i), f, &off);
+    }
+    past->known += past->known < past->depth;
+    return VTI_OK;
+}
+
+/* ---- all of them --------------------------------------------------------------------------------------------------- */
+
+static int check(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b, vti_fault *fault)
+{
+    vti_refuse_none(VTI_OK, fault);
+    if (method == NULL || method->depth < 1 || method->depth > ADAMS_MOST || !isfinite(method->c + method->u))
+        return VTI_E_STEPPER;
+    const int status = check_past(past, b, fault);
+    if (status != VTI_OK)
+        return status;
+    if (!(isfinite(h) && h > 0.0))
+        return vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
+    return past->known >= method->depth ? VTI_OK
+                                        : vti_refuse(VTI_E_PAST, -1, (double)past->known, VTI_QUANTITY_NONE, fault);
+}
+
+/** The kernels of this machine's vector units: a body takes four numbers at once of them, if they have so many. */
+static const struct vti_move_kernels *widest(void)
+{
+#ifdef VTI_HAS_AVX512
+    if (vti_serves_avx512())
+        return &vti_move_avx512;
+#endif
+#ifdef VTI_HAS_AVX2
+    if (vti_serves_avx2())
+        return &vti_move_avx2;
+#endif
+    return &vti_move_baseline;
+}
+
+/** Bodies are turned so many at once, in vector registers where there are enough (vti_turn_kernels.h). */
+enum { TILE = 64 };
+
+typedef void half_step(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
+                       int64_t end, double *turn);
+
+/** Half a step of all bodies of the slice, and then the turns that it asks for, to order 9 in them. */
+static void in_tiles(half_step *half, const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b)
+{
+    const struct vti_move whole = {.drift = 1.0, .drifts = 1, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};
+    const int turns = vti_has(&b->omega) && vti_has_attitude(b), by_alpha = vti_has(&b->alpha);
+    double turn[3 * TILE];
+    vti_bodies turned = vti_bodies_none(0);
+    turned.omega = vti_view_packed(turn);
+    for (int64_t begin = b->first, end = b->first + b->count; begin < end; begin += TILE) {
+        turned.count = end - begin < TILE ? end - begin : TILE;
+        half(m, h, past, b, begin, begin + turned.count, turn);
+        if (!turns)
+            continue;
+        turned.alpha = b->alpha;
+        turned.quat = b->quat;
+        for (int k = 0; k < 3 && by_alpha; ++k)
+            turned.alpha.c[k] += begin * b->alpha.stride;
+        for (int k = 0; k < 4 && !by_alpha; ++k)
+            turned.quat.xyzw[k] += begin * b->quat.stride;
+        vti_move_all(&whole, &turned);
+    }
+}
+
+int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b,
+                          vti_fault *fault)
+{
+    const int status = check(method, h, past, b, fault);
+    if (status == VTI_OK)
+        in_tiles(widest()->predict, method, h, past, b);
+    return status;
+}
+
+int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *b)
+{
+    const int status = check(method, h, past, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    in_tiles(widest()->correct, method, h, past, b);
+    past->known += past->known < past->depth;
+    return VTI_OK;
+}
+
+int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b,
+                        double *velocity, double *spin)
+{
+    const int status = check(method, h, past, b, NULL);
+    if (status != VTI_OK)
+        return status;
+    if (velocity == NULL || spin == NULL)
+        return VTI_E_NULL;
+    *velocity = *spin = 0.0;
+    const double g = h * fabs(adams_corrector(method));
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        struct adams_felt f, off;
+        double a[3], w[3];
+        adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
+        adams_compare(0, method->depth, method->depth, adams_differences(past, i), f, &off);
+        for (int k = 0; k < 3; ++k) {
+            a[k] = quad_get(off.low, k);
+            w[k] = quad_get(off.high, 1 + k);
+        }
+        *velocity = vti_larger(*velocity, g * vti_norm(a));
+        *spin = vti_larger(*spin, g * vti_norm(w));
+    }
+    return VTI_OK;
+}

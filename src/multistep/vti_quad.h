@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * A quad: four numbers of one body in vector registers, PARTS parts of them, so that a body alone is served as one of
+ * many. +, -, * and / are C's own on each part, for (int k = 0; k < PARTS; ++k), and do with every number what they do
+ * with one; so the bits do not depend on the width. */
+#ifndef VTI_QUAD_H
+#define VTI_QUAD_H
+
+#include "../vti_lanes.h"
+
+#if VTI_WIDTH > 2
+typedef four part;
+typedef four_there part_there;
+#elif VTI_WIDTH == 2
+typedef pair part;
+typedef pair_there part_there;
+#else
+typedef double part, part_there;
+#endif
+
+enum { PARTS = 4 / (WIDTH < 4 ? WIDTH : 4), IN_PART = 4 / PARTS };
+
+VTI_INLINE void quad_load(const double *p, part a[PARTS])
+{
+    for (int k = 0; k < PARTS; ++k)
+        a[k] = *(const part_there *)(p + k * IN_PART);
+}
+
+VTI_INLINE void quad_store(double *p, const part a[PARTS])
+{
+    for (int k = 0; k < PARTS; ++k)
+        *(part_there *)(p + k * IN_PART) = a[k];
+}
+
+#if VTI_WIDTH > 2
+
+VTI_INLINE void quad_of(double x, double y, double z, double w, part a[PARTS])
+{
+    a[0] = (part){x, y, z, w};
+}
+
+VTI_INLINE double quad_get(const part a[PARTS], int l)
+{
+    return a[0][l];
+}
+
+/** (a0, a1, a2, b1). */
+VTI_INLINE void quad_three_and(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    r[0] = SHUFFLE(a[0], b[0], 0, 1, 2, 5);
+}
+
+/** (a2, b1, b2, b3). */
+VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    r[0] = SHUFFLE(a[0], b[0], 2, 5, 6, 7);
+}
+
+/** The vector of the last three numbers, x y z, as y z x and as z x y. */
+VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
+{
+    yzx[0] = SHUFFLE(a[0], a[0], 0, 2, 3, 1);
+    zxy[0] = SHUFFLE(a[0], a[0], 0, 3, 1, 2);
+}
+
+#elif VTI_WIDTH == 2
+
+VTI_INLINE void quad_of(double x, double y, double z, double w, part a[PARTS])
+{
+    a[0] = (part){x, y};
+    a[1] = (part){z, w};
+}
+
+VTI_INLINE double quad_get(const part a[PARTS], int l)
+{
+    return a[l / 2][l % 2];
+}
+
+VTI_INLINE void quad_three_and(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    r[0] = a[0];
+    r[1] = SHUFFLE(a[1], b[0], 0, 3);
+}
+
+VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    r[0] = SHUFFLE(a[1], b[0], 0, 3);
+    r[1] = b[1];
+}
+
+VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
+{
+    yzx[0] = SHUFFLE(a[0], a[1], 0, 2);
+    yzx[1] = SHUFFLE(a[1], a[0], 1, 3);
+    zxy[0] = SHUFFLE(a[0], a[1], 0, 3);
+    zxy[1] = SHUFFLE(a[0], a[1], 1, 2);
+}
+
+#else
+
+VTI_INLINE void quad_of(double x, double y, double z, double w, part a[PARTS])
+{
+    a[0] = x;
+    a[1] = y;
+    a[2] = z;
+    a[3] = w;
+}
+
+VTI_INLINE double quad_get(const part a[PARTS], int l)
+{
+    return a[l];
+}
+
+VTI_INLINE void quad_three_and(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    quad_of(a[0], a[1], a[2], b[1], r);
+}
+
+VTI_INLINE void quad_and_three(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    quad_of(a[2], b[1], b[2], b[3], r);
+}
+
+VTI_INLINE void quad_cycles(const part a[PARTS], part yzx[PARTS], part zxy[PARTS])
+{
+    quad_of(a[0], a[2], a[3], a[1], yzx);
+    quad_of(a[0], a[3], a[1], a[2], zxy);
+}
+
+#endif
+
+/** a x b of the last three numbers, as vti_cross has it. */
+VTI_INLINE void quad_cross(const part a[PARTS], const part b[PARTS], part r[PARTS])
+{
+    part a1[PARTS], a2[PARTS], b1[PARTS], b2[PARTS];
+    quad_cycles(a, a1, a2);
+    quad_cycles(b, b1, b2);
+    for (int k = 0; k < PARTS; ++k)
+        r[k] = a1[k] * b2[k] - a2[k] * b1[k];
+}
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ *
+ * What each body has lost of what effects book (EQUATIONS 6.1): of what two bodies lose together each has half, of what
+ * one loses at a wall or to a medium it has all. The halves of a number are exact, so that the sum over bodies is what
+ * all have lost. Each touch is booked when it is worked, and touches that share a body are worked in one order whatever
+ * the layout, the vector unit and the threads: so are these sums. */
+#ifndef VTI_SHARES_H
+#define VTI_SHARES_H
+
+#include "vti_internal.h"
+
+/** Of entry k of so many: what bodies i and j have lost; body i alone, where j is -1. */
+static inline void vti_share(vti_sum *by_body, int64_t books, int64_t k, int64_t i, int64_t j, double lost)
+{
+    const double share = j >= 0 ? 0.5 * lost : lost;
+    vti_sum_add(&by_body[books * i + k], share);
+    if (j >= 0)
+        vti_sum_add(&by_body[books * j + k], share);
+}
+
+/** What one touch has lost, each a single number, joins what all have, with the same bits as if it had been booked there;
+ *  and where by_body is not NULL, what its bodies have. */
+static inline void vti_share_out(const vti_sum *own, int64_t books, vti_sum *all, vti_sum *by_body, int64_t i,
+                                 int64_t j)
+{
+    for (int64_t k = 0; k < books; ++k) {
+        vti_sum_add(&all[k], own[k].high);
+        if (by_body != NULL)
+            vti_share(by_body, books, k, i, j, own[k].high);
+    }
+}
+
+#endif
