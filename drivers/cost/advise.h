@@ -75,6 +75,7 @@ struct offer {
     int64_t force_evals;
     double h, error, seconds;
     double order;                 /* that its runs showed */
+    double missed;                /* error of the run in the next fewer steps that was made; NaN: none missed */
     double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
     int coarse;                   /* ... which began near its stable step, where errors fall by more than any order */
     double doubt, below;          /* the error lies between error/below and error doubt; INFINITY: anywhere */

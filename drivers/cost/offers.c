@@ -18,7 +18,8 @@ double offers_growth(const struct search *s, const vti_stepper *stepper, int mea
 
 struct offer offers_none(const vti_stepper *stepper)
 {
-    struct offer none = {.stepper = stepper, .seconds = INFINITY, .doubt = INFINITY, .below = INFINITY, .error = NAN};
+    struct offer none = {
+        .stepper = stepper, .seconds = INFINITY, .doubt = INFINITY, .below = INFINITY, .error = NAN, .missed = NAN};
     for (int m = 0; m < COST_MEASURES; ++m)
         none.errors[m] = NAN;
     return none;

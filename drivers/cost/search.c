@@ -331,6 +331,8 @@ int search_stepper(struct search *s, struct offer *o, double limit)
             break;
     }
     o->order = below.steps > 0 ? order_between(o->stepper, &above, &below) : order_between(o->stepper, &before, &above);
+    if (below.steps > 0 && above.steps > 0)
+        o->missed = above.error;
     if (below.steps == 0 && above.error < too_far)
         follow(s, o, &before, &above, &price);
     return 0;

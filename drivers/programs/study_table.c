@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "number.h"
+
 /* ---- convergence ------------------------------------------------------------------------------------------------ */
 
 /** 1/64 where h is the inverse of a whole number, a decimal number elsewhere. */
@@ -42,6 +44,25 @@ static void write_verdicts(const struct study *study, FILE *file)
             (long long)count[VERDICT_GOOD], (long long)count[VERDICT_DOUBTFUL], (long long)count[VERDICT_BAD]);
 }
 
+/** What an order lacks. By a tolerance errors follow that, and the steps that are compared say nothing of them. */
+static void write_why_no_order(const struct study *study, FILE *file)
+{
+    enum { FEWEST = 3 };
+    const struct plan *plan = study->plan;
+    int lacking = 0;
+    for (int64_t k = 0; k < plan->steppers_count * STUDY_MEASURES; ++k)
+        lacking |= isnan(study->orders[k / STUDY_MEASURES][k % STUDY_MEASURES].order) != 0;
+    if (plan->scene->tolerance > 0.0)
+        fprintf(file, "- steps go by the tolerance, not by h: there is no order of h; compare several tolerances\n");
+    else if (lacking && plan->h_count < FEWEST)
+        fprintf(file, "- no order: that takes three steps at the least; name more, such as --h %s:%s\n",
+                NUMBER(plan->h[0]), NUMBER(0.25 * plan->h[0]));
+    else if (lacking)
+        fprintf(file,
+                "- no order: fewer than three errors above rounding and above what the solution is known to (%.0e)\n",
+                study->reference_uncertainty);
+}
+
 void study_table_write(const struct study *study, FILE *file)
 {
     const struct plan *plan = study->plan;
@@ -64,14 +85,7 @@ void study_table_write(const struct study *study, FILE *file)
             print_order(&study->orders[s][m], file);
         fputc('\n', file);
     }
-    for (int64_t k = 0; k < plan->steppers_count * STUDY_MEASURES; ++k)
-        if (isnan(study->orders[k / STUDY_MEASURES][k % STUDY_MEASURES].order)) {
-            fprintf(
-                file,
-                "- no order: fewer than three errors above rounding and above what the solution is known to (%.0e)\n",
-                study->reference_uncertainty);
-            return;
-        }
+    write_why_no_order(study, file);
 }
 
 /* ---- cost ------------------------------------------------------------------------------------------------------- */

@@ -144,6 +144,20 @@ static void say_advice(const struct scene *scene, const struct advice *a, FILE *
 }
 
 /** One line each for what should give pause. */
+/** Why the error is far below what was asked for, if it is. */
+static void say_small(const struct offer *best, double asked, double stable, FILE *file)
+{
+    if (!(best->error < 0.33 * asked))
+        return;
+    if (isfinite(best->missed))
+        fprintf(file, "note: the error is %.1e, and steps a little longer miss what was asked for: %.1e\n", best->error,
+                best->missed);
+    else
+        fprintf(file, "note: %s: the error is %.1e\n",
+                isfinite(stable) ? "stability, not the error, sets the step" : "fewer steps are not tried",
+                best->error);
+}
+
 static void say_warnings(const struct scene *scene, const struct advice *a, FILE *file)
 {
     const struct offer *best = &a->offers[0];
@@ -175,11 +189,7 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 "much "
                 "longer than t = %g name the others by --steppers\n",
                 best->stepper->name, a->t_end);
-    if (best->error < 0.33 * a->target)
-        fprintf(file, "note: %s: the error is %.1e\n",
-                isfinite(stable_least(&a->limits, best->stepper)) ? "stability, not the error, sets the step"
-                                                                  : "fewer steps are not tried",
-                best->error);
+    say_small(best, a->target, stable_least(&a->limits, best->stepper), file);
     if (best->source == OFFER_STABILITY && a->evals > 0.0)
         fprintf(file, "note: pilots were not allowed to go over the whole time; --budget %.2g would do for two runs\n",
                 two_runs * (double)best->force_evals * a->seconds / a->evals);

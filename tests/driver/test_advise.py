@@ -3,7 +3,7 @@
 scenes of which two have contacts; that it always answers, for no more than it may take, and errors lie in the intervals
 that it tells; its JSON; what it refuses.
 
-usage: test_advise.py VTI_ADVISE VTI_STUDY MPIRUN SCENES"""
+usage: test_advise.py VTI_ADVISE VTI_STUDY VTI_RUN MPIRUN SCENES"""
 import csv
 import json
 import math
@@ -22,7 +22,7 @@ LONG = ["--budget", "600"]
 STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4",
             "an4", "an7", "an9", "an10"]
 
-advise, study, mpirun, scenes = sys.argv[1:5]
+advise, study, runner, mpirun, scenes = sys.argv[1:6]
 
 # scene, end, error; the walls of the last two are met on the way
 CASES = [("pendulum", 10, 1e-4), ("pendulum", 100, 1e-6), ("spin", 10, 1e-5), ("chain", 10, 1e-5), ("block", 4, 1e-3),
@@ -45,17 +45,43 @@ def follow(name, t_end, stepper, h):
     return rows[0]
 
 
-def promise(name, t_end, error):
-    """Advice on a scene, and whether it holds."""
-    done = run(advise, "--json", *LONG, "--error", repr(error), "--t-end", str(t_end), scene(name))
-    what = f"{name} to {t_end}, {error:g}"
+def energy_error(name, t_end, stepper, h):
+    """The largest |E - E_0|/|E_0| of all steps: those of cost.csv are of 64 looks, between which it swings."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = run(runner, scene(name), "--stepper", stepper, "--h", repr(h), "--t-end", str(t_end), "--record", "1",
+                   "-o", os.path.join(folder, "run.h5"))
+        assert done.returncode in (0, 3), done.stderr
+        with open(os.path.join(folder, "run.csv"), encoding="ascii", newline="") as file:
+            total = [float(row["total"]) for row in csv.DictReader(file)]
+    return max(abs(e - total[0]) for e in total) / (abs(total[0]) or 1.0)
+
+
+def longer_steps_miss(name, t_end, error, advice):
+    """Whether an error far below what was asked for has a reason: as many steps less as pilots go by miss it, or are more
+    than nine tenths of what is stable, or fewer than four."""
+    steps = round(t_end / advice["h"])
+    fewer = steps - (32 if steps > 128 else 2)
+    if fewer < 4:
+        return True
+    coarser = json.loads(run(advise, "--json", *LONG, "--error", "0.1", "--steppers", advice["stepper"], "--t-end",
+                             str(t_end), scene(name)).stdout)
+    return (coarser["h"] < t_end / fewer and coarser["predicted_error"] < 0.03
+            or float(follow(name, t_end, advice["stepper"], t_end / fewer)["attitude_error"]) > error)
+
+
+def promise(name, t_end, error, stepper=None):
+    """Advice on a scene, by one stepper or all, and whether it holds."""
+    of = ["--steppers", stepper] if stepper else []
+    done = run(advise, "--json", *LONG, *of, "--error", repr(error), "--t-end", str(t_end), scene(name))
+    what = f"{name} to {t_end}, {error:g}{' by ' + stepper if stepper else ''}"
     check(done.returncode == 0, what + ": advice is given " + done.stderr.strip())
     if done.returncode != 0:
         return
     advice = json.loads(done.stdout)
     check(list(advice) == KEYS, what + ": the keys of the JSON")
     others = advice["alternatives"]
-    check(sorted([advice["stepper"]] + [o["stepper"] for o in others]) == sorted(STEPPERS), what + ": all steppers are there")
+    check(sorted([advice["stepper"]] + [o["stepper"] for o in others]) == sorted([stepper] if stepper else STEPPERS),
+          what + ": all steppers are there")
     check(all(advice["predicted_seconds"] <= o["predicted_seconds"] for o in others if o["predicted_seconds"] is not None),
           what + ": none of the others is faster")
     row = follow(name, t_end, advice["stepper"], advice["h"])
@@ -65,14 +91,13 @@ def promise(name, t_end, error):
     print(f"        {advice['stepper']} h = {advice['h']:.4g}: error {found:.2e}, predicted {advice['predicted_error']:.2e}; "
           f"time {seconds:.2e} s, predicted {advice['predicted_seconds']:.2e} s")
     check(found <= 1.5 * error, what + ": the error is not above 1.5 times the one asked for")
-    bound = advice["stable_h"]
-    # stability may ask for less than the error does, and where nothing oscillates no fewer than four steps are tried
-    at_bound = advice["h"] > 0.4 * bound if bound is not None else t_end / advice["h"] < 4.5
-    check(found >= error / 3 or at_bound, what + ": nor below a third of it, unless stability sets the step")
+    check(found >= error / 3 or longer_steps_miss(name, t_end, error, advice),
+          what + ": nor below a third of it, unless longer steps miss it or are not stable")
     check(advice["source"] == "measured" and advice["interval"][0] <= found <= advice["interval"][1],
           what + ": it is as predicted")
+    true_energy = energy_error(name, t_end, advice["stepper"], advice["h"])
     for measure, told in advice["errors"].items():
-        true = float(row[measure + "_error"])
+        true = true_energy if measure == "energy" else float(row[measure + "_error"])
         check(told is None or told / 1.5 <= true <= 1.5 * told + 1e-12,
               f"{what}: its {measure} errs by {told} and {true}")
     check(list(advice["errors"]) == MEASURES, what + ": all measures are told")
@@ -245,6 +270,8 @@ def refusals():
 
 for case in CASES:
     promise(*case)
+for near in ("srkn11", "srkn14"):   # either may be the faster by a tenth, and srkn14's error jumps there
+    promise("pendulum", 100, 1e-6, near)
 what_others_need("pendulum", 10, 1e-5, "vti2")
 what_others_need("chain", 10, 1e-4, "exact")
 words()

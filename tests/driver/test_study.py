@@ -114,6 +114,16 @@ t_end: 1
 """
 
 
+def without_orders(base):
+    """What an order lacks is said: steps, errors above rounding, or that steps go by the tolerance."""
+    for arguments, said in ((("--h", "1/64,1/128"), "three steps at the least"),
+                            (("--h", "2^-9:2^-11", "--steppers", "srkn14"), "fewer than three errors above rounding"),
+                            (("--tolerance", "1e-6", "--steppers", "srkn11"), "there is no order of h")):
+        done = study(1, *arguments, "--t-end", "1", folder=f"{base}/without")
+        check(done.returncode == 0 and [said in line for line in done.stdout.splitlines() if line.startswith("- ")] == [True],
+              f"{' '.join(arguments)}: {said}")
+
+
 def from_tables(base):
     """Bodies and bonds from CSV and from HDF5: the same numbers, the same bytes."""
     bodies = {"x": [0, 1, 2], "y": [0, 0, 1 / 3], "z": [0, 0, 0], "vx": [0, 0.1, 0], "vy": [0, 0, 0], "vz": [0, 0, 0.7],
@@ -206,6 +216,7 @@ with tempfile.TemporaryDirectory() as base:
     same_bytes(base)
     not_whole(base)
     refused(base)
+    without_orders(base)
     from_tables(base)
     rivals(base)
     general_inertia(base)
