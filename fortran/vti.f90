@@ -14,11 +14,14 @@
 !>  - Steppers are values. Where C answers NULL, stages is 0, and every call with that stepper returns VTI_E_STEPPER.
 !>
 !> use vti brings it all: types (vti_types), views of arrays (vti_views), measures (vti_c, vti_sums), steps (vti_steps,
-!> vti_multisteps), effects (vti_effects), packed arrays (vti_packed), the algebra of rotations (vti_rrv).
+!> vti_multisteps), effects (vti_effects, vti_effects_bonds, vti_effects_contacts), packed arrays (vti_packed), the
+!> algebra of rotations (vti_rrv).
 module vti
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int64_t, c_ptr
     use vti_c
     use vti_effects
+    use vti_effects_bonds
+    use vti_effects_contacts
     use vti_controls
     use vti_multisteps
     use vti_packed

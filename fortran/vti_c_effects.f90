@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
 !> vti_c_effects -- the functions of vti_effect.h and of the effects' headers as C has them; called by module
-!> vti_effects only.
+!> vti_effects and its two other files only.
 module vti_c_effects
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_int64_t, c_ptr
     use vti_types

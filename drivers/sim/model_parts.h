@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The steps in which model_create makes a model. All return 0, or -1 with one line in *message. */
+ * The parts of a model, in files of their own. Those that take a message return 0, or -1 with one line in it. */
 #ifndef VTI_MODEL_PARTS_H
 #define VTI_MODEL_PARTS_H
 
@@ -17,5 +17,8 @@ int model_loads(const struct scene *scene, const struct tables *tables);
 
 /** Allocates and fills the views, the masses, inertias and diameters. */
 int model_place_bodies(struct model *model, const struct tables *tables, struct message *message);
+
+/** How many bodies, or spheres of clumps, an effect acts on. */
+int64_t model_acted_on(const struct model *model, const struct effect *e);
 
 #endif

@@ -60,6 +60,9 @@ def linking():
                       for path in (project / folder).iterdir())
     for name in sorted(set(re.findall(r"`\W?((?:vti_[a-z_]+|VTI[A-Z0-9_]+))\b", text))):
         check(name.lower() in names or name in ("vti_dep", "vti_fortran_dep"), f"linking.md: {name} exists")
+    built = re.findall(r"'(vti_\w+)\.f90'", (project / "fortran/meson.build").read_text(encoding="utf-8"))
+    told = re.findall(r"`(vti_\w+)`", text.partition("compile the sources in `share/vti/fortran`")[2].partition("and `vti_rrv.c`")[0])
+    check(told == [name for name in built if name != "vti_check_kit"], f"linking.md: sources of Fortran in their order: {told}")
     return text
 
 
