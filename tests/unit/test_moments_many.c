@@ -56,7 +56,8 @@ static vti_bodies many_bodies(int trial, int pushed, struct many *m)
 }
 
 /** Some are near or past half a turn, some turn beyond measure; closed: none turns by 1, or if 2 some may. There are
- *  spheres among them, and sometimes a row of them at the start. */
+ *  spheres among them, and sometimes a row of them at the start, and bodies that are spheres but for the last digits,
+ *  whose turns are one about L, that may be long, and hardly any about their axes. */
 static void fill(rng *g, int closed, const vti_bodies *all)
 {
     const int64_t row = 8 * rng_below(g, 4);
@@ -69,14 +70,17 @@ static void fill(rng *g, int closed, const vti_bodies *all)
                                                       : 1;
         top p = top_random(g, TOP_ALPHA, TOP_BOTH);
         const double unit = i % 19 == 12 ? 0x1p-350 : 1; /* whose cube is no number */
+        const double turns = i % 33 == 5 && !closed ? ldexp(1, rng_below(g, 40)) : 0;
         for (int k = 0; k < 3; ++k)
             p.moments[k] *= unit;
         if (i % 9 == 4 || i < row)
             p.moments[2] = p.moments[1] = p.moments[0];
+        for (int k = 1; k < 3 && turns > 0; ++k)
+            p.moments[k] = p.moments[0] * (1 + k * 0x1p-51);
         for (int k = 0; k < 3; ++k) {
             all->moments.c[k][i * all->moments.stride] = p.moments[k];
             if (all->spin.c[0] != NULL)
-                all->spin.c[k][i * all->spin.stride] = size * p.moments[k] * uniform(g, -1, 1);
+                all->spin.c[k][i * all->spin.stride] = fmax(size, turns) * p.moments[k] * uniform(g, -1, 1);
             if (all->omega.c[0] != NULL)
                 all->omega.c[k][i * all->omega.stride] = size * 0.5 * uniform(g, -1, 1);
             if (all->alpha.c[0] != NULL)
