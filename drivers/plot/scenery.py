@@ -7,6 +7,7 @@ from matplotlib.collections import EllipseCollection, LineCollection
 from . import outlines, style, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
+SMALL = 1 / 100         # of the window: smaller bodies have thin rims and no marks, which would hide their colours
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
 BODY, RIM, MARK, CONTACT = "#CFE6F5", "#0072B2", "#000000", "#E69F00"
 # Fragments that are left when bonds break, by their first body; those of one body are pale.
@@ -34,7 +35,8 @@ class Scenery:
             low, high = self._with_cylinders(frames, low, high)
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
-        self.marked = run.turns and self.detailed and not run.breaks and run.clumps is None
+        self.small = 2 * np.min(self.radius) < SMALL * 2 * np.max(self.half)
+        self.marked = run.turns and self.detailed and not self.small and not run.breaks and run.clumps is None
         self.outward = _outward(frames[0], self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
@@ -78,7 +80,7 @@ class Scenery:
         walls.draw(axes, self.plane, run.walls, frame.t, window)
         fills = np.where(touching, CONTACT, _fills(run, frame, seen))[behind_first]
         ellipses = [part[behind_first] for part in seen.ellipses(self.plane)]
-        axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills))
+        axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills, 0.15 if self.small else 0.5))
         if self.detailed:
             if len(frame.lines):
                 axes.add_collection(LineCollection(xy[frame.lines], colors=RIM, linewidths=0.7))
@@ -136,6 +138,6 @@ def _fills(run, frame, seen):
     return np.where(alone, SINGLE, np.array(FRAGMENTS)[first % len(FRAGMENTS)])
 
 
-def _ellipses(axes, centres, widths, heights, angles, colours):
+def _ellipses(axes, centres, widths, heights, angles, colours, rim):
     return EllipseCollection(widths, heights, angles, units="xy", offsets=centres,
-                             transOffset=axes.transData, facecolors=colours, edgecolors=RIM, linewidths=0.5)
+                             transOffset=axes.transData, facecolors=colours, edgecolors=RIM, linewidths=rim)
