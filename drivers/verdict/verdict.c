@@ -1,32 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "verdict.h"
-
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "step_errors.h"
+#include "verdict_parts.h"
 
-#define MEMBER(NAME, IS_INTEGER)                                                                                       \
-    {                                                                                                                  \
-#NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \
-    }
-const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
-    MEMBER(verdict, 1),      MEMBER(energy_gain, 0),        MEMBER(energy_swing, 0),
-    MEMBER(energy_slope, 0), MEMBER(energy_slope_error, 0), MEMBER(energy_scale, 0),
-    MEMBER(travel, 0),       MEMBER(rotation, 0),           MEMBER(angle_error, 0),
-    MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
-
-static const double most_gain = 0.25;  /* of S */
-static const double most_swing = 0.7;  /* of S, by H alone */
-static const double rounding = 1e-12;  /* of all energies: sqrt(1e7) steps of eps, and more */
-static const double some_travel = 0.1; /* diameters per step: contacts are met that deep */
-static const double most_travel = 1.0; /* two bodies may pass through each other unseen */
-
-const char *verdict_word(int64_t grade)
-{
-    return grade == VERDICT_GOOD ? "good" : grade == VERDICT_DOUBTFUL ? "doubtful" : "bad";
-}
+static const double most_swing = 0.7; /* of S, by H alone */
+static const double rounding = 1e-12; /* of all energies: sqrt(1e7) steps of eps, and more */
 
 /* ---- what the scene is ------------------------------------------------------------------------------------------- */
 
@@ -47,8 +26,7 @@ static double smallest_diameter(const struct model *model)
     return least;
 }
 
-/** The next effect from *k that follows something along a run; NULL behind the last. */
-static struct effect *next_watch(const struct model *model, int64_t *k)
+struct effect *verdict_next_watch(const struct model *model, int64_t *k)
 {
     while (*k < model->rooms_count)
         if (model->rooms[(*k)++].kind->watch != NULL)
@@ -59,7 +37,7 @@ static struct effect *next_watch(const struct model *model, int64_t *k)
 static int start_watches(struct model *model)
 {
     int64_t k = 0;
-    for (struct effect *e; (e = next_watch(model, &k)) != NULL;)
+    for (struct effect *e; (e = verdict_next_watch(model, &k)) != NULL;)
         if (e->kind->watch->start(e) != 0)
             return -1;
     return 0;
@@ -135,9 +113,7 @@ static double swing(const vti_clumps *clumps, const vti_bodies *bodies, int64_t 
     return vti_norm(omega) * vti_norm(clumps->offset + 3 * s);
 }
 
-/** Largest h|v|, less the common velocity, in diameters of the smallest body; of spheres of clumps, which also swing
- *  about their body's centre, a bound. */
-static double travel(const struct verdict *v, const vti_bodies *bodies)
+double verdict_travel(const struct verdict *v, const vti_bodies *bodies)
 {
     double u[3], most = 0.0;
     common_velocity(v, bodies, u);
@@ -194,7 +170,7 @@ static void look_at_energies(struct verdict *v, double t, double total, double k
         f->gain = fmax(f->gain, gain / f->scale);
     if (loss > 0.0)
         f->loss = fmax(f->loss, loss / f->scale);
-    if (f->gain > most_gain && !(last > most_gain))
+    if (f->gain > VERDICT_MOST_GAIN && !(last > VERDICT_MOST_GAIN))
         f->gain_t = t;
     trend_add(&f->trend, t, isnan(modified) ? change : modified - f->first);
 }
@@ -217,10 +193,10 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     f->size = fmax(f->size, size);
     look_at_energies(v, t, total, e.kicked, e.modified);
     if (v->diameter > 0.0)
-        f->travel = larger(f->travel, travel(v, bodies));
+        f->travel = larger(f->travel, verdict_travel(v, bodies));
     f->rotation = larger(f->rotation, vti_max_turn(v->h, bodies));
     int64_t k = 0;
-    for (struct effect *watched; (watched = next_watch(v->model, &k)) != NULL;)
+    for (struct effect *watched; (watched = verdict_next_watch(v->model, &k)) != NULL;)
         watched->kind->watch->row(watched, bodies, inner);
     f->rows += 1.0;
 }
@@ -228,116 +204,8 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
 void verdict_step(struct verdict *v, const vti_bodies *bodies)
 {
     int64_t k = 0;
-    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
+    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
         e->kind->watch->step(e, bodies);
-}
-
-/* ---- the judgement ----------------------------------------------------------------------------------------------- */
-
-/** A pair may be through within a step, and a wall be met at any depth. */
-static int passes(const struct verdict *v)
-{
-    return v->found.travel > most_travel;
-}
-
-static int64_t grade(const struct verdict *v, const struct judgement *j, int broken)
-{
-    const struct findings *f = &v->found;
-    if (broken || f->broken != 0.0 || !(f->gain <= most_gain) || passes(v))
-        return VERDICT_BAD;
-    const int doubtful = f->loss > most_gain || f->travel > some_travel ||
-                         j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step || j->bonds_turned > 0;
-    return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
-}
-
-/** Where a tolerance chooses the steps, h is not theirs. */
-static const char *remedy(const struct verdict *v)
-{
-    return v->model->scene->tolerance > 0.0 ? "reduce the tolerance" : "reduce h";
-}
-
-/** Appends to the line. */
-#define SAY(...) snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text), __VA_ARGS__)
-
-static void say_energy(const struct verdict *v, const struct judgement *j, int broken, struct message *line)
-{
-    const struct findings *f = &v->found;
-    if (broken || f->broken != 0.0)
-        SAY("broke off; ");
-    if (f->gain > most_gain) {
-        SAY("the energy grew from %.6g to %.6g, too much from t = %.6g on: %s", f->first, f->highest, f->gain_t,
-            remedy(v));
-        return;
-    }
-    if (f->loss > most_gain)
-        SAY("%.3g of the energy's scale was lost; ", f->loss);
-    else
-        SAY("energy kept, gains %.2g of its scale (bad above %.2g); ", j->energy_gain, most_gain);
-    SAY("swing %.2g, ", j->energy_swing);
-    if (isnan(j->energy_slope))
-        SAY("too few rows for a drift");
-    else
-        SAY("drift %.2g +- %.1g per unit of time", j->energy_slope / f->scale, j->energy_slope_error / f->scale);
-    SAY(" (scale %.4g)", f->scale);
-}
-
-static void say_steps(const struct verdict *v, const struct judgement *j, struct message *line)
-{
-    const double degrees = 57.295779513082320877;
-    if (v->diameter > 0.0)
-        SAY("; %.2g diameters a step%s", j->travel,
-            passes(v)                 ? ": what bodies meet they may pass through"
-            : j->travel > some_travel ? ": contacts are met late"
-                                      : "");
-    if (v->model->turns)
-        SAY("; %.3g degrees a step", degrees * j->rotation);
-    if (j->angle_error > turning_tolerance(v->stepper))
-        SAY(", by %s off by %.2g of it", v->stepper->name, j->angle_error);
-    if (isfinite(j->stable_step))
-        SAY("; h is %.3g of the least stable step %.4g (t = %.6g)", v->h / j->stable_step, j->stable_step,
-            v->found.stable_t);
-    if (j->bonds_turned > 0)
-        SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
-}
-
-struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line)
-{
-    const struct findings *f = &v->found;
-    struct judgement j = {0};
-    j.energy_gain = f->gain;
-    j.energy_scale = f->scale;
-    j.energy_swing = f->scale > 0.0 ? (f->highest - f->lowest) / f->scale : 0.0;
-    trend_slope(&f->trend, &j.energy_slope, &j.energy_slope_error);
-    j.travel = v->diameter > 0.0 ? f->travel : NAN;
-    j.rotation = f->rotation;
-    j.angle_error = turning_error(v->stepper, f->rotation);
-    j.stable_step = f->stable;
-    int64_t k = 0;
-    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
-        j.bonds_turned += e->kind->watch->turned(e);
-    j.verdict = grade(v, &j, broken);
-    message_set(line, "verdict: %s: ", verdict_word(j.verdict));
-    say_energy(v, &j, broken, line);
-    say_steps(v, &j, line);
-    return j;
-}
-
-int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2])
-{
-    int n = 0;
-    const double far = v->diameter > 0.0 ? travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
-    if (far > some_travel) {
-        char to[32] = "";
-        if (!(v->model->scene->tolerance > 0.0))
-            snprintf(to, sizeof to, " to %.3g", v->h * some_travel / far);
-        message_set(&lines[n++],
-                    "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; %s%s", far,
-                    far > most_travel ? " or not at all" : "", remedy(v), to);
-    }
-    if (turning_error(v->stepper, turn) > turning_tolerance(v->stepper))
-        message_set(&lines[n++], "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; %s",
-                    turn, v->stepper->name, turning_error(v->stepper, turn), remedy(v));
-    return n;
 }
 
 /* ---- keeping it -------------------------------------------------------------------------------------------------- */
@@ -350,7 +218,7 @@ enum {
 int64_t verdict_size(const struct verdict *v)
 {
     int64_t size = FINDINGS + (v->model->errors != NULL ? ERRORS : 0), k = 0;
-    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL;)
+    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
         size += e->kind->watch->size(e);
     return size;
 }
@@ -364,7 +232,7 @@ void verdict_get(const struct verdict *v, double *state)
         memcpy(state, &v->model->errors->found, sizeof v->model->errors->found);
         state += ERRORS;
     }
-    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
+    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
         e->kind->watch->get(e, state);
 }
 
@@ -377,6 +245,6 @@ void verdict_put(struct verdict *v, const double *state)
         memcpy(&v->model->errors->found, state, sizeof v->model->errors->found);
         state += ERRORS;
     }
-    for (struct effect *e; (e = next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
+    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
         e->kind->watch->put(e, state);
 }
