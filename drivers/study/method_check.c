@@ -48,10 +48,15 @@ static void ask(const void *self, const vti_bodies *b)
         }
 }
 
-static void set_up(struct adapter *g, int64_t n, const double *x, const double *v, const double *quat,
-                   const double *omega, const double *mass, const double *inertia)
+static int set_up(struct adapter *g, int64_t n, const double *x, const double *v, const double *quat,
+                  const double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
     const size_t size = (size_t)(3 * n) * sizeof *x;
+    memset(g, 0, sizeof *g);
+    if (n < 1 || n > VTI_CHECK_BODIES)
+        return -1;
+    g->forces = forces;
+    g->kit = kit;
     memcpy(g->x, x, size);
     memcpy(g->v, v, size);
     memcpy(g->omega, omega, size);
@@ -77,6 +82,7 @@ static void set_up(struct adapter *g, int64_t n, const double *x, const double *
         vti_springs_none; /* the kit's are not told: whoever wants a bound goes by h and the spins */
     m->effects[0].self = g;
     m->effects_count = 1;
+    return 0;
 }
 
 static void read_back(const vti_bodies *b, double *x, double *v, double *quat, double *omega)
@@ -114,12 +120,8 @@ int method_check_advance(void *self, double h, int64_t steps, int64_t n, double 
                          double *omega, const double *mass, const double *inertia, vti_check_forces *forces, void *kit)
 {
     struct adapter adapter;
-    memset(&adapter, 0, sizeof adapter);
-    if (n < 1 || n > VTI_CHECK_BODIES)
+    if (set_up(&adapter, n, x, v, quat, omega, mass, inertia, forces, kit) != 0)
         return -1;
-    adapter.forces = forces;
-    adapter.kit = kit;
-    set_up(&adapter, n, x, v, quat, omega, mass, inertia);
     return go(&adapter, self, h, steps, x, v, quat, omega);
 }
 
@@ -128,12 +130,8 @@ int method_check_advance_inertia(void *self, double h, int64_t steps, int64_t n,
                                  void *kit)
 {
     struct adapter adapter;
-    memset(&adapter, 0, sizeof adapter);
-    if (n < 1 || n > VTI_CHECK_BODIES)
+    if (set_up(&adapter, n, x, v, quat, spin, mass, NULL, forces, kit) != 0)
         return -1;
-    adapter.forces = forces;
-    adapter.kit = kit;
-    set_up(&adapter, n, x, v, quat, spin, mass, NULL);
     memcpy(adapter.spin, spin, (size_t)(3 * n) * sizeof *spin);
     memcpy(adapter.moments, moments, (size_t)(3 * n) * sizeof *moments);
     adapter.model.bodies.spin = vti_view_packed(adapter.spin);

@@ -30,6 +30,16 @@ static inline void make_model(const char *text, struct scene *scene, struct mode
         fail_msg("%s", message.text);
 }
 
+/** The model of a shipped scene. */
+static inline void open_scene(const char *folder, const char *name, struct scene *scene, struct model *model)
+{
+    char path[1024];
+    struct message message;
+    snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
+    if (scene_read(path, NULL, 0, scene, &message) != 0 || model_create(scene, model, &message) != 0)
+        fail_msg("%s", message.text);
+}
+
 /** The model has the effects of that list, in that order. */
 static inline void assert_effects(const struct model *model, const char *names)
 {

@@ -11,15 +11,6 @@
 
 static const char *folder;
 
-static void open_scene(const char *name, struct scene *scene, struct model *model)
-{
-    char path[1024];
-    struct message message;
-    snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
-    if (scene_read(path, NULL, 0, scene, &message) != 0 || model_create(scene, model, &message) != 0)
-        fail_msg("%s", message.text);
-}
-
 /** From step first to step last; observers see every step. */
 static void go(struct model *model, const char *stepper, double h, int64_t first, int64_t last,
                const struct observer *observer)
@@ -186,7 +177,7 @@ static struct flip flips(double h)
 {
     struct scene scene;
     struct model model;
-    open_scene("dzhanibekov", &scene, &model);
+    open_scene(folder, "dzhanibekov", &scene, &model);
     const double *m = scene.moments, *w = scene.omega;
     double energy2 = 0.0, square = 0.0;
     for (int k = 0; k < 3; ++k) {
@@ -242,7 +233,7 @@ TEST(heavy_top)
     struct model model;
     struct top top = {3.0, -1.0, 1.0, 0.0};
     const struct observer observer = {see_top, &top, 1, 0};
-    open_scene("heavy-top", &scene, &model);
+    open_scene(folder, "heavy-top", &scene, &model);
     go(&model, "vti2", scene.h, 0, (int64_t)(scene.t_end / scene.h), &observer);
     const double a = 9.0 / 2.0, lowest = 0.5 * (a - sqrt(a * a - 4.0 * (0.5 * a - 1.0)));
     print_message("top between %.8g and %.8g, spin off by %.3g\n", top.lowest, top.highest, top.off);
@@ -288,7 +279,7 @@ TEST(slender)
     enum { STEPS = 100000 };
     struct scene scene;
     struct model model;
-    open_scene("slender", &scene, &model);
+    open_scene(folder, "slender", &scene, &model);
     struct band band = {&model, model_energy(&model, &model.bodies), {0.0}, STEPS};
     const struct observer observer = {see_band, &band, 1, 0};
     go(&model, "vti2", scene.h, 0, STEPS, &observer);
@@ -317,7 +308,7 @@ TEST(what_a_run_goes_on_from)
         double numbers[3][NUMBERS];
         struct band band = {&whole, 18.5, {0.0}, 200};
         const struct observer observer = {see_band, &band, 1, 0};
-        open_scene("heavy-top", &scene, &whole);
+        open_scene(folder, "heavy-top", &scene, &whole);
         assert_int_equal(state_size(&whole.bodies), NUMBERS);
         go(&whole, stepper, scene.h, 0, 100, &observer);
         state_get(&whole.bodies, numbers[0]);

@@ -45,21 +45,12 @@ static const struct {
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
-static void open_scene(const char *name, struct scene *scene, struct model *model)
-{
-    char path[1024];
-    struct message message;
-    snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
-    if (scene_read(path, NULL, 0, scene, &message) != 0 || model_create(scene, model, &message) != 0)
-        fail_msg("%s", message.text);
-}
-
 TEST(what_they_are)
 {
     for (int k = 0; k < SCENES; ++k) {
         struct scene scene;
         struct model model;
-        open_scene(scenes[k].name, &scene, &model);
+        open_scene(folder, scenes[k].name, &scene, &model);
         assert_string_equal(scene.name, scenes[k].name);
         assert_int_equal(model.bodies.count, scenes[k].bodies);
         assert_int_equal(bonds_of(&model).count, scenes[k].bonds);
@@ -74,9 +65,9 @@ TEST(the_two_tori)
 {
     struct scene torus, printed;
     struct model model;
-    open_scene("torus", &torus, &model);
+    open_scene(folder, "torus", &torus, &model);
     model_destroy(&model);
-    open_scene("torus-printed", &printed, &model);
+    open_scene(folder, "torus-printed", &printed, &model);
     model_destroy(&model);
     int64_t *form = setting(&printed, "binder.shear.form");
     assert_int_equal(*(int64_t *)setting(&torus, "binder.shear.form"), VTI_SHEAR_OBJECTIVE);
@@ -93,7 +84,7 @@ TEST(half_of_the_stable_step)
         struct model model;
         struct message message;
         struct model_limits limits;
-        open_scene(scenes[k].name, &scene, &model);
+        open_scene(folder, scenes[k].name, &scene, &model);
         assert_int_equal(model_find_limits(&model, &limits, &message), 0);
         print_message("%s: h = %g; at rest %g, %s; within %g, %s\n", scene.name, scene.h, limits.rest.h, limits.rest_by,
                       limits.within.h, limits.within_by);
@@ -130,7 +121,7 @@ static double energy_error(int k, int64_t divisor)
     struct message message;
     struct watch watch = {&model, 0.0, 0.0};
     const struct observer observer = {see, &watch, 1, 0};
-    open_scene(scenes[k].name, &scene, &model);
+    open_scene(folder, scenes[k].name, &scene, &model);
     watch.start = model_energy(&model, &model.bodies);
     assert_int_equal(loop_run(&model, scene.stepper, scene.h / (double)divisor, 0, divisor * scenes[k].steps, &observer,
                               1, &message),
@@ -157,7 +148,7 @@ static double fall_of_the_incline(double sliding)
     struct scene scene;
     struct model model;
     struct message message;
-    open_scene("incline", &scene, &model);
+    open_scene(folder, "incline", &scene, &model);
     model_destroy(&model);
     *(double *)setting(&scene, "friction.sliding") = sliding;
     assert_int_equal(model_create(&scene, &model, &message), 0);
@@ -194,7 +185,7 @@ TEST(the_billiards)
     struct model model;
     struct message message;
     int sliding = 0;
-    open_scene("billiards", &scene, &model);
+    open_scene(folder, "billiards", &scene, &model);
     double *const *v = model.bodies.v.c;
     const int64_t each = model.bodies.v.stride;
     for (int k = 0; k < EACH; ++k) {

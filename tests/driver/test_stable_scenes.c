@@ -12,14 +12,6 @@ static struct model model;
 static struct message message;
 static const vti_deformation rest = {0, 0, 0};
 
-static void open_scene(const char *name)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
-    if (scene_read(path, NULL, 0, &scene, &message) != 0 || model_create(&scene, &model, &message) != 0)
-        fail_msg("%s", message.text);
-}
-
 static double bound(const vti_deformation *at)
 {
     vti_stable stable;
@@ -81,7 +73,7 @@ static void set_zero(const vti_view *view)
  *  not, however small the overlap.) */
 static void open_at_rest(const char *name)
 {
-    open_scene(name);
+    open_scene(folder, name, &scene, &model);
     model.effects_count = 1;
     set_zero(&model.bodies.v);
     set_zero(&model.bodies.omega);
@@ -137,7 +129,7 @@ TEST(in_flight)
         int64_t steps, every;
     } scenes[] = {{"block", 1200, 120}, {"torus", 600, 20}, {"torus-printed", 600, 20}, {"pile", 6000, 1500}};
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; ++k) {
-        open_scene(scenes[k].name);
+        open_scene(folder, scenes[k].name, &scene, &model);
         const double h = bound_within();
         const struct watch w = run(0.0, 0.25 * h, scenes[k].steps, scenes[k].every);
         print_message("%s in flight: bound %.5g, least 2/omega_max %.5g, ratio %.3f\n", scenes[k].name, h, w.limit,

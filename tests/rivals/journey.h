@@ -44,6 +44,17 @@ static inline const vti_stepper *method_of(const char *name)
     return method;
 }
 
+/** The method is refused for the scene, in words that say this. */
+static inline void assert_no_journey(const struct scene *scene, const char *name, const char *words)
+{
+    struct journey j = {.scene = *scene};
+    make_model(&j.scene, &j.model);
+    assert_int_equal(travel_create(&j.travel, method_of(name), &j.model, scene->h, &j.message), -1);
+    if (strstr(j.message.text, words) == NULL)
+        fail_msg("'%s' does not say '%s'", j.message.text, words);
+    model_destroy(&j.model);
+}
+
 /** A journey through a model of the scene that has been made already. */
 static inline void set_out(struct journey *j, const vti_stepper *method, double h)
 {

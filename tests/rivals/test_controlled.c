@@ -169,15 +169,9 @@ TEST(touches)
 static void assert_refused(const char *where, const char *name, double tolerance, const char *words)
 {
     struct scene scene;
-    struct journey j;
     read_scene(where, &scene);
     scene.tolerance = tolerance;
-    j.scene = scene;
-    make_model(&j.scene, &j.model);
-    assert_int_equal(travel_create(&j.travel, method_of(name), &j.model, scene.h, &j.message), -1);
-    if (strstr(j.message.text, words) == NULL)
-        fail_msg("'%s' does not say '%s'", j.message.text, words);
-    model_destroy(&j.model);
+    assert_no_journey(&scene, name, words);
 }
 
 TEST(refused)

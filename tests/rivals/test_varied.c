@@ -217,12 +217,7 @@ TEST(looking_and_stopping)
 static void assert_refused(const char *where, const char *name, const char *words)
 {
     const struct scene scene = scene_with(where, SCENE_INTEGRATING, 0.0);
-    struct journey j = {.scene = scene};
-    make_model(&j.scene, &j.model);
-    assert_int_equal(travel_create(&j.travel, method_of(name), &j.model, scene.h, &j.message), -1);
-    if (strstr(j.message.text, words) == NULL)
-        fail_msg("'%s' does not say '%s'", j.message.text, words);
-    model_destroy(&j.model);
+    assert_no_journey(&scene, name, words);
 }
 
 TEST(refused)
