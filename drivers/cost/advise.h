@@ -151,8 +151,6 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
 /** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more
  *  than the others. */
 double search_kinked_order(const vti_stepper *stepper);
-/** The median of those that are numbers, NaN if none is; sorts them. */
-double search_median(double *value, int64_t n);
 /** Says of how much doubt an error is that was followed by this order to so many times the steps: below it where forces
  *  have kinks, since between them it falls by the stepper's own order. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);

@@ -47,6 +47,8 @@ double race_position_error(const vti_bodies *bodies, const vti_bodies *exact);
 double race_sample(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
                    struct message *message);
 
+/** The median of those that are numbers, NaN if none is; sorts these to the front. */
+double race_median(double *value, int64_t n);
 /** seconds: the least of n samples. seconds_spread: how far their median is above it, as a share of it, which one burst
  *  of noise does not move. Sorts the samples. */
 void race_settle(double *samples, int n, struct race_result *result);

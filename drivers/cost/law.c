@@ -46,7 +46,7 @@ static double apart(const struct pilot *coarse, const struct pilot *fine, int me
     for (int mark = FIRST; mark < PILOT_MARKS; ++mark)
         at[mark - FIRST] = pilot_error(coarse, fine, measure, mark);
     const double end = at[PILOT_MARKS - FIRST - 1];
-    return fmax(end, search_median(at, PILOT_MARKS - FIRST));
+    return fmax(end, race_median(at, PILOT_MARKS - FIRST));
 }
 
 /** What the finer run errs by all measures; of the energy it shows itself. */

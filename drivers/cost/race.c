@@ -195,10 +195,19 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+double race_median(double *value, int64_t n)
+{
+    int64_t known = 0;
+    for (int64_t k = 0; k < n; ++k)
+        if (!isnan(value[k]))
+            value[known++] = value[k];
+    qsort(value, (size_t)known, sizeof *value, ascending);
+    return known == 0 ? NAN : 0.5 * (value[(known - 1) / 2] + value[known / 2]);
+}
+
 void race_settle(double *samples, int n, struct race_result *result)
 {
-    qsort(samples, (size_t)n, sizeof *samples, ascending);
-    const double median = 0.5 * (samples[(n - 1) / 2] + samples[n / 2]);
+    const double median = race_median(samples, n);
     result->seconds = samples[0];
     result->seconds_spread = (median - samples[0]) / samples[0];
 }

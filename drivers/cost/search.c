@@ -42,22 +42,6 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-double search_median(double *value, int64_t n)
-{
-    int64_t known = 0;
-    for (int64_t k = 0; k < n; ++k) { /* sorted in, those that are numbers */
-        int64_t at = known;
-        const double next = value[k];
-        if (isnan(next))
-            continue;
-        for (; at > 0 && value[at - 1] > next; --at)
-            value[at] = value[at - 1];
-        value[at] = next;
-        ++known;
-    }
-    return known == 0 ? NAN : 0.5 * (value[(known - 1) / 2] + value[known / 2]);
-}
-
 double search_kinked_order(const vti_stepper *stepper)
 {
     const double most = vti_multistep_find(stepper->name) != NULL ? 3.0 : 2.0;
@@ -75,7 +59,7 @@ static double error_of(const struct search *s, const struct pilot *pilot, int me
         return pilot_error(pilot, solution, measure, PILOT_MARKS - 1);
     for (int mark = FIRST; mark < PILOT_MARKS; ++mark)
         at[mark - FIRST] = pilot_error(pilot, solution, measure, mark) * PILOT_MARKS / (mark + 1);
-    return search_median(at, PILOT_MARKS - FIRST);
+    return race_median(at, PILOT_MARKS - FIRST);
 }
 
 static int scene_has(const struct pilot *pilot, int measure)

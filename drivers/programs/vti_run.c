@@ -137,8 +137,7 @@ static void say_step(struct run *run, FILE *file)
         fprintf(file,
                 "%s to t = %.10g: steps of %s where bodies are at rest and 0.7 of that where they turn by %.4g a unit "
                 "of time; rows and frames at multiples of h = %s\n",
-                stepper->name, (double)run->steps * h, NUMBER(h), run->scene.turning > 0.0 ? run->scene.turning : 1.0,
-                NUMBER(h));
+                stepper->name, (double)run->steps * h, NUMBER(h), scene_unit(run->scene.turning), NUMBER(h));
         return;
     }
     if (travel_tally(&run->travel, &tally)) {

@@ -117,7 +117,7 @@ struct scene {
     double h, t_end;
     double tolerance;      /* of steps that keep it; 0 is none: steps of h */
     int64_t control;       /* enum scene_control, what else steps go by; 0 is nothing */
-    double speed, turning; /* units of what steps go by; 0 is 1 */
+    double speed, turning; /* units of what steps go by (scene_unit) */
 };
 
 /** Reads and checks the YAML file at path. overrides are n "path.to.key=value" strings, as they follow --set; they
@@ -126,6 +126,12 @@ struct scene {
  *  "pendulum.yaml:6:12: bodies.inertia: 'two' is not a number; write 0.01, 1e-3, 1/64 or 2^-6", where a value that came
  *  from an override is placed by "--set path=value" instead of file, line and column. *scene needs no freeing. */
 int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message);
+
+/** What a unit is that the scene gives, or leaves out as 0: 1. */
+static inline double scene_unit(double given)
+{
+    return given > 0.0 ? given : 1.0;
+}
 
 /** How many bodies the scene has; 0 if only its table knows. */
 int64_t scene_bodies(const struct scene *scene);

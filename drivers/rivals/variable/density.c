@@ -7,34 +7,23 @@
  *     s = (1 + sum |Omega|^2/(n w^2))^(-1/2),   G = -(1/s) ds/dt = s^2 sum Omega.(RM/J)/(n w^2)
  *
  * By the integrating controller the density of steps is integrated along (vti_control.h), which leaves no drift; the
- * naive one, to compare with, takes h s of the state as it is. The step that is cut to end where somebody looks is
- * undone before the next, so the path does not depend on who looks, as with steps by a tolerance (ours.c). */
+ * naive one, to compare with, takes h s of the state as it is. */
 #include <math.h>
 #include <stdio.h>
 
-#include "rival.h"
+#include "cut.h"
 #include "rivals.h"
 #include "scene.h"
 #include "travel.h"
 
 /** Numbers of a course: where it is, the density of steps and the step to be made next, what programs are told, and
- *  whether the bodies are those of a step that was cut. A cut at the end of the run alone leaves no trace in them. */
+ *  whether the bodies are those of a step that was cut. Its own is their copy at the end of the last that was not. */
 enum { TIME, DENSITY, STEP, LONGEST, MADE, CUTS, IS_CUT };
-enum { NOT_CUT, CUT_TO_LOOK, CUT_AT_END }; /* IS_CUT */
-
-/** Of own, a body's copy at the end of the last step that was not cut. */
-enum { KEEPS = 19 };
-
-static vti_kept kept_free(const struct course *c)
-{
-    const vti_kept kept = {c->own, KEEPS};
-    return kept;
-}
 
 /** s and G of the bodies as they stand, and of their moments. */
 static void wish_of(const struct course *c, double *wish, double *rate)
 {
-    const double w = c->model->scene->turning > 0.0 ? c->model->scene->turning : 1.0;
+    const double w = scene_unit(c->model->scene->turning);
     double square = 0.0, growth = 0.0;
     for (int64_t i = 0; i < c->n; ++i) {
         const double *const omega = c->w + 3 * i;
@@ -82,7 +71,7 @@ static int free_steps(struct course *c, double end)
 
 static int go_varied(struct course *c, int64_t steps)
 {
-    const vti_kept kept = kept_free(c);
+    const vti_kept kept = cut_kept(c, 0);
     const double end = (double)(c->steps + steps) * c->h;
     if (c->number[IS_CUT] != NOT_CUT) {
         vti_step_undo(&c->bodies, &kept);
@@ -108,7 +97,7 @@ static void tally_varied(const struct course *c, struct travel_tally *tally)
     tally->rejected = 0;
     tally->cut = (int64_t)number[CUTS] + c->cut_at_end;
     tally->evals = 1 + (tally->accepted + tally->cut) * ((const vti_stepper *)c->rival->table)->evals;
-    tally->longest = c->steps > 0 ? fmax(number[LONGEST], fmin(number[STEP], (double)c->steps * c->h)) : 0.0;
+    tally->longest = cut_longest(c, number[LONGEST], number[STEP]);
     tally->tolerance = 0.0;
 }
 

@@ -95,10 +95,10 @@ from "$(own_headers drivers/clumps/*.[ch])" include drivers/scene drivers/tables
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads
 from "$(own_headers drivers/threads/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads
 from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/verdict
-from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/rivals \
-    drivers/rivals/inertia
+from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch] drivers/rivals/variable/*.[ch])" include drivers/scene \
+    drivers/effects drivers/sim drivers/rivals drivers/rivals/inertia drivers/rivals/variable
 below="drivers/check drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
-below="$below drivers/rivals/inertia"
+below="$below drivers/rivals/inertia drivers/rivals/variable"
 # shellcheck disable=SC2086  # several folders
 for room in reference study cost; do
     below="$below drivers/$room"

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What there is to step by: the core's steppers, its multistep methods, rivals, and steps of variable length. */
+#include <string.h>
+
+#include "rival.h"
+#include "scene_stepper.h"
+#include "travel.h"
+
+enum { METHODS_MAX = 96 };
+
+static const vti_stepper *methods[METHODS_MAX];
+static int64_t methods_count, methods_all; /* those that are listed, and with those that are only found by name */
+
+static void collect(void)
+{
+    for (int64_t i = 0; i < vti_stepper_count() && methods_count < METHODS_MAX; ++i)
+        if (vti_stepper_at(i)->frame == VTI_FRAME_SPACE)
+            methods[methods_count++] = vti_stepper_at(i);
+    for (int64_t i = 0; multistep_at(i) != NULL && methods_count < METHODS_MAX; ++i)
+        methods[methods_count++] = &multistep_at(i)->stepper;
+    for (int64_t i = 0; i < rival_count() && methods_count < METHODS_MAX; ++i)
+        methods[methods_count++] = &rival_at(i)->stepper;
+    methods_all = methods_count;
+    for (int64_t i = 0; rival_general(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &rival_general(i)->stepper;
+    for (int64_t i = 0; controlled_at(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &controlled_at(i)->stepper;
+    for (int64_t i = 0; rival_unlisted(i) != NULL && methods_all < METHODS_MAX; ++i)
+        methods[methods_all++] = &rival_unlisted(i)->stepper;
+}
+
+/** What scenes may name beside the steppers of the core. */
+static const vti_stepper *admitted_at(int64_t i)
+{
+    static const struct rival *(*const families[])(int64_t) = {multistep_at, rival_at, controlled_at, rival_general};
+    for (size_t family = 0; family < sizeof families / sizeof families[0]; ++family)
+        for (int64_t k = 0; families[family](k) != NULL; ++k)
+            if (i-- == 0)
+                return &families[family](k)->stepper;
+    return NULL;
+}
+
+void method_admit(void)
+{
+    scene_stepper_admit(admitted_at);
+}
+
+int64_t method_count(void)
+{
+    if (methods_count == 0)
+        collect();
+    return methods_count;
+}
+
+const vti_stepper *method_at(int64_t i)
+{
+    return i >= 0 && i < method_count() ? methods[i] : NULL;
+}
+
+const vti_stepper *method_general_at(int64_t i)
+{
+    int64_t left = i;
+    for (int64_t k = 0; k < method_count(); ++k) {
+        const struct rival *rival = method_rival(method_at(k));
+        const int knows =
+            rival != NULL ? rival->general != RIVAL_OF_SPHERES : vti_stepper_find(method_at(k)->name) != NULL;
+        if (knows && left-- == 0)
+            return method_at(k);
+    }
+    return rival_general(left) != NULL ? &rival_general(left)->stepper : NULL;
+}
+
+const vti_stepper *method_find(const char *name)
+{
+    if (methods_count == 0)
+        collect();
+    for (int64_t i = 0; name != NULL && i < methods_all; ++i)
+        if (strcmp(name, methods[i]->name) == 0)
+            return methods[i];
+    return NULL;
+}
+
+const struct rival *method_rival(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; rival_at(i) != NULL; ++i)
+        if (stepper == &rival_at(i)->stepper)
+            return rival_at(i);
+    for (int64_t i = 0; rival_unlisted(i) != NULL; ++i)
+        if (stepper == &rival_unlisted(i)->stepper)
+            return rival_unlisted(i);
+    for (int64_t i = 0; rival_general(i) != NULL; ++i)
+        if (stepper == &rival_general(i)->stepper)
+            return rival_general(i);
+    return NULL;
+}
+
+static const struct rival *controlled_of(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; controlled_at(i) != NULL; ++i)
+        if (stepper == &controlled_at(i)->stepper || stepper == controlled_at(i)->table)
+            return controlled_at(i);
+    return NULL;
+}
+
+const vti_stepper *method_controlled(const vti_stepper *stepper)
+{
+    const struct rival *way = controlled_of(stepper);
+    return way != NULL ? &way->stepper : NULL;
+}
+
+/** The stepper with steps that follow how fast bodies turn; NULL if they cannot. */
+static const struct rival *varied_of(const vti_stepper *stepper, int naive)
+{
+    for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
+        if (stepper == varied_at(i, naive)->table)
+            return varied_at(i, naive);
+    return NULL;
+}
+
+/** The way that the stepper is itself; NULL for all others. */
+static const struct rival *varied_way(const vti_stepper *stepper)
+{
+    for (int naive = 0; naive < 2; ++naive)
+        for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
+            if (stepper == &varied_at(i, naive)->stepper)
+                return varied_at(i, naive);
+    return NULL;
+}
+
+const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper)
+{
+    if (scene->control == 0 && !(scene->tolerance > 0.0))
+        return stepper;
+    if (scene->control != 0 && varied_way(stepper) != NULL)
+        return stepper;
+    const struct rival *way =
+        scene->control != 0 ? varied_of(stepper, scene->control == SCENE_NAIVE) : controlled_of(stepper);
+    return way != NULL ? &way->stepper : NULL;
+}
+
+const struct rival *method_way(const vti_stepper *stepper)
+{
+    for (int64_t i = 0; multistep_at(i) != NULL; ++i)
+        if (stepper == &multistep_at(i)->stepper)
+            return multistep_at(i);
+    const struct rival *way = controlled_of(stepper);
+    if (way != NULL && stepper == &way->stepper)
+        return way;
+    way = varied_way(stepper);
+    return way != NULL ? way : method_rival(stepper);
+}
+
+int method_estimates(const vti_stepper *stepper)
+{
+    const struct rival *way = method_way(stepper);
+    return stepper->estimates > 0 || (way != NULL && method_rival(stepper) == NULL && varied_way(stepper) == NULL);
+}
+
+int method_is_varied(const vti_stepper *stepper)
+{
+    return varied_way(stepper) != NULL;
+}
+
+const char *method_kind(const vti_stepper *stepper)
+{
+    return method_rival(stepper) != NULL ? "rival" : strncmp(stepper->name, "vti", 3) == 0 ? "paper" : "ours";
+}
+
+static int unknown(const char *option, const char *name, size_t length, struct message *message)
+{
+    char known[768] = "";
+    for (int64_t i = 0; i < method_count(); ++i) {
+        strncat(known, i > 0 ? ", " : "", sizeof known - strlen(known) - 1);
+        strncat(known, method_at(i)->name, sizeof known - strlen(known) - 1);
+    }
+    return message_set(message, "%s: '%.*s' is not a stepper; known are %s", option, (int)(length < 100 ? length : 100),
+                       name, known);
+}
+
+int64_t methods_read(const char *option, const char *text, const vti_stepper **list, int64_t most,
+                     struct message *message)
+{
+    int64_t n = 0;
+    for (const char *part = text; part != NULL;) {
+        const char *comma = strchr(part, ',');
+        const size_t length = comma != NULL ? (size_t)(comma - part) : strlen(part);
+        char name[64] = "";
+        memcpy(name, part, length < sizeof name ? length : 0);
+        const vti_stepper *stepper = method_find(name);
+        if (stepper == NULL)
+            return unknown(option, part, length, message);
+        for (int64_t k = 0; k < n; ++k)
+            if (list[k] == stepper)
+                return message_set(message, "%s: '%s' appears twice; name every stepper once", option, name);
+        if (n == most)
+            return message_set(message, "%s: more than %lld; use fewer", option, (long long)most);
+        list[n++] = stepper;
+        part = comma != NULL ? comma + 1 : NULL;
+    }
+    return n;
+}
+
+int methods_width(const vti_stepper *const *list, int64_t n)
+{
+    size_t width = 14;
+    for (int64_t k = 0; k < n; ++k)
+        width = strlen(list[k]->name) > width ? strlen(list[k]->name) : width;
+    return (int)width;
+}
