@@ -107,7 +107,8 @@ struct effect_surfaces {
 struct effect_invariants {
     const struct invariant *list;
     int count;
-    void (*values)(const struct effect *e, const vti_bodies *bodies, double *values);
+    /** Those that are no momenta only where all is asked for. */
+    void (*values)(const struct effect *e, const vti_bodies *bodies, int all, double *values);
 };
 
 /** What it remembers from step to step, which with the bodies and booked energies is all that a run goes on from. */

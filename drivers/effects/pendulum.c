@@ -58,12 +58,13 @@ static const struct invariant kept[] = {{"arm_dot_omega", "$R\\rho_0\\cdot\\Omeg
                                         {"arm_length", "$|R\\rho_0|$", 0}};
 
 /** Of body 0. */
-static void kept_values(const struct effect *e, const vti_bodies *b, double *values)
+static void kept_values(const struct effect *e, const vti_bodies *b, int all, double *values)
 {
     double arm[3];
     vti_pendulum_arm(e->settings, b, 0, arm);
     values[0] = arm[0] * b->omega.c[0][0] + arm[1] * b->omega.c[1][0] + arm[2] * b->omega.c[2][0];
-    values[1] = vti_norm(arm);
+    if (all)
+        values[1] = vti_norm(arm);
 }
 
 static const struct effect_invariants invariants = {kept, sizeof kept / sizeof kept[0], kept_values};

@@ -75,8 +75,11 @@ int64_t panels_find(const struct panels *panels, double t, double *tau)
     return p;
 }
 
-/** Barycentric shares of the nodes at n places of a panel, share[PANELS_NODES][n], which add up to 1 at each. Many
- *  places are done at once. */
+/** Barycentric shares of the nodes at n places of a panel, share[PANELS_NODES][n], which add up to 1 at each:
+ *
+ *     share_k ~ weight_k/(tau - node_k),    1/a and 1/b as b/(a b) and a/(a b)
+ *
+ *  by one division for two nodes. Many places are done at once. */
 VTI_INLINE void shares(const struct panels *restrict panels, const double *restrict tau, int64_t n,
                        double *restrict share)
 {
@@ -84,38 +87,43 @@ VTI_INLINE void shares(const struct panels *restrict panels, const double *restr
     int at_node = 0;
     for (int64_t i = 0; i < n; ++i)
         sum[i] = 0.0;
-    for (int k = 0; k < PANELS_NODES; ++k) {
-        const double weight = panels->weight[k], node = panels->node[k];
+    for (int k = 0; k < PANELS_NODES; k += 2) {
+        const double *const weight = panels->weight + k, *const node = panels->node + k;
         for (int64_t i = 0; i < n; ++i) {
-            share[k * n + i] = weight / (tau[i] - node);
-            sum[i] += share[k * n + i];
+            const double a = tau[i] - node[0], b = tau[i] - node[1], each = 1.0 / (a * b);
+            const double one = weight[0] * (b * each), other = weight[1] * (a * each);
+            share[k * n + i] = one;
+            share[(k + 1) * n + i] = other;
+            sum[i] += one + other;
         }
     }
-    for (int64_t i = 0; i < n; ++i)
-        at_node |= !isfinite(sum[i]);
+    for (int64_t i = 0; i < n; ++i) {
+        at_node |= isnan(sum[i]); /* infinity and 0 times it */
+        sum[i] = 1.0 / sum[i];
+    }
     for (int k = 0; k < PANELS_NODES; ++k)
         for (int64_t i = 0; i < n; ++i)
-            share[k * n + i] /= sum[i];
+            share[k * n + i] *= sum[i];
     for (int64_t i = 0; i < n && at_node; ++i)
-        for (int k = 0; k < PANELS_NODES && !isfinite(sum[i]); ++k)
+        for (int k = 0; k < PANELS_NODES && isnan(sum[i]); ++k)
             share[k * n + i] = tau[i] == panels->node[k] ? 1.0 : 0.0;
 }
 
 VTI_INLINE void panels_read_block_loops(const struct panels *panels, int64_t p, const double *tau, int64_t n,
                                         double *restrict out)
 {
-    const int64_t width = panels->width, all = (n + 7) & ~INT64_C(7); /* some more fill the vectors up */
+    enum { EIGHT = 8 }; /* numbers stay in registers; some more than n fill them up */
+    const int64_t width = panels->width, all = (n + EIGHT - 1) / EIGHT * EIGHT;
     double share[PANELS_NODES * PANELS_BLOCK];
     shares(panels, tau, all, share);
     for (int64_t c = 0; c < width; ++c) {
         const double *value = panels_row(panels, p, 0) + c;
-        double *restrict sum = out + c * PANELS_BLOCK;
-        for (int64_t i = 0; i < all; ++i)
-            sum[i] = 0.0;
-        for (int k = 0; k < PANELS_NODES; ++k) {
-            const double v = value[k * width];
-            for (int64_t i = 0; i < all; ++i)
-                sum[i] += share[k * all + i] * v;
+        for (int64_t first = 0; first < all; first += EIGHT) {
+            double sum[EIGHT] = {0.0};
+            for (int k = 0; k < PANELS_NODES; ++k)
+                for (int i = 0; i < EIGHT; ++i)
+                    sum[i] += share[k * all + first + i] * value[k * width];
+            memcpy(out + c * PANELS_BLOCK + first, sum, sizeof sum);
         }
     }
 }

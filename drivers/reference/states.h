@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Many states of the same bodies side by side, and the integrands of the norms (EQUATIONS 4) of all of them at once,
- * with the bits of vti_h1_density and vti_h1_distance of each. */
+ * Many states of the same bodies side by side; the integrands of the norms (EQUATIONS 4), energies and momenta of all of
+ * them at once, with the bits of vti_h1_density, vti_h1_distance, vti_energy and so on of each. */
 #ifndef VTI_STATES_H
 #define VTI_STATES_H
 
@@ -12,6 +12,7 @@
 struct states {
     int64_t bodies;
     int translates, turns;
+    vti_scalars mass, inertia; /* of spheres */
 };
 
 struct states states_of(const struct model *model);
@@ -27,5 +28,13 @@ void states_densities(const struct states *states, const double *state, int64_t 
 /** The same of their differences from those of other, attitudes by |log(R_h R^T)|. */
 void states_distances(const struct states *states, const double *state, const double *other, int64_t n,
                       double out[PANELS_BLOCK]);
+
+/** Of spheres: the energy, kinetic and then terms[count][PANELS_BLOCK], the effects'. */
+void states_energies(const struct states *states, const double *state, const double *terms, int64_t count, int64_t n,
+                     double out[PANELS_BLOCK]);
+/** Of spheres: the linear momentum, the angular one about the origin, or the spin, out[3][PANELS_BLOCK]. */
+enum states_momentum { STATES_LINEAR, STATES_ANGULAR, STATES_SPIN };
+void states_momenta(const struct states *states, enum states_momentum which, const double *state, int64_t n,
+                    double *out);
 
 #endif

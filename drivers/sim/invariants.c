@@ -12,7 +12,7 @@ static const struct invariant momenta[MOMENTA] = {
 
 /** Bit k: momentum k is conserved. It exists in the scene, no effect breaks it, and it is not a part of another that is
  *  conserved as a whole, as the spin is of the angular one. */
-static int64_t conserved_of(const struct model *model)
+int64_t model_momenta(const struct model *model)
 {
     int64_t broken = 0;
     for (int64_t e = 0; e < model->effects_count; ++e)
@@ -30,7 +30,7 @@ static const struct effect_invariants *own_of(const struct model *model, int64_t
 
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS])
 {
-    const int64_t conserved = conserved_of(model);
+    const int64_t conserved = model_momenta(model);
     int64_t n = 0;
     for (int k = 0; k < MOMENTA; ++k)
         if (conserved >> k & 1)
@@ -66,17 +66,24 @@ static int64_t take_conserved(int64_t conserved, void (*take)(const vti_bodies *
     return n;
 }
 
-void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
+void model_own_values(const struct model *model, const vti_bodies *bodies, int all, int64_t first, double *values)
 {
-    const int64_t conserved = conserved_of(model);
-    int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
-    n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
-    n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
+    int64_t n = first;
     for (int64_t e = 0; e < model->rooms_count; ++e) {
         const struct effect_invariants *own = own_of(model, e);
         if (own == NULL || n + own->count > MODEL_INVARIANTS)
             continue;
-        own->values(&model->rooms[e], bodies, values + n);
+        own->values(&model->rooms[e], bodies, all, values);
+        values += own->count;
         n += own->count;
     }
+}
+
+void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
+{
+    const int64_t conserved = model_momenta(model);
+    int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
+    n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
+    n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
+    model_own_values(model, bodies, 1, n, values + n);
 }

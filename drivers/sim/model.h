@@ -135,9 +135,12 @@ struct invariant {
  *  those angular ones that some effect breaks, the component of the spin, sum J Omega, if every effect keeps that.
  *  Returns how many (at most MODEL_INVARIANTS). */
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS]);
-/** Their values for the bodies, in the same order; of the momenta, which come first, and return how many there are; of
- *  all. */
-int64_t model_momentum_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
+/** The momenta among them, which come first: bits 0 to 2 the linear one, 3 to 5 the angular one about the origin, 6 to 8
+ *  the spin. */
+int64_t model_momenta(const struct model *model);
+/** Their values for the bodies, in the same order: of all, and of those that come after the first, the bodies' momenta,
+ *  which are what effects conserve themselves; of these only what is_momentum, unless all is 1. */
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
+void model_own_values(const struct model *model, const vti_bodies *bodies, int all, int64_t first, double *values);
 
 #endif

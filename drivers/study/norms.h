@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The norms of a run and of its error (EQUATIONS 4), taken along with its steps: many steps at once where the reference
- * is known at all of them. */
+ * The norms of a run and of its error (EQUATIONS 4), and how far energy and momenta go, taken along with its steps: many
+ * steps at once where the reference is known at all of them. */
 #ifndef VTI_NORMS_H
 #define VTI_NORMS_H
 
@@ -18,15 +18,27 @@ struct norms {
     vti_integral error_squared;          /* the same of q_h - q */
     double attitude_error;               /* at the last step */
 
+    struct model *model;
+    double energy0, invariants0[MODEL_INVARIANTS]; /* at the start */
+    struct invariant invariant[MODEL_INVARIANTS];
+    int64_t invariants, momenta; /* how many, and of these the momenta of bodies, which are first */
+    vti_integral energy_squared; /* (E_h - E_0)^2 */
+    double momentum_error;       /* largest deviation of a momentum; once NaN, it stays */
+
     struct states states;
     double *kept;        /* states of steps that wait (states.h), NULL where steps are taken one by one */
     const double *exact; /* the reference's at the same steps */
     int64_t held, room;  /* how many wait, and for how many there are the reference's */
+    double terms[EFFECT_TERMS_OF_ALL][PANELS_BLOCK]; /* the effects' energies in them, */
+    int64_t terms_count;                             /* if those of bodies are taken of many steps at once, else -1 */
 };
+
+/** The energy that only steps change: with what effects have booked. */
+double norms_energy(struct model *model, const vti_bodies *bodies);
 
 /** For a run of *model over the trial, compared with the reference every compare_every steps. Returns 0, or -1 with one
  *  line in *message. norms_destroy is due after either. */
-int norms_create(struct norms *norms, const struct model *model, const struct trial *trial, int64_t compare_every,
+int norms_create(struct norms *norms, struct model *model, const struct trial *trial, int64_t compare_every,
                  struct reference *reference, const struct watch *watch, struct message *message);
 void norms_destroy(struct norms *norms);
 /** The next step, from 0 on. Returns 0, or what reference_seek returns. */

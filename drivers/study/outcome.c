@@ -19,18 +19,8 @@ struct measures {
     struct watch watch; /* of norms */
     struct norms norms;
     double h, t_end;
-    double energy0, invariants0[MODEL_INVARIANTS];
-    struct invariant invariant[MODEL_INVARIANTS];
-    int64_t invariants, sample_every;
-    int64_t next_sample;         /* step: no division at those between */
-    vti_integral energy_squared; /* (E_h - E_0)^2 */
+    int64_t sample_every, next_sample; /* steps: no division at those between */
 };
-
-/** The energy that only steps change: with what effects have booked. */
-static double energy_of(struct measures *m, const vti_bodies *bodies)
-{
-    return model_energy(m->model, bodies) + vti_booked(m->model->effects, m->model->effects_count);
-}
 
 static int measures_begin(struct measures *m, struct model *model, struct reference *reference,
                           const struct trial *trial, int64_t compare_every, struct outcome *outcome)
@@ -41,9 +31,6 @@ static int measures_begin(struct measures *m, struct model *model, struct refere
     m->outcome = outcome;
     m->h = trial->h;
     m->t_end = trial->t_end;
-    m->energy0 = energy_of(m, &model->bodies);
-    m->invariants = model_invariants(model, m->invariant);
-    model_invariant_values(model, &model->bodies, m->invariants0);
     m->sample_every = (trial->steps + OUTCOME_SAMPLES - 2) / (OUTCOME_SAMPLES - 1);
     m->sample_every = m->sample_every > 0 ? m->sample_every : 1;
     columns_of(model, trial->stepper, &m->columns);
@@ -52,34 +39,28 @@ static int measures_begin(struct measures *m, struct model *model, struct refere
     return verdict_create(&m->verdict, model, trial->stepper, trial->h, &m->columns, &outcome->message);
 }
 
-static void sample(struct measures *m, double t, double energy_error, const double *deviations)
+/** Where they are now: a row of the series, and what is beside it in files. */
+static void sample(struct measures *m, double t, const vti_bodies *bodies)
 {
+    const struct norms *n = &m->norms;
     double *row = m->outcome->series[m->outcome->samples++];
     row[0] = t;
-    row[1] = energy_error;
-    memcpy(row + 2, deviations, sizeof m->invariants0);
+    row[1] = norms_energy(m->model, bodies) - n->energy0;
+    model_invariant_values(m->model, bodies, row + 2);
+    for (int64_t k = 0; k < n->invariants; ++k)
+        row[2 + k] -= n->invariants0[k];
 }
 
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct measures *m = self;
-    const double energy_error = energy_of(m, bodies) - m->energy0;
-    vti_integral_add(&m->energy_squared, m->h, energy_error * energy_error);
     if (norms_take(&m->norms, step, bodies, &m->outcome->message) != 0)
         return 1;
 
     const int sampled = step == m->next_sample;
-    double deviation[MODEL_INVARIANTS] = {0.0};
-    model_invariant_values(m->model, bodies, deviation);
-    for (int64_t k = 0; k < m->invariants; ++k) {
-        deviation[k] -= m->invariants0[k];
-        double *worst = &m->outcome->momentum_error; /* once NaN, it stays */
-        if (m->invariant[k].is_momentum && !isnan(*worst) && !(fabs(deviation[k]) <= *worst))
-            *worst = fabs(deviation[k]);
-    }
     if (sampled) {
         m->next_sample += m->sample_every;
-        sample(m, t, energy_error, deviation);
+        sample(m, t, bodies);
     }
     if (sampled || step == m->outcome->steps) {
         double row[COLUMNS];
@@ -96,11 +77,12 @@ static void measures_end(struct measures *m)
 {
     struct outcome *o = m->outcome;
     const double norm_squared = reference_norm_squared(m->reference, m->t_end);
-    const double energy_norm = (m->energy0 != 0.0 ? fabs(m->energy0) : 1.0) * sqrt(m->t_end);
-    o->e_error = sqrt(vti_integral_value(&m->energy_squared)) / energy_norm;
+    const double energy_norm = (m->norms.energy0 != 0.0 ? fabs(m->norms.energy0) : 1.0) * sqrt(m->t_end);
+    o->e_error = sqrt(vti_integral_value(&m->norms.energy_squared)) / energy_norm;
     o->q_error = sqrt(fabs(vti_integral_value(&m->norms.norm_squared) - norm_squared) / norm_squared);
     o->h1_error = sqrt(vti_integral_value(&m->norms.error_squared) / norm_squared);
     o->attitude_error = m->norms.attitude_error;
+    o->momentum_error = m->norms.momentum_error;
     o->judgement = verdict_judge(&m->verdict, 0, &o->verdict);
 }
 

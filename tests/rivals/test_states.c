@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Many states at once have the bits of each alone: integrands of the norms, and panels that are read in blocks. */
+ * Many states at once have the bits of each alone: integrands of the norms, energies, momenta, and panels that are read
+ * in blocks. */
 #include "support.h"
 
 #include "states.h"
@@ -29,6 +30,8 @@ static vti_bodies seen(const struct states *s, struct sample *a, int by_quat)
 {
     vti_bodies b = vti_bodies_none(s->bodies);
     const vti_quat_view quat = {{&a->quat[0][0], &a->quat[0][1], &a->quat[0][2], &a->quat[0][3]}, 4, 0};
+    b.mass = s->mass;
+    b.inertia = s->inertia;
     if (s->translates) {
         b.x = vti_view_packed(&a->x[0][0]);
         b.v = vti_view_packed(&a->v[0][0]);
@@ -81,8 +84,75 @@ TEST(integrands)
     rng g = rng_seed(11);
     for (int kind = 1; kind < 4; ++kind)
         for (int64_t n = 1; n <= PANELS_BLOCK; ++n) {
-            const struct states s = {kind == 2 ? 1 : BODIES, kind & 1, kind >> 1};
+            const struct states s = {kind == 2 ? 1 : BODIES, kind & 1, kind >> 1, {NULL, 0, 0}, {NULL, 0, 0}};
             compare(&g, &s, n);
+        }
+}
+
+/** An effect with energies of its own, whatever the bodies are. */
+enum { TERMS = 3 };
+
+static void nothing(const void *self, const vti_bodies *b)
+{
+    (void)self;
+    (void)b;
+}
+
+static void drawn(const void *self, const vti_bodies *b, double *energies)
+{
+    (void)b;
+    memcpy(energies, self, TERMS * sizeof *energies);
+}
+
+static void conserved(rng *g, const struct states *s, int64_t n)
+{
+    static struct sample one[PANELS_BLOCK];
+    static double state[BODIES * WIDTH * PANELS_BLOCK], terms[TERMS][PANELS_BLOCK], each[PANELS_BLOCK][TERMS];
+    double energy[PANELS_BLOCK], momentum[3][3][PANELS_BLOCK];
+    for (int64_t k = 0; k < n; ++k) {
+        draw(g, &one[k]);
+        const vti_bodies a = seen(s, &one[k], 0);
+        states_put(s, &a, k, state);
+        for (int j = 0; j < TERMS; ++j)
+            terms[j][k] = each[k][j] = uniform(g, -9, 9);
+    }
+    states_energies(s, state, terms[0], TERMS, n, energy);
+    for (int which = 0; which < 3; ++which)
+        states_momenta(s, (enum states_momentum)which, state, n, momentum[which][0]);
+    for (int64_t k = 0; k < n; ++k) {
+        const double origin[3] = {0.0, 0.0, 0.0};
+        const vti_bodies a = seen(s, &one[k], 0);
+        vti_effect effect = {.name = "drawn"};
+        effect.energy = drawn;
+        effect.apply = nothing;
+        effect.self = each[k];
+        effect.terms = TERMS;
+        const double expected = vti_energy(&effect, 1, &a);
+        double vector[3][3];
+        vti_momentum(&a, vector[STATES_LINEAR]);
+        vti_angular_momentum(&a, origin, vector[STATES_ANGULAR]);
+        vti_spin(&a, vector[STATES_SPIN]);
+        assert_true(isfinite(expected));
+        assert_same_bits(&energy[k], &expected, 1);
+        for (int which = 0; which < 3; ++which)
+            for (int c = 0; c < 3; ++c) {
+                assert_true(isfinite(vector[which][c]));
+                assert_same_bits(&momentum[which][c][k], &vector[which][c], 1);
+            }
+    }
+}
+
+TEST(energies_and_momenta)
+{
+    static const double mass[BODIES] = {1.0, 0.3, 7.0}, inertia[BODIES] = {0.1, 2.0, 0.7};
+    rng g = rng_seed(14);
+    for (int kind = 1; kind < 4; ++kind)
+        for (int64_t n = 1; n <= PANELS_BLOCK; ++n) {
+            struct states s = {kind == 2 ? 1 : BODIES, kind & 1, kind >> 1, vti_scalars_array(mass),
+                               vti_scalars_array(inertia)};
+            if (n % 2 == 0)
+                s.mass = vti_scalars_one(&mass[1]);
+            conserved(&g, &s, n);
         }
 }
 
@@ -135,4 +205,5 @@ TEST(powers)
     panels_destroy(&p);
 }
 
-RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(panels), cmocka_unit_test(powers))
+RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(energies_and_momenta), cmocka_unit_test(panels),
+          cmocka_unit_test(powers))
