@@ -34,9 +34,9 @@
 /** 2^-520: the same for huge numbers, whose squares do not overflow then. */
 #define VTI_RRV_DOWN (1.0 / 3.432398830065305e+156)
 
-/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing.
- * */
-#if defined(__GNUC__)
+/* Inlined whole, so that a loop over bonds can be vectorised; kept apart, so that what is rare costs the rest nothing. A compiler
+ * that is told not to optimise shall not either: it takes a minute for a kernel that is one function. */
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 /** Inlined whole. */
 #define VTI_INLINE static inline __attribute__((always_inline))
 /** Kept apart. */
