@@ -24,7 +24,7 @@ def run(*command, folder=None, **more):
     if not shutil.which(words[0], path=environment["PATH"]):
         print(f"{words[0]}: not there", flush=True)
         return None
-    result = subprocess.run(words, cwd=folder, env=dict(environment, **more), text=True, check=False, timeout=300,
+    result = subprocess.run(words, cwd=folder, env=dict(environment, **more), text=True, check=False, timeout=900,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if result.returncode != 0:
         print(" ".join(words) + "\n" + result.stdout, flush=True)

@@ -20,7 +20,7 @@ check(len(blocks) == 2, "README.md has two plain ways")
 def run(line, home, path):
     environment = {**{name: value for name, value in os.environ.items() if not name.startswith("MESON")},
                    "HOME": str(home), "PATH": str(path), "PKG_CONFIG_LIBDIR": str(home)}
-    result = subprocess.run(line, shell=True, cwd=home / "vti-source", env=environment, text=True, check=False, timeout=300,
+    result = subprocess.run(line, shell=True, cwd=home / "vti-source", env=environment, text=True, check=False, timeout=900,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if not check(result.returncode == 0, line):
         print(result.stdout)
