@@ -102,8 +102,6 @@ extern const struct effect_watch binder_watch;
 /** Of each bond: its energy, the sum over its terms, its stretch r/L0 - 1, and 1 while it holds, if bonds break. */
 extern const struct effect_lines binder_lines;
 
-/* ---- rupture (binder_break.c) ------------------------------------------------------------------------------------ */
-
 /* ---- bonds that are made where bodies touch (binder_touch.c) ----------------------------------------------------- */
 
 /** In place of binder_make_bonds: none yet. */
@@ -121,6 +119,8 @@ static inline int binder_touches(const struct binder_self *self)
 {
     return self->touch.room > 0;
 }
+
+/* ---- rupture (binder_break.c) ------------------------------------------------------------------------------------ */
 
 /** Whether a limit is in the scene or in the table, which may be NULL. */
 int binder_has_limit(const struct binder_settings *binder, const struct table *table, int limit);
