@@ -11,6 +11,7 @@ import sys
 import numpy
 
 import impact
+import ring
 import scenes
 from lammps import HERE, Lammps
 
@@ -108,8 +109,8 @@ def main():
     conserved(pile, folder)
     falls(heap, folder)
     breaks(agglomerate, folder)
-    bursts(scenes.Torus(lammps, vti_run, folder), folder)
-    one = scenes.Bonded(lammps, vti_run, folder)
+    bursts(ring.Torus(lammps, vti_run, folder), folder)
+    one = ring.Bonded(lammps, vti_run, folder)
     turns = [
         (who, h, spins, gain)
         for spins in one.spins
@@ -117,8 +118,8 @@ def main():
         for who, gain in zip(("LAMMPS", "vti"), one.largest(one.spins[spins], h))
     ]
     write(folder, "bonded", ["who", "h", "spins", "gain"], turns)
-    ring = scenes.Flight(lammps, vti_run, folder)
-    times = [(case.scene, *case.times(rounds)) for case in (pile, heap, agglomerate, ring)]
+    flight = ring.Flight(lammps, vti_run, folder)
+    times = [(case.scene, *case.times(rounds)) for case in (pile, heap, agglomerate, flight)]
     write(folder, "times", ["scene", "vti_s", "lammps_s", "ratio", "least", "most"], times)
 
 

@@ -15,9 +15,9 @@ from tally import check, conclude
 ROOT, VTI_RUN = map(os.path.abspath, sys.argv[1:3])
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(ROOT, "bench", "peers"))
+import case  # noqa: E402  pylint: disable=wrong-import-position
 import impact  # noqa: E402  pylint: disable=wrong-import-position
 import lammps  # noqa: E402  pylint: disable=wrong-import-position
-import scenes  # noqa: E402  pylint: disable=wrong-import-position
 
 sys.path.insert(0, os.path.join(ROOT, "drivers"))
 from plot.pages.peers import build  # noqa: E402  pylint: disable=wrong-import-position
@@ -110,10 +110,10 @@ def test_laws():
     zeta = lammps.zeta_of(0.5)
     check(abs(math.exp(-2 * zeta * math.acos(zeta) / math.sqrt(1 - zeta**2)) - 0.5) < 1e-12, "zeta of a restitution")
     # E/(2 (1 - nu^2)) 4/3 sqrt(R) overlap^(3/2) of two spheres of diameter 1 is K overlap^(3/2)
-    young = scenes.hertz(3.0, 1.0, 0.25, True)
+    young = case.hertz(3.0, 1.0, 0.25, True)
     check(abs(young / (2 * (1 - 0.0625)) * 4 / 3 * math.sqrt(0.25) - 3) < 1e-12, "Young's modulus of a pair")
     check(
-        abs(scenes.hertz(3.0, 1.0, 0.25, False) / (2 * (1 - 0.0625)) * 4 / 3 * math.sqrt(0.5) - 3 / 0.5**2.5) < 1e-12,
+        abs(case.hertz(3.0, 1.0, 0.25, False) / (2 * (1 - 0.0625)) * 4 / 3 * math.sqrt(0.5) - 3 / 0.5**2.5) < 1e-12,
         "and of a plane",
     )
 
