@@ -4,6 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "plain.h"
+
+enum { DONE = ADVISE_PARTED + 1 };
+
 int laws_are_due(const struct stages *g)
 {
     static const double runs = 20.0;
@@ -14,24 +18,42 @@ int laws_are_due(const struct stages *g)
                                 stages_work_left(g, 1.0);
 }
 
-/** The active offer of ours of which two runs are the cheapest; -1: there is none. */
-static int64_t cheapest_law(const struct stages *g)
+/** By what order errors fall where forces have kinks, as docs/accuracy.md has found it. */
+static double usual_order(const vti_stepper *stepper)
+{
+    return fmin((double)stepper->order, vti_multistep_find(stepper->name) != NULL ? 4.5 : 2.5);
+}
+
+/** Evaluations by which a stepper will reach the goal, guessed from what another one needs: by their largest stable steps
+ *  they err alike, and from there on by their orders. */
+static double guess_evals(const struct search *whole, const vti_stepper *stepper, const struct offer *known)
+{
+    const double finer = fmax((double)known->steps / (double)search_fewest(whole, known->stepper), 1.0),
+                 steps = (double)search_fewest(whole, stepper) *
+                         plain_power(finer, usual_order(known->stepper) / usual_order(stepper));
+    return steps * (double)(stepper->evals > 0 ? stepper->evals : 1);
+}
+
+/** The offer that two runs may tell of next, by the least evaluations: of these runs, or of the run that it would be if
+ *  something is known of another one already. -1: there is none. */
+static int64_t next_law(const struct stages *g, const struct offer *known, double *evals)
 {
     struct search whole = g->search;
     const struct advice *a = whole.advice;
-    int64_t least = -1;
-    double least_evals = INFINITY;
+    int64_t next = -1;
     whole.t_end = a->t_end;
+    *evals = INFINITY;
     for (int64_t k = 0; k < a->count; ++k) {
         const vti_stepper *stepper = a->offers[k].stepper;
         /* those of the paper would tell what exact does */
-        const double evals = law_evals(&whole, stepper) * (strcmp(method_kind(stepper), "paper") == 0 ? 1e6 : 1.0);
-        if (g->active[k] && method_rival(stepper) == NULL && evals < least_evals) {
-            least = k;
-            least_evals = evals;
+        const double least = known != NULL ? guess_evals(&whole, stepper, known) : law_evals(&whole, stepper),
+                     needs = least * (strcmp(method_kind(stepper), "paper") == 0 ? 1e6 : 1.0);
+        if (g->active[k] && method_rival(stepper) == NULL && needs < *evals) {
+            next = k;
+            *evals = needs;
         }
     }
-    return least;
+    return next;
 }
 
 /** Offer k by two runs over as much of the time as a share of the purse allows, in up to most times as many steps as
@@ -48,7 +70,13 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
     s->target /= offers_growth(s, found.stepper, s->measure);
     const int64_t fewest = search_fewest(s, found.stepper);
     const int64_t steps = pilot_steps((double)fewest * fmin(fmax(part * work / least, 1.0), most));
+    const double together = s->advice->together, max_omega = s->advice->max_omega;
     int result = search_law(s, &found, steps);
+    if (result == ADVISE_PARTED && offers_best(g) >= 0 && !s->advice->parted) {
+        s->advice->together = together; /* too coarse, as others were not */
+        s->advice->max_omega = max_omega;
+        return 0;
+    }
     if (result == ADVISE_PARTED) { /* what the same runs tell of the energy stands */
         stages_by_energy(g);
         s->target = g->goal;
@@ -66,7 +94,7 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
 /** Two runs of the best again, which are not as far from the advised one, if the purse has so much left. */
 static int make_law_again(struct stages *g)
 {
-    const double share = 0.8, worth = 1.5;
+    const double share = 0.6, worth = 1.5;
     struct search *s = &g->search;
     const int64_t best = offers_best(g);
     s->t_end = s->advice->t_end;
@@ -99,25 +127,50 @@ static int feel_pace(struct stages *g)
     return result < 0 ? -1 : 0;
 }
 
+/** Another stepper, once something is known of one: that which may need the least, if that is worth it. The purse goes
+ *  by what it may need. Returns 0, -1, ADVISE_SPENT, or DONE. */
+static int make_other_law(struct stages *g, const struct offer *known)
+{
+    static const double share = 0.3, large_share = 0.9, part = 0.4, most = 2.0, worth = 2.0, far = 0.5,
+                        bold = 1.5; /* of a guess, what is prudent with a run that is known is taken back */
+    struct search *s = &g->search;
+    const double needed = (double)known->force_evals;
+    double guess;
+    const int64_t k = next_law(g, known, &guess);
+    stages_open_purse(g, fmin(needed, bold * guess));
+    const double may = guess < far * needed ? large_share : share;
+    s->t_end = s->advice->t_end;
+    if (k < 0 || guess > worth * needed || !isfinite(stages_work_left(g, may)) ||
+        law_evals(s, s->advice->offers[k].stepper) * (double)s->bodies > stages_work_left(g, may))
+        return DONE;
+    g->active[k] = 0;
+    return make_law(g, k, may, part, most);
+}
+
+/** The first of which two runs do not fail, by those that take the least. */
+static int make_first_law(struct stages *g)
+{
+    /* seconds are not all alike */
+    const double share = isfinite(g->search.purse.until) ? 0.75 : 0.9, part = 0.4, most = 8.0;
+    double evals;
+    const int64_t k = next_law(g, NULL, &evals);
+    if (k < 0)
+        return DONE;
+    g->active[k] = 0;
+    return make_law(g, k, share, part, most);
+}
+
 int laws_go(struct stages *g)
 {
-    struct search *s = &g->search;
-    /* seconds are not all alike */
-    const double first = isfinite(s->purse.until) ? 0.75 : 0.9, other = 0.3, part = 0.4, most = 8.0;
     int result = feel_pace(g);
     stages_all_active(g);
-    for (int64_t k, told = 0; result == 0 && (k = cheapest_law(g)) >= 0; ++told) {
-        s->t_end = s->advice->t_end;
-        if (told > 0 && law_evals(s, s->advice->offers[k].stepper) * (double)s->bodies > stages_work_left(g, other))
-            break;
-        result = make_law(g, k, told > 0 ? other : first, part, most);
-        g->active[k] = 0;
-        if (result != 0 || !isfinite(stages_work_left(g, first)))
-            break;
+    while (result == 0) {
         const int64_t best = offers_best(g);
-        if (best >= 0)
-            stages_open_purse(g, (double)s->advice->offers[best].force_evals);
+        result = best < 0 ? make_first_law(g) : make_other_law(g, &g->search.advice->offers[best]);
     }
+    const int64_t best = offers_best(g);
+    if (best >= 0)
+        stages_open_purse(g, (double)g->search.advice->offers[best].force_evals);
     stages_all_active(g);
-    return result == 0 ? make_law_again(g) : result;
+    return result == DONE ? make_law_again(g) : result;
 }

@@ -205,6 +205,20 @@ def always():
           and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
 
 
+def budget_is_hard():
+    """Where one stepper needs a hundredth of the evaluations of another, what the latter needs is no measure of what pilots may
+    take: 1e6 of a body, or as many as the run that is advised on at last."""
+    for name, t_end, error, bodies in (("pile", 0.5, 1e-6, 128), ("block", 8, 1e-8, 96), ("torus", 2, 1e-6, 80)):
+        advice = json.loads(run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name)).stdout)
+        took, may = bodies * advice["pilots"]["force_evals"], max(1e6, bodies * advice["predicted_force_evals"])
+        check(took <= 1.1 * may, f"{name} to {t_end}, {error:g}: pilots took {took:.3g} evaluations of {may:.3g}")
+        exact = [o for o in advice["alternatives"] if o["stepper"] == "exact"][0]
+        check(advice["stepper"].startswith("an") and advice["predicted_force_evals"] < 0.3 * exact["predicted_force_evals"],
+              f"... and have found {advice['stepper']}, which needs {advice['predicted_force_evals']} evaluations, not "
+              f"{exact['predicted_force_evals']}")
+        check(advice["interval"][0] < advice["predicted_error"] < advice["interval"][1] < 100 * error, "... with an interval")
+
+
 def between_touches():
     """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below what was
     asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
@@ -280,6 +294,7 @@ h_max_omega_of_the_solution()
 known_to_its_share()
 rivals()
 always()
+budget_is_hard()
 between_touches()
 measures()
 general_inertia()
