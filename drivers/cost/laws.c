@@ -24,8 +24,8 @@ static double usual_order(const vti_stepper *stepper)
     return fmin((double)stepper->order, vti_multistep_find(stepper->name) != NULL ? 4.5 : 2.5);
 }
 
-/** Evaluations by which a stepper will reach the goal, guessed from what another one needs: by their largest stable steps
- *  they err alike, and from there on by their orders. */
+/** Evaluations by which a stepper will reach the goal, guessed from what another one needs: by their largest stable
+ *  steps they err alike, and from there on by their orders. */
 static double guess_evals(const struct search *whole, const vti_stepper *stepper, const struct offer *known)
 {
     const double finer = fmax((double)known->steps / (double)search_fewest(whole, known->stepper), 1.0),
@@ -94,8 +94,9 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
 /** Two runs of the best again, which are not as far from the advised one, if the purse has so much left. */
 static int make_law_again(struct stages *g)
 {
-    const double share = 0.6, worth = 1.5;
     struct search *s = &g->search;
+    /* where time does not limit it the purse goes by the run, which may turn out to be a shorter one */
+    const double share = isfinite(s->purse.until) ? 0.8 : 0.6, worth = 1.5;
     const int64_t best = offers_best(g);
     s->t_end = s->advice->t_end;
     if (best < 0)
