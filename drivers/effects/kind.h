@@ -126,7 +126,7 @@ struct effect_watch {
     int (*start)(struct effect *e);
     /** At every row of the run, with the energy of the motion and of the springs. */
     void (*row)(struct effect *e, const vti_bodies *bodies, double energy);
-    /** At every step. */
+    /** At every step, whose velocities may not be known yet. */
     void (*step)(struct effect *e, const vti_bodies *bodies);
     /** How many of its lines have turned past half a turn, where a moment changes its side. */
     int64_t (*turned)(const struct effect *e);

@@ -61,7 +61,17 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
 struct poll {
     struct run *run;
     void (*progress)(int64_t done, int64_t all, double seconds);
+    int looks; /* at this step */
 };
+
+/** Signals come at any time: what is decided here holds until poll is called. */
+static int poll_looks(void *self, int64_t step)
+{
+    struct poll *p = self;
+    const struct run *run = p->run;
+    p->looks = step == run->steps || run_signals_seen() != NULL || step % run->poll_every == 0;
+    return p->looks;
+}
 
 /** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the
  *  journal. */
@@ -69,6 +79,8 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     const struct poll *p = self;
     struct run *run = p->run;
+    if (!p->looks)
+        return 0;
     if (step == run->steps)
         return save(run, step, t, bodies);
     if (run_signals_seen() != NULL && step == 0)
@@ -110,6 +122,14 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
         return broken(run, step, t, bodies, NULL);
     frame_take(&run->record.frames, step, t, bodies, run->frame);
     return journal_add(&run->journal, &run->journal.frames, run->frame, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+}
+
+/** What bonds turn by, verdict_step, is seen by the attitudes. */
+static int never_looks(void *self, int64_t step)
+{
+    (void)self;
+    (void)step;
+    return 0;
 }
 
 static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -177,12 +197,12 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
                     struct message *message)
 {
     enum { POLL_BODIES = 8192 };
-    struct poll poller = {run, progress};
+    struct poll poller = {run, progress, 1};
     const int64_t every = look_every(run);
-    const struct observer observers[] = {{poll, &poller, every, 1},
-                                         {see_step, run, every, 1},
-                                         {see_row, run, run->checkpoint.record_every, 0},
-                                         {see_frame, run, run->checkpoint.frames_every, 0}};
+    const struct observer observers[] = {{poll, &poller, every, 1, poll_looks},
+                                         {see_step, run, every, 1, never_looks},
+                                         {see_row, run, run->checkpoint.record_every, 0, NULL},
+                                         {see_frame, run, run->checkpoint.frames_every, 0, NULL}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = keep_now();

@@ -29,6 +29,9 @@ struct run {
     int observers_count;
     int64_t effects; /* how many there are, if some of them flow, carry or break, else 0 */
     int breaks;      /* 1 if some of them break */
+    int joins;       /* 1 if steps at which nobody looks at velocities end with the begin of the next, */
+    int is_open;     /* and the last one waits for it */
+    int64_t called;  /* bit k: observer k is, at this step */
     /* on whose v and omega a lagging method is brought to the time of the positions, so that looking at a run does not
      * change its bits */
     struct fork reader;
@@ -68,6 +71,11 @@ static int probe_forces(struct run *run, int64_t k)
 static int stage(struct run *run, int64_t k, vti_fault *fault)
 {
     struct model *model = run->model;
+    if (run->is_open) {
+        run->is_open = 0;
+        return model->slices != NULL ? slices_next(model, run->stepper, run->h)
+                                     : vti_step_next(run->stepper, run->h, &model->bodies, fault);
+    }
     if (run->effects > 0)
         return vti_effects_stage(run->stepper, k, run->h, model->effects, run->effects, &model->bodies, fault);
     if (model->slices != NULL)
@@ -75,9 +83,25 @@ static int stage(struct run *run, int64_t k, vti_fault *fault)
     return vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
 }
 
+/** Finds who is called at the step; returns 1 if somebody looks at velocities there. */
+static int look_ahead(struct run *run, int64_t step)
+{
+    int looked = step == run->last;
+    run->called = 0;
+    for (int k = 0; k < run->observers_count; ++k) {
+        const struct observer *o = &run->observers[k];
+        if (o->every > 1 && step % o->every != 0 && step != run->last)
+            continue;
+        run->called |= INT64_C(1) << k;
+        looked |= o->looks == NULL || o->looks(o->self, step);
+    }
+    return looked;
+}
+
 static int finish(struct run *run)
 {
     struct model *model = run->model;
+    run->is_open = 0;
     if (run->effects > 0)
         return vti_effects_finish(run->stepper, run->h, model->effects, run->effects, &model->bodies);
     if (model->slices != NULL)
@@ -103,7 +127,9 @@ static int one_step(struct run *run, int64_t step, vti_fault *fault)
     int status = probe_forces(run, run->stepper->stages);
     if (status == VTI_OK)
         status = step_errors_watch(model->errors, run->stepper, run->stepper->stages, run->h, &model->bodies);
-    if (status == VTI_OK)
+    const int looked = look_ahead(run, step);
+    run->is_open = status == VTI_OK && run->joins && !looked;
+    if (status == VTI_OK && !run->is_open)
         status = finish(run);
     if (status == VTI_OK && model->errors != NULL)
         status = step_errors_end(model->errors, run->stepper, (double)step * run->h, &model->bodies);
@@ -115,7 +141,7 @@ static int show(struct run *run, int64_t step)
     const vti_bodies *in_time = NULL;
     for (int k = 0; k < run->observers_count; ++k) {
         const struct observer *o = &run->observers[k];
-        if (o->every > 1 && step % o->every != 0 && step != run->last)
+        if ((run->called >> k & 1) == 0)
             continue;
         if (!o->raw && in_time == NULL)
             in_time = read_bodies(run);
@@ -148,6 +174,14 @@ static int begin(const struct run *run, int64_t from)
     return status != VTI_OK || from > 0 ? status : vti_step_start(run->stepper, run->h, &run->model->bodies);
 }
 
+/** Nothing is done between two steps, and a step that is refused leaves the one before finished. */
+static int can_join(const struct run *run)
+{
+    const vti_stepper *s = run->stepper;
+    return s->law != VTI_LAW_CLOSED && s->drift[s->stages] == 0.0 && s->lag == 0.0 && s->probe == NULL &&
+           run->effects == 0 && !run->breaks && run->model->errors == NULL;
+}
+
 static int any_breaks(const struct model *model)
 {
     int any = 0;
@@ -172,15 +206,19 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
         free(run.probe.memory);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     }
+    run.joins = can_join(&run);
     vti_fault fault = {-1, 0.0, VTI_QUANTITY_NONE};
     int64_t step = from;
     int status = begin(&run, from);
+    look_ahead(&run, step);
     int stopped = status == VTI_OK && show(&run, step);
     while (status == VTI_OK && !stopped && step < steps) {
         status = one_step(&run, ++step, &fault);
         if (status == VTI_OK)
             stopped = show(&run, step);
     }
+    if (status == VTI_OK && run.is_open)
+        status = finish(&run);
     free(run.reader.memory);
     free(run.probe.memory);
     return status != VTI_OK ? refused(model, status, &fault, stepper, h, from, step, message) : stopped;

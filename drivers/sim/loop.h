@@ -11,6 +11,10 @@ struct observer {
     void *self;
     int64_t every; /* called at steps 0, every, 2 every, ..., and at the last */
     int raw;       /* 0: position and velocity are of the same time. 1: the bodies as the stepper keeps them */
+    /** Whether it looks at velocities at a step at which it is called; NULL: always. Asked once for each, before see, of
+     *  lists of kicks and drifts. Where nobody does, the step may end with the begin of the next, in one pass over the
+     *  bodies with the same bits, and the velocities are of neither. */
+    int (*looks)(void *self, int64_t step);
 };
 
 /** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple

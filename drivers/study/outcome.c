@@ -118,7 +118,7 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     struct trial_run run;
     struct measures measures;
     struct poller poller = {poll, poll_self, 0};
-    const struct observer observers[] = {{measure, &measures, 1, 0}, {poll_see, &poller, POLL_EVERY, 0}};
+    const struct observer observers[] = {{measure, &measures, 1, 0, NULL}, {poll_see, &poller, POLL_EVERY, 0, NULL}};
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;

@@ -59,6 +59,11 @@ static int finish(struct slice *slice, const struct task *task)
     return vti_step_finish(task->stepper, task->h, &slice->bodies);
 }
 
+static int next(struct slice *slice, const struct task *task)
+{
+    return vti_step_next(task->stepper, task->h, &slice->bodies, NULL);
+}
+
 static int spread(struct slice *slice, const struct task *task)
 {
     return vti_clumps_spread(&task->model->clumps.list, &slice->bodies);
@@ -89,6 +94,12 @@ int slices_stage(const struct model *model, const vti_stepper *stepper, int64_t 
 int slices_finish(const struct model *model, const vti_stepper *stepper, double h)
 {
     const struct task task = {finish, model, stepper, 0, h};
+    return do_all(&task);
+}
+
+int slices_next(const struct model *model, const vti_stepper *stepper, double h)
+{
+    const struct task task = {next, model, stepper, 0, h};
     return do_all(&task);
 }
 

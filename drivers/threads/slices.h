@@ -16,9 +16,11 @@ int slices_create(struct model *model, struct message *message);
 /** The model goes on in one piece; harmless if it did. */
 void slices_destroy(struct model *model);
 
-/** vti_step_stage and vti_step_finish of all bodies by slices, or in one piece where a step may be refused. */
+/** vti_step_stage, vti_step_finish, and vti_step_next of what cannot be refused, of all bodies by slices, or in one piece
+ *  where a step may be refused. */
 int slices_stage(const struct model *model, const vti_stepper *stepper, int64_t k, double h, vti_fault *fault);
 int slices_finish(const struct model *model, const vti_stepper *stepper, double h);
+int slices_next(const struct model *model, const vti_stepper *stepper, double h);
 /** vti_clumps_spread of all bodies. */
 int slices_spread(const struct model *model);
 /** vti_apply of all effects on the model's bodies, whose pairs are found. Also returns MODEL_E_PAIRS. */

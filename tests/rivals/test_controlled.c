@@ -145,7 +145,7 @@ TEST(momenta)
     struct scene scene;
     struct journey j;
     struct watch w = {.looks = 0};
-    const struct observer observer = {see, &w, 1, 0};
+    const struct observer observer = {see, &w, 1, 0, NULL};
     read_scene("chain", &scene);
     scene.tolerance = 1e-8;
     begin(&j, &scene, method_of("srkn11"), 1.0 / 8);

@@ -187,7 +187,7 @@ TEST(observed)
         struct scene scene;
         struct journey j;
         struct eye eye = {0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, seventh = eye;
-        const struct observer observers[] = {{see, &eye, 5, 0}, {see, &seventh, 7, 1}};
+        const struct observer observers[] = {{see, &eye, 5, 0, NULL}, {see, &seventh, 7, 1, NULL}};
         read_scene("chain", &scene);
         begin(&j, &scene, method_at(i), 1.0 / 512);
         assert_int_equal(travel_show(&j.travel, 23, observers, 2, &j.message), 0);
@@ -205,6 +205,75 @@ TEST(observed)
         assert_int_equal(eye.step, 40);
         end(&j);
     }
+}
+
+enum { GLANCES = 24 };
+
+/** Body 1 at every step, and who looks at its velocities only every few. */
+struct glance {
+    int64_t every, asked, calls;
+    double place[GLANCES][2], speed[GLANCES][2];
+};
+
+static int glance_looks(void *self, int64_t step)
+{
+    struct glance *g = self;
+    ++g->asked;
+    return step % g->every == 0;
+}
+
+static int glance_see(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    struct glance *g = self;
+    (void)t;
+    ++g->calls;
+    g->place[step][0] = b->x.c[0][b->x.stride];
+    g->place[step][1] = b->alpha.c[0][b->alpha.stride];
+    g->speed[step][0] = b->v.c[0][b->v.stride];
+    g->speed[step][1] = b->omega.c[0][b->omega.stride];
+    return 0;
+}
+
+static void glance_at(const vti_stepper *method, const char *where, double h, int (*looks)(void *self, int64_t step),
+                      struct glance *g)
+{
+    struct scene scene;
+    struct journey j;
+    const struct observer observer = {glance_see, g, 1, 0, looks};
+    read_scene(where, &scene);
+    begin(&j, &scene, method, h);
+    assert_int_equal(travel_show(&j.travel, GLANCES - 1, &observer, 1, &j.message), 0);
+    assert_int_equal(g->calls, GLANCES);
+    end(&j);
+}
+
+/** Steps that are joined have the same places, and the same velocities where somebody looks and at the end; others are
+ *  of neither step. Steppers that may not be joined, and scenes that dissipate, have whole steps all along. */
+static void assert_joined(const vti_stepper *method, const char *where, double h, int joins)
+{
+    struct glance whole = {.every = 1}, few = {.every = 5};
+    int64_t others = 0;
+    glance_at(method, where, h, NULL, &whole);
+    glance_at(method, where, h, glance_looks, &few);
+    assert_same_bits(few.place[0], whole.place[0], 2 * GLANCES);
+    for (int k = 0; k < GLANCES; ++k)
+        if (k % 5 == 0 || k == GLANCES - 1 || !joins)
+            assert_same_bits(few.speed[k], whole.speed[k], 2);
+        else
+            others += few.speed[k][0] != whole.speed[k][0] || few.speed[k][1] != whole.speed[k][1];
+    assert_int_equal(others, joins ? GLANCES - 6 : 0);
+}
+
+TEST(joined)
+{
+    for (int64_t i = 0; i < method_count(); ++i) {
+        const vti_stepper *m = vti_stepper_find(method_at(i)->name);
+        const int joins = m != NULL && m->law != VTI_LAW_CLOSED && m->drift[m->stages] == 0.0 && m->lag == 0.0 &&
+                          m->probe == NULL && m->kick[m->stages] != 0.0;
+        assert_joined(method_at(i), "chain", 1.0 / 512, joins);
+    }
+    assert_joined(vti_stepper_find("vti2"), "chain", 1.0 / 512, 1);
+    assert_joined(vti_stepper_find("srkn6"), "chain", 1.0 / 512, 1);
 }
 
 TEST(looking)
@@ -262,7 +331,7 @@ static void assert_resumes(const vti_stepper *method, const char *where, double 
     const size_t n = (size_t)(12 * first.model.bodies.count);
     double *bodies = calloc(n, sizeof *bodies);
     struct keeper keeper = {at, bodies};
-    const struct observer observer = {keep, &keeper, 1, 1};
+    const struct observer observer = {keep, &keeper, 1, 1, NULL};
     assert_int_equal(travel_show(&first.travel, 30, &observer, 1, &first.message), 0);
     end(&first);
     begin(&first, &scene, method, h);
@@ -419,4 +488,4 @@ TEST(refusals)
 RUN_TESTS_OF_SCENES(cmocka_unit_test(list), cmocka_unit_test(force_evals), cmocka_unit_test(looking),
                     cmocka_unit_test(reading), cmocka_unit_test(no_rotation), cmocka_unit_test(free_flight),
                     cmocka_unit_test(contacts), cmocka_unit_test(refusals), cmocka_unit_test(observed),
-                    cmocka_unit_test(resumed))
+                    cmocka_unit_test(joined), cmocka_unit_test(resumed))

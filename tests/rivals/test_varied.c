@@ -144,7 +144,7 @@ static struct energies long_way(const char *name, int64_t control, int64_t steps
     const struct scene scene = scene_with("pendulum", control, sqrt(0.5));
     struct journey j;
     struct energies e = {.last = steps};
-    const struct observer observer = {see_energy, &e, 7, 0};
+    const struct observer observer = {see_energy, &e, 7, 0, NULL};
     begin(&j, &scene, method_of(name), sqrt(0.5));
     assert_int_equal(travel_show(&j.travel, steps, &observer, 1, &j.message), 0);
     print_message("%s, %d steps: |E - E_0| at most %.2e, means of its halves %.3e and %.3e\n", j.travel.stepper->name,
