@@ -27,7 +27,9 @@ typedef struct vti_held {
 
 /** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
  *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
- *  pairs may change while it stays, but each pair always names its two bodies in the same order. */
+ *  pairs may change while it stays, but each pair always names its two bodies in the same order. A body that the host
+ *  itself puts elsewhere, at an inlet say, keeps its entries until a drift brings it near what they are of: a host that
+ *  does so copies all others into another table by vti_history_add, and goes on with that one. */
 typedef struct vti_history {
     int64_t slots;  /**< a power of 2, above the number of touches; twice as many are fast */
     int64_t used;   /**< touches that hold something */
