@@ -66,6 +66,7 @@ static void fill(rng *g, int closed, const vti_bodies *all)
                             : closed                  ? 0.3
                             : i % 13 == 7             ? 9
                             : i == 31                 ? 1e150
+                            : i == 14                 ? 1e-12 /* past half a turn, and hardly on */
                             : i == 17                 ? 1e-150
                                                       : 1;
         top p = top_random(g, TOP_ALPHA, TOP_BOTH);
