@@ -104,7 +104,7 @@ VTI_INLINE void flow_bond(int motion, struct bond_place *at)
 }
 
 VTI_INLINE void flow_bond_lanes(enum touch_layout layout, const struct vti_bond_sweep *s, const int64_t *which,
-                                int64_t count)
+                                int64_t count, struct books *books)
 {
     struct bond_place at;
     struct side i, j;
@@ -125,22 +125,23 @@ VTI_INLINE void flow_bond_lanes(enum touch_layout layout, const struct vti_bond_
         flow_bond(VTI_TWIST, &at);
     }
     scatter_velocities(layout, s->b, &i, &j, &at.motion);
-    for (int k = 0; k < BOND_MOTIONS; ++k)
-        if (at.damped[k])
-            sum_lanes(&s->p->lost[k], at.lost[k], count);
+    book_lanes(books, at.lost, count);
 }
 
 static void flow_bonds(const struct vti_bond_sweep *s, int64_t count, const int64_t *which)
 {
     const int packed = is_packed(s->b);
     int64_t place[WIDTH];
+    struct books books;
+    books_open(&books, s->p->lost, BOND_MOTIONS);
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(which, first, count, place);
         if (packed)
-            flow_bond_lanes(PACKED, s, here, count - first);
+            flow_bond_lanes(PACKED, s, here, count - first, &books);
         else
-            flow_bond_lanes(ANY, s, here, count - first);
+            flow_bond_lanes(ANY, s, here, count - first, &books);
     }
+    books_close(&books, s->p->lost, BOND_MOTIONS);
 }
 
 #endif

@@ -86,9 +86,8 @@ VTI_INLINE void leave(lanes_mask out, const struct vti_loads *before, struct vti
 
 /** Pairs that were out of reach before the drift are left as they are: lists need not have them. */
 VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, const vti_bodies *b,
-                            const vti_drifted *drifted, struct vti_carried *pairs, int64_t first)
+                            const vti_drifted *drifted, struct vti_carried *pairs, int64_t first, struct books *books)
 {
-    const double coefficient[VTI_FRICTION_BOOKS] = {p->sliding, p->rolling, p->twisting};
     struct vti_carry c;
     struct vti_loads before, loads;
     struct vti_taken taken;
@@ -105,19 +104,21 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
         leave(near == 0, &before, &loads, &taken);
     lanes_store(pairs->delta + first, lanes_where(near, c.touch.delta, lanes_of(INFINITY)));
     scatter_loads(p, pairs->held[0], at, &loads);
-    for (int k = 0; k < VTI_FRICTION_BOOKS; ++k)
-        if (coefficient[k] > 0.0)
-            sum_lanes(&p->lost[k], taken.lost[k], pairs->count - first);
+    const lanes lost[BOOKS] = {taken.lost[0], taken.lost[1], taken.lost[2], lanes_of(0.0)};
+    book_lanes(books, lost, pairs->count - first);
 }
 
 static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs)
 {
     const int packed = is_packed(b);
+    struct books books;
+    books_open(&books, p->lost, VTI_FRICTION_BOOKS);
     for (int64_t first = 0; first < pairs->count; first += WIDTH)
         if (packed)
-            carry_lanes(PACKED, p, b, drifted, pairs, first);
+            carry_lanes(PACKED, p, b, drifted, pairs, first, &books);
         else
-            carry_lanes(ANY, p, b, drifted, pairs, first);
+            carry_lanes(ANY, p, b, drifted, pairs, first, &books);
+    books_close(&books, p->lost, VTI_FRICTION_BOOKS);
 }
 
 /* ---- at walls ---------------------------------------------------------------------------------------------------- */

@@ -27,51 +27,67 @@ static inline void vti_damping_all(const vti_dashpots *p, int damped[VTI_DASHPOT
 VTI_INLINE lanes vti_damping_share(lanes delta, lanes other)
 {
     const lanes_mask here = delta > 0.0, there = other > 0.0;
+    if (lanes_all(here & there)) /* as mostly: no division */
+        return lanes_of(1.0);
     const lanes inside = lanes_where(here, delta, other), outside = lanes_where(here, other, delta);
     return lanes_where(here & there, lanes_of(1.0), inside / (inside - outside));
 }
 
-/** Mean of delta_+^{1/4} on the same way: (4/5) (delta_+^{5/4} - other_+^{5/4})/(delta - other) */
-VTI_INLINE lanes vti_damping_mean_power(lanes delta, lanes other)
-{
-    const lanes zero = lanes_of(0.0), from = lanes_where(delta > 0.0, delta, zero),
-                to = lanes_where(other > 0.0, other, zero), power = lanes_sqrt(lanes_sqrt(from));
-    const lanes powers = 0.8 * (from * power - to * lanes_sqrt(lanes_sqrt(to))) / (delta - other);
-    return lanes_where(lanes_abs(delta - other) < 1e-6 * lanes_abs(delta), power, powers);
-}
-
-/** A touch, between here and the other end of the drift. */
+/** A touch, between here and the other end of the drift. With o = [delta/L]_+ and k = K/L^2
+ *
+ *      F_n = k delta o^{1/2} = k_H delta^{3/2},      k_H delta^{1/2} = k o^{1/2},      k_H = K/L^{5/2}               */
 struct vti_damping {
-    lanes k_h;     /* F = k_h delta^{3/2}, K/length^{5/2} */
-    lanes root;    /* of delta, 0 apart */
-    lanes delta;   /* overlap here, */
-    lanes other;   /* and at the other end */
-    lanes touched; /* share of the drift */
+    lanes k;
+    lanes per_length; /* 1/L */
+    lanes root;       /* o^{1/2} here, */
+    lanes delta;      /* overlap here, */
+    lanes other;      /* and at the other end */
+    lanes touched;    /* share of the drift */
     double zeta;
 };
+
+/** o^{1/2} */
+VTI_INLINE lanes vti_damping_root(const struct vti_damping *at, lanes delta)
+{
+    return lanes_sqrt(lanes_where(delta > 0.0, delta * at->per_length, lanes_of(0.0)));
+}
 
 /** zeta is the caller's. */
 VTI_INLINE void vti_damping_at(const struct vti_touch *touch, lanes other, struct vti_damping *at)
 {
     at->delta = touch->delta;
     at->other = other;
-    at->k_h = touch->stiffness / (touch->length * touch->length * lanes_sqrt(touch->length));
-    at->root = lanes_sqrt(lanes_where(touch->delta > 0.0, touch->delta, lanes_of(0.0)));
+    at->per_length = 1.0 / touch->length;
+    at->k = touch->stiffness * at->per_length * at->per_length;
+    at->root = vti_damping_root(at, touch->delta);
     at->touched = vti_damping_share(touch->delta, other);
 }
 
 /** factor F_n; 0 apart */
 VTI_INLINE lanes vti_damping_force(const struct vti_damping *at, double factor)
 {
-    return factor * at->k_h * at->delta * at->root;
+    return factor * at->k * at->delta * at->root;
 }
 
-/** c_n = normal + sqrt(5) zeta sqrt(m_n k_h) delta^{1/4}, m_n being the mass. */
+/** The mean over the drift of (m k_H)^{1/2} delta_+^{1/4}, m being the mass: with its values a and b at both ends
+ *
+ *     (4/5) (a^5 - b^5)/(a^4 - b^4) = (4/5) (a^4 + a^3 b + a^2 b^2 + a b^3 + b^4)/((a + b) (a^2 + b^2))
+ *
+ *  for the share of it that they touch; with b = 0 where they touch at one end only. */
+VTI_INLINE lanes vti_damping_mean(const struct vti_damping *at, lanes mass)
+{
+    const lanes a2 = mass * at->k * at->root, b2 = mass * at->k * vti_damping_root(at, at->other);
+    const lanes a = lanes_sqrt(a2), b = lanes_sqrt(b2), ab = a * b, both = a2 + b2;
+    const lanes mean = 0.8 * (both * (both + ab) - ab * ab) / ((a + b) * both);
+    return lanes_where(both > 0.0, mean * at->touched, lanes_of(0.0));
+}
+
+/** c_n = normal + sqrt(5) zeta sqrt(m_n k_H) delta^{1/4} */
 VTI_INLINE lanes vti_damping_normal(const vti_dashpots *p, const struct vti_damping *at, lanes mass)
 {
     lanes c = p->normal * at->touched;
     if (at->zeta > 0.0)
-        c += sqrt(5.0) * at->zeta * lanes_sqrt(mass * at->k_h) * vti_damping_mean_power(at->delta, at->other);
+        c += sqrt(5.0) * at->zeta * vti_damping_mean(at, mass);
     return c;
 }
 
@@ -114,17 +130,18 @@ static inline double vti_damping_share_of_force(const vti_dashpots *p, const str
  *  (g.g - R^2)/(|g| (|g| + R)). Here EQUATIONS 6.3 has the longest share of p that obeys the limit, which jumps from
  *  nothing to all of p as f, on the limit, and p pass the right angle, and takes velocities to first order (test
  *  friction). For p = -m c u, of one m for all directions, none of these gains energy: p'.p >= p'.p', as the nearest
- *  place of a convex set has it. */
+ *  place of a convex set has it. Where nothing is beyond, as mostly, there are neither roots nor divisions. */
 VTI_INLINE void vti_damping_limit(lanes p[3], const lanes f[3], double t, lanes limit)
 {
     const lanes load2 = t * t * lanes_dot(f, f), most2 = t * t * limit * limit;
     const lanes r2 = lanes_where(load2 < most2, most2, load2);
     const lanes over = lanes_dot(p, p) - 2.0 * t * lanes_dot(f, p) + (load2 - r2);
     const lanes_mask beyond = over > 0.0;
-    const lanes g = lanes_sqrt(r2 + over), r = lanes_sqrt(r2);
-    const lanes s = lanes_where(beyond, over, lanes_of(0.0)) / lanes_where(beyond, g * (g + r), lanes_of(1.0));
+    if (lanes_bits(beyond) == 0)
+        return;
+    const lanes g = lanes_sqrt(r2 + over), r = lanes_sqrt(r2), s = over / (g * (g + r));
     for (int k = 0; k < 3; ++k)
-        p[k] -= s * (p[k] - t * f[k]);
+        p[k] = lanes_where(beyond, p[k] - s * (p[k] - t * f[k]), p[k]);
 }
 
 #endif

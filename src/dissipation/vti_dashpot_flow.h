@@ -43,11 +43,15 @@ VTI_INLINE void find_decays(const struct vti_sweep *s, lanes_mask idle, struct p
     const int turns = s->damped[ROLLING] || s->damped[TWISTING], motions = turns ? MOTIONS : ROLLING;
     struct vti_decay d[MOTIONS];
     lanes c[MOTIONS], z[MOTIONS];
-    at->per[NORMAL] = vti_touch_per_normal(&at->touch);
-    at->per[TANGENTIAL] = vti_touch_per_tangential(&at->touch);
-    at->per[ROLLING] = at->per[TWISTING] = vti_touch_per_rolling(&at->touch);
-    for (int k = 0; k < motions; ++k)
-        at->mass[k] = 1.0 / at->per[k];
+    const lanes per_n = vti_touch_per_normal(&at->touch), per_t = vti_touch_per_tangential(&at->touch),
+                per_r = turns ? vti_touch_per_rolling(&at->touch) : lanes_of(1.0);
+    const lanes all = 1.0 / (per_n * per_t * per_r); /* one division for three */
+    at->per[NORMAL] = per_n;
+    at->per[TANGENTIAL] = per_t;
+    at->per[ROLLING] = at->per[TWISTING] = per_r;
+    at->mass[NORMAL] = per_t * per_r * all;
+    at->mass[TANGENTIAL] = per_n * per_r * all;
+    at->mass[ROLLING] = at->mass[TWISTING] = per_n * per_t * all;
     vti_damping_coefficients(s->p, &at->damping, at->mass[NORMAL], c);
     for (int k = 0; k < motions; ++k)
         z[k] = c[k] * s->t * at->per[k];
@@ -169,7 +173,8 @@ VTI_INLINE int flow_touch(const struct vti_sweep *s, struct place *at)
     const struct vti_touch *const touch = &at->touch;
     const lanes zero = lanes_of(0.0);
     lanes u[3], w[3];
-    vti_touch_slip(touch, &at->motion, u);
+    for (int k = 0; k < 3; ++k)
+        u[k] = at->motion.v_i[k] - at->motion.v_j[k]; /* what turns slips across the normal */
     at->approach = lanes_dot(u, touch->n);
     const lanes other = touch->delta - s->drift * at->approach;
     const lanes_mask idle = (touch->delta <= 0.0) & (other <= 0.0);

@@ -53,21 +53,6 @@ static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *fou
 
 /* ---- flows ------------------------------------------------------------------------------------------------------- */
 
-/** Of the first count pairs, in their order. */
-VTI_INLINE void book(const struct vti_sweep *s, const struct place *at, int64_t count)
-{
-    if (at->touch.moves)
-        sum_lanes(s->p->walls->work, at->worked, count);
-    if (s->damped[NORMAL])
-        sum_lanes(&s->p->lost[NORMAL], at->lost[NORMAL], count);
-    if (s->damped[TANGENTIAL])
-        sum_lanes(&s->p->lost[TANGENTIAL], at->lost[TANGENTIAL], count);
-    if (s->damped[ROLLING])
-        sum_lanes(&s->p->lost[ROLLING], at->lost[ROLLING], count);
-    if (s->damped[TWISTING])
-        sum_lanes(&s->p->lost[TWISTING], at->lost[TWISTING], count);
-}
-
 /** What springs hold between bodies i and j, or where j is NULL at a wall: 0 where there are none. */
 VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const struct side *j, int64_t wall,
                            struct vti_loads *f)
@@ -95,7 +80,8 @@ VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const st
     f->twisting = lanes_where(empty, lanes_of(0.0), f->twisting);
 }
 
-VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which, int64_t count)
+VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which, int64_t count,
+                           struct books *books)
 {
     struct place at;
     struct side i, j;
@@ -106,20 +92,23 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     if (!flow_touch(s, &at))
         return;
     scatter_velocities(layout, s->b, &i, &j, &at.motion);
-    book(s, &at, count);
+    book_lanes(books, at.lost, count);
 }
 
 static void flow_pairs(const struct vti_sweep *s, int64_t count, const int64_t *which)
 {
     const int packed = is_packed(s->b);
     int64_t place[WIDTH];
+    struct books books;
+    books_open(&books, s->p->lost, MOTIONS);
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(which, first, count, place);
         if (packed)
-            flow_lanes(PACKED, s, here, count - first);
+            flow_lanes(PACKED, s, here, count - first, &books);
         else
-            flow_lanes(ANY, s, here, count - first);
+            flow_lanes(ANY, s, here, count - first, &books);
     }
+    books_close(&books, s->p->lost, MOTIONS);
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
@@ -157,7 +146,7 @@ VTI_INLINE void load_at_wall(enum touch_layout layout, const struct vti_sweep *s
 }
 
 VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
-                                   int64_t first)
+                                   int64_t first, struct books *books)
 {
     const vti_dashpots *const p = s->p;
     struct place at;
@@ -174,17 +163,22 @@ VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sw
     scatter(layout, &s->b->v, &i, at.motion.v_i);
     if (at.motion.turns)
         scatter(layout, &s->b->omega, &i, at.motion.w_i);
-    book(s, &at, from->count - first);
+    if (at.touch.moves)
+        sum_lanes(p->walls->work, at.worked, from->count - first);
+    book_lanes(books, at.lost, from->count - first);
 }
 
 static void flow_at_wall(const struct vti_sweep *s, const struct vti_at_wall *at)
 {
     const int packed = is_packed(s->b);
+    struct books books;
+    books_open(&books, s->p->lost, MOTIONS);
     for (int64_t first = 0; first < at->count; first += WIDTH)
         if (packed)
-            flow_lanes_at_wall(PACKED, s, at, first);
+            flow_lanes_at_wall(PACKED, s, at, first, &books);
         else
-            flow_lanes_at_wall(ANY, s, at, first);
+            flow_lanes_at_wall(ANY, s, at, first, &books);
+    books_close(&books, s->p->lost, MOTIONS);
 }
 
 #endif

@@ -34,20 +34,25 @@ VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
                                     0.5};
     static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
     static const double most = 708.0; /* beyond, exp(-z) < 2^-1021 */
-    lanes r[4], power[4], p[4];
+    enum { TERMS = sizeof taylor / sizeof taylor[0] };
+    lanes r[4], r2[4], power[4], p[4], odd[4]; /* even and odd powers apart: half as long a chain */
     for (int i = 0; i < n; ++i) {
         const lanes z_i = lanes_where(z[i] > most, lanes_of(most), z[i]);
         const lanes x = z_i * per_ln2 + 0.5, near = (x + 0x1.8p52) - 0x1.8p52;
         const lanes k = lanes_where(near > x, near - 1.0, near); /* the whole part of x */
         r[i] = (z_i - k * ln2_high) - k * ln2_low;
+        r2[i] = r[i] * r[i];
         power[i] = lanes_half_to(k);
         p[i] = lanes_of(taylor[0]);
+        odd[i] = lanes_of(taylor[1]);
     }
-    for (size_t c = 1; c < sizeof taylor / sizeof taylor[0]; ++c)
-        for (int i = 0; i < n; ++i)
-            p[i] = p[i] * r[i] + taylor[c];
+    for (int c = 2; c < TERMS; c += 2)
+        for (int i = 0; i < n; ++i) {
+            p[i] = p[i] * r2[i] + taylor[c];
+            odd[i] = c + 1 < TERMS ? odd[i] * r2[i] + taylor[c + 1] : odd[i];
+        }
     for (int i = 0; i < n; ++i) {
-        p[i] = p[i] * r[i] * r[i] - r[i];
+        p[i] = (p[i] + r[i] * odd[i]) * r2[i] - r[i];
         d[i].kept = lanes_where(z[i] > most, lanes_of(0.0), power[i] + power[i] * p[i]);
         d[i].gone = (1.0 - power[i]) - power[i] * p[i];
     }

@@ -138,18 +138,23 @@ VTI_INLINE void vti_carry_twirl(const struct vti_carry *c, const lanes z[3], lan
 VTI_INLINE void vti_carry_return(const lanes z[3], const lanes turned[3], lanes a0, lanes a1, lanes y1[3])
 {
     const lanes zero = lanes_of(0.0), one = lanes_of(1.0), z2 = lanes_dot(z, z), over = z2 - a1 * a1;
+    const lanes_mask holds = (z2 <= a1 * a1) & (a1 > 0.0);
+    for (int k = 0; k < 3; ++k)
+        y1[k] = z[k];
+    if (lanes_all(holds)) /* as mostly: neither roots nor divisions */
+        return;
     const lanes per_a0 = lanes_where(a0 > 0.0, 1.0 / a0, zero);
     lanes e[3];
     for (int k = 0; k < 3; ++k)
         e[k] = turned[k] * per_a0;
     const lanes ahead = lanes_dot(z, e), half = a1 + ahead, e2 = lanes_dot(e, e);
     const lanes beyond = over / (half + lanes_sqrt(half * half + (1.0 - lanes_where(e2 < 1.0, e2, one)) * over));
-    const lanes_mask holds = z2 <= a1 * a1, follows = ahead > 0.0;
-    const lanes lambda = lanes_where(holds, zero, lanes_where(follows & (a1 > 0.0), beyond, zero));
+    const lanes_mask follows = ahead > 0.0;
+    const lanes lambda = lanes_where(follows & (a1 > 0.0), beyond, zero);
     const lanes back = a1 / lanes_where(follows, a1 + beyond, lanes_sqrt(z2));
-    const lanes factor = lanes_where(a1 > 0.0, lanes_where(holds, one, back), zero);
+    const lanes factor = lanes_where(a1 > 0.0, back, zero);
     for (int k = 0; k < 3; ++k)
-        y1[k] = (z[k] - lambda * e[k]) * factor;
+        y1[k] = lanes_where(holds, z[k], (z[k] - lambda * e[k]) * factor);
 }
 
 /* ---- springs ----------------------------------------------------------------------------------------------------- */

@@ -159,18 +159,63 @@ VTI_INLINE void whole_slots(const vti_held *slot, vti_held *const *held, int64_t
         at[l] = slot_at(slot, held[first + l < count ? first + l : count - 1]);
 }
 
-/** Adds the first count, at most WIDTH, to the sum in their order. */
+/** What is booked of up to four motions: each a sum as vti_sum has it, all side by side. */
+enum { BOOKS = 4 };
+#if VTI_WIDTH > 1
+typedef double book_row VECTOR(4);
+typedef double book_row_there THERE(4);
+#else
+typedef double book_row, book_row_there;
+#endif
+enum { BOOK_ROWS = BOOKS * sizeof(double) / sizeof(book_row) };
+struct books {
+    book_row high[BOOK_ROWS], low[BOOK_ROWS];
+};
+
+VTI_INLINE void books_open(struct books *books, const vti_sum *from, int motions)
+{
+    double high[BOOKS] = {0.0}, low[BOOKS] = {0.0};
+    for (int m = 0; m < motions; ++m) {
+        high[m] = from[m].high;
+        low[m] = from[m].low;
+    }
+    memcpy(books->high, high, sizeof high);
+    memcpy(books->low, low, sizeof low);
+}
+
+VTI_INLINE void books_close(const struct books *books, vti_sum *to, int motions)
+{
+    double high[BOOKS], low[BOOKS];
+    memcpy(high, books->high, sizeof high);
+    memcpy(low, books->low, sizeof low);
+    for (int m = 0; m < motions; ++m) {
+        to[m].high = high[m];
+        to[m].low = low[m];
+    }
+}
+
+/** Adds of each motion the first count lanes, at most WIDTH, in their order. What rounding takes is exact whether or not
+ *  one asks which number is the larger, as vti_sum_add does: the bits are those of that. */
+VTI_INLINE void book_lanes(struct books *books, const lanes lost[BOOKS], int64_t count)
+{
+    double each[BOOKS * WIDTH];
+    int64_t at[WIDTH];
+    lanes_strided(BOOKS, at);
+    lanes_unquad(each, at, lost);
+    for (int l = 0; l < WIDTH && l < count; ++l)
+        for (int m = 0; m < BOOK_ROWS; ++m) {
+            const book_row a = ((const book_row_there *)(each + BOOKS * l))[m], high = books->high[m];
+            const book_row sum = high + a, share = sum - high;
+            books->low[m] += (high - (sum - share)) + (a - share);
+            books->high[m] = sum;
+        }
+}
+
+/** The same of one, a sum of its own. */
 VTI_INLINE void sum_lanes(vti_sum *to, lanes a, int64_t count)
 {
-    vti_sum sum = *to;
-    if (count >= WIDTH)
-        for (int l = 0; l < WIDTH; ++l)
-            vti_sum_add(&sum, lanes_get(a, l));
-    else
-        for (int l = 0; l < WIDTH - 1; ++l)
-            if (l < count)
-                vti_sum_add(&sum, lanes_get(a, l));
-    *to = sum;
+    for (int l = 0; l < WIDTH && l < count; ++l)
+        vti_sum_add(to, lanes_get(a, l));
 }
 
 /** 1/m, or 1/J */
