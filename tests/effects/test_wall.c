@@ -150,6 +150,27 @@ TEST(friction_and_restitution_of_each)
     }
 }
 
+/** A touch that begins within a drift stretches its spring by the part of the way on which it touches. */
+TEST(begins_within_a_drift)
+{
+    const double t = 0.125, v[3] = {0.8, 0, -0.3}, delta = 0.01, part = delta / (-v[2] * t);
+    begin(1, 1, 1e4);
+    m.plane[0][2] = 1;
+    m.c.x[0][2] = 0.5 - delta;
+    memcpy(m.c.v[0], v, sizeof v);
+    rub();
+    friction.sliding = 1e6; /* holds */
+    friction.rolling = friction.twisting = 0;
+    const vti_effect both[2] = {vti_walls_effect(&m.walls), vti_friction_effect(&friction)};
+    const vti_drifted drifted = {.t = t, .law = VTI_LAW_CAYLEY, .frame = VTI_FRAME_SPACE};
+    assert_int_equal(vti_effects_carry(both, 2, &drifted, &m.b), VTI_OK);
+    const vti_held *kept = slots;
+    for (int k = 0; k < SLOTS; ++k)
+        kept = slots[k].i != 0 ? &slots[k] : kept;
+    assert_int_equal(history.used, 1);
+    assert_close(kept->sliding[0], friction.stiffness * v[0] * t * part, 1e-11);
+}
+
 /* ---- cylinders --------------------------------------------------------------------------------------------------- */
 
 /** Force and energy at a cylinder are those of the plane that touches it there, and forces are -grad U. */
@@ -318,6 +339,6 @@ TEST(what_cylinders_break)
 }
 
 RUN_TESTS(cmocka_unit_test(materials), cmocka_unit_test(each_its_own),
-          cmocka_unit_test(friction_and_restitution_of_each), cmocka_unit_test(cylinders),
-          cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(backward_is_reversed), cmocka_unit_test(refused),
-          cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))
+          cmocka_unit_test(friction_and_restitution_of_each), cmocka_unit_test(begins_within_a_drift),
+          cmocka_unit_test(cylinders), cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(backward_is_reversed),
+          cmocka_unit_test(refused), cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))
