@@ -96,9 +96,9 @@ static int make(struct effect *e, const struct model *model, const struct table 
 
 static const struct effect_term terms[] = {
     {"lost_bond_axial", "$Q^{\\mathrm{ba}}$", "lost to axial dashpots", "#999944"},
-    {"lost_bond_shear", "$Q^{\\mathrm{bs}}$", "lost to shear dashpots", "#332288"},
+    {"lost_bond_shear", "$Q^{\\mathrm{bs}}$", "lost to shear dashpots", "#B15928"},
     {"lost_bond_bending", "$Q^{\\mathrm{bb}}$", "lost to bending dashpots", "#88CCEE"},
-    {"lost_bond_twisting", "$Q^{\\mathrm{bw}}$", "lost to torsion dashpots", "#117733"}};
+    {"lost_bond_twisting", "$Q^{\\mathrm{bw}}$", "lost to torsion dashpots", "#66A61E"}};
 
 const struct effect_kind effect_bond_dashpot = {.number = EFFECT_bond_dashpot,
                                                 .key = "bond_dashpot",

@@ -215,7 +215,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
 }
 
 static const struct effect_term terms[] = {
-    {"lost_dashpot_normal", "$Q^{\\mathrm{n}}$", "lost to normal dashpots", "#AA4499"},
+    {"lost_dashpot_normal", "$Q^{\\mathrm{n}}$", "lost to normal dashpots", "#6A3D9A"},
     {"lost_dashpot_tangential", "$Q^{\\mathrm{t}}$", "lost to tangential dashpots", "#DDCC77"},
     {"lost_dashpot_rolling", "$Q^{\\mathrm{r}}$", "lost to rolling dashpots", "#44AA99"},
     {"lost_dashpot_twisting", "$Q^{\\mathrm{w}}$", "lost to twisting dashpots", "#661100"}};

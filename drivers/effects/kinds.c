@@ -153,12 +153,26 @@ static int check_fields(int k, const struct effect_kind *kind, struct message *m
     return 0;
 }
 
+/** Whether one of the first count terms is drawn by that colour. */
+static int is_drawn(const struct effect_term *terms, int count, const char *colour)
+{
+    for (int t = 0; t < count; ++t)
+        if (strcmp(terms[t].colour, colour) == 0)
+            return 1;
+    return 0;
+}
+
 static int check_terms(int k, const struct effect_kind *kind, struct message *message)
 {
     for (int t = 0; t < kind->terms_count; ++t) {
         const struct effect_term *term = &kind->terms[t];
         if (term->name == NULL || term->symbol == NULL || term->meaning == NULL || term->colour == NULL)
             return fail(k, "terms", "one of them lacks its name, symbol, meaning or colour", message);
+        int drawn = is_drawn(kind->terms, t, term->colour);
+        for (int before = 0; before < k; ++before)
+            drawn |= is_drawn(kinds[before]->terms, kinds[before]->terms_count, term->colour);
+        if (drawn)
+            return fail(k, "terms", "the colour of one of them is that of another one", message);
     }
     return 0;
 }

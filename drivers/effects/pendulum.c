@@ -69,7 +69,7 @@ static void kept_values(const struct effect *e, const vti_bodies *b, int all, do
 
 static const struct effect_invariants invariants = {kept, sizeof kept / sizeof kept[0], kept_values};
 
-static const struct effect_term terms[] = {{"pendulum", "$U$", "pendulum", "#999933"}};
+static const struct effect_term terms[] = {{"pendulum", "$U$", "pendulum", "#B07AA1"}};
 
 const struct effect_kind effect_pendulum = {.number = EFFECT_pendulum,
                                             .key = "pendulum",

@@ -277,7 +277,7 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
 static const struct effect_planes drawn = {"wall", planes, cylinders, motion};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
-                                           {"work_wall", "$-W^{\\mathrm{pw}}$", "taken by moving walls", "#56B4E9"}};
+                                           {"work_wall", "$-W^{\\mathrm{pw}}$", "taken by moving walls", "#14505C"}};
 
 const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .key = "wall",

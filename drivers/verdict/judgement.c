@@ -16,11 +16,17 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
     MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
 
 static const double some_travel = 0.1; /* diameters per step: contacts are met that deep */
+static const double cut_travel = 0.5;  /* the same where a tolerance takes steps anew that have met one too deep */
 static const double most_travel = 1.0; /* two bodies may pass through each other unseen */
 
 const char *verdict_word(int64_t grade)
 {
     return grade == VERDICT_GOOD ? "good" : grade == VERDICT_DOUBTFUL ? "doubtful" : "bad";
+}
+
+static double much_travel(const struct verdict *v)
+{
+    return v->model->scene->tolerance > 0.0 ? cut_travel : some_travel;
 }
 
 /** A pair may be through within a step, and a wall be met at any depth. */
@@ -34,7 +40,7 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
     const struct findings *f = &v->found;
     if (broken || f->broken != 0.0 || !(f->gain <= VERDICT_MOST_GAIN) || passes(v))
         return VERDICT_BAD;
-    const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > some_travel ||
+    const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step || j->bonds_turned > 0;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
@@ -75,9 +81,9 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     const double degrees = 57.295779513082320877;
     if (v->diameter > 0.0)
         SAY("; %.2g diameters a step%s", j->travel,
-            passes(v)                 ? ": what bodies meet they may pass through"
-            : j->travel > some_travel ? ": contacts are met late"
-                                      : "");
+            passes(v)                    ? ": what bodies meet they may pass through"
+            : j->travel > much_travel(v) ? ": contacts are met late"
+                                         : "");
     if (v->model->turns)
         SAY("; %.3g degrees a step", degrees * j->rotation);
     if (j->angle_error > turning_tolerance(v->stepper))
@@ -115,7 +121,7 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
 {
     int n = 0;
     const double far = v->diameter > 0.0 ? verdict_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
-    if (far > some_travel) {
+    if (far > much_travel(v)) {
         char to[32] = "";
         if (!(v->model->scene->tolerance > 0.0))
             snprintf(to, sizeof to, " to %.3g", v->h * some_travel / far);

@@ -77,6 +77,10 @@ static void rows(void **state)
     refused("effects/wall.c: wall.stiffness: sections go nowhere, and all else to a member of the settings (offset)");
     terms[0].colour = NULL;
     refused("effects/wall.c: terms: one of them lacks its name, symbol, meaning or colour");
+    terms[1].colour = terms[0].colour;
+    refused("effects/wall.c: terms: the colour of one of them is that of another one");
+    terms[0].colour = effect_contact.terms[0].colour;
+    refused("effects/wall.c: terms: the colour of one of them is that of another one");
 }
 
 /** What make hands over: all that is called, and terms that pictures know. */

@@ -62,6 +62,10 @@ def runs(base):
     check(result.returncode == 3 and abs(found["travel"] - 5) < 1e-9 and any(
         "moves by 5 diameters" in line for line in lines if line.startswith("warning: ")),
         "spheres that pass through each other: a warning at the start, bad at the end")
+    for how, word in (("--h", "0.05"), b"doubtful"), (("--tolerance", "1e-6"), b"good"):
+        _, lines, found = verdict(base, f"{SCENES}/block.yaml", "--stepper", "srkn11", "--t-end", "4", *how)
+        check(found["verdict"] == word and found["travel"] > 0.1 and ("contacts are met late" in lines[-1]) == (word != b"good"),
+              f"more than 0.1 diameters a step by {how}: {word.decode()}")
     for stepper in ("exact", "srkn11"):
         result, lines, found = verdict(base, f"{base}/spin.yaml", "--stepper", stepper)
         check(result.returncode == 0 and found["verdict"] == b"doubtful" and found["angle_error"] > 1e-3 and any(
