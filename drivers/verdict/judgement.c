@@ -15,18 +15,23 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
     MEMBER(travel, 0),       MEMBER(rotation, 0),           MEMBER(angle_error, 0),
     MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
 
-static const double some_travel = 0.1; /* diameters per step: contacts are met that deep */
-static const double cut_travel = 0.5;  /* the same where a tolerance takes steps anew that have met one too deep */
-static const double most_travel = 1.0; /* two bodies may pass through each other unseen */
+static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
+static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
+static const double cut_travel = 0.5;   /* the same where a tolerance takes steps anew that have met one too deep */
+static const double most_travel = 1.0;  /* two bodies may pass through each other unseen */
 
 const char *verdict_word(int64_t grade)
 {
     return grade == VERDICT_GOOD ? "good" : grade == VERDICT_DOUBTFUL ? "doubtful" : "bad";
 }
 
+/** Diameters per step from which on contacts may be met late. */
 static double much_travel(const struct verdict *v)
 {
-    return v->model->scene->tolerance > 0.0 ? cut_travel : some_travel;
+    const struct scene *scene = v->model->scene;
+    return scene->tolerance > 0.0                         ? cut_travel
+           : scene_first_with(scene, EFFECT_NEAR) != NULL ? near_travel
+                                                          : some_travel;
 }
 
 /** A pair may be through within a step, and a wall be met at any depth. */

@@ -32,6 +32,11 @@ contact: {stiffness: 1}
 h: 0.01
 t_end: 1
 """
+SLOW = """bodies: {table: fast.csv, mass: 1, diameter: 1}
+contact: {stiffness: 1000}
+h: 3e-5
+t_end: 0.01
+"""
 SPIN = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [10, 0, 0]}\nh: 1\nt_end: 20\n"
 
 
@@ -66,6 +71,10 @@ def runs(base):
         _, lines, found = verdict(base, f"{SCENES}/block.yaml", "--stepper", "srkn11", "--t-end", "4", *how)
         check(found["verdict"] == word and found["travel"] > 0.1 and ("contacts are met late" in lines[-1]) == (word != b"good"),
               f"more than 0.1 diameters a step by {how}: {word.decode()}")
+    for effect, word in ((None, b"good"), ("dashpot.normal=1", b"doubtful")):
+        _, lines, found = verdict(base, f"{base}/slow.yaml", *(("--set", effect) if effect else ()))
+        check(found["verdict"] == word and abs(found["travel"] - 0.015) < 1e-9,
+              f"0.015 diameters a step with {effect or 'no dashpots, which look 0.02 ahead'}: {word.decode()}")
     for stepper in ("exact", "srkn11"):
         result, lines, found = verdict(base, f"{base}/spin.yaml", "--stepper", stepper)
         check(result.returncode == 0 and found["verdict"] == b"doubtful" and found["angle_error"] > 1e-3 and any(
@@ -102,7 +111,7 @@ def study(base):
 
 
 with tempfile.TemporaryDirectory() as root:
-    for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("spin.yaml", SPIN),
+    for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
                        ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
         with open(f"{root}/{name}", "w", encoding="ascii") as out:
             out.write(text)
