@@ -17,8 +17,8 @@ extern "C" {
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
- *  the rate of damping or gyration stays below 0.16, 0.024, 0.006 and 0.0045 for K = 4, 7, 9 and 10: little of it, then,
- *  or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such
+ *  the rate of damping or gyration stays below 0.16, 0.024 and 0.0045 for an4, an7 and an10, and 0.0033 for the other two of K = 10:
+ *  little of it, then, or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such
  *  forces, and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
 typedef struct vti_multistep {
     const char *name; /**< what vti_multistep_find knows it by */
@@ -29,8 +29,8 @@ typedef struct vti_multistep {
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 
-/** "an4", "an7", "an9", "an10" by their K; NULL if there is none of that name. The objects are constants of the
- *  library. */
+/** "an4", "an7", "an10", "an10-mid", "an10-fine" by their K and how small their steps have to be; NULL if there is none of
+ *  that name. The objects are constants of the library. */
 VTI_API const vti_multistep *vti_multistep_find(const char *name);
 /** How many there are. */
 VTI_API int64_t vti_multistep_count(void);

@@ -51,7 +51,7 @@ static const struct option_row rows[] = {
      "all and by the columns of OUT.csv"},
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
-     "srkn6, srkn11, srkn14 and an4 to an10"},
+     "srkn6, srkn11, srkn14 and an4 to an10-fine"},
     {"--no-dump", NULL, OPTION_OFF, &request.dump, OPTION_ANY, "no OUT.dump, the largest of the files"},
     {"--xdmf", NULL, OPTION_ON, &request.xdmf, OPTION_ANY,
      "OUT.xdmf for more than 2000 frames too: 1-8 kB for each; ParaView reads OUT.h5 itself"},

@@ -15,12 +15,14 @@
 #include "vti_adams_kernels.h"
 #include "../vti_move.h"
 
-/* c is of the widest reach for 7, of the smallest error for 9; c and u of 10 make its error small and its reach wide */
+/* c is of the widest reach for 7; of 10 c and u make an10's error small and its reach wide, c = 4/5 has the smallest error,
+ * and c = -1/2 twice its reach */
 static const vti_multistep methods[] = {
     {"an4", 4, 1.0, 0.0, 0.565, "Adams-Nystroem, order 5, one force evaluation a step; not symplectic"},
     {"an7", 7, -0.75, 0.0, 0.825, "the same of order 8"},
-    {"an9", 9, 0.8, 0.0, 0.178, "the same of order 10, at smaller steps than the others"},
     {"an10", 10, 0.345, -0.165, 0.57, "the same of order 10"},
+    {"an10-mid", 10, -0.5, 0.0, 0.25, "the same of order 11, at smaller steps"},
+    {"an10-fine", 10, 0.8, 0.0, 0.129, "the same of order 11, at steps that are smaller still"},
 };
 
 enum { METHODS = sizeof methods / sizeof methods[0] };

@@ -39,13 +39,16 @@ static int is_judged(const vti_stepper *m)
            (m->order <= 8 || vti_multistep_find(m->name) != NULL);
 }
 
-/** One whose steps are stable for less than the kit's h omega = 0.2 fails there, and nowhere else. */
+/** The kit wants h omega = 1/2 to be stable and looks at frequencies at 0.2: one whose steps are stable for less fails
+ *  there, by the first of the two that it meets, and nowhere else. */
 static int fails_by_reach(const vti_check_report *report, int faults)
 {
-    int elsewhere = 0;
+    int elsewhere = 0, told = 0;
     for (int k = 0; k < report->lines; ++k)
         elsewhere += report->line[k].verdict == VTI_CHECK_FAIL && strstr(report->line[k].name, "h omega =") == NULL;
-    return faults == 1 && elsewhere == 0 && strstr(report->word[0].text, "frequency at h omega = 0.2") != NULL;
+    for (int k = 0; k < report->words; ++k)
+        told += report->word[k].is_fault && strstr(report->word[k].text, "h omega =") != NULL;
+    return faults == 1 && elsewhere == 0 && told == 1;
 }
 
 /** sentences: of those of order 1, the second is about rotation. */
@@ -60,7 +63,7 @@ static int wrongly_judged(const vti_stepper *m, int sentences)
         good = strcmp(report.word[k].text, known->sentence[k]) == 0;
     for (int k = 0; k < report.lines && known == NULL; ++k)
         good = good && report.line[k].verdict != VTI_CHECK_FAIL;
-    if (m->reach < 0.2)
+    if (m->reach < 0.5)
         good = fails_by_reach(&report, faults);
     if (!good) {
         print_error("%s is judged wrongly\n", m->name);

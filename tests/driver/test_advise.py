@@ -20,7 +20,7 @@ MEASURES = ["attitude", "position", "velocity", "energy"]
 # with so long, all pilots go over the whole time
 LONG = ["--budget", "600"]
 STEPPERS = ["vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "suzuki4", "kl6", "kl8", "srkn6", "srkn11", "srkn14", "chin4",
-            "an4", "an7", "an9", "an10"]
+            "an4", "an7", "an10", "an10-mid", "an10-fine"]
 
 advise, study, runner, mpirun, scenes = sys.argv[1:6]
 
@@ -234,7 +234,7 @@ t_end: 2
         with open(os.path.join(folder, "meet.yaml"), "w", encoding="ascii") as file:
             file.write(meet)
         for name, t_end, error, stepper, far in (("block", 4, 1e-8, "an7", 50), ("torus", 1, 1e-6, "an7", 50),
-                                                 (f"{folder}/meet", 2, 1e-6, "an9", 200)):
+                                                 (f"{folder}/meet", 2, 1e-6, "an10-mid", 200)):
             advice = json.loads(run(advise, "--json", "--error", repr(error), "--steppers", stepper, "--t-end", str(t_end),
                                     scene(name)).stdout)
             found = float(follow(name, t_end, stepper, advice["h"])[advice["measure"] + "_error"])

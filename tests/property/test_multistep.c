@@ -76,7 +76,7 @@ static void solve(chain *c, enum chain_storage storage)
 static void orders(void **state)
 {
     (void)state;
-    static const double finest[] = {0.01, 0.02, 0.025, 0.04};
+    static const double finest[] = {0.01, 0.02, 0.04, 4.0 / 140, 4.0 / 180};
     chain exact;
     solve(&exact, CHAIN_ALPHA);
     for (int64_t k = 0; k < vti_multistep_count(); ++k) {
@@ -92,7 +92,8 @@ static void orders(void **state)
         const double order = log2(error[0] / error[1]);
         print_message("%s: errors %.2e, %.2e, order %.2f\n", m->name, error[0], error[1], order);
         const double expected = (double)m->depth + (m->u == 0.0);
-        assert_true(order > expected - 0.6 && order < expected + 1.0);
+        /* at steps of which an10-fine errs by more than rounding, its next term shows too */
+        assert_true(order > expected - 0.6 && order < expected + (m->reach < 0.2 ? 1.6 : 1.0));
     }
 }
 

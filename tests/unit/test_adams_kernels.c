@@ -113,7 +113,7 @@ static void agree(const struct vti_move_kernels *kernels)
     static struct system one, many;
     double expected[END - FIRST][3], turn[END - FIRST][3];
     rng g = rng_seed(11);
-    for (int trial = 0; trial < LAYOUTS * 2 * 4; ++trial) {
+    for (int trial = 0; trial < LAYOUTS * 2 * (int)vti_multistep_count(); ++trial) {
         const vti_multistep *m = vti_multistep_at(trial / (LAYOUTS * 2));
         const int corrects = trial / LAYOUTS % 2;
         fill(&g, &one);

@@ -42,7 +42,8 @@ def write(page, cost):
     page.text(_beaten(cost))
     page.text(f"- **Smooth forces, accuracy wanted** (bonds, joints, gravity; no contacts): `srkn11` or `srkn14`, below 1e-8 "
               f"`kl8` as well. {_gain(cost, False)}")
-    page.text("- **Trajectories, and forces that are dear**: `an10`, below 1e-8 `an9`. They need the fewest "
+    page.text("- **Trajectories, and forces that are dear**: `an10`, below 1e-8 `an10-mid`, and where nothing is stiff (the "
+              "pendulum) `an10-fine`. They need the fewest "
               "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a "
               "force, the more they gain (the table above has forces that are cheap). They are not symplectic: energy "
               "drifts linearly and angular momentum is kept to their order alone; over long times take the symplectic "
