@@ -5,7 +5,8 @@
  *     U = -m g e3 . R rho0,     RM = m g (R rho0) x e3     (E1: the print mixes frames)                              */
 #include "vti_internal.h"
 
-static void arm_of(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
+/** Inline: of the energy only one component is made. */
+VTI_INLINE void arm_of(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])
 {
     double q[4];
     vti_load_pair(b, i, q);

@@ -49,6 +49,7 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     e->settings = kinds_settings_of(kind, &model->scene->settings);
     e->kind = kind;
     ++model->rooms_count;
+    model->seeks |= kind->find_pairs != NULL;
     const struct table *table = &tables->effect[kind->number];
     const vti_effect draft = kinds_draft(kind, &model->scene->settings, table);
     *made = draft;
@@ -82,6 +83,7 @@ static int make(struct model *model, const struct tables *tables, struct message
     model->number = tables->number;
     if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0)
         return -1;
+    model->seeks = has_clumps(model);
     for (int k = 0; k < EFFECT_COUNT; ++k)
         if (model->scene->has[k] && add_effect(model, kinds_at(k), tables, message) != 0)
             return -1;
@@ -146,6 +148,8 @@ static int spread(struct model *model, const vti_bodies *bodies)
 
 int model_find_pairs(struct model *model, const vti_bodies *bodies)
 {
+    if (!model->seeks)
+        return VTI_OK;
     const int status = spread(model, bodies);
     for (int64_t k = 0; status == VTI_OK && k < model->rooms_count; ++k) {
         struct effect *e = &model->rooms[k];

@@ -36,6 +36,7 @@ struct model {
     vti_clumped clumped[MODEL_EFFECTS];
     struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */
     int64_t rooms_count;                /* 0 where effects are not those of a scene */
+    int seeks;                          /* pairs are to be found, or spheres follow their clumps */
 
     double mass, inertia, sphere;    /* of all bodies, where no table says more; sphere is the diameter */
     double moments[3], principal[4]; /* of all bodies, where they are no spheres */

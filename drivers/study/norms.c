@@ -66,7 +66,8 @@ static void put_terms(struct norms *n, const vti_bodies *bodies)
     double values[MODEL_INVARIANTS];
     const int found = model_find_pairs(n->model, bodies) == VTI_OK;
     for (int64_t e = 0, j = 0; e < model->effects_count; ++e) {
-        double energies[VTI_TERMS] = {0.0};
+        double energies[VTI_TERMS];
+        memset(energies, 0, (size_t)model->effects[e].terms * sizeof *energies);
         if (model->effects[e].energy != NULL)
             model->effects[e].energy(model->effects[e].self, bodies, energies);
         for (int64_t i = 0; i < model->effects[e].terms; ++i)
@@ -75,7 +76,7 @@ static void put_terms(struct norms *n, const vti_bodies *bodies)
     model_own_values(model, bodies, 0, n->momenta, values);
     for (int64_t k = n->momenta; k < n->invariants; ++k)
         if (n->invariant[k].is_momentum)
-            take_invariant(n, k, &values[k - n->momenta], 1);
+            n->own[k][n->held] = values[k - n->momenta];
 }
 
 static void take_those_conserved(struct norms *n)
@@ -94,6 +95,9 @@ static void take_those_conserved(struct norms *n)
             take_invariant(n, row++, momentum[c], n->held);
         }
     }
+    for (int64_t k = n->momenta; k < n->invariants; ++k)
+        if (n->invariant[k].is_momentum)
+            take_invariant(n, k, n->own[k], n->held);
 }
 
 /* ---- norms ------------------------------------------------------------------------------------------------------- */

@@ -30,7 +30,8 @@ struct norms {
     const double *exact; /* the reference's at the same steps */
     int64_t held, room;  /* how many wait, and for how many there are the reference's */
     double terms[EFFECT_TERMS_OF_ALL][PANELS_BLOCK]; /* the effects' energies in them, */
-    int64_t terms_count;                             /* if those of bodies are taken of many steps at once, else -1 */
+    int64_t terms_count;                             /* if those of bodies are taken of many steps at once, else -1, */
+    double own[MODEL_INVARIANTS][PANELS_BLOCK];      /* and the momenta that effects conserve themselves */
 };
 
 /** The energy that only steps change: with what effects have booked. */
