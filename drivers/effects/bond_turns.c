@@ -37,7 +37,7 @@ static int start(struct effect *e)
     const double half_pi_squared = 4.9348022005446793;
     const vti_bonds *bonds = &((struct binder_self *)e->self)->bonds;
     struct bond_turns *b = turns_of(e);
-    const struct bond_turns made = {e->self, INFINITY, 0.0, 0.0, NULL};
+    const struct bond_turns made = {e->self, INFINITY, 0.0, 1.0, 0.0, 0.0, NULL};
     free(b->pair);
     *b = made;
     for (int64_t k = 0; k < bonds->count; ++k)
@@ -84,15 +84,39 @@ static int is_marked(const double *pair)
     return pair[0] == 0.0 && pair[1] == 0.0 && pair[2] == 0.0 && pair[3] == 0.0;
 }
 
+static double least_inertia(const vti_bodies *b)
+{
+    double least = INFINITY;
+    for (int64_t i = b->first; (b->inertia.p != NULL || b->moments.c[0] != NULL) && i < b->first + b->count; ++i)
+        for (int c = 0; c < 3; ++c)
+            least = fmin(least, b->moments.c[0] != NULL ? b->moments.c[c][i * b->moments.stride]
+                                                        : b->inertia.p[i * b->inertia.stride]);
+    return least;
+}
+
+/** Steps in which no two bodies turn by more than 60 degrees against each other, with twice the energy E of now
+ *
+ *      2 h |Omega| <= 2 h (4 E/J)^{1/2}
+ *
+ *  but few, as rows may be far apart and walls may stir bodies in between. */
+static double steps_between(const vti_bodies *bodies, double energy, double h)
+{
+    const double sixty_degrees = 1.0471975511965976, most = 16.0;
+    const double steps = sixty_degrees / (2.0 * h * sqrt(4.0 * energy / least_inertia(bodies)));
+    return steps >= 1.0 ? fmin(floor(steps), most) : 1.0;
+}
+
 /** Looks whether bonds can get there at all: they cannot while twice the energy of the motion and of the springs is
  *  below what it takes. */
-static void row(struct effect *e, const vti_bodies *bodies, double energy)
+static void row(struct effect *e, const vti_bodies *bodies, double energy, double h)
 {
     struct bond_turns *b = turns_of(e);
     const int was = b->watching != 0.0, fresh = b->turned == 0.0;
     if (b->pair == NULL)
         return;
     b->watching = !(2.0 * energy < b->least);
+    b->every = b->watching != 0.0 ? steps_between(bodies, energy, h) : 1.0;
+    b->left = fmin(b->left, b->every - 1.0);
     for (int64_t k = 0; b->watching != 0.0 && !was && k < bonds_of(b)->count; ++k) {
         double *pair = pair_of(b, k);
         if (stiffness(bonds_of(b), k) == 0.0 || (!fresh && is_marked(pair)))
@@ -139,7 +163,8 @@ struct following {
 };
 
 /** A bond that is near where it began is known to be on that side without its last place, at a fifth of the price: from
- *  there to past half a turn, or the way around, it is 120 degrees, which no step takes that follows the motion. */
+ *  there to past half a turn, or the way around, it is 120 degrees, which no step takes that follows the motion, nor do
+ *  the steps between two looks. Returns how many have turned. */
 static int64_t follow_part(void *self, int64_t part)
 {
     static const double unturned[4] = {0.0, 0.0, 0.0, 1.0};
@@ -162,8 +187,10 @@ static void step(struct effect *e, const vti_bodies *bodies)
 {
     struct bond_turns *b = turns_of(e);
     struct following following = {b, bodies, threads_used()};
-    if (b->pair != NULL && b->watching != 0.0)
-        b->turned += (double)threads_sum(following.parts, follow_part, &following);
+    if (b->pair == NULL || b->watching == 0.0 || b->left-- > 0.0)
+        return;
+    b->turned += (double)threads_sum(following.parts, follow_part, &following);
+    b->left = b->every - 1.0;
 }
 
 static int64_t turned(const struct effect *e)
@@ -180,7 +207,7 @@ static int64_t kept(const struct bond_turns *b)
 static int64_t size(const struct effect *e)
 {
     const struct bond_turns *b = turns_of(e);
-    return b->pair != NULL ? 2 + kept(b) : 0;
+    return b->pair != NULL ? 4 + kept(b) : 0;
 }
 
 static void get(const struct effect *e, double *state)
@@ -189,8 +216,10 @@ static void get(const struct effect *e, double *state)
     if (b->pair == NULL)
         return;
     state[0] = b->watching;
-    state[1] = b->turned;
-    memcpy(state + 2, b->pair, sizeof *b->pair * (size_t)kept(b));
+    state[1] = b->every;
+    state[2] = b->left;
+    state[3] = b->turned;
+    memcpy(state + 4, b->pair, sizeof *b->pair * (size_t)kept(b));
 }
 
 static void put(struct effect *e, const double *state)
@@ -199,8 +228,10 @@ static void put(struct effect *e, const double *state)
     if (b->pair == NULL)
         return;
     b->watching = state[0];
-    b->turned = state[1];
-    memcpy(b->pair, state + 2, sizeof *b->pair * (size_t)kept(b));
+    b->every = state[1];
+    b->left = state[2];
+    b->turned = state[3];
+    memcpy(b->pair, state + 4, sizeof *b->pair * (size_t)kept(b));
 }
 
 const struct effect_watch binder_watch = {start, row, step, turned, size, get, put};

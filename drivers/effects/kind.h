@@ -124,8 +124,8 @@ struct effect_memory_of {
 struct effect_watch {
     /** At t = 0, or before put. Returns 0, or -1 if there is no memory. */
     int (*start)(struct effect *e);
-    /** At every row of the run, with the energy of the motion and of the springs. */
-    void (*row)(struct effect *e, const vti_bodies *bodies, double energy);
+    /** At every row of the run, with the energy of the motion and of the springs, and a step that none is longer than. */
+    void (*row)(struct effect *e, const vti_bodies *bodies, double energy, double h);
     /** At every step, whose velocities may not be known yet. */
     void (*step)(struct effect *e, const vti_bodies *bodies);
     /** How many of its lines have turned past half a turn, where a moment changes its side. */

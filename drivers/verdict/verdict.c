@@ -195,9 +195,10 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     if (v->diameter > 0.0)
         f->travel = larger(f->travel, verdict_travel(v, bodies));
     f->rotation = larger(f->rotation, vti_max_turn(v->h, bodies));
+    const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;
     int64_t k = 0;
     for (struct effect *watched; (watched = verdict_next_watch(v->model, &k)) != NULL;)
-        watched->kind->watch->row(watched, bodies, inner);
+        watched->kind->watch->row(watched, bodies, inner, longest);
     f->rows += 1.0;
 }
 

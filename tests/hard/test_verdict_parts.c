@@ -168,7 +168,7 @@ static int follow(void *self, int64_t step, double t, const vti_bodies *bodies)
 
 /** Two bodies held by a moment alone, turning against each other: theta_max = Omega sqrt(J/(2 K)), J/2 being the
  *  reduced inertia and Omega the relative speed. */
-static int64_t turned(double share)
+static int64_t turned(double share, double h)
 {
     static struct scene scene;
     static struct model model;
@@ -184,13 +184,13 @@ static int64_t turned(double share)
     write_text("bond.csv", "i,j\n0,1\n");
     snprintf(text, sizeof text,
              "bodies: {table: two.csv, mass: 1, inertia: %g, diameter: 1}\n"
-             "binder: {table: bond.csv, moment: %g}\nh: 1e-3\nt_end: 3\n",
-             j, k);
+             "binder: {table: bond.csv, moment: %g}\nh: %g\nt_end: 3\n",
+             j, k, h);
     make_model(text, &scene, &model);
     columns_of(&model, scene.stepper, &columns);
     assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
     const struct observer observer = {follow, &v, 1, 0, NULL};
-    assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, 3000, &observer, 1, &message), 0);
+    assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, (int64_t)(3.0 / h), &observer, 1, &message), 0);
     const struct judgement judgement = verdict_judge(&v, 0, &message);
     assert_int_equal(judgement.verdict, judgement.bonds_turned > 0 ? VERDICT_DOUBTFUL : VERDICT_GOOD);
     verdict_destroy(&v);
@@ -200,10 +200,12 @@ static int64_t turned(double share)
 
 TEST(bonds)
 {
-    assert_int_equal(turned(0.3), 0);
-    assert_int_equal(turned(0.95), 0);
-    assert_int_equal(turned(1.05), 1);
-    assert_int_equal(turned(3.0), 1);
+    assert_int_equal(turned(0.3, 1e-3), 0);
+    assert_int_equal(turned(0.95, 1e-3), 0);
+    assert_int_equal(turned(1.05, 1e-3), 1);
+    assert_int_equal(turned(3.0, 1e-3), 1);
+    assert_int_equal(turned(0.95, 0.02), 0);
+    assert_int_equal(turned(1.05, 0.02), 1);
 }
 
 /* ---- what to do -------------------------------------------------------------------------------------------------- */
