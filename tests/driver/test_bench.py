@@ -67,6 +67,8 @@ def test_page(vti_plot, folder, rows):
         file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
     with open(os.path.join(folder, "study_step.csv"), "w", encoding="utf-8") as file:
         file.write("stepper,step_ns,study_ns,ratio,least,most\nvti2,40,120,3,2.9,3.25\n")
+    with open(os.path.join(folder, "machine.txt"), "w", encoding="utf-8") as file:
+        file.write("cpu: some processor\ncores: 7\n")
     with open(os.path.join(folder, "memory.csv"), "w", encoding="utf-8") as file:
         file.write("threads,body_bytes,bond_bytes\n1,344,112\n")
     with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
@@ -84,6 +86,7 @@ def test_page(vti_plot, folder, rows):
     check("| `vti1` | array of structs | 30 (3.00) | 30 (3.00) |" in made, "ratio of another layout to the packed loop")
     check("| `vti2 next` | x(3,n) | 7 (1.40) | 7 (1.40) |" in made, "one pass beside one pass")
     check("Vector units: AVX2, SSE2" in made and "-O7" in made, "two builds that serve the same units are one")
+    check("The machine: cpu: some processor; cores: 7." in made, "the machine")
     check("| 27 | 41.6 | 20.8 |" in made, "416 bytes in 10 and 20 ns")
     check("| drift, rotor 2 (Strang) | 28 (4.0) | 28 (4.0) |" in made, "a drift of three moments beside a sphere's")
     check("NO_SQUISH takes 10.0 times what Strang's list takes, and 40.0 times what M4 takes" in made, "beside NO_SQUISH")

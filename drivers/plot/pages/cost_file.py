@@ -16,6 +16,7 @@ import numpy as np
 
 from .. import methods
 from ..trouble import Trouble
+from .page import machine_of
 
 TEXTS = ("scene", "stepper", "kind")
 COST = ("h", "steps", "force_evals", "seconds", "seconds_spread", "attitude_error", "position_error", "velocity_error",
@@ -74,7 +75,7 @@ def read_cost(folder):
     prices = _prices(prices_path)
     if list(prices) != list(runs):
         raise Trouble(prices_path, f"has the scenes {', '.join(prices)}, but cost.csv has {', '.join(runs)}", AGAIN)
-    return Cost(runs, prices, _machine(os.path.join(folder, "machine.txt")),
+    return Cost(runs, prices, machine_of(folder),
                 _instructions(os.path.join(folder, "instructions.csv")))
 
 
@@ -141,13 +142,6 @@ def _number(path, line, column, cell):
     if value < 0:
         raise Trouble(f"{path}:{line}", f"{column} is negative", AGAIN)
     return value
-
-
-def _machine(path):
-    if not os.path.isfile(path):
-        return ""
-    with open(path, encoding="utf-8", errors="replace") as file:
-        return "; ".join(line.strip() for line in file if line.strip())
 
 
 def _instructions(path):

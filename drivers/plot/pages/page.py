@@ -13,6 +13,15 @@ STYLE = ("body{max-width:60em;margin:2em auto;padding:0 1em;font:16px/1.5 sans-s
          "code{background:#f3f3f3}")
 
 
+def machine_of(folder):
+    """The lines "key: value" of FOLDER/machine.txt as one, empty where there is none: on what times were taken."""
+    path = os.path.join(folder, "machine.txt")
+    if not os.path.isfile(path):
+        return ""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return "; ".join(line.strip() for line in file if line.strip())
+
+
 class Page:
     def __init__(self, folder, title):
         self.folder, self.title, self.blocks = folder, title, []

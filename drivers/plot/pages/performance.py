@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, study_step.csv, memory.csv and scaling.csv of the programs of
+UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv and scaling.csv of the programs of
 these names in bench/, and lammps.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
 DIR/performance/bench.png."""
 import csv
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from .. import style
 from ..trouble import Trouble
-from .page import Page, write_page
+from .page import Page, machine_of, write_page
 
 UNITS = {"widest": "AVX-512", "avx2": "AVX2", "baseline": "SSE2"}    # where the widest are those
 COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
@@ -94,13 +94,14 @@ def beside_loop(bench, what, layout, n):
 
 # ---- the page -------------------------------------------------------------------------------------------------------
 
-def opening(page, benches):
+def opening(page, benches, machine):
     page.text("Made by `./dev bench`; every number is from its files. Each is the median of rounds in which all cases of one size "
               "have their turn, so that ratios within a table are better than the times. Nothing is allocated or started by the "
               "library; it takes no memory beyond the caller's.")
     flags = [line for line in benches[0].version.splitlines() if line.startswith("flags: ")]
     page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own; all give the same bits. "
-              + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for the last table.")
+              + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for the last table."
+              + (f" The machine: {machine}." if machine else ""))
 
 
 def steps_part(page, benches, sizes):
@@ -264,7 +265,7 @@ def build(folder, into, below):
     sizes = [n for n in benches[0].sizes() if n in SIZES] or benches[0].sizes()[-1:]
     image = os.path.join(*([below] if below else []), "bench.png")
     picture(benches, os.path.join(into, image))
-    opening(page, benches)
+    opening(page, benches, machine_of(folder))
     page.picture(image)
     steps_part(page, benches, sizes)
     memory_part(page, benches, sizes)
