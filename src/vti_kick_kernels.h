@@ -5,7 +5,7 @@
 #ifndef VTI_KICK_KERNELS_H
 #define VTI_KICK_KERNELS_H
 
-#include "vti_lanes.h"
+#include "lanes/vti_lanes.h"
 #include "vti_move.h"
 
 /* ---- what lies how ----------------------------------------------------------------------------------------------- */

@@ -10,7 +10,7 @@
 #define VTI_PAIR_H
 
 #include "vti_binder_table.h"
-#include "../vti_lanes.h"
+#include "../lanes/vti_lanes.h"
 
 /** Bonds: what is known of them, */
 struct bond_state {

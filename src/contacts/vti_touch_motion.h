@@ -19,7 +19,7 @@
 #ifndef TOUCH_KERNELS
 #define VTI_WIDTH 1
 #endif
-#include "../vti_lanes.h"
+#include "../lanes/vti_lanes.h"
 
 struct vti_touch {
     int64_t i, j; /* of one touch its bodies, j < 0: a wall; of lanes only the sign of j, which all share */

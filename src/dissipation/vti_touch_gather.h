@@ -5,7 +5,7 @@
 #ifndef VTI_TOUCH_GATHER_H
 #define VTI_TOUCH_GATHER_H
 
-#include "../vti_lanes.h"
+#include "../lanes/vti_lanes.h"
 
 #include "../contacts/vti_hertz.h"
 #include "../contacts/vti_touch_motion.h"

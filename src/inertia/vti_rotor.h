@@ -12,7 +12,7 @@
 #ifndef VTI_ROTOR_H
 #define VTI_ROTOR_H
 
-#include "../vti_lanes.h"
+#include "../lanes/vti_lanes.h"
 #include "../vti_move.h"
 
 VTI_MOVE_LAW(rotor_law, lanes, lanes_of, lanes_sqrt)

@@ -6,7 +6,7 @@
 #ifndef VTI_QUAD_H
 #define VTI_QUAD_H
 
-#include "../vti_lanes.h"
+#include "../lanes/vti_lanes.h"
 
 #if VTI_WIDTH > 2
 typedef four part;

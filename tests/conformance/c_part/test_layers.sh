@@ -64,12 +64,13 @@ core="include/*.h src/*.[ch] src/*/*.[ch]"
 $strangers"
     from "$(own_headers include/*.h)" include
     # one room sees what is below it; kernels of a vector unit are compiled as one, so that moves see turns and multistep methods
-    from "$(own_headers src/*.[ch] | nameless)" include src src/inertia src/multistep
-    from "$(own_headers src/inertia/*.[ch] | nameless)" include src src/inertia
-    from "$(own_headers src/multistep/*.[ch] | nameless)" include src src/multistep
-    from "$(own_headers src/bonds/*.[ch] | nameless)" include src src/bonds
-    from "$(own_headers src/contacts/*.[ch] | nameless)" include src src/contacts
-    from "$(own_headers src/dissipation/*.[ch] | nameless)" include src src/contacts src/dissipation
+    from "$(own_headers src/*.[ch] | nameless)" include src src/lanes src/inertia src/multistep
+    from "$(own_headers src/lanes/*.h | nameless)" include src src/lanes
+    from "$(own_headers src/inertia/*.[ch] | nameless)" include src src/lanes src/inertia
+    from "$(own_headers src/multistep/*.[ch] | nameless)" include src src/lanes src/multistep
+    from "$(own_headers src/bonds/*.[ch] | nameless)" include src src/lanes src/bonds
+    from "$(own_headers src/contacts/*.[ch] | nameless)" include src src/lanes src/contacts
+    from "$(own_headers src/dissipation/*.[ch] | nameless)" include src src/lanes src/contacts src/dissipation
     calls='(malloc|calloc|realloc|free|alloca|printf|fprintf|sprintf|snprintf|puts|putchar|fopen|exit|_Exit|abort|assert|getenv|setlocale|rand)'
     bad=$(sed -E 's://.*$::; s:"([^"\\]|\\.)*":"":g' $core | awk '{
             line = $0
