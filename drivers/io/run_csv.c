@@ -12,8 +12,10 @@ static int take_rows(void *self, int64_t first, int64_t count, const double *row
 {
     const struct writer *w = self;
     (void)first;
-    for (int64_t k = 0; k < count * w->columns; ++k)
-        fprintf(w->file, "%s%c", NUMBER(rows[k]), (k + 1) % w->columns == 0 ? '\n' : ',');
+    for (int64_t k = 0; k < count * w->columns; ++k) {
+        fputs(NUMBER(rows[k]), w->file);
+        putc((k + 1) % w->columns == 0 ? '\n' : ',', w->file);
+    }
     return 0;
 }
 

@@ -151,6 +151,28 @@ TEST(reads_long_texts)
     free(text);
 }
 
+/** Any number; one of few digits; one of those that runs are made of, near powers of 2 and 10 too; one that lies
+ *  in the middle between two decimals of 17 digits. */
+static double number_of_kind(int kind, rng *g)
+{
+    const double one = 1.0 + (double)(rng_bits(g) >> 12) * 0x1p-52;
+    const int power = (int)(rng_bits(g) % 150) - 88;
+    switch (kind) {
+    case 0:
+        return random_finite(g);
+    case 1:
+        return (double)(rng_bits(g) >> 40) / 1000.0;
+    case 2:
+        return ldexp(one, power);
+    case 3:
+        return ldexp(1.0 - 0x1p-53 * (double)(rng_bits(g) % 3), power);
+    case 4:
+        return pow(10.0, power / 4) * (1.0 + (double)(rng_bits(g) % 3) * 0x1p-52);
+    default:
+        return floor(1e10 * one) + (double)(rng_bits(g) % 64 * 2 + 1) / 128.0;
+    }
+}
+
 /** No shorter decimal reads back: an independent search over all counts of digits. */
 TEST(writes_the_shortest)
 {
@@ -175,13 +197,15 @@ TEST(writes_the_shortest)
     rng g = rng_seed(2);
     for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
         assert_string_equal(NUMBER(known[k].value), known[k].text);
-    for (int k = 0; k < 20000; ++k) {
-        const double x = k % 2 == 0 ? random_finite(&g) : (double)(rng_bits(&g) >> 40) / 1000.0;
+    for (int k = 0; k < 120000; ++k) {
+        const double x = number_of_kind(k % 6, &g);
         double value;
         char text[NUMBER_TEXT], shorter[40];
         int digits = 1;
         while (snprintf(shorter, sizeof shorter, "%.*g", digits, x), strtod(shorter, NULL) != x)
             ++digits;
+        if (digits < DBL_DIG && fabs(x) >= DBL_MIN) /* 12300 is no shorter as 1.23e+04 */
+            snprintf(shorter, sizeof shorter, "%.*g", DBL_DIG, x);
         assert_string_equal(number_text(x, text), shorter);
         assert_int_equal(number_read(text, &value), 0);
         assert_same_bits(&value, &x, 1);
