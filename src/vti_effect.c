@@ -19,7 +19,7 @@ static void clear(const vti_view *view, int64_t begin, int64_t end)
             c[k][i * view->stride] = 0.0;
 }
 
-static inline void clear_few(const vti_view *view, int64_t begin, int64_t end)
+VTI_INLINE void clear_few(const vti_view *view, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; i < end; ++i) {
         view->c[0][i * view->stride] = 0.0;
@@ -28,14 +28,21 @@ static inline void clear_few(const vti_view *view, int64_t begin, int64_t end)
     }
 }
 
+VTI_INLINE void clear_load(const vti_bodies *b, const vti_view *load)
+{
+    if (!vti_has(load))
+        return;
+    if (b->count <= VTI_FEW)
+        clear_few(load, b->first, b->first + b->count);
+    else
+        clear(load, b->first, b->first + b->count);
+}
+
 /** force = moment = 0 */
 static inline void clear_loads(const vti_bodies *b)
 {
-    const int64_t begin = b->first, end = begin + b->count;
-    if (vti_has(&b->force))
-        (b->count <= VTI_FEW ? clear_few : clear)(&b->force, begin, end);
-    if (vti_has(&b->moment))
-        (b->count <= VTI_FEW ? clear_few : clear)(&b->moment, begin, end);
+    clear_load(b, &b->force);
+    clear_load(b, &b->moment);
 }
 
 /** The first quantity that is needed and absent, or VTI_QUANTITY_NONE. An attitude is one in either form. */
@@ -58,7 +65,7 @@ static inline int64_t lacking(int64_t needs, const vti_bodies *b)
     return VTI_QUANTITY_NONE;
 }
 
-static inline int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *quantity)
+VTI_INLINE int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *quantity)
 {
     *quantity = VTI_QUANTITY_NONE;
     if (e->apply == NULL && e->flow == NULL && e->rupture == NULL)
@@ -75,9 +82,9 @@ VTI_INLINE int look(const vti_effect *effects, int64_t n, const vti_bodies *b, v
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    if (n < 0)
-        return VTI_E_COUNT;
-    if (n > 0 && effects == NULL)
+    if (n <= 0)
+        return n < 0 ? VTI_E_COUNT : VTI_OK;
+    if (effects == NULL)
         return VTI_E_NULL;
     for (int64_t k = 0; k < n; ++k) {
         int64_t quantity;

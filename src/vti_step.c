@@ -8,6 +8,7 @@
  *
  * All three are exactly variational (E14, E15); VTI-3 = kick(-h/2) VTI-2 kick(h/2). The others are longer lists of the
  * same two, with the exact drift; with another one they fall to order 2. */
+#include <float.h>
 #include <string.h>
 
 #include "vti_coefficients.h"
@@ -49,7 +50,7 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_f
     const int status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    return isfinite(h) && h > 0.0 ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
+    return h > 0.0 && h <= DBL_MAX ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
 }
 
 /** kick(before h), kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */
@@ -68,7 +69,7 @@ VTI_INLINE int play(const vti_stepper *method, double before, int64_t k, double 
     return status;
 }
 
-int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
+VTI_INLINE int stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
 {
     vti_refuse_none(VTI_OK, fault);
     int status = check(method, h, b, fault);
@@ -77,16 +78,21 @@ int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bod
     return status == VTI_OK ? play(method, 0.0, k, h, b, fault) : status;
 }
 
+int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *b, vti_fault *fault)
+{
+    return stage(method, k, h, b, fault);
+}
+
 int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
-    return vti_step_stage(method, 0, h, b, fault);
+    return stage(method, 0, h, b, fault);
 }
 
 /** kick(share h) of bodies that have been checked; a share of 0 touches nothing. */
 static int kick_share(double share, double h, const vti_bodies *b)
 {
     const struct vti_move move = {0.0, share * h, 0.0, 0, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0};
-    if (!isfinite(move.kick))
+    if (!(fabs(move.kick) <= DBL_MAX))
         return VTI_E_TIME;
     if (move.kick != 0.0)
         vti_move_all(&move, b);
