@@ -22,12 +22,12 @@ struct load {
 __attribute__((format(printf, 4, 5))) static int fail(const struct load *load, const struct place *place,
                                                       const char *path, const char *format, ...)
 {
-    char text[2 * SCENE_TEXT_SIZE];
+    struct message said;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    message_set_list(&said, format, arguments);
     va_end(arguments);
-    return scene_reader_say(load->reader, load->set, place, path, text);
+    return scene_reader_say(load->reader, load->set, place, path, said.text);
 }
 
 /** On to the next part of the text. Returns 0, or -1 if there is none. */

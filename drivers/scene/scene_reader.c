@@ -136,27 +136,28 @@ static const struct scene_value *given_around(const struct scene_reader *reader,
 
 int scene_reader_fail(const struct scene_reader *reader, const char *path, const char *format, ...)
 {
-    char text[SCENE_TEXT_SIZE];
+    struct message said;
     const struct scene_value *value = given_around(reader, path);
     const struct place start = reader->start;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    message_set_list(&said, format, arguments);
     va_end(arguments);
     if (value != NULL)
-        return scene_reader_say(reader, value->set, &value->place, path, text);
-    return scene_reader_say(reader, NULL, &start, path, text);
+        return scene_reader_say(reader, value->set, &value->place, path, said.text);
+    return scene_reader_say(reader, NULL, &start, path, said.text);
 }
 
 int scene_reader_fail_item(const struct scene_reader *reader, const struct scene_field *field, int64_t item,
                            const char *part, const char *format, ...)
 {
-    char text[SCENE_TEXT_SIZE], path[SCENE_KEYS_SIZE] = "";
+    struct message said;
+    char path[SCENE_KEYS_SIZE] = "";
     const struct scene_value *value = scene_reader_at(reader, field->path);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    message_set_list(&said, format, arguments);
     va_end(arguments);
     append(append(path, sizeof path, field->path), sizeof path, part);
-    return scene_reader_say(reader, value->set, &value->items[item].place, path, text);
+    return scene_reader_say(reader, value->set, &value->items[item].place, path, said.text);
 }

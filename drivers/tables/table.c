@@ -170,15 +170,16 @@ const char *table_refusal(const struct table_kind *kind, int k, double value)
 
 int table_fail(const struct table *table, int64_t row, struct message *message, const char *format, ...)
 {
-    char path[240], text[512];
+    char path[240];
+    struct message said;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    message_set_list(&said, format, arguments);
     va_end(arguments);
     quote_tail(path, sizeof path, table->path);
     if (table->has_lines)
-        return message_set(message, "%s:%lld: %s", path, (long long)row + 2, text);
-    return message_set(message, "%s: row %lld: %s", path, (long long)row, text);
+        return message_set(message, "%s:%lld: %s", path, (long long)row + 2, said.text);
+    return message_set(message, "%s: row %lld: %s", path, (long long)row, said.text);
 }
 
 int table_fail_whole(const struct table *table, struct message *message, const char *text)

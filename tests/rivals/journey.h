@@ -142,6 +142,19 @@ static inline double velocity_distance(const vti_bodies *a, const vti_bodies *b)
     return hypot(view_distance(&a->v, &b->v, a->count), view_distance(&a->omega, &b->omega, a->count));
 }
 
+/** Errors at the end, of attitude and of velocity. */
+static inline void journey_errors(const struct scene *scene, const vti_stepper *method, double h, int64_t steps,
+                                  const vti_bodies *exact, double *attitude, double *velocity)
+{
+    struct journey j;
+    begin(&j, scene, method, h);
+    go(&j, steps);
+    const vti_bodies b = travel_bodies(&j.travel);
+    *attitude = attitude_distance(&b, exact);
+    *velocity = velocity_distance(&b, exact);
+    end(&j);
+}
+
 /** A program of tests whose argument is the folder of the scenes. */
 #define RUN_TESTS_OF_SCENES(...)                                                                                       \
     int main(int argc, char **argv)                                                                                    \

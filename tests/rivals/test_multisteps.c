@@ -15,18 +15,6 @@ struct ladder {
     int64_t steps[METHODS]; /* of the coarsest rung; others are a factor of 2^(1/4) apart */
 };
 
-static void errors(const struct scene *scene, const vti_stepper *method, double h, int64_t steps,
-                   const vti_bodies *exact, double *attitude, double *velocity)
-{
-    struct journey j;
-    begin(&j, scene, method, h);
-    go(&j, steps);
-    const vti_bodies b = travel_bodies(&j.travel);
-    *attitude = attitude_distance(&b, exact);
-    *velocity = velocity_distance(&b, exact);
-    end(&j);
-}
-
 static void assert_order(const char *where, const char *of, const vti_stepper *method, const double *h,
                          const double *error)
 {
@@ -57,7 +45,7 @@ static void orders(const struct ladder *ladder)
         for (int k = 0; k < RUNGS; ++k) {
             const int64_t steps = llrint((double)ladder->steps[i] * pow(2.0, 0.25 * k));
             h[k] = ladder->t_end / (double)steps;
-            errors(&scene, method, h[k], steps, &exact, &attitude[k], &velocity[k]);
+            journey_errors(&scene, method, h[k], steps, &exact, &attitude[k], &velocity[k]);
         }
         assert_order(ladder->scene, "attitude", method, h, attitude);
         assert_order(ladder->scene, "velocity", method, h, velocity);
@@ -94,7 +82,7 @@ TEST(touches)
             for (int k = 0; k < 4; ++k) { /* mean squares, over where in a step they touch */
                 const int64_t steps = ((FIRST + 13 * k) << half) * (method->reach < 0.2 ? 2 : 1);
                 double of_attitude, of_velocity;
-                errors(&scene, method, t_end / (double)steps, steps, &exact, &of_attitude, &of_velocity);
+                journey_errors(&scene, method, t_end / (double)steps, steps, &exact, &of_attitude, &of_velocity);
                 velocity[half] += of_velocity * of_velocity;
             }
         const double order = 0.5 * log2(velocity[0] / velocity[1]);

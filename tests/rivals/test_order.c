@@ -40,19 +40,6 @@ static int64_t rung(const struct ladder *ladder, const vti_stepper *method, int 
     return llrint(coarsest * pow(2.0, k / octave));
 }
 
-/** Errors at the end, of attitude and of velocity. */
-static void errors(const struct scene *scene, const vti_stepper *method, double h, int64_t steps,
-                   const vti_bodies *exact, double *attitude, double *velocity)
-{
-    struct journey j;
-    begin(&j, scene, method, h);
-    go(&j, steps);
-    const vti_bodies b = travel_bodies(&j.travel);
-    *attitude = attitude_distance(&b, exact);
-    *velocity = velocity_distance(&b, exact);
-    end(&j);
-}
-
 /** Where orders of that number may lie. Where the motion is mostly oscillation the leading terms of Runge-Kutta
  *  methods are small, and the next ones count until rounding ends the ladder: on the pendulum the fourth order is
  *  approached from below, and higher ones show as up to one more. */
@@ -104,7 +91,7 @@ static void orders(const struct ladder *ladder)
         for (int k = 0; k < RUNGS; ++k) {
             const int64_t steps = rung(ladder, method, k);
             h[k] = ladder->t_end / (double)steps;
-            errors(&scene, method, h[k], steps, &exact, &attitude[k], &velocity[k]);
+            journey_errors(&scene, method, h[k], steps, &exact, &attitude[k], &velocity[k]);
         }
         assert_order(ladder->scene, "attitude", method, attitude_order(ladder, method), h, attitude);
         assert_order(ladder->scene, "velocity", method, (double)method->order, h, velocity);
