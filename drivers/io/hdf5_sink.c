@@ -12,6 +12,65 @@ static void check(struct hdf5_sink *s, herr_t status)
     s->failed |= status < 0;
 }
 
+/* ---- rows -------------------------------------------------------------------------------------------------------- */
+
+struct hdf5_rows {
+    struct hdf5_rows *next;
+    hid_t set, space;
+    hsize_t columns;
+    char name[];
+};
+
+/** Opens a dataset of any rank <= 2. */
+static struct hdf5_rows *rows_open(struct hdf5_sink *s, const char *name)
+{
+    struct hdf5_rows *rows = malloc(sizeof *rows + strlen(name) + 1);
+    hsize_t dims[2] = {0, 1};
+    s->failed |= rows == NULL;
+    if (rows == NULL)
+        return NULL;
+    strcpy(rows->name, name);
+    rows->set = H5Dopen2(s->place, name, H5P_DEFAULT);
+    rows->space = H5Dget_space(rows->set);
+    const int rank = H5Sget_simple_extent_ndims(rows->space);
+    check(s, rank == 1 || rank == 2 ? H5Sget_simple_extent_dims(rows->space, dims, NULL) : -1);
+    rows->columns = dims[1];
+    rows->next = s->rows;
+    s->rows = rows;
+    return rows;
+}
+
+static struct hdf5_rows *rows_called(struct hdf5_sink *s, const char *name)
+{
+    struct hdf5_rows *rows = s->rows;
+    while (rows != NULL && strcmp(rows->name, name) != 0)
+        rows = rows->next;
+    return rows != NULL ? rows : rows_open(s, name);
+}
+
+static void rows_close(struct hdf5_sink *s)
+{
+    for (struct hdf5_rows *rows = s->rows, *next; rows != NULL; rows = next) {
+        next = rows->next;
+        H5Sclose(rows->space);
+        check(s, H5Dclose(rows->set));
+        free(rows);
+    }
+    s->rows = NULL;
+}
+
+void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data)
+{
+    const struct hdf5_rows *rows = rows_called(s, name);
+    if (rows == NULL)
+        return;
+    const hsize_t start[2] = {first, 0}, block[2] = {count, rows->columns};
+    check(s, H5Sselect_hyperslab(rows->space, H5S_SELECT_SET, start, NULL, block, NULL));
+    const hid_t memory = H5Screate_simple(2, block, NULL);
+    check(s, H5Dwrite(rows->set, type, memory, rows->space, H5P_DEFAULT, data));
+    H5Sclose(memory);
+}
+
 /* ---- files and groups -------------------------------------------------------------------------------------------- */
 
 void hdf5_start(void)
@@ -26,7 +85,7 @@ struct hdf5_sink hdf5_file(const char *path)
     H5Pset_obj_track_times(properties, 0);
     H5Pset_sieve_buf_size(access, 0); /* datasets are written whole, or by rows: no 64 kB to clear for each */
     unlink(path);
-    struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_EXCL, properties, access), 0}; /* O_EXCL */
+    struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_EXCL, properties, access), 0, NULL}; /* O_EXCL */
     H5Pclose(access);
     H5Pclose(properties);
     s.failed = s.place < 0;
@@ -37,7 +96,7 @@ struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name)
 {
     const hid_t properties = H5Pcreate(H5P_GROUP_CREATE);
     H5Pset_obj_track_times(properties, 0);
-    struct hdf5_sink s = {H5Gcreate2(parent->place, name, H5P_DEFAULT, properties, H5P_DEFAULT), 0};
+    struct hdf5_sink s = {H5Gcreate2(parent->place, name, H5P_DEFAULT, properties, H5P_DEFAULT), 0, NULL};
     H5Pclose(properties);
     s.failed = s.place < 0;
     return s;
@@ -45,12 +104,14 @@ struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name)
 
 void hdf5_close(struct hdf5_sink *parent, struct hdf5_sink *s)
 {
+    rows_close(s);
     check(s, H5Gclose(s->place));
     parent->failed |= s->failed;
 }
 
 int hdf5_close_file(struct hdf5_sink *s)
 {
+    rows_close(s);
     check(s, H5Fclose(s->place));
     return s->failed ? -1 : 0;
 }
@@ -69,22 +130,6 @@ void hdf5_dataset(struct hdf5_sink *s, const char *name, hid_t type, int rank, c
     check(s, H5Dclose(set));
     H5Sclose(space);
     H5Pclose(properties);
-}
-
-void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data)
-{
-    hsize_t start[2] = {first, 0}, block[2] = {count, 1};
-    const hid_t set = H5Dopen2(s->place, name, H5P_DEFAULT), space = H5Dget_space(set);
-    hsize_t dims[2] = {0, 1};
-    const int rank = H5Sget_simple_extent_ndims(space);
-    check(s, rank == 1 || rank == 2 ? H5Sget_simple_extent_dims(space, dims, NULL) : -1);
-    block[1] = dims[1];
-    check(s, H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, block, NULL));
-    const hid_t memory = H5Screate_simple(2, block, NULL);
-    check(s, H5Dwrite(set, type, memory, space, H5P_DEFAULT, data));
-    H5Sclose(memory);
-    H5Sclose(space);
-    check(s, H5Dclose(set));
 }
 
 /* ---- attributes -------------------------------------------------------------------------------------------------- */

@@ -7,10 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct hdf5_rows; /* a dataset that is written row by row */
+
 /** A group or file, and whether anything has failed in it: HDF5 ids below 0 fall through every later call. */
 struct hdf5_sink {
     hid_t place;
     int failed;
+    struct hdf5_rows *rows; /* a list of those that are open, which a name is looked up for once */
 };
 
 /** Before anything else is done with HDF5. */

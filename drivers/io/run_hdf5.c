@@ -46,7 +46,7 @@ static void look_write(struct hdf5_sink *s, const char *name, const struct effec
 {
     if (term == NULL || s->failed)
         return;
-    struct hdf5_sink set = {H5Dopen2(s->place, name, H5P_DEFAULT), 0};
+    struct hdf5_sink set = {H5Dopen2(s->place, name, H5P_DEFAULT), 0, NULL};
     hdf5_text(&set, "symbol", term->symbol);
     hdf5_text(&set, "meaning", term->meaning);
     hdf5_text(&set, "colour", term->colour);

@@ -118,7 +118,7 @@ static void series_column(struct hdf5_sink *s, const char *name, const char *lab
     for (int64_t k = 0; k < o->samples; ++k)
         values[k] = o->series[k][column];
     dataset(s, name, H5T_NATIVE_DOUBLE, o->samples, values);
-    struct hdf5_sink set = {H5Dopen2(s->place, name, H5P_DEFAULT), 0};
+    struct hdf5_sink set = {H5Dopen2(s->place, name, H5P_DEFAULT), 0, NULL};
     hdf5_text(&set, "label", label);
     s->failed |= set.failed | (H5Dclose(set.place) < 0);
 }
