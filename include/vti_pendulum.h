@@ -19,6 +19,11 @@ typedef struct vti_pendulum {
 
 /** The effect of *pendulum, which must outlive it. Energy term: "pendulum". */
 VTI_API vti_effect vti_pendulum_effect(const vti_pendulum *pendulum);
+/** U of a body whose arm R rho0 is arm. */
+static inline double vti_pendulum_potential(const vti_pendulum *pendulum, const double arm[3])
+{
+    return -pendulum->weight * arm[2];
+}
 /** R rho0 of body i in the inertial frame; NaN if there is no such body or it has no attitude. */
 VTI_API void vti_pendulum_arm(const vti_pendulum *pendulum, const vti_bodies *bodies, int64_t i, double arm[3]);
 

@@ -67,7 +67,7 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double arm[3];
         arm_of(p, b, i, arm);
-        vti_sum_add(&sum, -p->weight * arm[2]);
+        vti_sum_add(&sum, vti_pendulum_potential(p, arm));
     }
     energies[0] = vti_sum_value(&sum);
 }

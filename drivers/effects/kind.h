@@ -107,8 +107,11 @@ struct effect_surfaces {
 struct effect_invariants {
     const struct invariant *list;
     int count;
-    /** Those that are no momenta only where all is asked for. */
-    void (*values)(const struct effect *e, const vti_bodies *bodies, int all, double *values);
+    void (*values)(const struct effect *e, const vti_bodies *bodies, double *values);
+    int momenta; /* how many of them are momenta, which are the first */
+    /** The momenta of many states, value[momenta][stride]: body k < count has the attitude, as a quaternion, and Omega of
+     *  body 0 in state k, all numbers of like kind side by side. */
+    void (*of_states)(const struct effect *e, const vti_bodies *states, double *value, int64_t stride);
 };
 
 /** What it remembers from step to step, which with the bodies and booked energies is all that a run goes on from. */
@@ -202,6 +205,9 @@ struct effect_kind {
     /** Where body i is drawn, which does not translate. */
     void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
     const struct effect_invariants *invariants;
+    /** energy[i] of each body i < count alone, whose attitudes are quaternions, of an effect with one term that is the
+     *  sum over the bodies; all numbers of like kind lie side by side. NULL: it is no such sum, or nobody has said so. */
+    void (*each)(const struct effect *e, const vti_bodies *bodies, double *energy);
     const struct effect_lines *lines;
     const struct effect_planes *planes;
     /** Fills in what touches in it, and leaves the rest of *surfaces as it is. */

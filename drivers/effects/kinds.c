@@ -177,6 +177,20 @@ static int check_terms(int k, const struct effect_kind *kind, struct message *me
     return 0;
 }
 
+/** What is taken of many states at once is all that it keeps, or has. */
+static int check_states(int k, const struct effect_kind *kind, struct message *message)
+{
+    const struct effect_invariants *own = kind->invariants;
+    if (kind->each != NULL && kind->terms_count != 1)
+        return fail(k, "each", "its energy is not one term", message);
+    if (own == NULL)
+        return 0;
+    for (int i = 0; i < own->count; ++i)
+        if (own->list[i].is_momentum != (i < own->momenta))
+            return fail(k, "invariants", "those that are momenta have to be counted, and to stand first", message);
+    return own->values != NULL && own->of_states != NULL ? 0 : fail(k, "invariants", "has no values", message);
+}
+
 int kinds_check_kind(int k, const struct effect_kind *kind, struct message *message)
 {
     if ((int)kind->number != k)
@@ -190,6 +204,8 @@ int kinds_check_kind(int k, const struct effect_kind *kind, struct message *mess
     for (int before = 0; before < k && kind->lines != NULL; ++before)
         if (kinds[before]->find_pairs != NULL)
             return fail(k, "lines", "it must stand before those that search for pairs in kinds.h", message);
+    if (check_states(k, kind, message) != 0)
+        return -1;
     return check_fields(k, kind, message) != 0 || check_terms(k, kind, message) != 0 ? -1 : 0;
 }
 

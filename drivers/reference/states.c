@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#include "states.h"
-
-#include <string.h>
-
-#include "wide.h"
+#include "states_parts.h"
 
 struct states states_of(const struct model *model)
 {
@@ -47,39 +43,56 @@ void states_put(const struct states *s, const vti_bodies *b, int64_t k, double *
     }
 }
 
-/* ---- sums side by side ------------------------------------------------------------------------------------------- */
+/* ---- kicks that are owed ------------------------------------------------------------------------------------------ */
 
-struct sums {
-    double high[PANELS_BLOCK], low[PANELS_BLOCK];
-};
-
-VTI_INLINE void sums_add(struct sums *restrict sums, const double *restrict x, int64_t n)
+int64_t states_loads(const struct states *s)
 {
-    for (int64_t k = 0; k < n; ++k) {
-        vti_sum sum = {sums->high[k], sums->low[k]};
-        vti_sum_add(&sum, x[k]);
-        sums->high[k] = sum.high;
-        sums->low[k] = sum.low;
+    return (s->translates ? 3 : 0) + (s->turns ? 3 : 0);
+}
+
+void states_put_loads(const struct states *s, const vti_bodies *b, int owe, int64_t k, double *load)
+{
+    static const double none[3] = {0.0, 0.0, 0.0};
+    double *p = load + k;
+    for (int64_t i = 0; i < s->bodies; ++i) {
+        if (s->translates)
+            p = owe && b->force.c[0] != NULL ? put_vector(p, &b->force, i) : put(p, none, 3);
+        if (s->turns)
+            p = owe && b->moment.c[0] != NULL ? put_vector(p, &b->moment, i) : put(p, none, 3);
     }
 }
 
-VTI_INLINE void sums_value(const struct sums *restrict sums, double *restrict x, int64_t n)
+/** Three rows from p on. */
+static vti_view rows(double *p)
 {
-    for (int64_t k = 0; k < n; ++k) {
-        const vti_sum sum = {sums->high[k], sums->low[k]};
-        x[k] = vti_sum_value(&sum);
+    const vti_view view = {{p, p + PANELS_BLOCK, p + 2 * PANELS_BLOCK}, 1, 0};
+    return view;
+}
+
+vti_bodies states_of_body(const struct states *s, int64_t i, double *state, double *load)
+{
+    vti_bodies b = vti_bodies_none(PANELS_BLOCK);
+    double *p = state + i * states_width(s) * PANELS_BLOCK, *l = load + i * states_loads(s) * PANELS_BLOCK;
+    if (s->translates) {
+        b.x = rows(p);
+        b.v = rows(p + 3 * PANELS_BLOCK);
+        b.force = rows(l);
+        b.mass.p = s->mass.p + i * s->mass.stride;
+        p += 6 * PANELS_BLOCK;
+        l += 3 * PANELS_BLOCK;
     }
+    if (s->turns) {
+        for (int c = 0; c < 4; ++c)
+            b.quat.xyzw[c] = p + c * PANELS_BLOCK;
+        b.quat.stride = 1;
+        b.omega = rows(p + 4 * PANELS_BLOCK);
+        b.moment = rows(l);
+        b.inertia.p = s->inertia.p + i * s->inertia.stride;
+    }
+    return b;
 }
 
 /* ---- integrands -------------------------------------------------------------------------------------------------- */
-
-VTI_INLINE void squares(const double *restrict a, double *restrict out, int64_t n)
-{
-    for (int64_t k = 0; k < n; ++k) {
-        const double v[3] = {a[k], a[PANELS_BLOCK + k], a[2 * PANELS_BLOCK + k]};
-        out[k] = vti_dot(v, v);
-    }
-}
 
 VTI_INLINE void squared_differences(const double *restrict a, const double *restrict b, double *restrict out, int64_t n)
 {
@@ -109,43 +122,16 @@ VTI_INLINE void squared_distances(const double *restrict p, const double *restri
     }
 }
 
-/** Places of the vectors and of the attitude in a body's numbers. */
-struct places {
-    int64_t vector[3], vectors, attitude, width;
-};
-
-VTI_INLINE struct places places_of(const struct states *s)
-{
-    struct places places = {{0, 0, 0}, 0, 0, 0};
-    if (s->translates) {
-        places.vector[places.vectors++] = 0;
-        places.vector[places.vectors++] = 3;
-        places.width = 6;
-    }
-    if (s->turns) {
-        places.attitude = places.width;
-        places.vector[places.vectors++] = places.width + 4;
-        places.width += 7;
-    }
-    return places;
-}
-
-/** A few states more than n fill the vectors up. */
-VTI_INLINE int64_t filled(int64_t n)
-{
-    return (n + 7) & ~INT64_C(7);
-}
-
 VTI_INLINE void states_densities_loops(const struct states *s, const double *state, int64_t n, double *out)
 {
     const struct places at = places_of(s);
     const int64_t all = filled(n);
     struct sums total;
     double x[PANELS_BLOCK];
-    memset(&total, 0, sizeof total);
+    total.count = 0;
     for (int64_t v = 0; v < at.vectors; ++v) {
         struct sums sums;
-        memset(&sums, 0, sizeof sums);
+        sums.count = 0;
         for (int64_t i = 0; i < s->bodies; ++i) {
             squares(state + (i * at.width + at.vector[v]) * PANELS_BLOCK, x, all);
             sums_add(&sums, x, all);
@@ -167,7 +153,7 @@ VTI_INLINE void states_distances_loops(const struct states *s, const double *sta
     const int64_t all = filled(n);
     struct sums total;
     double x[PANELS_BLOCK];
-    memset(&total, 0, sizeof total);
+    total.count = 0;
     for (int64_t i = 0; i < s->bodies; ++i) {
         const double *a = state + i * at.width * PANELS_BLOCK, *b = other + i * at.width * PANELS_BLOCK;
         for (int64_t v = 0; v < at.vectors; ++v) {
@@ -187,94 +173,3 @@ WIDE(states_densities, (const struct states *s, const double *state, int64_t n, 
 WIDE(states_distances,
      (const struct states *s, const double *state, const double *other, int64_t n, double out[PANELS_BLOCK]),
      (s, state, other, n, out))
-
-/* ---- energies and momenta ---------------------------------------------------------------------------------------- */
-
-VTI_INLINE double of_body(const vti_scalars *s, int64_t i)
-{
-    return s->p[i * s->stride];
-}
-
-/** m |v|^2 of the vectors at v. */
-VTI_INLINE void weighted_squares(double weight, const double *restrict v, double *restrict out, int64_t n)
-{
-    squares(v, out, n);
-    for (int64_t k = 0; k < n; ++k)
-        out[k] = weight * out[k];
-}
-
-/** Adds sum m |v|^2/2 over bodies, of the vectors at place v of a body's numbers. */
-VTI_INLINE void add_kinetic(const struct states *s, const vti_scalars *weight, int64_t width, const double *v,
-                            int64_t n, struct sums *total)
-{
-    struct sums sums;
-    double x[PANELS_BLOCK];
-    memset(&sums, 0, sizeof sums);
-    for (int64_t i = 0; i < s->bodies; ++i) {
-        weighted_squares(of_body(weight, i), v + i * width * PANELS_BLOCK, x, n);
-        sums_add(&sums, x, n);
-    }
-    sums_value(&sums, x, n);
-    for (int64_t k = 0; k < n; ++k)
-        x[k] *= 0.5;
-    sums_add(total, x, n);
-}
-
-VTI_INLINE void states_energies_loops(const struct states *s, const double *state, const double *terms, int64_t count,
-                                      int64_t n, double *out)
-{
-    const struct places at = places_of(s);
-    const int64_t all = filled(n);
-    struct sums total;
-    memset(&total, 0, sizeof total);
-    if (s->translates)
-        add_kinetic(s, &s->mass, at.width, state + 3 * PANELS_BLOCK, all, &total);
-    if (s->turns)
-        add_kinetic(s, &s->inertia, at.width, state + (at.attitude + 4) * PANELS_BLOCK, all, &total);
-    for (int64_t j = 0; j < count; ++j)
-        sums_add(&total, terms + j * PANELS_BLOCK, all);
-    sums_value(&total, out, all);
-}
-
-/** m v, or with x m x cross v. */
-VTI_INLINE void add_orbits(double m, const double *restrict x, const double *restrict v, int64_t n, struct sums sum[3])
-{
-    double p[3][PANELS_BLOCK];
-    for (int64_t k = 0; k < n; ++k) {
-        double c[3] = {v[k], v[PANELS_BLOCK + k], v[2 * PANELS_BLOCK + k]};
-        if (x != NULL) {
-            const double a[3] = {x[k], x[PANELS_BLOCK + k], x[2 * PANELS_BLOCK + k]}, b[3] = {c[0], c[1], c[2]};
-            vti_cross(a, b, c);
-        }
-        p[0][k] = m * c[0];
-        p[1][k] = m * c[1];
-        p[2][k] = m * c[2];
-    }
-    for (int c = 0; c < 3; ++c)
-        sums_add(&sum[c], p[c], n);
-}
-
-VTI_INLINE void states_momenta_loops(const struct states *s, enum states_momentum which, const double *state, int64_t n,
-                                     double *out)
-{
-    const struct places at = places_of(s);
-    const int64_t all = filled(n);
-    struct sums sum[3];
-    memset(sum, 0, sizeof sum);
-    for (int64_t i = 0; i < s->bodies; ++i) {
-        const double *const a = state + i * at.width * PANELS_BLOCK;
-        if (s->translates && which != STATES_SPIN)
-            add_orbits(of_body(&s->mass, i), which == STATES_ANGULAR ? a : NULL, a + 3 * PANELS_BLOCK, all, sum);
-        if (s->turns && which != STATES_LINEAR)
-            add_orbits(of_body(&s->inertia, i), NULL, a + (at.attitude + 4) * PANELS_BLOCK, all, sum);
-    }
-    for (int c = 0; c < 3; ++c)
-        sums_value(&sum[c], out + c * PANELS_BLOCK, all);
-}
-
-WIDE(states_energies,
-     (const struct states *s, const double *state, const double *terms, int64_t count, int64_t n,
-      double out[PANELS_BLOCK]),
-     (s, state, terms, count, n, out))
-WIDE(states_momenta, (const struct states *s, enum states_momentum which, const double *state, int64_t n, double *out),
-     (s, which, state, n, out))

@@ -22,10 +22,12 @@ int64_t model_momenta(const struct model *model)
     return (linear | 7 << ANGULAR | spin) & ~broken;
 }
 
-/** What the effect itself conserves; that of bodies with moments nobody has said. */
-static const struct effect_invariants *own_of(const struct model *model, int64_t e)
+/** What effect e itself conserves, behind n others, if there is room for it; that of bodies with moments nobody has
+ *  said. */
+static const struct effect_invariants *own_of(const struct model *model, int64_t e, int64_t n)
 {
-    return model->bodies.moments.c[0] == NULL ? model->rooms[e].kind->invariants : NULL;
+    const struct effect_invariants *own = model->rooms[e].kind->invariants;
+    return own == NULL || model->bodies.moments.c[0] != NULL || n + own->count > MODEL_INVARIANTS ? NULL : own;
 }
 
 int64_t model_invariants(const struct model *model, struct invariant list[MODEL_INVARIANTS])
@@ -36,10 +38,8 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
         if (conserved >> k & 1)
             list[n++] = momenta[k];
     for (int64_t e = 0; e < model->rooms_count; ++e) {
-        const struct effect_invariants *own = own_of(model, e);
-        if (own == NULL || n + own->count > MODEL_INVARIANTS)
-            continue;
-        for (int k = 0; k < own->count; ++k)
+        const struct effect_invariants *own = own_of(model, e, n);
+        for (int k = 0; own != NULL && k < own->count; ++k)
             list[n++] = own->list[k];
     }
     return n;
@@ -66,24 +66,33 @@ static int64_t take_conserved(int64_t conserved, void (*take)(const vti_bodies *
     return n;
 }
 
-void model_own_values(const struct model *model, const vti_bodies *bodies, int all, int64_t first, double *values)
-{
-    int64_t n = first;
-    for (int64_t e = 0; e < model->rooms_count; ++e) {
-        const struct effect_invariants *own = own_of(model, e);
-        if (own == NULL || n + own->count > MODEL_INVARIANTS)
-            continue;
-        own->values(&model->rooms[e], bodies, all, values);
-        values += own->count;
-        n += own->count;
-    }
-}
-
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS])
 {
     const int64_t conserved = model_momenta(model);
     int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
     n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
     n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
-    model_own_values(model, bodies, 1, n, values + n);
+    for (int64_t e = 0; e < model->rooms_count; ++e) {
+        const struct effect_invariants *own = own_of(model, e, n);
+        if (own == NULL)
+            continue;
+        own->values(&model->rooms[e], bodies, values + n);
+        n += own->count;
+    }
+}
+
+int64_t model_own_momenta(const struct model *model, const vti_bodies *states, double *value, int64_t stride)
+{
+    int64_t n = 0, taken = 0;
+    for (int64_t left = model_momenta(model); left != 0; left &= left - 1)
+        ++n;
+    for (int64_t e = 0; e < model->rooms_count; ++e) {
+        const struct effect_invariants *own = own_of(model, e, n);
+        if (own == NULL)
+            continue;
+        own->of_states(&model->rooms[e], states, value + taken * stride, stride);
+        taken += own->momenta;
+        n += own->count;
+    }
+    return taken;
 }

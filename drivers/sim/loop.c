@@ -32,6 +32,8 @@ struct run {
     int joins;       /* 1 if steps at which nobody looks at velocities end with the begin of the next, */
     int is_open;     /* and the last one waits for it */
     int64_t called;  /* bit k: observer k is, at this step */
+    int64_t always;  /* bit k: observer k is called at every step */
+    int64_t due;     /* the next step at which another one is */
     /* on whose v and omega a lagging method is brought to the time of the positions, so that looking at a run does not
      * change its bits */
     struct fork reader;
@@ -83,17 +85,30 @@ static int stage(struct run *run, int64_t k, vti_fault *fault)
     return vti_step_stage(run->stepper, k, run->h, &model->bodies, fault);
 }
 
+/** Who is called at the step, and when somebody is next who is not called at all of them. */
+static int64_t find_called(struct run *run, int64_t step)
+{
+    int64_t called = 0;
+    run->due = run->last;
+    for (int k = 0; k < run->observers_count; ++k) {
+        const int64_t every = run->observers[k].every, since = every > 1 ? step % every : 0;
+        called |= (int64_t)(since == 0 || step == run->last) << k;
+        run->always |= (int64_t)(every <= 1) << k;
+        if (every > 1 && every - since < run->due - step)
+            run->due = step + every - since;
+    }
+    return called;
+}
+
 /** Finds who is called at the step; returns 1 if somebody looks at velocities there. */
 static int look_ahead(struct run *run, int64_t step)
 {
     int looked = step == run->last;
-    run->called = 0;
-    for (int k = 0; k < run->observers_count; ++k) {
+    run->called = step < run->due ? run->always : find_called(run, step);
+    for (int k = 0; run->called >> k != 0; ++k) {
         const struct observer *o = &run->observers[k];
-        if (o->every > 1 && step % o->every != 0 && step != run->last)
-            continue;
-        run->called |= INT64_C(1) << k;
-        looked |= o->looks == NULL || o->looks(o->self, step);
+        if (run->called >> k & 1)
+            looked |= o->looks == NULL || o->looks(o->self, step);
     }
     return looked;
 }
@@ -102,6 +117,7 @@ static int finish(struct run *run)
 {
     struct model *model = run->model;
     run->is_open = 0;
+    model->owed = 0.0;
     if (run->effects > 0)
         return vti_effects_finish(run->stepper, run->h, model->effects, run->effects, &model->bodies);
     if (model->slices != NULL)
@@ -129,6 +145,7 @@ static int one_step(struct run *run, int64_t step, vti_fault *fault)
         status = step_errors_watch(model->errors, run->stepper, run->stepper->stages, run->h, &model->bodies);
     const int looked = look_ahead(run, step);
     run->is_open = status == VTI_OK && run->joins && !looked;
+    model->owed = run->is_open ? run->stepper->kick[run->stepper->stages] * run->h : 0.0;
     if (status == VTI_OK && !run->is_open)
         status = finish(run);
     if (status == VTI_OK && model->errors != NULL)
@@ -139,7 +156,7 @@ static int one_step(struct run *run, int64_t step, vti_fault *fault)
 static int show(struct run *run, int64_t step)
 {
     const vti_bodies *in_time = NULL;
-    for (int k = 0; k < run->observers_count; ++k) {
+    for (int k = 0; run->called >> k != 0; ++k) {
         const struct observer *o = &run->observers[k];
         if ((run->called >> k & 1) == 0)
             continue;

@@ -42,6 +42,7 @@ struct model {
     double moments[3], principal[4]; /* of all bodies, where they are no spheres */
     double *memory;                  /* of the bodies */
     const int64_t *number;           /* [bodies] as people know them, the tables'; NULL: as they are */
+    double owed; /* time of the kick that v and Omega are still to take by the loads, 0 for none: a loop's (loop.h) */
     struct message trouble;
     struct slices *slices;      /* of the bodies, for threads; NULL: all in one piece */
     struct step_errors *errors; /* of its steps, the model's own; NULL: nobody asks for them */
@@ -139,9 +140,10 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
 /** The momenta among them, which come first: bits 0 to 2 the linear one, 3 to 5 the angular one about the origin, 6 to 8
  *  the spin. */
 int64_t model_momenta(const struct model *model);
-/** Their values for the bodies, in the same order: of all, and of those that come after the first, the bodies' momenta,
- *  which are what effects conserve themselves; of these only what is_momentum, unless all is 1. */
+/** Their values for the bodies, in the same order. */
 void model_invariant_values(const struct model *model, const vti_bodies *bodies, double values[MODEL_INVARIANTS]);
-void model_own_values(const struct model *model, const vti_bodies *bodies, int all, int64_t first, double *values);
+/** Those that count as momenta of the ones that effects conserve themselves, in the same order, of many states of body 0
+ *  (effect_invariants.of_states): value[][stride]. Returns how many rows they are. */
+int64_t model_own_momenta(const struct model *model, const vti_bodies *states, double *value, int64_t stride);
 
 #endif

@@ -27,11 +27,13 @@ struct norms {
 
     struct states states;
     double *kept;        /* states of steps that wait (states.h), NULL where steps are taken one by one */
+    double *loads, owed; /* those that owe a kick, and over which time */
+    vti_bodies *bodies;  /* of spheres: each body in all that wait, and its loads (states_of_body) */
     const double *exact; /* the reference's at the same steps */
     int64_t held, room;  /* how many wait, and for how many there are the reference's */
     double terms[EFFECT_TERMS_OF_ALL][PANELS_BLOCK]; /* the effects' energies in them, */
+    int puts;                                        /* 1: some of them have to be taken state by state */
     int64_t terms_count;                             /* if those of bodies are taken of many steps at once, else -1, */
-    double own[MODEL_INVARIANTS][PANELS_BLOCK];      /* and the momenta that effects conserve themselves */
 };
 
 /** The energy that only steps change: with what effects have booked. */
@@ -42,6 +44,8 @@ double norms_energy(struct model *model, const vti_bodies *bodies);
 int norms_create(struct norms *norms, struct model *model, const struct trial *trial, int64_t compare_every,
                  struct reference *reference, const struct watch *watch, struct message *message);
 void norms_destroy(struct norms *norms);
+/** Whether the steps between 0 and the last have to be whole: else velocities may owe a kick (loop.h). */
+int norms_looks(const struct norms *norms);
 /** The next step, from 0 on. Returns 0, or what reference_seek returns. */
 int norms_take(struct norms *norms, int64_t step, const vti_bodies *bodies, struct message *message);
 

@@ -51,6 +51,12 @@ static void sample(struct measures *m, double t, const vti_bodies *bodies)
         row[2 + k] -= n->invariants0[k];
 }
 
+static int measure_looks(void *self, int64_t step)
+{
+    const struct measures *m = self;
+    return step == m->next_sample || norms_looks(&m->norms);
+}
+
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct measures *m = self;
@@ -103,6 +109,13 @@ static int poll_see(void *self, int64_t step, double t, const vti_bodies *bodies
     return p->poll(p->self, step);
 }
 
+static int never_looks(void *self, int64_t step)
+{
+    (void)self;
+    (void)step;
+    return 0;
+}
+
 static int poll_on_the_way(void *self, double share)
 {
     const struct poller *p = self;
@@ -118,7 +131,8 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     struct trial_run run;
     struct measures measures;
     struct poller poller = {poll, poll_self, 0};
-    const struct observer observers[] = {{measure, &measures, 1, 0, NULL}, {poll_see, &poller, POLL_EVERY, 0, NULL}};
+    const struct observer observers[] = {{measure, &measures, 1, 0, measure_looks},
+                                         {poll_see, &poller, POLL_EVERY, 0, never_looks}};
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;

@@ -34,10 +34,10 @@ struct effect *verdict_next_watch(const struct model *model, int64_t *k)
     return NULL;
 }
 
-static int start_watches(struct model *model)
+static int start_watches(struct model *model, int *watches)
 {
     int64_t k = 0;
-    for (struct effect *e; (e = verdict_next_watch(model, &k)) != NULL;)
+    for (struct effect *e; (e = verdict_next_watch(model, &k)) != NULL; *watches = 1)
         if (e->kind->watch->start(e) != 0)
             return -1;
     return 0;
@@ -60,7 +60,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     for (int64_t i = 0; model->translates && i < model->bodies.count; ++i)
         vti_sum_add(&mass, model->bodies.mass.p[i * model->bodies.mass.stride]);
     v->mass = vti_sum_value(&mass);
-    if (modified_create(&v->modified, model, stepper, h) != 0 || start_watches(model) != 0)
+    if (modified_create(&v->modified, model, stepper, h) != 0 || start_watches(model, &v->watches) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     return 0;
 }
@@ -205,7 +205,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
 void verdict_step(struct verdict *v, const vti_bodies *bodies)
 {
     int64_t k = 0;
-    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
+    for (struct effect *e; v->watches && (e = verdict_next_watch(v->model, &k)) != NULL;)
         e->kind->watch->step(e, bodies);
 }
 

@@ -89,6 +89,7 @@ struct verdict {
     const vti_stepper *stepper;
     const struct columns *columns;
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
+    int watches;              /* 1: an effect follows something at every step */
     int open[3];              /* 1: something from outside acts along this axis */
     struct modified modified;
     struct findings found;

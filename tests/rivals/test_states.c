@@ -156,6 +156,98 @@ TEST(energies_and_momenta)
         }
 }
 
+/** A kick over all states at once; loads of those that owe none are zeros. */
+TEST(kicks)
+{
+    static struct sample one[PANELS_BLOCK], loads[PANELS_BLOCK];
+    static double numbers[BODIES * WIDTH * PANELS_BLOCK], load[BODIES * 6 * PANELS_BLOCK];
+    static const double mass[BODIES] = {1.0, 0.3, 7.0}, inertia[BODIES] = {0.1, 2.0, 0.7};
+    rng g = rng_seed(15);
+    for (int kind = 1; kind < 4; ++kind) {
+        const struct states s = {BODIES, kind & 1, kind >> 1, vti_scalars_array(mass), vti_scalars_array(inertia)};
+        for (int64_t k = 0; k < PANELS_BLOCK; ++k) {
+            draw(&g, &one[k]);
+            draw(&g, &loads[k]);
+            vti_bodies b = seen(&s, &one[k], 0);
+            if (s.translates)
+                b.force = vti_view_packed(&loads[k].v[0][0]);
+            if (s.turns)
+                b.moment = vti_view_packed(&loads[k].omega[0][0]);
+            states_put(&s, &b, k, numbers);
+            states_put_loads(&s, &b, k % 5 != 0, k, load);
+            if (k % 5 != 0)
+                assert_int_equal(vti_kick(0.3, &b), VTI_OK);
+        }
+        for (int64_t i = 0; i < BODIES; ++i) {
+            const vti_bodies body = states_of_body(&s, i, numbers, load);
+            assert_int_equal(vti_kick(0.3, &body), VTI_OK);
+            for (int k = 0; k < PANELS_BLOCK; ++k)
+                for (int c = 0; c < 3; ++c) {
+                    if (s.translates)
+                        assert_same_bits(&body.v.c[c][k], &one[k].v[i][c], 1);
+                    if (s.turns)
+                        assert_same_bits(&body.omega.c[c][k], &one[k].omega[i][c], 1);
+                }
+        }
+    }
+}
+
+/** The pendulum's energy and spin about its arm, of bodies in any attitude. */
+TEST(pendulums)
+{
+    static struct sample one[PANELS_BLOCK];
+    static double numbers[BODIES * WIDTH * PANELS_BLOCK], load[BODIES * 6 * PANELS_BLOCK];
+    static const double inertia[BODIES] = {0.1, 2.0, 0.7};
+    const vti_pendulum pendulum = {1.7, {0.3, -0.2, 1.1}};
+    const struct effect effect = {.kind = &effect_pendulum, .settings = &pendulum};
+    const vti_effect made = vti_pendulum_effect(&pendulum);
+    const struct states s = {BODIES, 0, 1, {NULL, 0, 0}, vti_scalars_array(inertia)};
+    double energy[PANELS_BLOCK], spin[PANELS_BLOCK];
+    vti_bodies body[BODIES];
+    rng g = rng_seed(16);
+    for (int64_t k = 0; k < PANELS_BLOCK; ++k) {
+        draw(&g, &one[k]);
+        const vti_bodies b = seen(&s, &one[k], 0);
+        states_put(&s, &b, k, numbers);
+    }
+    for (int64_t i = 0; i < BODIES; ++i)
+        body[i] = states_of_body(&s, i, numbers, load);
+    states_sum_each(&s, &effect, body, energy);
+    effect_pendulum.invariants->of_states(&effect, body, spin, PANELS_BLOCK);
+    for (int64_t k = 0; k < PANELS_BLOCK; ++k) {
+        const vti_bodies b = seen(&s, &one[k], 0);
+        double expected, values[2];
+        made.energy(&pendulum, &b, &expected);
+        effect_pendulum.invariants->values(&effect, &b, values);
+        assert_same_bits(&energy[k], &expected, 1);
+        assert_same_bits(&spin[k], values, 1);
+    }
+}
+
+/** The farthest may stand anywhere; a NaN, there or before, stays. */
+TEST(farthest)
+{
+    double value[PANELS_BLOCK];
+    rng g = rng_seed(17);
+    for (int64_t n = 1; n <= PANELS_BLOCK; ++n)
+        for (int64_t k = 0; k < n; ++k) {
+            double most = 0.0, none = NAN, more = 20.0;
+            for (int64_t i = 0; i < PANELS_BLOCK; ++i)
+                value[i] = i < n ? uniform(&g, -1, 1) : 100.0;
+            value[k] = k % 2 == 0 ? 9.0 : -9.0;
+            states_farthest(value, 0.5, n, &most);
+            states_farthest(value, 0.5, n, &none);
+            states_farthest(value, 0.5, n, &more);
+            assert_true(most == (k % 2 == 0 ? 8.5 : 9.5) && isnan(none) && more == 20.0);
+            value[k] = INFINITY;
+            states_farthest(value, 0.5, n, &more);
+            assert_true(isinf(more));
+            value[k] = NAN;
+            states_farthest(value, 0.5, n, &most);
+            assert_true(isnan(most));
+        }
+}
+
 /** tau anywhere and at nodes, where the formula divides by 0. */
 TEST(panels)
 {
@@ -205,5 +297,5 @@ TEST(powers)
     panels_destroy(&p);
 }
 
-RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(energies_and_momenta), cmocka_unit_test(panels),
-          cmocka_unit_test(powers))
+RUN_TESTS(cmocka_unit_test(integrands), cmocka_unit_test(energies_and_momenta), cmocka_unit_test(kicks),
+          cmocka_unit_test(pendulums), cmocka_unit_test(farthest), cmocka_unit_test(panels), cmocka_unit_test(powers))
