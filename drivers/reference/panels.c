@@ -66,12 +66,44 @@ double panels_tail(const struct panels *panels, int64_t p)
     return largest;
 }
 
+/** t in panels. */
+VTI_INLINE double place_of(const struct panels *panels, double t)
+{
+    return t / panels->t_end * (double)panels->count;
+}
+
 int64_t panels_find(const struct panels *panels, double t, double *tau)
 {
-    const double place = t / panels->t_end * (double)panels->count;
+    const double place = place_of(panels, t);
     int64_t p = (int64_t)place;
     p = p < panels->count ? p : panels->count - 1;
     *tau = 2.0 * (place - (double)p) - 1.0;
+    return p;
+}
+
+VTI_INLINE void find_all_loops(const struct panels *panels, double h, double step, double p, double *restrict tau,
+                               double *restrict place)
+{
+    for (int k = 0; k < PANELS_BLOCK; ++k) {
+        place[k] = place_of(panels, (step + k) * h);
+        tau[k] = 2.0 * (place[k] - p) - 1.0;
+    }
+}
+
+static void find_all(const struct panels *panels, double h, double step, double p, double *tau, double *place);
+WIDE(find_all, (const struct panels *panels, double h, double step, double p, double *tau, double *place),
+     (panels, h, step, p, tau, place))
+
+int64_t panels_find_block(const struct panels *panels, double h, int64_t step, double tau[PANELS_BLOCK], int64_t *count)
+{
+    double place[PANELS_BLOCK];
+    const int64_t p = panels_find(panels, (double)step * h, &tau[0]);
+    const double end = p + 1 < panels->count ? (double)(p + 1) : INFINITY;
+    find_all(panels, h, (double)step, (double)p, tau, place);
+    int64_t n = PANELS_BLOCK;
+    while (n > 1 && !(place[n - 1] < end)) /* steps go on in time */
+        --n;
+    *count = n;
     return p;
 }
 

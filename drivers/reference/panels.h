@@ -5,7 +5,16 @@
 
 #include <stdint.h>
 
-enum { PANELS_NODES = 16, PANELS_BLOCK = 32 };
+enum { PANELS_NODES = 16, PANELS_BLOCK = 64 };
+
+/** Blocks begin where the widest vectors do, in memory of PANELS_SPARE doubles more: loads that cross cache lines take
+ *  twice as long. */
+enum { PANELS_SPARE = 8 };
+static inline double *panels_aligned(double *memory)
+{
+    const uintptr_t line = PANELS_SPARE * sizeof *memory, over = (uintptr_t)memory % line;
+    return over == 0 ? memory : memory + (line - over) / sizeof *memory;
+}
 
 struct panels {
     int64_t width;       /* components */
@@ -33,6 +42,10 @@ double panels_tail(const struct panels *panels, int64_t p);
 
 /** The panel that holds t, in memory or not, and t's place tau in it. */
 int64_t panels_find(const struct panels *panels, double t, double *tau);
+/** The same of t = step h, and the places in that panel of the *count steps from there on that lie in it, at most
+ *  PANELS_BLOCK; those behind are finite. */
+int64_t panels_find_block(const struct panels *panels, double h, int64_t step, double tau[PANELS_BLOCK],
+                          int64_t *count);
 /** All components at tau of panel p. */
 void panels_read(const struct panels *panels, int64_t p, double tau, double *out);
 /** All components at the first n of the tau of panel p, out[width][PANELS_BLOCK], with the bits of panels_read; what is

@@ -18,7 +18,7 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
     memset(s, 0, sizeof *s);
     s->model = model;
     s->state = calloc((size_t)equations_width(model), sizeof *s->state);
-    s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model)), sizeof *s->block);
+    s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model) + PANELS_SPARE), sizeof *s->block);
     if (s->state == NULL || s->block == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     return 0;
@@ -217,16 +217,10 @@ vti_bodies smooth_at(struct smooth *s, double t)
 
 const double *smooth_block(struct smooth *s, double h, int64_t step, int64_t *count)
 {
-    double tau[PANELS_BLOCK];
-    const int64_t p = panels_find(&s->panels, (double)step * h, &tau[0]);
-    int64_t n = 1;
-    while (n < PANELS_BLOCK && panels_find(&s->panels, (double)(step + n) * h, &tau[n]) == p)
-        ++n;
-    *count = n;
-    for (; n < PANELS_BLOCK; ++n)
-        tau[n] = tau[0];
-    panels_read_block(&s->panels, p, tau, *count, s->block);
-    return s->block;
+    double tau[PANELS_BLOCK], *const block = panels_aligned(s->block);
+    const int64_t p = panels_find_block(&s->panels, h, step, tau, count);
+    panels_read_block(&s->panels, p, tau, *count, block);
+    return block;
 }
 
 /* ---- the exact norm ---------------------------------------------------------------------------------------------- */

@@ -15,7 +15,7 @@ struct smooth {
     struct model *model;
     struct panels panels;       /* of the bodies' part of a state: those of one window */
     double *state;              /* where integration is, and where smooth_at writes */
-    double *block;              /* [a state's width][PANELS_BLOCK]: what smooth_block has read */
+    double *block;              /* [a state's width][PANELS_BLOCK] from panels_aligned on: what smooth_block has read */
     double t;                   /* of the integration */
     struct equations equations; /* that integrate */
     int64_t windows, window;    /* how many, and which one is in memory, -1 for none */

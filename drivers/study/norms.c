@@ -130,10 +130,11 @@ int norms_create(struct norms *n, struct model *model, const struct trial *trial
     if (reference->interval != 0.0)
         return 0;
     const int64_t bodies = n->states.bodies, width = states_width(&n->states), loads = states_loads(&n->states);
-    n->kept = calloc((size_t)(bodies * (width + loads) * PANELS_BLOCK), sizeof *n->kept);
+    n->memory = calloc((size_t)(bodies * (width + loads) * PANELS_BLOCK + PANELS_SPARE), sizeof *n->memory);
     n->bodies = calloc((size_t)bodies, sizeof *n->bodies);
-    if (n->kept == NULL || n->bodies == NULL)
+    if (n->memory == NULL || n->bodies == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    n->kept = panels_aligned(n->memory);
     n->loads = n->kept + bodies * width * PANELS_BLOCK;
     for (int64_t i = 0; i < bodies && n->terms_count >= 0; ++i) {
         n->bodies[i] = states_of_body(&n->states, i, n->kept, n->loads);
@@ -144,9 +145,9 @@ int norms_create(struct norms *n, struct model *model, const struct trial *trial
 
 void norms_destroy(struct norms *n)
 {
-    free(n->kept);
+    free(n->memory);
     free(n->bodies);
-    n->kept = NULL;
+    n->memory = n->kept = NULL;
     n->bodies = NULL;
 }
 

@@ -26,6 +26,7 @@ struct norms {
     double momentum_error;       /* largest deviation of a momentum; once NaN, it stays */
 
     struct states states;
+    double *memory;      /* of what is kept, and of loads */
     double *kept;        /* states of steps that wait (states.h), NULL where steps are taken one by one */
     double *loads, owed; /* those that owe a kick, and over which time */
     vti_bodies *bodies;  /* of spheres: each body in all that wait, and its loads (states_of_body) */
