@@ -52,6 +52,13 @@ static int start(struct effect *e)
     return b->pair != NULL ? 0 : -1;
 }
 
+static void end(struct effect *e)
+{
+    struct bond_turns *b = turns_of(e);
+    free(b->pair);
+    b->pair = NULL;
+}
+
 /** r = (v, w) of p q^-1, q of any length. */
 static void quotient(const double p[4], const double q[4], double r[4])
 {
@@ -69,8 +76,8 @@ static void relative(const struct bond_turns *b, const vti_bodies *bodies, int64
     double q[2][4], turned[4];
     for (int c = 0; c < 2; ++c) {
         const vti_view *a = &bodies->alpha;
-        const int64_t end = bonds_of(b)->pair[2 * k + c] - bonds_of(b)->base;
-        const int64_t at = (b->binder->body != NULL ? b->binder->body[end] : end) * a->stride;
+        const int64_t joined = bonds_of(b)->pair[2 * k + c] - bonds_of(b)->base;
+        const int64_t at = (b->binder->body != NULL ? b->binder->body[joined] : joined) * a->stride;
         const double alpha[3] = {a->c[0][at], a->c[1][at], a->c[2][at]};
         vti_rrv_to_pair(alpha, q[c]);
     }
@@ -178,9 +185,9 @@ static int64_t follow_part(void *self, int64_t part)
     const struct following *f = self;
     const vti_bonds bonds = *bonds_of(f->turns);
     const vti_view alpha = f->bodies->alpha;
-    const int64_t end = threads_begin(bonds.count, part + 1, f->parts);
+    const int64_t last = threads_begin(bonds.count, part + 1, f->parts);
     int64_t turned = 0;
-    for (int64_t k = threads_begin(bonds.count, part, f->parts); k < end; ++k) {
+    for (int64_t k = threads_begin(bonds.count, part, f->parts); k < last; ++k) {
         double *pair = pair_of(f->turns, k);
         if (bonds.turn != NULL || !is_near(&bonds, &alpha, k))
             turned += follow(f->turns, f->bodies, k);
@@ -217,16 +224,14 @@ static int64_t size(const struct effect *e)
     return b->pair != NULL ? 4 + kept(b) : 0;
 }
 
-static void get(const struct effect *e, double *state)
+static void give(const struct effect *e, struct sink *sink)
 {
     const struct bond_turns *b = turns_of(e);
+    const double numbers[] = {b->watching, b->every, b->left, b->turned};
     if (b->pair == NULL)
         return;
-    state[0] = b->watching;
-    state[1] = b->every;
-    state[2] = b->left;
-    state[3] = b->turned;
-    memcpy(state + 4, b->pair, sizeof *b->pair * (size_t)kept(b));
+    sink->add(sink, numbers, sizeof numbers / sizeof *numbers);
+    sink->add(sink, b->pair, kept(b));
 }
 
 static void put(struct effect *e, const double *state)
@@ -241,4 +246,4 @@ static void put(struct effect *e, const double *state)
     memcpy(b->pair, state + 4, sizeof *b->pair * (size_t)kept(b));
 }
 
-const struct effect_watch binder_watch = {start, row, step, turned, size, get, put};
+const struct effect_watch binder_watch = {start, end, row, step, turned, size, give, put};

@@ -10,6 +10,7 @@
 
 #include "kinds.h"
 #include "scene_field.h"
+#include "sink.h"
 
 struct scene;
 struct scene_reader;
@@ -127,6 +128,8 @@ struct effect_memory_of {
 struct effect_watch {
     /** At t = 0, or before put. Returns 0, or -1 if there is no memory. */
     int (*start)(struct effect *e);
+    /** Frees what it follows with; nothing is asked after it but start. */
+    void (*end)(struct effect *e);
     /** At every row of the run, with the energy of the motion and of the springs, and a step that none is longer than. */
     void (*row)(struct effect *e, const vti_bodies *bodies, double energy, double h);
     /** At every step, whose velocities may not be known yet. */
@@ -135,7 +138,7 @@ struct effect_watch {
     int64_t (*turned)(const struct effect *e);
     /** What must be kept: how many doubles, and the doubles. */
     int64_t (*size)(const struct effect *e);
-    void (*get)(const struct effect *e, double *state);
+    void (*give)(const struct effect *e, struct sink *sink);
     void (*put)(struct effect *e, const double *state);
 };
 

@@ -164,23 +164,29 @@ static void verdict_write(const struct judgement *judgement, struct hdf5_sink *f
                        (const char *)judgement + verdict_numbers[k].offset);
 }
 
+/** A piece of /restart/checkpoint. */
+static int put_piece(void *self, size_t at, size_t all, const void *piece, size_t size)
+{
+    struct hdf5_sink *group = self;
+    const hsize_t count = (hsize_t)all;
+    if (at == 0)
+        hdf5_dataset(group, "checkpoint", H5T_NATIVE_UINT8, 1, &count, NULL);
+    if (!group->failed)
+        hdf5_rows(group, "checkpoint", H5T_NATIVE_UINT8, (hsize_t)at, (hsize_t)size, piece);
+    return 0;
+}
+
 /** /restart: what a complete run is and the checkpoint at its end, from which it goes on (run/run.h). */
 static int restart_write(const struct record *record, struct hdf5_sink *file, struct message *message)
 {
-    size_t size;
     const hsize_t length = (hsize_t)strlen(record->identity);
     if (!record->complete || !record->journal->keep.holds)
         return 0;
-    unsigned char *bytes = checkpoint_read(record->journal, &size, message);
-    const hsize_t count = (hsize_t)size;
-    if (bytes == NULL)
-        return -1;
     struct hdf5_sink group = hdf5_group(file, "restart");
     hdf5_dataset(&group, "identity", H5T_NATIVE_UINT8, 1, &length, record->identity);
-    hdf5_dataset(&group, "checkpoint", H5T_NATIVE_UINT8, 1, &count, bytes);
+    const int failed = checkpoint_pieces(record->journal, put_piece, &group, message);
     hdf5_close(file, &group);
-    free(bytes);
-    return file->failed ? -1 : 0;
+    return failed != 0 || file->failed ? -1 : 0;
 }
 
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)

@@ -122,28 +122,42 @@ struct writer {
     double *derived, *times;
     double *loads; /* forces, then moments */
     struct message *message;
-    double *lines; /* the quantities of one group for all cells, zeros but for its lines; NULL without lines */
+    double *lines; /* the quantities of one group for its lines; NULL without lines */
 };
+
+/** So many zeros, from a row on. */
+static void put_zeros(struct hdf5_sink *cells, const char *name, int64_t first, int64_t count)
+{
+    enum { SOME = 4096 };
+    static const double zeros[SOME];
+    for (int64_t n; count > 0; first += n, count -= n) {
+        n = count < SOME ? count : SOME;
+        hdf5_rows(cells, name, H5T_NATIVE_DOUBLE, (hsize_t)first, (hsize_t)n, zeros);
+    }
+}
 
 static void take_group(struct writer *w, const struct shape_group *group, int64_t k, const double *frame)
 {
     const struct effect_lines *lines = group->effect->kind->lines;
     const vti_bodies bodies = frame_bodies(&w->record->frames, frame);
-    const int64_t count = cells_of(w->record);
+    const int64_t count = cells_of(w->record), first = k * count, own = first + w->record->frames.n + group->first;
     const int quantities = shape_quantities(group->effect);
     double *value[EFFECT_QUANTITIES];
-    memset(w->lines, 0, sizeof *w->lines * (size_t)(quantities * count));
+    memset(w->lines, 0, sizeof *w->lines * (size_t)(quantities * group->count));
     for (int q = 0; q < quantities; ++q)
-        value[q] = w->lines + q * count + w->record->frames.n + group->first;
+        value[q] = w->lines + q * group->count;
     const struct model *const model = w->record->model;
     const int on_spheres = shape_on_spheres(model, group->effect);
     if (on_spheres) /* which nothing else needs any more, now that the run is over */
         w->cells->failed |= vti_clumps_spread(&model->clumps.list, &bodies) != VTI_OK;
     w->cells->failed |=
         lines->values(group->effect, on_spheres ? model_spheres(model) : &bodies, (int64_t)frame[0], value) != VTI_OK;
-    for (int q = 0; q < quantities; ++q)
-        hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)k * (hsize_t)count, (hsize_t)count,
-                  w->lines + q * count);
+    for (int q = 0; q < quantities; ++q) {
+        put_zeros(w->cells, lines->quantity[q], first, own - first);
+        if (group->count > 0)
+            hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)own, (hsize_t)group->count, value[q]);
+        put_zeros(w->cells, lines->quantity[q], own + group->count, first + count - own - group->count);
+    }
 }
 
 static void take_lines(struct writer *w, int64_t k, const double *frame)
@@ -236,7 +250,8 @@ int vtkhdf_write(const struct record *record, struct hdf5_sink *file, struct mes
                        calloc((size_t)(frames + 1), sizeof(double)),
                        malloc(sizeof(double) * (size_t)(6 * n + 1)),
                        message,
-                       has_lines ? calloc((size_t)(EFFECT_QUANTITIES * cells_of(record)), sizeof(double)) : NULL};
+                       has_lines ? calloc((size_t)(EFFECT_QUANTITIES * shape_lines(record->model)), sizeof(double))
+                                 : NULL};
     root.failed |= w.derived == NULL || w.times == NULL || w.loads == NULL || (has_lines && w.lines == NULL);
     all_cells(&root, record);
     empty_data(&root, &data, record);

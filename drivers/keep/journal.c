@@ -125,58 +125,140 @@ void journal_end(struct journal *journal, int removes)
 
 /* ---- checkpoints: this, the state, and the digest of both -------------------------------------------------------- */
 
+/** Bytes of all of it. */
+static size_t whole_size(const struct checkpoint *checkpoint)
+{
+    return sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles + sizeof(uint64_t);
+}
+
+/** Bytes that go to the journal in pieces of BYTES, and their digest. */
+struct pieces {
+    struct sink sink; /* the first member: a sink is seen as this */
+    struct journal *journal;
+    unsigned char *piece;
+    int64_t number; /* of the piece that is being filled, */
+    size_t filled;  /* so far */
+    uint64_t digest;
+    int failed;
+    struct message *message;
+};
+
+static void put_rest(struct pieces *p)
+{
+    if (p->failed == 0 && p->filled > 0)
+        p->failed = keep_put(&p->journal->keep, KEEP_CHECKPOINT, p->number++, p->piece, p->filled, p->message);
+    p->filled = 0;
+}
+
+static void put_bytes(struct pieces *p, const void *data, size_t size)
+{
+    const unsigned char *bytes = data;
+    p->digest = digest_add(p->digest, data, size);
+    while (size > 0) {
+        const size_t room = BYTES - p->filled, n = size < room ? size : room;
+        memcpy(p->piece + p->filled, bytes, n);
+        p->filled += n;
+        bytes += n;
+        size -= n;
+        if (p->filled == BYTES)
+            put_rest(p);
+    }
+}
+
+static void put_numbers(struct sink *sink, const double *numbers, int64_t count)
+{
+    put_bytes((struct pieces *)sink, numbers, sizeof *numbers * (size_t)count);
+}
+
+/** All of a checkpoint; memory is what the model remembers. */
+static void put_checkpoint(struct pieces *p, const struct checkpoint *checkpoint, const vti_bodies *bodies,
+                           const struct verdict *verdict, const double *more, int64_t more_count, const double *memory)
+{
+    put_bytes(p, checkpoint, sizeof *checkpoint);
+    state_give(bodies, &p->sink);
+    verdict_give(verdict, &p->sink);
+    put_numbers(&p->sink, more, more_count);
+    put_numbers(&p->sink, memory, model_memory_size(verdict->model));
+    const uint64_t digest = p->digest;
+    put_bytes(p, &digest, sizeof digest);
+    put_rest(p);
+}
+
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      const struct verdict *verdict, const double *more, int64_t more_count, struct message *message)
 {
+    const int64_t remembered = model_memory_size(verdict->model);
+    double *memory = malloc(sizeof *memory * (size_t)(remembered + 1));
+    struct pieces p = {{put_numbers}, journal, malloc(BYTES), 0, 0, DIGEST_START, 0, message};
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
-    const int64_t fixed = state_size(bodies) + verdict_size(verdict) + more_count;
-    checkpoint->state_doubles = fixed + model_memory_size(verdict->model);
-    const size_t size = sizeof *checkpoint + sizeof(double) * (size_t)checkpoint->state_doubles,
-                 whole = size + sizeof(uint64_t);
-    unsigned char *bytes = malloc(whole);
-    if (bytes == NULL)
-        return message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
-    double *state = (double *)(void *)(bytes + sizeof *checkpoint);
-    memcpy(bytes, checkpoint, sizeof *checkpoint);
-    state_get(bodies, state);
-    verdict_get(verdict, state + state_size(bodies));
-    if (more_count > 0)
-        memcpy(state + state_size(bodies) + verdict_size(verdict), more, sizeof *more * (size_t)more_count);
-    model_memory_get(verdict->model, state + fixed);
-    const uint64_t digest = digest_add(DIGEST_START, bytes, size);
-    memcpy(bytes + size, &digest, sizeof digest);
-    int failed = journal_flush(journal, message);
-    for (size_t at = 0; failed == 0 && at < whole; at += BYTES)
-        failed = keep_put(&journal->keep, KEEP_CHECKPOINT, (int64_t)(at / BYTES), bytes + at,
-                          whole - at < BYTES ? whole - at : BYTES, message);
-    free(bytes);
-    return failed != 0 ? -1 : keep_commit(&journal->keep, message);
+    checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count + remembered;
+    if (memory == NULL || p.piece == NULL)
+        p.failed = message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
+    else
+        p.failed = journal_flush(journal, message);
+    if (p.failed == 0) {
+        model_memory_get(verdict->model, memory);
+        put_checkpoint(&p, checkpoint, bodies, verdict, more, more_count, memory);
+    }
+    free(memory);
+    free(p.piece);
+    return p.failed != 0 ? -1 : keep_commit(&journal->keep, message);
+}
+
+int checkpoint_pieces(struct journal *journal,
+                      int (*take)(void *self, size_t at, size_t all, const void *piece, size_t size), void *self,
+                      struct message *message)
+{
+    size_t all = 0, at = 0, size;
+    const void *piece;
+    for (int64_t k = 0; k == 0 || at < all; ++k, at += size) {
+        const int found = keep_get(&journal->keep, KEEP_CHECKPOINT, k, &piece, &size, message);
+        if (found < 0)
+            return -1;
+        struct checkpoint checkpoint;
+        if (found == 0 || (k == 0 && size < sizeof checkpoint))
+            return keep_damaged(&journal->keep, "is damaged: it has no checkpoint", message);
+        if (k == 0) {
+            memcpy(&checkpoint, piece, sizeof checkpoint);
+            all = whole_size(&checkpoint);
+        }
+        if (size == 0 || size > all - at)
+            return keep_damaged(&journal->keep, "is damaged: its checkpoint is of another size", message);
+        if (take(self, at, all, piece, size) != 0)
+            return message->text[0] != '\0'
+                       ? -1
+                       : message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
+    }
+    return 0;
+}
+
+struct bytes {
+    unsigned char *p;
+    size_t size;
+};
+
+static int take_piece(void *self, size_t at, size_t all, const void *piece, size_t size)
+{
+    struct bytes *bytes = self;
+    bytes->p = at == 0 ? malloc(all) : bytes->p;
+    bytes->size = all;
+    if (bytes->p == NULL)
+        return -1;
+    memcpy(bytes->p + at, piece, size);
+    return 0;
 }
 
 unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message)
 {
-    unsigned char *bytes = NULL;
-    const void *piece;
-    size_t more;
-    *size = 0;
-    for (int64_t k = 0;; ++k) {
-        const int found = keep_get(&journal->keep, KEEP_CHECKPOINT, k, &piece, &more, message);
-        unsigned char *longer = found > 0 ? realloc(bytes, *size + more) : NULL;
-        if (found == 0 && bytes != NULL)
-            return bytes;
-        if (found == 0)
-            keep_damaged(&journal->keep, "is damaged: it has no checkpoint", message);
-        else if (found > 0 && longer == NULL)
-            message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
-        if (longer == NULL) {
-            free(bytes);
-            return NULL;
-        }
-        bytes = longer;
-        memcpy(bytes + *size, piece, more);
-        *size += more;
+    struct bytes bytes = {NULL, 0};
+    message->text[0] = '\0';
+    if (checkpoint_pieces(journal, take_piece, &bytes, message) != 0) {
+        free(bytes.p);
+        return NULL;
     }
+    *size = bytes.size;
+    return bytes.p;
 }
 
 int checkpoint_take(const unsigned char *bytes, size_t size, struct checkpoint *checkpoint, const vti_bodies *bodies,

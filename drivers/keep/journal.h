@@ -61,7 +61,12 @@ int journal_read(struct journal *journal, struct journal_file *file, int64_t fir
 int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, const vti_bodies *bodies,
                      const struct verdict *verdict, const double *more, int64_t more_count, struct message *message);
 
-/** The bytes of the checkpoint in the journal, from malloc; NULL with one line in *message. */
+/** The bytes of the checkpoint in the journal, piece by piece: size of all bytes, from byte at on. take returns 0, or
+ *  non-zero if there is no memory. Returns 0, or -1 with one line in *message, which is to be empty before. */
+int checkpoint_pieces(struct journal *journal,
+                      int (*take)(void *self, size_t at, size_t all, const void *piece, size_t size), void *self,
+                      struct message *message);
+/** All of them, from malloc; NULL with one line in *message. */
 unsigned char *checkpoint_read(struct journal *journal, size_t *size, struct message *message);
 
 /** Takes a checkpoint from its bytes, which malloc has aligned, for these bodies and their verdict, which get its

@@ -256,9 +256,6 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     frame_layout_of(run->shown, &run->record.frames);
     run->record.frames.number = run->renumbering.number;
     run->record.frames.booking = &run->model;
-    run->frame = malloc(sizeof *run->frame * (size_t)run->record.frames.doubles);
-    if (run->frame == NULL)
-        return message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);
     if (open_files(run, message) != 0 || open_checkpoint(run, message) != 0)
         return -1;
     run->kept = run->journal.keep.holds;
@@ -269,8 +266,6 @@ void run_close(struct run *run)
 {
     journal_end(&run->journal, !run->kept);
     free(run->record.identity);
-    free(run->frame);
-    run->frame = NULL;
     verdict_destroy(&run->verdict);
     travel_destroy(&run->travel);
     model_destroy(&run->model);

@@ -58,10 +58,9 @@ struct run {
     struct verdict verdict;
     int64_t from, steps, threads;
     struct travel travel;
-    int done;      /* it was complete before: there is nothing to do */
-    int restored;  /* it goes on from the files of a complete run */
-    int kept;      /* the journal is to stay */
-    double *frame; /* one */
+    int done;     /* it was complete before: there is nothing to do */
+    int restored; /* it goes on from the files of a complete run */
+    int kept;     /* the journal is to stay */
 
     /* while it goes */
     enum run_end end;

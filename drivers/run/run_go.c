@@ -3,6 +3,7 @@
 #include "run.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "number.h"
 #include "signals.h"
@@ -120,8 +121,15 @@ static int see_frame(void *self, int64_t step, double t, const vti_bodies *bodie
     struct message ignored = {""};
     if (state_watch(bodies, INFINITY, &ignored) != 0)
         return broken(run, step, t, bodies, NULL);
-    frame_take(&run->record.frames, step, t, bodies, run->frame);
-    return journal_add(&run->journal, &run->journal.frames, run->frame, run->message) != 0 ? stop(run, RUN_FAILED) : 0;
+    double *frame = malloc(sizeof *frame * (size_t)run->record.frames.doubles); /* not beside a checkpoint's state */
+    if (frame == NULL) {
+        message_set(run->message, "%s: out of memory; use fewer bodies", run->scene.name);
+        return stop(run, RUN_FAILED);
+    }
+    frame_take(&run->record.frames, step, t, bodies, frame);
+    const int failed = journal_add(&run->journal, &run->journal.frames, frame, run->message);
+    free(frame);
+    return failed != 0 ? stop(run, RUN_FAILED) : 0;
 }
 
 /** What bonds turn by, verdict_step, is seen by the attitudes. */
@@ -163,6 +171,7 @@ static enum run_end write_files(struct run *run)
     struct message problem;
     run->record.complete = run->end == RUN_COMPLETE;
     run->record.judgement = verdict_judge(&run->verdict, run->end == RUN_BROKEN, &run->judgement);
+    verdict_destroy(&run->verdict); /* its bodies' memory serves the files */
     if (journal_flush(&run->journal, run->message) != 0)
         return RUN_FAILED;
     if (record_rows(&run->record, measure_drift, run, &problem) == 0 &&

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { VIEWS = 10 };
 
@@ -32,14 +33,37 @@ int64_t state_size(const vti_bodies *bodies)
     return size;
 }
 
-void state_get(const vti_bodies *bodies, double *state)
+void state_give(const vti_bodies *bodies, struct sink *sink)
 {
+    enum { SOME = 256 }; /* bodies */
     const vti_view *view[VIEWS];
+    double numbers[3 * SOME];
     views_of(bodies, view);
     for (int q = 0; q < VIEWS; ++q)
-        for (int64_t i = 0; view[q] != NULL && i < bodies->count; ++i)
-            for (int k = 0; k < 3; ++k)
-                *state++ = view[q]->c[k][i * view[q]->stride];
+        for (int64_t i = 0, n; view[q] != NULL && i < bodies->count; i += n) {
+            n = bodies->count - i < SOME ? bodies->count - i : SOME;
+            for (int64_t j = 0; j < 3 * n; ++j)
+                numbers[j] = view[q]->c[j % 3][(i + j / 3) * view[q]->stride];
+            sink->add(sink, numbers, 3 * n);
+        }
+}
+
+struct memory_sink {
+    struct sink sink;
+    double *next;
+};
+
+static void add_to_memory(struct sink *sink, const double *numbers, int64_t count)
+{
+    struct memory_sink *memory = (struct memory_sink *)sink;
+    memcpy(memory->next, numbers, (size_t)count * sizeof *numbers);
+    memory->next += count;
+}
+
+void state_get(const vti_bodies *bodies, double *state)
+{
+    struct memory_sink memory = {{add_to_memory}, state};
+    state_give(bodies, &memory.sink);
 }
 
 void state_put(const double *state, const vti_bodies *bodies)

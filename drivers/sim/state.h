@@ -5,12 +5,15 @@
 #define VTI_STATE_H
 
 #include "message.h"
+#include "sink.h"
 #include "vti.h"
 
 /** How many doubles the state of the bodies is: positions, velocities, attitudes, angular velocities and
  *  momenta and the residuals, of those that are present. Forces are not in it: they follow from positions. */
 int64_t state_size(const vti_bodies *bodies);
 void state_get(const vti_bodies *bodies, double *state);
+/** The same, some at a time. */
+void state_give(const vti_bodies *bodies, struct sink *sink);
 void state_put(const double *state, const vti_bodies *bodies);
 
 /** Looks for a number that is not finite, or larger than most. Returns 0 if there is none; else -1 with "body 7 has

@@ -67,6 +67,9 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
 
 void verdict_destroy(struct verdict *v)
 {
+    int64_t k = 0;
+    for (struct effect *e; v->model != NULL && (e = verdict_next_watch(v->model, &k)) != NULL;)
+        e->kind->watch->end(e);
     modified_destroy(&v->modified);
 }
 
@@ -224,17 +227,14 @@ int64_t verdict_size(const struct verdict *v)
     return size;
 }
 
-void verdict_get(const struct verdict *v, double *state)
+void verdict_give(const struct verdict *v, struct sink *sink)
 {
     int64_t k = 0;
-    memcpy(state, &v->found, sizeof v->found);
-    state += FINDINGS;
-    if (v->model->errors != NULL) {
-        memcpy(state, &v->model->errors->found, sizeof v->model->errors->found);
-        state += ERRORS;
-    }
-    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL; state += e->kind->watch->size(e))
-        e->kind->watch->get(e, state);
+    sink->add(sink, (const double *)&v->found, FINDINGS);
+    if (v->model->errors != NULL)
+        sink->add(sink, (const double *)&v->model->errors->found, ERRORS);
+    for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
+        e->kind->watch->give(e, sink);
 }
 
 void verdict_put(struct verdict *v, const double *state)

@@ -98,6 +98,7 @@ struct verdict {
 /** All must outlive it; columns are those of the model and the stepper. Returns 0, or -1 with one line in *message. */
 int verdict_create(struct verdict *v, struct model *model, const vti_stepper *stepper, double h,
                    const struct columns *columns, struct message *message);
+/** Before the model ends; harmless a second time. */
 void verdict_destroy(struct verdict *v);
 
 /** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift,
@@ -116,7 +117,7 @@ int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct m
 
 /** What a run must keep to end with the same verdict after it was interrupted. */
 int64_t verdict_size(const struct verdict *v);
-void verdict_get(const struct verdict *v, double *state);
+void verdict_give(const struct verdict *v, struct sink *sink);
 void verdict_put(struct verdict *v, const double *state);
 
 /* ---- angles of a step -------------------------------------------------------------------------------------------- */

@@ -240,6 +240,9 @@ def continued(base):
         file.write("x,y,z,vx,vy,vz,mass\n0,0,0,1,0,0,1\n3,0,0,0,0,0,2\n")
     with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
         file.write("bodies: {table: bodies.csv, diameter: 1}\ncontact: {stiffness: 100}\nh: 1/256\nt_end: 1\n")
+    with open(f"{base}/lattice.yaml", "w", encoding="ascii") as file:  # its checkpoint fills more than one piece of the journal
+        file.write("bodies: {lattice: {counts: [16, 16, 16], spacing: 1}, mass: 1, inertia: 0.1, omega: [0.1, 0.2, 0.3]}\n"
+                   "binder: {moment: 10, axial: 200, shear: {stiffness: 200}}\nh: 1/128\nt_end: 1\n")
     even = ["--h", "1e-3"]  # rows and frames every 0.005 and 0.05 for any of these ends
     cases = [("torus", "vti2", ["--record", "7", "--frames", "32"], ("0.1", "0.25", "0.4")),
              ("pendulum", "vti3-leapfrog", even, ("4", "4.5", "5")), ("pendulum", "srkn6", [], ("1/4", "1", "2")),
@@ -247,7 +250,8 @@ def continued(base):
              # steps by a tolerance: the first end is no multiple of rows and frames, and cuts a step that none of one run is
              ("torus", "srkn11", ["--record", "64", "--frames", "64", "--tolerance", "1e-6", "--errors", "--h", "1/256"], ("62/256", "1/4", "0.6")),
              ("pendulum", "srkn6", ["--record", "16", "--frames", "32", "--control", "integrating", "--h", "1/4"], ("47/4", "16", "20")),
-             ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2"))]
+             ("spin", "vti1", [*even, "--no-dump"], ("4", "5")), (f"{base}/table", "exact", [], ("1/3", "2")),
+             (f"{base}/lattice", "vti2", ["--record", "1", "--frames", "2"], ("2/128", "6/128"))]
     for number, (name, stepper, options, ends) in enumerate(cases):
         arguments = [name + ".yaml" if name.startswith(base) else scene(name), "--stepper", stepper, *options]
         stem = f"{base}/{number}/out"

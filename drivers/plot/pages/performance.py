@@ -24,7 +24,7 @@ TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (S
         "three moments: vti2 next": "step, `vti2 next`"}
 STUDY_STEP = ["stepper", "step_ns", "study_ns", "ratio", "least", "most"]
 MEMORY = ["threads", "body_bytes", "bond_bytes"]
-STATE, BOND = 8 * 18, 8 * 6     # bytes of a body: six vectors; of a bond: two indices, n0 and L0
+STATE, BOND = 8 * 12, 8 * 6 + 16 # bytes of a body: four vectors; of a bond: two indices, n0, L0, and a third of two vectors
 SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
@@ -186,8 +186,9 @@ def holdings_part(page, folder):
     page.text("The library takes none beyond the caller's arrays. `vti-run` is such a caller. Bytes that it holds at most, what "
               "it takes to write its files included: differences of whole processes between lattices of 64000 and of 262144 "
               "spheres, and between those with bonds (moment, axial, shear) and those without. In brackets: beyond the arrays that "
-              f"the library reads, which are {STATE} bytes of a body (six vectors; mass and inertia are one for all) and {BOND} of "
-              "a bond (two indices, direction and length at rest).")
+              f"the library reads, which are {STATE} bytes of a body (four vectors, as nothing loads the spheres without bonds; mass and inertia "
+              f"are one for all) and {BOND} of a bond (two indices, direction and length at rest, and force and moment of a third "
+              "of a body).")
     page.table(["threads", "of a body", "of a bond"],
                [[row["threads"], beyond(row["body_bytes"], STATE), beyond(row["bond_bytes"], BOND)]
                 for row in read_rows(folder, "memory", MEMORY)])
