@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "plain.h"
 
@@ -118,7 +119,9 @@ int number_read(const char *text, double *value)
 /** Writes so many digits. Returns whether they are read as value. */
 static int write_digits(int digits, double value, char text[NUMBER_TEXT])
 {
-    snprintf(text, NUMBER_TEXT, "%.*g", digits, value);
+    char written[NUMBER_TEXT] = "";
+    snprintf(written, sizeof written, "%.*g", digits, value);
+    memcpy(text, written, sizeof written);
     return strtod(text, NULL) == value || !isfinite(value);
 }
 

@@ -66,6 +66,23 @@ def paths():
                 shutil.rmtree(made)
 
 
+def modules():
+    """Programs that use a module are compiled anew when it has changed, and only then."""
+    with tempfile.TemporaryDirectory() as scratch:
+        root = tree(pathlib.Path(scratch).resolve())
+        times = {"build/examples/a.p/a.f90.o": 1, "fortran/vti.f90": 2, "build/tests/conformance/b.p/b.f90.o": 3,
+                 "examples/a.f90": 1, "tests/conformance/b.f90": 1, "build/examples/c.p/c.c.o": 1}
+        for name, time in times.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).touch()
+            os.utime(root / name, (time, time))
+        result = subprocess.run(["./dev", "build"], cwd=root, text=True, check=False, timeout=60,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        gone = [name for name in times if not (root / name).exists()]
+        if not check(result.returncode == 0 and gone == ["build/examples/a.p/a.f90.o"], f"older than a module: {gone}"):
+            print(result.stdout)
+
+
 def shell(script, path=None):
     """What .ci/need.sh does in a shell of its own, with commands of that path only."""
     return subprocess.run(["/bin/sh", "-euc", f". .ci/need.sh\n{script}"], cwd=project, text=True, check=False, timeout=60,
@@ -107,6 +124,7 @@ def conda():
 
 
 paths()
+modules()
 needs()
 conda()
 conclude()

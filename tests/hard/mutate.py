@@ -4,13 +4,14 @@
 
     mutate.py [--list] [NUMBER...]      all faults, or those of the numbers
 
-Copies the tree to a scratch folder, builds the core and its tests there once (the drivers too where a fault of theirs is
-chosen), and then, for each fault: puts it in, builds, runs suite by suite until a test fails, or the tests that the fault
-names, and takes it out. The stored digest, which any change would break, is left out. Says
+Copies the tree to a scratch folder, sets the core and its tests up there once (the drivers too where a fault names its tests),
+and then, for each fault: puts it in, builds what the tests need, runs suite by suite until a test fails, or the tests that the
+fault names (a name of several words in quotes), and takes it out. The stored digest, which any change would break, is left out. Says
 which fault was caught by which test. Exits with 1 if one was not, or if a fault's text does not occur exactly once."""
 import argparse
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -26,7 +27,7 @@ def read_faults():
         for line in file:
             if line.strip() and not line.startswith("#"):
                 path, old, new, *tests = (part.strip().replace("\\|", "|") for part in line.rstrip("\n").split(" | ", 3))
-                faults.append((path, old, new, tests[0].split() if tests else None))
+                faults.append((path, old, new, shlex.split(tests[0]) if tests else None))
     return faults
 
 
@@ -45,12 +46,13 @@ def copy_tree(folder):
 
 def caught_by(build, tests):
     """The first test that fails, or what stopped the build, or None. tests: those to run, or None for the core's suites."""
-    made = run("ninja", "-C", build)
-    if made.returncode != 0:
-        return "the compiler"
     suites = [["--no-suite", "slow", "--no-suite", "bits", "--suite", suite] for suite in SUITES]
     for chosen in suites if tests is None else [[test] for test in tests]:
-        tested = run("meson", "test", "-C", build, "--no-rebuild", "--maxfail", "1", "--timeout-multiplier", "4", *chosen)
+        tested = run("meson", "test", "-C", build, "--maxfail", "1", "--timeout-multiplier", "4", *chosen)
+        if tested.returncode == 125:
+            return "the compiler"
+        if "No suitable tests" in tested.stdout:
+            sys.exit(f"there is no test {chosen[-1]}")
         if tested.returncode != 0:
             found = re.search(r"\d+/\d+ (?:\S+:)?(\S+(?: \S+)*)\s+(?:FAIL|TIMEOUT|ERROR)", tested.stdout)
             return found[1].strip() if found else chosen[-1]
