@@ -164,6 +164,16 @@ def known_to_its_share():
         check(0 <= known <= 1.2 * 0.03 * error, f"{name}: asked for {error:g}, the solution is known to {known:g}")
 
 
+def far_below():
+    """Where forces have kinks an error far below the one asked for may be the solution's own, known to less than its last halving
+    tells: the true one lies in the interval all the same."""
+    done = run(advise, "--json", *LONG, "--error", "0.01", "--steppers", "an10", "--t-end", "0.75", scene("block"))
+    advice = json.loads(done.stdout)
+    found, (least, most) = float(follow("block", 0.75, "an10", advice["h"])["attitude_error"]), advice["interval"]
+    check(advice["predicted_error"] < 1e-3 * 0.01 and least <= found <= most,
+          f"block, far below 0.01: {found:.3g} lies between {least:.3g} and {most:.3g}")
+
+
 def rivals():
     """They are measured if they are named, and never advised."""
     done = run(advise, "--json", "--error", "1e-3", "--steppers", "rk4,vti2,lammps-richardson", scene("pendulum"))
@@ -292,6 +302,7 @@ words()
 h_max_omega()
 h_max_omega_of_the_solution()
 known_to_its_share()
+far_below()
 rivals()
 always()
 budget_is_hard()
