@@ -20,6 +20,18 @@ static inline int fit_steps(int coarsest, int k)
     return (int)lround(coarsest * pow(2, 0.5 * k));
 }
 
+/** Quarter octaves, for orders of which half octaves leave no room above rounding. */
+static inline int fit_short_steps(int coarsest, int k)
+{
+    return (int)lround(coarsest * pow(2, 0.25 * k));
+}
+
+/** For methods that remember K accelerations: above 9 steps that are stable leave few digits to fit. */
+static inline double fit_slack(int K)
+{
+    return K < 9 ? 0.4 : 0.7;
+}
+
 /** The slope of log(e) over log(1/n) is the order, less what the next power of h adds to it on so coarse a ladder: that
  *  is seen as scatter about the line, whose 95 % interval is to hold the order within it or next to it by `slack`, and
  *  to be narrow itself. */

@@ -4,6 +4,7 @@
  * Prince-Dormand 8(9), whose forces are the library's at quaternions that GSL integrates. */
 #include "chain.h"
 #include "fit.h"
+#include "march.h"
 
 enum { NUMBERS = 13 }; /* of a body: x, v, q, Omega */
 
@@ -109,4 +110,51 @@ TEST(every_stepper_shows_its_order)
                       table[m].coarsest);
 }
 
-RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order))
+enum { STARTS = 8 };
+
+/** The square of all errors after n steps of AN(K, c) with the weight u. */
+static double march_error(const vti_multistep *method, chain c, const chain *exact, int n)
+{
+    double memory[LINKS][MARCH_DEPTH][6], e[4];
+    vti_past past = {memory[0][0], method->depth, 0};
+    const vti_bodies b = chain_bodies(&c);
+    chain_load(&c, &b);
+    march_start(method, t_end / n, &past, &b, chain_load, &c);
+    march_on(method, t_end / n, n + 1 - method->depth, &past, &b, chain_load, &c);
+    chain_difference(&c, exact, e);
+    return e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3];
+}
+
+/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0; mean squares over several chains, as in
+ *  test_order.c. */
+TEST(multistep_methods_show_theirs)
+{
+    static const struct {
+        double c, u;
+        int depth, coarsest;
+    } rows[] = {{0.75, 0, 1, 80},        {0.75, 0, 2, 80},  {0.75, 0, 3, 160},   {0.75, 0, 4, 90},  {0.75, 0, 5, 100},
+                {0.75, 0, 6, 60},        {0.75, 0, 7, 70},  {-0.75, 0, 8, 64},   {-0.75, 0, 9, 64}, {-0.75, 0, 10, 61},
+                {0.345, -0.165, 10, 80}, {-0.5, 0, 10, 62}, {0.75, -0.1, 6, 60}, {0, 0, 5, 60}};
+    chain start[STARTS], exact[STARTS];
+    for (int i = 0; i < STARTS; ++i) {
+        chain_make(&start[i], 3, (uint64_t)(411 + i), CHAIN_QUAT);
+        exact[i] = reference(&start[i]);
+    }
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; ++r) {
+        const vti_multistep method = {"own", rows[r].depth, rows[r].c, rows[r].u, 0.0, ""};
+        int n[RUNGS];
+        double e[RUNGS];
+        char what[64];
+        for (int k = 0; k < RUNGS; ++k) {
+            double sum = 0;
+            n[k] = fit_short_steps(rows[r].coarsest, k);
+            for (int i = 0; i < STARTS; ++i)
+                sum += march_error(&method, start[i], &exact[i], n[k]);
+            e[k] = sqrt(sum / STARTS);
+        }
+        snprintf(what, sizeof what, "AN(%d, %g), u = %g", rows[r].depth, rows[r].c, rows[r].u);
+        assert_order(what, n, e, rows[r].depth + (rows[r].u == 0.0), fit_slack(rows[r].depth));
+    }
+}
+
+RUN_TESTS(cmocka_unit_test(every_stepper_shows_its_order), cmocka_unit_test(multistep_methods_show_theirs))

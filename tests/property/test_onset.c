@@ -5,7 +5,7 @@
  * to order 2.5 without the call, to order 4.5 with it. */
 #include "support.h"
 
-enum { BODIES = 2, DEPTH = 8, PHASES = 8 };
+enum { BODIES = 2, DEPTH = 10, PHASES = 8 };
 
 /** k = K/L^{5/2} = 1 for the wall and for the pair. */
 struct scene {
@@ -128,7 +128,7 @@ typedef void impact(const vti_multistep *m, int steps, double phase, int touch, 
 /** Mean squares over where in a step it begins and ends, at h and h/2, with the call and without. */
 static void orders(const char *what, impact *meet, int steps)
 {
-    for (int64_t i = 0; i < vti_multistep_count() && vti_multistep_at(i)->depth <= DEPTH; ++i) {
+    for (int64_t i = 0; i < vti_multistep_count(); ++i) {
         const vti_multistep *m = vti_multistep_at(i);
         double mean[2][2][2] = {{{0.0}}}, order[2][2];
         for (int touch = 0; touch < 2; ++touch)
