@@ -151,8 +151,10 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
 /** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more
  *  than the others. */
 double search_kinked_order(const vti_stepper *stepper);
+/** By what order errors fall where forces have kinks, as docs/accuracy.md has found it. */
+double search_usual_order(const vti_stepper *stepper);
 /** Says of how much doubt an error is that was followed by this order to so many times the steps: below it where forces
- *  have kinks, since between them it falls by the stepper's own order. */
+ *  have kinks, since it may fall by one more than the usual order, though by no more than the stepper's own. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);
 /** Fills in the offer of o->stepper for s->t_end and s->target by runs of up to limit force evaluations, compared with
  *  s->solution. Returns likewise. */

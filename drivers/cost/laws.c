@@ -18,19 +18,13 @@ int laws_are_due(const struct stages *g)
                                 stages_work_left(g, 1.0);
 }
 
-/** By what order errors fall where forces have kinks, as docs/accuracy.md has found it. */
-static double usual_order(const vti_stepper *stepper)
-{
-    return fmin((double)stepper->order, vti_multistep_find(stepper->name) != NULL ? 4.5 : 2.5);
-}
-
 /** Evaluations by which a stepper will reach the goal, guessed from what another one needs: by their largest stable
  *  steps they err alike, and from there on by their orders. */
 static double guess_evals(const struct search *whole, const vti_stepper *stepper, const struct offer *known)
 {
     const double finer = fmax((double)known->steps / (double)search_fewest(whole, known->stepper), 1.0),
                  steps = (double)search_fewest(whole, stepper) *
-                         plain_power(finer, usual_order(known->stepper) / usual_order(stepper));
+                         plain_power(finer, search_usual_order(known->stepper) / search_usual_order(stepper));
     return steps * (double)(stepper->evals > 0 ? stepper->evals : 1);
 }
 

@@ -48,6 +48,11 @@ double search_kinked_order(const vti_stepper *stepper)
     return fmin((double)stepper->order, most);
 }
 
+double search_usual_order(const vti_stepper *stepper)
+{
+    return fmin((double)stepper->order, vti_multistep_find(stepper->name) != NULL ? 4.5 : 2.5);
+}
+
 /** That of a run of this stage: at the end if that is the scene's. Else errors grow with the time on the whole and swing
  *  about that, through zero or to twice of it: the median of what the second half of the marks says of the end. */
 static double error_of(const struct search *s, const struct pilot *pilot, int measure)
@@ -276,11 +281,12 @@ static void follow(const struct search *s, struct offer *o, const struct point *
 
 void search_doubt(const struct search *s, struct offer *o, double order, double finer)
 {
-    const double far = 2.0, higher = fmax((double)o->stepper->order - order, 0.0);
+    const double far = 2.0, more = 1.0, root = 0.5,
+                 most = fmin((double)o->stepper->order, search_usual_order(o->stepper) + more) - order;
     o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
     if (s->breaks && finer > far)
         o->doubt = INFINITY;
-    o->below = o->doubt * (s->kinked ? plain_power(fmax(finer, 1.0), higher) : 1.0);
+    o->below = s->kinked && isfinite(o->doubt) ? s->doubt * plain_power(fmax(finer, 1.0), fmax(most, root)) : o->doubt;
 }
 
 int search_stepper(struct search *s, struct offer *o, double limit)

@@ -25,9 +25,9 @@ def draw(run):
         axes.ticklabel_format(style="sci", scilimits=(-2, 4), useMathText=True)  # millimetres in metres, say
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
-            axes.set_xlabel(f"${scene.axis_names()[0]}$", labelpad=1)
+            axes.set_xlabel(f"${scene.axis_names()[0]}$ (lengths)", labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(f"${scene.axis_names()[1]}$", labelpad=1)
+            axes.set_ylabel(f"${scene.axis_names()[1]}$ (lengths)", labelpad=1)
     figure.supxlabel("\n".join([_facts(run, scene, touched), *run.notes()]), fontsize=8.5, color=style.GREY)
     return figure, run.notes()
 

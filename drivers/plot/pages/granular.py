@@ -175,11 +175,11 @@ def rebounds(folder):
 # ---- page and picture -----------------------------------------------------------------------------------------------
 
 def picture(some, found, times, angles):
-    figure = style.new_figure(4.2)
+    figure = style.new_figure(4.6)
     runs, repose, turning = figure.subplots(1, 3)
     aspect = np.array([one.aspect for one in some])
     runs.plot(aspect, [one.runout for one in some], "o", color=style.LOOKS[0].colour, label=f"{SHARE:.0%} of the beads")
-    runs.plot(aspect, [one.furthest for one in some], ".", color=style.GREY, label="furthest bead")
+    runs.plot(aspect, [one.furthest for one in some], ".", color=style.GREY, label="furthest of the heap")
     for chosen, look in ((aspect <= SQUAT, 1), (aspect >= TALL, 2)):
         if np.sum(chosen) > 1:
             exponent, factor, _ = power([one for one, taken in zip(some, chosen) if taken])
@@ -197,7 +197,7 @@ def picture(some, found, times, angles):
                             fmt=look.marker + line, capsize=3, color=look.colour,
                             label=rf"{name}, $\mu_r$ = {float(length) * 1e3:g} mm")
     repose.set(title="angle of repose", xlabel=r"$\mu$", ylabel="degrees")
-    repose.legend()
+    repose.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), fontsize=7, ncols=2)  # clear of error bars
     turning.plot(times, angles, color=style.LOOKS[0].colour)
     turning.set(title="drum: centre of mass", xlabel="$t$ (s)", ylabel="degrees off the vertical")
     return figure
