@@ -167,7 +167,8 @@ static void put_bytes(struct pieces *p, const void *data, size_t size)
 
 static void put_numbers(struct sink *sink, const double *numbers, int64_t count)
 {
-    put_bytes((struct pieces *)sink, numbers, sizeof *numbers * (size_t)count);
+    if (count > 0)
+        put_bytes((struct pieces *)sink, numbers, sizeof *numbers * (size_t)count);
 }
 
 /** All of a checkpoint; memory is what the model remembers. */
@@ -193,10 +194,12 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
     checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count + remembered;
-    if (memory == NULL || p.piece == NULL)
-        p.failed = message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
-    else
-        p.failed = journal_flush(journal, message);
+    if (memory == NULL || p.piece == NULL) {
+        free(memory);
+        free(p.piece);
+        return message_set(message, "%.600s: out of memory; use fewer bodies", journal->keep.path);
+    }
+    p.failed = journal_flush(journal, message);
     if (p.failed == 0) {
         model_memory_get(verdict->model, memory);
         put_checkpoint(&p, checkpoint, bodies, verdict, more, more_count, memory);
@@ -241,7 +244,8 @@ struct bytes {
 static int take_piece(void *self, size_t at, size_t all, const void *piece, size_t size)
 {
     struct bytes *bytes = self;
-    bytes->p = at == 0 ? malloc(all) : bytes->p;
+    if (bytes->p == NULL)
+        bytes->p = malloc(all);
     bytes->size = all;
     if (bytes->p == NULL)
         return -1;
