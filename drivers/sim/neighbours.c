@@ -28,6 +28,9 @@ static const double build_body = 25.0, build_pair = 5.0;
 /** How often a step looks at a pair where effects look near it, too: force, two flows, carry, and the springs' load. */
 static const double near_looks = 5.0;
 
+/** After a wider skin that did not pay. */
+static const int64_t builds_to_wait = 16;
+
 struct neighbours_search {
     struct cells cells; /* with the positions of the last build */
     struct pairs found;
@@ -35,6 +38,8 @@ struct neighbours_search {
     double mean;      /* diameter */
     int adapts;       /* the skin was left to the list */
     int64_t age;      /* updates since it was built */
+    double tried;     /* cost of a step before the skin was made wider for this list; 0: it was not */
+    int64_t wait;     /* builds until a wider one may be tried */
     double shared[3]; /* how far bodies have moved together since then, as of the last look at it */
     int is_built;
     int64_t pair_room; /* of the list */
@@ -194,17 +199,25 @@ static int build(struct neighbours *list)
 }
 
 /** A skin s times the diameter costs the build every so many steps, ever fewer, and in each a look at pairs that are as
- *  many as (1 + s)^3 among equal spheres that fill the space: least where the build costs 3 s/(1 + s) of the pairs. */
+ *  many as (1 + s)^3 among equal spheres that fill the space: least where the build costs 3 s/(1 + s) of the pairs.
+ *  Among others, a ring's or a lattice's, a little more skin may find many more pairs: one that has cost
+ *  clearly more than the one before is taken back, and for a while none is tried. */
 static void adapt(struct neighbours *list)
 {
-    const struct neighbours_search *const s = list->search;
+    struct neighbours_search *const s = list->search;
     const double build_cost = build_body * (double)s->cells.n + build_pair * (double)s->found.count;
     const double looks = (list->reach > 0.0 ? near_looks : 1.0) * (double)list->count;
     const double share = list->skin / s->mean, best = 3.0 * share / (1.0 + share) * looks;
-    const double each = build_cost / (double)s->age;
-    if (each > best)
+    const double each = build_cost / (double)s->age, before = s->tried;
+    s->tried = 0.0;
+    s->wait -= s->wait > 0;
+    if (before > 0.0 && each + looks > 1.5 * before) {
+        list->skin *= 0.8;
+        s->wait = builds_to_wait;
+    } else if (each > best && s->wait == 0) {
+        s->tried = each + looks;
         list->skin = fmin(1.25 * list->skin, widest_skin * s->mean);
-    else if (each < 0.5 * best)
+    } else if (each < 0.5 * best)
         list->skin = fmax(0.8 * list->skin, default_skin * s->mean);
 }
 

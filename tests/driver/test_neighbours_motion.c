@@ -204,7 +204,36 @@ TEST(the_skin_follows_the_cost)
     neighbours_destroy(&b.list);
 }
 
+/** A ring of bonded spheres that turns has nothing to look at, unless the skin comes to all those next but one, whose
+ *  gap is just below the widest skin: that is tried now and then only. */
+TEST(a_skin_that_finds_too_much_is_taken_back)
+{
+    enum { RING = 80, STEPS = 20000 };
+    const double radius = 0.5 / sin(PI / RING);
+    int64_t looks = 0, most = 0;
+    memset(&b, 0, sizeof b);
+    b.n = b.excluded_count = RING;
+    for (int i = 0; i < RING; ++i) {
+        b.diameter[i] = 1.0;
+        b.excluded[i][0] = i;
+        b.excluded[i][1] = (i + 1) % RING;
+    }
+    packing_create(&b, 0.0);
+    for (int step = 0; step < STEPS; ++step) {
+        for (int i = 0; i < RING; ++i) {
+            b.x[i][0] = radius * cos(2.0 * PI * i / RING + 5e-4 * step);
+            b.x[i][1] = radius * sin(2.0 * PI * i / RING + 5e-4 * step);
+        }
+        packing_update(&b);
+        looks += b.list.count;
+        most = b.list.count > most ? b.list.count : most;
+    }
+    assert_int_equal(most, RING);
+    assert_true(looks < RING * STEPS / 6);
+    neighbours_destroy(&b.list);
+}
+
 RUN_TESTS(cmocka_unit_test(no_touch_is_missed_in_motion), cmocka_unit_test(a_head_on_pair_is_listed_in_time),
           cmocka_unit_test(rounding_hides_no_touch), cmocka_unit_test(grows_and_shrinks_with_the_pairs),
           cmocka_unit_test(is_built_anew_after_half_the_skin), cmocka_unit_test(what_moves_as_one_keeps_its_list),
-          cmocka_unit_test(the_skin_follows_the_cost))
+          cmocka_unit_test(the_skin_follows_the_cost), cmocka_unit_test(a_skin_that_finds_too_much_is_taken_back))
