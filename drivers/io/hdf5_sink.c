@@ -29,7 +29,7 @@ static struct hdf5_rows *rows_open(struct hdf5_sink *s, const char *name)
     s->failed |= rows == NULL;
     if (rows == NULL)
         return NULL;
-    strcpy(rows->name, name);
+    memcpy(rows->name, name, strlen(name) + 1);
     rows->set = H5Dopen2(s->place, name, H5P_DEFAULT);
     rows->space = H5Dget_space(rows->set);
     const int rank = H5Sget_simple_extent_ndims(rows->space);
