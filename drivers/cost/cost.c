@@ -112,8 +112,7 @@ static int measure_all(struct work *w, MPI_Comm comm, struct message *message)
     w->start = MPI_Wtime();
     message->text[0] = '\0';
     recall(w, n);
-    const struct queue queue = {
-        w, sizeof(struct cost_ladder), next_task, run_task, task_done, NULL, task_progress, w->watch};
+    const struct queue queue = {w, sizeof(struct cost_ladder), next_task, run_task, task_done, task_progress, w->watch};
     const int failed = queue_run(&queue, comm);
     free(w->order);
     if (failed == -1 && message->text[0] == '\0')

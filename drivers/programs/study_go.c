@@ -152,7 +152,7 @@ static void say_plan(const struct plan *plan)
     printf("%s to t = %s: ", plan->scene->name, NUMBER(plan->t_end));
     for (int64_t k = 0; k < plan->steppers_count; ++k)
         printf("%s%s", k > 0 ? ", " : "", plan->steppers[k]->name);
-    printf(" at %lld step%s from h = %s to %s: %lld runs on %d rank%s, against a reference solution\n",
+    printf(" at %lld step%s from h = %s to %s: %lld runs on %d rank%s, after a reference solution\n",
            (long long)plan->h_count, plan->h_count > 1 ? "s" : "", NUMBER(plan->h[0]),
            NUMBER(plan->h[plan->h_count - 1]), (long long)plan->steppers_count * (long long)plan->h_count, ranks,
            ranks > 1 ? "s" : "");

@@ -162,48 +162,6 @@ int reference_alone(struct model *model, double t_end, double interval, double f
     return create(model, t_end, interval, finest, bytes, &place, r, message);
 }
 
-/* ---- while runs go on -------------------------------------------------------------------------------------------- */
-
-int reference_begin(struct model *model, double t_end, double interval, MPI_Comm comm, struct reference *r,
-                    struct message *message)
-{
-    int ranks;
-    memset(r, 0, sizeof *r);
-    r->interval = interval;
-    MPI_Comm_size(comm, &ranks);
-    const int failed = anywhere(sampled_create(&r->sampled, model, interval, llrint(t_end / interval), message), comm);
-    if (failed != 0) {
-        reference_destroy(r);
-        return failed;
-    }
-    MPI_Comm_dup(comm, &r->comm);
-    stream_open(&r->stream, &r->sampled, r->comm, ranks);
-    return 0;
-}
-
-int reference_lead(struct reference *r, const struct watch *watch, struct message *message)
-{
-    const int failed = sampled_lead(&r->stream, watch, message);
-    r->energy_error = r->sampled.energy_error;
-    return failed;
-}
-
-int reference_follow(struct reference *r, const struct watch *watch, struct message *message)
-{
-    const int failed = r->stream.rank == 0 ? sampled_compare(&r->sampled, NULL, watch, message)
-                                           : sampled_follow(&r->stream, watch, message);
-    r->uncertainty = r->sampled.spread;
-    return failed;
-}
-
-void reference_end(struct reference *r)
-{
-    if (r->stream.sampled == NULL)
-        return;
-    stream_close(&r->stream);
-    MPI_Comm_free(&r->comm);
-}
-
 void reference_destroy(struct reference *r)
 {
     smooth_destroy(&r->smooth);
@@ -214,9 +172,7 @@ void reference_destroy(struct reference *r)
 
 int reference_seek(struct reference *r, double t, const struct watch *watch, struct message *message)
 {
-    if (r->interval == 0.0)
-        return smooth_seek(&r->smooth, t, watch, message);
-    return r->stream.sampled != NULL && r->stream.rank != 0 ? stream_await(&r->stream, llrint(t / r->interval)) : 0;
+    return r->interval == 0.0 ? smooth_seek(&r->smooth, t, watch, message) : 0;
 }
 
 vti_bodies reference_at(struct reference *r, double t)

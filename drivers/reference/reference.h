@@ -8,17 +8,15 @@
 
 #include <mpi.h>
 
-#include "sampled_stream.h"
+#include "sampled.h"
 #include "smooth.h"
 
 struct reference {
     double interval; /* 0: known at any time, else at multiples of it */
     struct smooth smooth;
     struct sampled sampled;
-    struct stream stream; /* of its states, where runs go on while they are made, */
-    MPI_Comm comm;        /* by messages of their own */
-    double energy_error;  /* largest |E - E_0| */
-    double uncertainty;   /* relative, of the solution: what interpolation adds, or how far a looser tolerance leads */
+    double energy_error; /* largest |E - E_0| */
+    double uncertainty;  /* relative, of the solution: what interpolation adds, or how far a looser tolerance leads */
 };
 
 /** 1 if the model's motion can be read at any time: no contacts, no walls, no dissipation, few bodies. */
@@ -39,17 +37,6 @@ int reference_create(struct model *model, double t_end, double interval, double 
 int reference_alone(struct model *model, double t_end, double interval, double finest, double bytes,
                     const struct watch *watch, struct reference *reference, struct message *message);
 void reference_destroy(struct reference *reference);
-
-/** A reference at intervals of a model without dissipation that is made while runs are compared with it already:
- *  reference_begin, collective, in the place of reference_create; then rank 0 of comm leads and any other follows, the
- *  one that finds the uncertainty (rank 0 may, once it has led), while all read what they seek; and reference_end,
- *  collective, which does nothing to any other reference. Each but that returns 0, or -1 with one line in *message
- *  (reference_begin on all ranks), or WATCH_ASKED. */
-int reference_begin(struct model *model, double t_end, double interval, MPI_Comm comm, struct reference *reference,
-                    struct message *message);
-int reference_lead(struct reference *reference, const struct watch *watch, struct message *message);
-int reference_follow(struct reference *reference, const struct watch *watch, struct message *message);
-void reference_end(struct reference *reference);
 
 /** To be called before the two below are asked about t. Returns 0, or -1 with one line in *message, or
  *  WATCH_ASKED. Not collective. */

@@ -157,16 +157,13 @@ int norms_looks(const struct norms *n)
 }
 
 /** Where the reference is known at intervals. */
-static int take_one(struct norms *n, int64_t step, const vti_bodies *bodies, struct message *message)
+static int take_one(struct norms *n, int64_t step, const vti_bodies *bodies)
 {
     take_conserved(n, bodies);
     vti_integral_add(&n->norm_squared, n->h, vti_h1_density(bodies));
     if (step != n->next_compare)
         return 0;
     n->next_compare += n->compare_every;
-    const int failed = reference_seek(n->reference, (double)step * n->h, n->watch, message);
-    if (failed != 0)
-        return failed;
     const vti_bodies *exact = reference_state(n->reference, (double)step * n->h);
     vti_integral_add(&n->error_squared, (double)n->compare_every * n->h, vti_h1_distance(bodies, exact));
     if (step == n->last)
@@ -204,7 +201,7 @@ static void take_those_that_wait(struct norms *n)
 int norms_take(struct norms *n, int64_t step, const vti_bodies *bodies, struct message *message)
 {
     if (n->kept == NULL)
-        return take_one(n, step, bodies, message);
+        return take_one(n, step, bodies);
     if (n->held == 0) {
         const int failed = reference_block(n->reference, n->h, step, n->watch, &n->exact, &n->room, message);
         if (failed != 0)

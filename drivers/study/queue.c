@@ -88,9 +88,6 @@ static int poll_root(void *self, int64_t work)
 
 static void work_root(struct state *s, struct report *own)
 {
-    const int failed = s->queue->lead != NULL ? s->queue->lead(s->queue->self, poll_root, s) : 0;
-    if (failed != 0)
-        stop(s, 0, failed);
     while ((own->task = next_task(s)) >= 0) {
         s->own_task = own->task;
         s->queue->run(s->queue->self, own->task, poll_root, s, own->result);

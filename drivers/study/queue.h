@@ -22,9 +22,6 @@ struct queue {
     void (*run)(void *self, int64_t task, queue_poll poll, void *poll_self, void *result);
     /** Rank 0: takes a result. Non-zero stops the queue: tasks under way are asked to end, no more are handed out. */
     int (*done)(void *self, int64_t task, int rank, const void *result);
-    /** Rank 0: its work before its first task, while others do theirs; NULL if there is none. Non-zero stops the queue,
-     *  which returns that. */
-    int (*lead)(void *self, queue_poll poll, void *poll_self);
     /** Rank 0: progress of its own task, -1 while it waits for those of others. */
     void (*progress)(void *self, int64_t task, int64_t work);
     const struct study_watch *watch; /* any rank asks it often whether the queue shall end; may be NULL */

@@ -81,65 +81,22 @@ struct work {
     double start;
     int64_t *order, left, taken;   /* [left]: the runs that the store does not hold, in the order of their going */
     int64_t steps_all, steps_done; /* of these */
-    int beside, leads;             /* 1 if the reference is made beside the runs; while rank 0 is at it */
 };
-
-/** The task that comes first where the reference is made beside the runs: how well it is known. */
-static int64_t uncertainty_task(const struct study *study)
-{
-    return study->runs;
-}
-
-struct asker {
-    queue_poll poll;
-    void *self;
-};
-
-static int see_asker(void *self, double share)
-{
-    const struct asker *asker = self;
-    (void)share;
-    return asker->poll(asker->self, 0);
-}
-
-/** Its result is that of a run whose error is the uncertainty. */
-static void find_uncertainty(const struct work *w, queue_poll poll, void *poll_self, struct outcome *outcome)
-{
-    struct asker asker = {poll, poll_self};
-    const struct watch watch = {see_asker, &asker};
-    memset(outcome, 0, sizeof *outcome);
-    outcome->failed = reference_follow(w->reference, &watch, &outcome->message) != 0;
-    outcome->h1_error = w->reference->uncertainty;
-}
 
 static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self, void *result)
 {
     const struct work *w = self;
-    if (task == uncertainty_task(w->study))
-        find_uncertainty(w, poll, poll_self, result);
-    else
-        one_run(w->study, task, w->reference, poll, poll_self, result);
+    one_run(w->study, task, w->reference, poll, poll_self, result);
 }
 
 static void show(struct work *w, int64_t extra)
 {
-    if (!w->leads)
-        study_show(w->watch, "runs", w->steps_done + extra, w->steps_all, MPI_Wtime() - w->start);
-}
-
-static int uncertainty_done(struct work *w, const struct outcome *outcome)
-{
-    w->reference->uncertainty = outcome->h1_error;
-    if (outcome->failed)
-        *w->message = outcome->message;
-    return outcome->failed != 0;
+    study_show(w->watch, "runs", w->steps_done + extra, w->steps_all, MPI_Wtime() - w->start);
 }
 
 static int task_done(void *self, int64_t task, int rank, const void *result)
 {
     struct work *w = self;
-    if (task == uncertainty_task(w->study))
-        return uncertainty_done(w, result);
     const struct outcome *outcome = memcpy(&w->study->outcomes[task], result, sizeof *outcome);
     w->study->ranks[task] = rank;
     w->steps_done += w->study->trials[task].steps;
@@ -155,9 +112,7 @@ static int task_done(void *self, int64_t task, int rank, const void *result)
 /** Takes what the store has and leaves the other tasks in order. */
 static void recall(struct work *w)
 {
-    if (w->beside)
-        w->order[w->left++] = uncertainty_task(w->study);
-    for (int64_t k = 1; k <= w->study->runs; ++k) { /* the first has room for that */
+    for (int64_t k = 0; k < w->study->runs; ++k) {
         const int64_t task = w->order[k];
         if (w->store != NULL &&
             w->store->recall(w->store->self, task, &w->study->ranks[task], &w->study->outcomes[task]))
@@ -188,41 +143,6 @@ static void longest_first(const struct study *study, int64_t *order)
             order[k] = order[k - 1];
         order[k] = r;
     }
-}
-
-/* ---- the reference beside them ----------------------------------------------------------------------------------- */
-
-/** Whether runs can begin before the reference is complete: others have something to do meanwhile. */
-static int is_beside(const struct study *study, MPI_Comm comm)
-{
-    int ranks;
-    MPI_Comm_size(comm, &ranks);
-    return ranks > 1 && study->interval > 0.0 && model_dissipates(&study->model) == NULL;
-}
-
-struct leader {
-    const struct work *work;
-    struct asker asker;
-};
-
-static int see_leader(void *self, double share)
-{
-    const struct leader *leader = self;
-    const struct work *w = leader->work;
-    study_show(w->watch, "reference", (int64_t)(1e6 * share), 1000000, MPI_Wtime() - w->start);
-    return leader->asker.poll(leader->asker.self, 0);
-}
-
-/** Rank 0 makes it, and hands out runs from state to state. */
-static int make_reference(void *self, queue_poll poll, void *poll_self)
-{
-    struct work *w = self;
-    struct leader leader = {w, {poll, poll_self}};
-    const struct watch watch = {see_leader, &leader};
-    w->leads = 1;
-    const int failed = reference_lead(w->reference, &watch, w->message);
-    w->leads = 0;
-    return failed;
 }
 
 /* ---- orders ------------------------------------------------------------------------------------------------------ */
@@ -268,13 +188,12 @@ static int allocate(struct study *study, int rank)
            (rank != 0 || (study->outcomes != NULL && study->ranks != NULL && study->orders != NULL));
 }
 
-/** The queue over all runs. */
+/** The queue over all runs, once the reference is there. */
 static int run_all(struct study *study, struct reference *reference, MPI_Comm comm, const struct study_watch *watch,
                    const struct store *store, struct message *message)
 {
-    const int beside = is_beside(study, comm);
-    struct work work = {study, reference, watch, store, message, MPI_Wtime(), NULL, 0, 0, 0, 0, beside, 0};
-    work.order = calloc((size_t)study->runs + 1, sizeof *work.order);
+    struct work work = {study, reference, watch, store, message, MPI_Wtime(), NULL, 0, 0, 0, 0};
+    work.order = calloc((size_t)study->runs, sizeof *work.order);
     const int without = work.order == NULL;
     int failed = without;
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm);
@@ -282,11 +201,10 @@ static int run_all(struct study *study, struct reference *reference, MPI_Comm co
         free(work.order);
         return message_set(message, "out of memory for %lld runs; use fewer", (long long)study->runs);
     }
-    longest_first(study, work.order + 1);
+    longest_first(study, work.order);
     message->text[0] = '\0';
     recall(&work);
-    const struct queue queue = {&work,     sizeof(struct outcome),         next_task,     run_task,
-                                task_done, beside ? make_reference : NULL, task_progress, watch};
+    const struct queue queue = {&work, sizeof(struct outcome), next_task, run_task, task_done, task_progress, watch};
     failed = queue_run(&queue, comm);
     free(work.order);
     study->seconds = MPI_Wtime() - work.start;
@@ -333,19 +251,16 @@ int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *
     int failed = prepare(plan, rank, study, message);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);
     if (failed == 0)
-        failed = is_beside(study, comm)
-                     ? reference_begin(&study->model, study->t_end, study->interval, comm, &reference, message)
-                     : reference_create(&study->model, study->t_end, study->interval, finest(plan), plan->memory, comm,
-                                        watch, &reference, message);
+        failed = reference_create(&study->model, study->t_end, study->interval, finest(plan), plan->memory, comm, watch,
+                                  &reference, message);
     if (failed != 0)
         return failed;
-    failed = run_all(study, &reference, comm, watch, store, message);
-    reference_end(&reference);
-    if (failed == 0 && rank == 0) {
+    if (rank == 0)
         note_reference(study, &reference);
-        fit_orders(study);
-    }
+    failed = run_all(study, &reference, comm, watch, store, message);
     reference_destroy(&reference);
+    if (failed == 0 && rank == 0)
+        fit_orders(study);
     return failed;
 }
 
@@ -359,11 +274,23 @@ int study_check(const struct plan *plan, struct message *message)
     return failed;
 }
 
+struct alone {
+    queue_poll poll;
+    void *self;
+};
+
+static int see_alone(void *self, double share)
+{
+    const struct alone *alone = self;
+    (void)share;
+    return alone->poll(alone->self, 0);
+}
+
 int study_alone(const struct plan *plan, int (*poll)(void *self, int64_t work), void *poll_self, struct study *study,
                 struct message *message)
 {
-    struct asker asker = {poll, poll_self};
-    const struct watch watch = {see_asker, &asker};
+    struct alone alone = {poll, poll_self};
+    const struct watch watch = {see_alone, &alone};
     struct reference reference;
     int failed = prepare(plan, 0, study, message);
     if (failed == 0)

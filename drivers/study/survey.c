@@ -270,7 +270,7 @@ int survey_run(const struct survey_plan *plan, MPI_Comm comm, const struct study
 {
     struct work work = {plan, watch, store, message, NULL, MPI_Wtime(), 0, survey_points(plan), 0, 0};
     const struct survey made = {plan, store, work.points, survey_runs(plan), 0.0};
-    const struct queue queue = {&work, survey_bytes(plan), next_point, run_task, task_done, NULL, task_progress, watch};
+    const struct queue queue = {&work, survey_bytes(plan), next_point, run_task, task_done, task_progress, watch};
     work.scratch = malloc((size_t)survey_bytes(plan));
     int failed = work.scratch == NULL ? -1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm);

@@ -62,24 +62,6 @@ def same_bytes(base):
             check(len(contents) == 1, f"{kind}: {name} is the same on 1, 2, 3 and 5 ranks")
 
 
-def beside_the_reference(base):
-    """Of a scene with walls rank 0 makes the reference while the others are at their runs, and read what there is of it."""
-    torus = os.path.join(os.path.dirname(STUDY), "..", "scenes", "torus.yaml")
-    for ranks in (1, 2, 3, 5):
-        result = study(ranks, torus, "--h", "1/500:1/2000", "--t-end", "0.5", "--steppers", "vti1,vti2", folder=f"{base}/walls{ranks}")
-        check(result.returncode == 0, f"a study with walls on {ranks} ranks {result.stderr}")
-    check(all(contents(f"{base}/walls1", ["timing.csv"]) == contents(f"{base}/walls{ranks}", ["timing.csv"]) for ranks in (2, 3, 5)),
-          "with walls: the same on 1, 2, 3 and 5 ranks")
-    study(3, torus, "--h", "1/1000", "--t-end", "1", "--steppers", "vti2", folder=f"{base}/early")
-    with open(f"{base}/early/timing.csv", encoding="utf-8") as file:
-        ran = [row["rank"] for row in csv.DictReader(file)]
-    check(len(ran) == 1 and ran[0] != "0", f"the only run is done by rank {ran}, not by the one that makes the reference")
-    for ranks in (1, 3):
-        one_refusal(f"VTI-1 turns too far beside the reference, {ranks} ranks",
-                    study(ranks, torus, "--set", "bodies.omega=[0, 0, 2]", "--steppers", "vti1", "--h", "1/2,1/4", "--t-end", "1",
-                          folder=f"{base}/far"), ["vti1 at h = ", "h|Omega|", "vti2"], f"{base}/far")
-
-
 def not_whole(base):
     result = study(1, "--h", "0.3", "--t-end", "1", folder=f"{base}/whole")
     check(rows(f"{base}/whole")[0]["steps"] == "3" and "not a multiple" in result.stdout, "h = 0.3 does not divide t_end = 1, it says")
@@ -232,7 +214,6 @@ with tempfile.TemporaryDirectory() as base:
     study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", "--t-end", "100", folder=f"{base}/hundred")
     orders(f"{base}/hundred", "t = 100")
     same_bytes(base)
-    beside_the_reference(base)
     not_whole(base)
     refused(base)
     without_orders(base)

@@ -146,7 +146,7 @@ def ctrl_c(base):
 def begin(*command):
     """Started, and its first line said, after which signals are heard on all ranks."""
     process = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    check("against a reference" in process.stdout.readline(), "a study of hours begins")
+    check("after a reference" in process.stdout.readline(), "a study of hours begins")
     return process
 
 
@@ -202,7 +202,7 @@ def by_dev(base):
     check(code == 75 and stopped_words(terminal.said) and "-----" not in ours(terminal.said), f"Ctrl-C: code {code}")
     with subprocess.Popen([*script, *HOURS, "-o", f"{base}/t", CHAIN], env=environment, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as process:
-        check("against a reference" in process.stdout.readline(), "a study of hours begins")
+        check("after a reference" in process.stdout.readline(), "a study of hours begins")
         process.send_signal(signal.SIGTERM)
         _, said = process.communicate(timeout=PATIENCE)
     check(process.returncode == 75 and stopped_words(said) and ours(said).count("\n") == 1,
