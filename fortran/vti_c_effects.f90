@@ -220,13 +220,6 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
-        !> How many numbers the vti_touching of a list of so many pairs needs.
-        function vti_touching_room(pairs) result(room) bind(c)
-            import :: c_int64_t
-            integer(c_int64_t), value :: pairs
-            integer(c_int64_t) :: room
-        end function
-
         !> Puts what a touch holds into the table; VTI_E_HISTORY if there is no room.
         function vti_history_add(history, held) result(status) bind(c)
             import :: c_int, vti_held, vti_history

@@ -13,7 +13,7 @@ module vti_effects_contacts
     private
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
     public :: vti_walls_at, vti_walls_effect, vti_walls_gap, vti_walls_stiffness
-    public :: vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add, vti_touching_room
+    public :: vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add
     public :: vti_clumps_of, vti_clumps_check, vti_clumps_spheres, vti_clumps_spread, vti_clumps_gather
     public :: vti_clumped_effect, vti_clump_solid
 

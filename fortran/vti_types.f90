@@ -220,36 +220,26 @@ module vti_types
         type(c_ptr) :: slot = c_null_ptr
     end type
 
-    !> Memory for one list of pairs, by which dashpots and friction find again what they have found before; results are
-    !> the same without. memory is the address of an array of room integer(c_int64_t), zeros at the start, at least
-    !> vti_touching_room of them.
-    type, bind(c) :: vti_touching
-        integer(c_int64_t) :: room = 0
-        type(c_ptr) :: memory = c_null_ptr
-    end type
-
     !> Friction of contacts and planes: contacts and walls as in vti_dashpots; history is the address of a vti_history,
     !> lost that of an array of three type(vti_sum), zeros at the start. by_pair is null, or the address of an array of
     !> real(c_double), (3, pairs of the list): what each pair has lost in the last drift, which by_body then has not.
-    !> touching is null, or the address of a vti_touching, which makes springs faster.
     type, bind(c) :: vti_friction
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr
         real(c_double) :: sliding = 0, rolling = 0, twisting = 0, stiffness = 0, mindlin = 0, rolling_stiffness = 0, &
             twisting_stiffness = 0, reach = 0
         type(c_ptr) :: history = c_null_ptr, lost = c_null_ptr, wall_sliding = c_null_ptr, by_body = c_null_ptr, &
-            by_pair = c_null_ptr, touching = c_null_ptr
+            by_pair = c_null_ptr
     end type
 
     !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
     !> that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling and twisting
-    !> motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs. touching is null, or
-    !> the address of a vti_touching, which makes flows faster.
+    !> motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs.
     type, bind(c) :: vti_dashpots
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr, friction = c_null_ptr
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0
         integer(c_int64_t) :: pull = 0
         real(c_double) :: reach = 0
-        type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr, by_body = c_null_ptr, touching = c_null_ptr
+        type(c_ptr) :: lost = c_null_ptr, wall_zeta = c_null_ptr, by_body = c_null_ptr
     end type
 
     !> Hertzian contact between the pairs of a list; vti_contacts_between makes it from arrays. All pairs

@@ -26,19 +26,6 @@ typedef struct vti_contacts {
                                broken while its bodies overlap (EQUATIONS 6.7). Absent: (D_i + D_j)/2 for all */
 } vti_contacts;
 
-/** Memory of the caller's for one list of pairs, by which flows and springs of dashpots and friction find again what they
- *  have found before: the order of the pairs, and where the table has them. Results have the same bits without. Nothing
- *  of it is believed: the list and what of it is within reach are compared with those that the order is of, and a slot of
- *  the table with the pair, so that nobody has to clear it, whatever changes. Effects of one list may share it, if they
- *  are not at work at the same time; vti_apply only reads it. */
-typedef struct vti_touching {
-    int64_t room;    /**< numbers that there is memory for; fewer than vti_touching_room says: it is not used */
-    int64_t *memory; /**< [room], zeros at the start */
-} vti_touching;
-
-/** How many numbers a list of so many pairs needs, about 5.3 for each. */
-VTI_API int64_t vti_touching_room(int64_t pairs);
-
 /** When the list has changed, for those who do not trust it: every pair names two different bodies of the n that exist,
  *  diameters, moduli and lengths are finite and > 0 and as many as are needed, and K is finite and >= 0, or 0 with a
  *  modulus. On failure VTI_E_CONTACT, with fault->body the number of the pair, -1 for K, and fault->value what is

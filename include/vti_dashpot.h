@@ -53,7 +53,6 @@ typedef struct vti_dashpots {
     vti_sum *by_body; /**< [bodies][VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each
                                        body has lost, of a pair half each, at a wall all; NULL: off. Bits of all else
                                        are the same; pairs are worked one by one then, not as many as a register holds */
-    const vti_touching *touching; /**< memory for the list, which makes flows faster; NULL: none */
 } vti_dashpots;
 
 /** The zeta by which two bodies part with the share e of the velocity with which they meet, 0 < e <= 1, in a Hertzian

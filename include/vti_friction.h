@@ -74,7 +74,6 @@ typedef struct vti_friction {
     double *by_pair;  /**< [contacts->count][VTI_FRICTION_BOOKS], memory of the caller's: what each pair of the list has
                              lost in the last drift, which by_body then has no part of, for hosts whose threads have lists
                              that share bodies, or who look at contacts one by one; NULL: off */
-    const vti_touching *touching; /**< memory for the list, which makes springs faster; NULL: none */
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs

@@ -121,29 +121,6 @@ static void place_groups(struct chunks *c, const vti_contacts *all)
     }
 }
 
-int chunks_touching(vti_touching *touching, int64_t pairs)
-{
-    if (touching->room >= vti_touching_room(pairs))
-        return 0;
-    free(touching->memory);
-    touching->room = vti_touching_room(pairs + pairs / 4);
-    touching->memory = calloc((size_t)touching->room, sizeof *touching->memory);
-    if (touching->memory == NULL)
-        touching->room = 0;
-    return touching->memory != NULL ? 0 : -1;
-}
-
-/** Memory for the lists of chunks and of groups. Returns 0, or -1 if it is out. */
-static int make_touching(struct chunks *c)
-{
-    int result = 0;
-    for (int64_t k = 0; k < c->count && result == 0; ++k)
-        result = chunks_touching(&c->touching[k], c->of[k].count);
-    for (int64_t g = 0; g < c->groups && result == 0; ++g)
-        result = chunks_touching(&c->group[g].touching, c->group[g].contacts.count);
-    return result;
-}
-
 int chunks_take(struct chunks *c, const vti_contacts *all)
 {
     if (make_room(c, all) != 0)
@@ -161,7 +138,7 @@ int chunks_take(struct chunks *c, const vti_contacts *all)
             if (all->length.p != NULL)
                 c->length[at] = c->of[low].length.p[k];
         }
-    return make_touching(c);
+    return 0;
 }
 
 /* ---- at once ----------------------------------------------------------------------------------------------------- */
@@ -224,11 +201,10 @@ int chunks_create(struct chunks *c, int64_t bodies)
     c->groups = c->count * (c->count + 1) / 2;
     c->rounds = 2 * c->count - 1;
     c->of = calloc((size_t)c->count, sizeof *c->of);
-    c->touching = calloc((size_t)c->count, sizeof *c->touching);
     c->group = calloc((size_t)c->groups, sizeof *c->group);
     c->rank = calloc((size_t)(c->count * c->count), sizeof *c->rank);
     c->ends = calloc((size_t)c->rounds, sizeof *c->ends);
-    if (c->of == NULL || c->touching == NULL || c->group == NULL || c->rank == NULL || c->ends == NULL)
+    if (c->of == NULL || c->group == NULL || c->rank == NULL || c->ends == NULL)
         return -1;
     rank_groups(c);
     return 0;
@@ -236,12 +212,7 @@ int chunks_create(struct chunks *c, int64_t bodies)
 
 void chunks_destroy(struct chunks *c)
 {
-    for (int64_t k = 0; c->touching != NULL && k < c->count; ++k)
-        free(c->touching[k].memory);
-    for (int64_t g = 0; c->group != NULL && g < c->groups; ++g)
-        free(c->group[g].touching.memory);
     free(c->of);
-    free(c->touching);
     free(c->group);
     free(c->rank);
     free(c->ends);

@@ -14,14 +14,12 @@ enum { CHUNKS_MOST = 64 };
 struct chunk_group {
     int64_t low, high; /* chunks of i and of j */
     vti_contacts contacts;
-    vti_touching touching; /* memory for them */
 };
 
 struct chunks {
     int64_t bodies, count;     /* chunks; 1 of few bodies */
     int64_t age;               /* lists taken so far */
     vti_contacts *of;          /* [count] the pairs whose first body is in the chunk, in the order of the list */
-    vti_touching *touching;    /* [count] memory for these */
     struct chunk_group *group; /* [groups], inside of chunks first, then round by round */
     int64_t groups;
     int64_t *rank; /* [count][count] which group that of low and high is */
@@ -39,9 +37,6 @@ void chunks_destroy(struct chunks *chunks);
 /** Takes the pairs i < j of *all, ascending by i, which must stay as they are until the next call. Returns 0, or -1 if
  *  memory is out. */
 int chunks_take(struct chunks *chunks, const vti_contacts *all);
-
-/** Makes room for a list of so many pairs, zeros where there was less. Returns 0, or -1 if memory is out. */
-int chunks_touching(vti_touching *touching, int64_t pairs);
 
 /** The chunk of a body. */
 int64_t chunks_of(const struct chunks *chunks, int64_t body);

@@ -29,10 +29,8 @@ struct contact_self {
     int64_t room;
     int64_t age;          /* how often pairs or lengths have changed */
     struct chunks chunks; /* of the list; all zeros where nobody asks for them */
-    int keeps;            /* 1: the list is in one piece, and effects that lose energy have memory for it */
-    vti_touching touching;
-    double modulus;   /* of the material */
-    double stiffness; /* K of the softest pair that there may be */
+    double modulus;       /* of the material */
+    double stiffness;     /* K of the softest pair that there may be */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -162,7 +160,6 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->neighbours.reach = 0.1 * self->neighbours.skin;
     if (model->clumps.list.count == 0 && chunks_create(&self->chunks, spheres) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
-    self->keeps = self->chunks.count <= 1;
     return 0;
 }
 
@@ -171,7 +168,6 @@ static void destroy(struct effect *e)
     struct contact_self *self = e->self;
     neighbours_destroy(&self->neighbours);
     chunks_destroy(&self->chunks);
-    free(self->touching.memory);
     partings_destroy(&self->partings);
     free(self->length);
 }
@@ -204,8 +200,7 @@ static int take_list(struct contact_self *self, struct message *message)
 {
     if (find_lengths(self, message) != 0)
         return -1;
-    if ((self->chunks.count > 1 && chunks_take(&self->chunks, &self->contacts) != 0) ||
-        (self->keeps && chunks_touching(&self->touching, self->contacts.count) != 0))
+    if (self->chunks.count > 1 && chunks_take(&self->chunks, &self->contacts) != 0)
         return message_set(message, "contacts: out of memory for %lld pairs; use fewer bodies",
                            (long long)self->contacts.count);
     return 0;
@@ -295,7 +290,6 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
     surfaces->contacts = &self->contacts;
     surfaces->reach = self->neighbours.reach;
     surfaces->chunks = self->chunks.count > 1 ? &self->chunks : NULL;
-    surfaces->touching = self->keeps ? &self->touching : NULL;
 }
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */

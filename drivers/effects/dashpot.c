@@ -156,7 +156,6 @@ static int make_groups(struct dashpot_self *self, const struct chunks *chunks, c
         vti_dashpots *group = &self->group[g];
         *group = self->dashpots;
         group->contacts = &of->contacts;
-        group->touching = &of->touching;
         group->lost = chunk->lost;
         group->friction = friction != NULL ? friction->kind->friction(friction, of->low) : NULL;
         if (group->walls == NULL)
@@ -180,7 +179,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
 {
     const struct dashpot_settings *d = e->settings;
     struct dashpot_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL, NULL};
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
     const struct effect *friction = NULL;
     (void)table;
     if (self == NULL)
@@ -196,7 +195,6 @@ static int make(struct effect *e, const struct model *model, const struct table 
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;
-    dashpots->touching = surfaces.touching;
     dashpots->friction = friction != NULL ? friction->kind->friction(friction, 0) : NULL;
     dashpots->zeta = d->restitution > 0.0 ? vti_dashpots_zeta(d->restitution, d->pull) : d->zeta;
     fill(dashpots, d, e->booked);

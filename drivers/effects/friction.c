@@ -106,7 +106,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     struct friction_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL, NULL};
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
     (void)table;
     if (self == NULL)
         return -1;
@@ -117,7 +117,6 @@ static int make(struct effect *e, const struct model *model, const struct table 
     self->friction.contacts = surfaces.contacts;
     self->friction.walls = surfaces.walls;
     self->friction.reach = surfaces.reach;
-    self->friction.touching = surfaces.touching;
     const struct friction_settings *f = e->settings;
     if (effect_walls_match(model, "friction.wall_sliding", &f->walls, surfaces.walls, message) != 0)
         return -1;

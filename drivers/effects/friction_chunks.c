@@ -332,10 +332,8 @@ int friction_make_chunks(struct friction_self *self)
         chunk->friction = self->friction;
         chunk->friction.history = &chunk->history;
         chunk->friction.lost = chunk->lost;
-        if (self->chunks != NULL) {
+        if (self->chunks != NULL)
             chunk->friction.contacts = &self->chunks->of[k];
-            chunk->friction.touching = &self->chunks->touching[k];
-        }
         if (self->friction.walls != NULL) {
             chunk->walls = *self->friction.walls;
             chunk->walls.work = &chunk->work;

@@ -102,7 +102,6 @@ struct effect_surfaces {
     const vti_walls *walls;       /* planes, NULL if there are none */
     double reach;                 /* the list has all pairs with a narrower gap */
     const struct chunks *chunks;  /* of the list and the bodies; NULL: they are few, and done in one piece */
-    const vti_touching *touching; /* memory for the list in one piece; NULL: none */
 };
 
 /** Numbers that the motion keeps because of it. */

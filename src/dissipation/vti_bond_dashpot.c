@@ -39,7 +39,7 @@ static void visit_bonds(const vti_bonds *bonds, double drift, vti_colour_work *w
                       count = left < VTI_WINDOW ? left : VTI_WINDOW;
         for (int64_t n = 0; n < count; ++n)
             number[n] = first + n;
-        vti_window_work(&window, NULL, bonds->pair, bonds->base, number, count, drift < 0.0, work, context);
+        vti_window_work(&window, bonds->pair, bonds->base, number, count, drift < 0.0, work, context);
     }
 }
 

@@ -7,14 +7,13 @@
 #define VTI_COLOUR_H
 
 #include "vti_touch_table.h"
-#include "../contacts/vti_touching.h"
 
-enum { VTI_COLOUR_LAST = VTI_COLOURS - 1, VTI_WINDOW_BODIES = 4 * VTI_WINDOW };
+enum { VTI_WINDOW = 256, VTI_COLOURS = 64, VTI_COLOUR_LAST = VTI_COLOURS - 1, VTI_WINDOW_BODIES = 4 * VTI_WINDOW };
 
 struct vti_window {
     int64_t sorted[VTI_WINDOW]; /* numbers of pairs as they are worked */
     int64_t colour[VTI_WINDOW];
-    struct vti_order own; /* where nobody keeps it */
+    int64_t ends[VTI_COLOURS]; /* of the colours, in their order */
     struct vti_window_body {
         int64_t body;      /* from 1; 0: nobody */
         uint64_t coloured; /* colours of its pairs, as bits */
@@ -59,15 +58,15 @@ VTI_INLINE int64_t vti_colour_free(uint64_t coloured)
     return c + (INT64_C(0x4010201030102010) >> 4 * (coloured & 15) & 15);
 }
 
-/** Colours of pairs (as vti_touch_number has them), and the end of each. Nobody is left in the table. */
-static inline void vti_window_colour(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
-                                     struct vti_order *order)
+/** Colours of pairs (as vti_touch_number has them), and the end of each. Nobody is left in the table. Returns how many
+ *  there are. */
+static inline int64_t vti_window_colour(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
+                                        int64_t count)
 {
     int64_t of[VTI_COLOURS] = {0}, most = 0, end = 0, last = 0;
     struct vti_window_body *i = NULL;
-    for (int64_t n = 0; n < order->count; ++n) {
-        order->number[n] = vti_touch_number(found[n]);
-        const int64_t *const bodies = pair + 2 * order->number[n];
+    for (int64_t n = 0; n < count; ++n) {
+        const int64_t *const bodies = pair + 2 * vti_touch_number(found[n]);
         if (n == 0 || bodies[0] != last) /* lists have the pairs of a body one after the other */
             i = vti_window_at(w, bodies[0] - base);
         last = bodies[0];
@@ -80,53 +79,32 @@ static inline void vti_window_colour(struct vti_window *w, const int64_t *pair, 
         ++of[c];
     }
     for (int64_t c = 0; c <= most; ++c)
-        order->ends[c] = end += of[c];
-    order->colours = most + 1;
+        w->ends[c] = end += of[c];
     while (w->bodies > 0)
         w->taken[--w->bodies]->body = 0;
-}
-
-/** The order of so many pairs. */
-static inline void vti_window_order(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
-                                    int64_t count, struct vti_order *order)
-{
-    int64_t to[VTI_COLOURS] = {0};
-    order->count = count;
-    vti_window_colour(w, pair, base, found, order);
-    for (int64_t c = 1; c < order->colours; ++c)
-        to[c] = order->ends[c - 1];
-    for (int64_t n = 0; n < count; ++n)
-        order->place[to[w->colour[n]]++] = n;
-}
-
-/** Whether it is that of these pairs, whatever gaps they have: -1 - k has all bits of k turned over. */
-static inline int vti_order_is_of(const struct vti_order *order, const int64_t *found, int64_t count)
-{
-    uint64_t other = 0;
-    if (order->count != count)
-        return 0;
-    for (int64_t n = 0; n < count; ++n)
-        other |= ((uint64_t)(order->number[n] ^ found[n]) + 1) >> 1;
-    return other == 0;
+    return most + 1;
 }
 
 /** Works so many pairs of one colour in this order, no more than most at once. */
 typedef void vti_colour_work(const void *context, const int64_t *found, int64_t count, int64_t most);
 
-/** Works the pairs of a list that one window holds, backwards or forwards; kept is the order that pairs of the same list
- *  had there before, or NULL. */
-static inline void vti_window_work(struct vti_window *w, struct vti_order *kept, const int64_t *pair, int64_t base,
-                                   const int64_t *found, int64_t count, int back, vti_colour_work *work,
-                                   const void *context)
+/** Works the pairs of a list that one window holds, backwards or forwards. */
+static inline void vti_window_work(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
+                                   int64_t count, int back, vti_colour_work *work, const void *context)
 {
-    struct vti_order *const order = kept != NULL ? kept : &w->own;
-    if (kept == NULL || !vti_order_is_of(kept, found, count))
-        vti_window_order(w, pair, base, found, count, order);
-    for (int64_t n = 0; n < count; ++n)
-        w->sorted[back ? count - 1 - n : n] = found[order->place[n]];
-    for (int64_t k = 0; k < order->colours; ++k) {
-        const int64_t c = back ? order->colours - 1 - k : k, first = c > 0 ? order->ends[c - 1] : 0,
-                      end = order->ends[c];
+    const int64_t colours = vti_window_colour(w, pair, base, found, count), step = back ? -1 : 1;
+    int64_t to[VTI_COLOURS];
+    for (int64_t c = 0; c < colours; ++c) {
+        const int64_t first = c > 0 ? w->ends[c - 1] : 0;
+        to[c] = back ? count - 1 - first : first;
+    }
+    for (int64_t n = 0; n < count; ++n) {
+        int64_t *const at = &to[w->colour[n]];
+        w->sorted[*at] = found[n];
+        *at += step;
+    }
+    for (int64_t k = 0; k < colours; ++k) {
+        const int64_t c = back ? colours - 1 - k : k, first = c > 0 ? w->ends[c - 1] : 0, end = w->ends[c];
         work(context, w->sorted + (back ? count - end : first), end - first, c == VTI_COLOUR_LAST ? 1 : VTI_TOUCHES);
     }
 }

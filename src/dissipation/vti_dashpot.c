@@ -64,13 +64,11 @@ static void flow_singly(const void *sweep, const int64_t *found, int64_t count, 
     }
 }
 
-/** So many pairs, from the first on of all that are within reach, forwards or backwards. */
-static void flow_window(const struct vti_sweep *s, struct places *w, int64_t first, const int64_t *found, int64_t count)
+/** Forwards or backwards. */
+static void flow_window(const struct vti_sweep *s, struct places *w, const int64_t *found, int64_t count)
 {
-    struct vti_order *const kept = s->kept.order != NULL ? s->kept.order + first / VTI_WINDOW : NULL;
-    if (count > 0)
-        vti_window_work(&w->window, kept, s->p->contacts->pair, s->p->contacts->base, found, count, s->drift < 0.0,
-                        s->p->by_body == NULL ? flow_colour : flow_singly, s);
+    vti_window_work(&w->window, s->p->contacts->pair, s->p->contacts->base, found, count, s->drift < 0.0,
+                    s->p->by_body == NULL ? flow_colour : flow_singly, s);
 }
 
 /** Windows from the first pair on. */
@@ -78,18 +76,17 @@ static void flow_forwards(const struct vti_sweep *s, struct places *w)
 {
     const vti_contacts *const list = s->p->contacts;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
-    int64_t count = 0, before = 0;
+    int64_t count = 0;
     for (int64_t first = 0, most; first < list->count; first += most) {
         int64_t done = 0;
         most = least_of(list->count - first, FOUND - count);
         count += kernels->near(list, s->b, s->p->reach, first, most, w->found + count);
         for (; count - done >= VTI_WINDOW; done += VTI_WINDOW)
-            flow_window(s, w, before + done, w->found + done, VTI_WINDOW);
+            flow_window(s, w, w->found + done, VTI_WINDOW);
         count -= done;
-        before += done;
         memmove(w->found, w->found + done, (size_t)count * sizeof *w->found);
     }
-    flow_window(s, w, before, w->found, count);
+    flow_window(s, w, w->found, count);
 }
 
 /** How many pairs the last of the windows of so many has. */
@@ -106,7 +103,7 @@ static void flow_few_backwards(const struct vti_sweep *s, struct places *w)
     while (all > 0) {
         const int64_t size = last_window(all);
         all -= size;
-        flow_window(s, w, all, w->found + all, size);
+        flow_window(s, w, w->found + all, size);
     }
 }
 
@@ -124,8 +121,8 @@ static void flow_many_backwards(const struct vti_sweep *s, struct places *w)
         count += found;
         if (count < size)
             continue;
+        flow_window(s, w, w->found, size);
         all -= size;
-        flow_window(s, w, all, w->found, size);
         count = 0;
     }
 }
@@ -238,8 +235,6 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
         flow_walls(&s);
-    if (pairs)
-        s.kept = vti_touching_take(p->touching, p->contacts, p->friction != NULL ? p->friction->history : NULL);
     if (pairs)
         vti_window_clear(&w.window, p->contacts->count);
     if (pairs && drift < 0.0)

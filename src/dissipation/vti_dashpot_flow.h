@@ -11,7 +11,6 @@
 #define VTI_DASHPOT_FLOW_H
 
 #include "vti_damping.h"
-#include "../contacts/vti_touching.h"
 
 enum { NORMAL = VTI_NORMAL, TANGENTIAL = VTI_TANGENTIAL, ROLLING = VTI_ROLLING, TWISTING = VTI_TWISTING, MOTIONS };
 
@@ -21,7 +20,6 @@ struct vti_sweep {
     const vti_bodies *b;
     double t, drift;
     int damped[MOTIONS];
-    struct vti_list_kept kept; /* of the list of pairs */
 };
 
 /** What the touch is between here and the other end of the drift. */

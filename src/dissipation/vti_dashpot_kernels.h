@@ -53,12 +53,10 @@ static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *fou
 
 /* ---- flows ------------------------------------------------------------------------------------------------------- */
 
-/** What springs hold between bodies i and j, which are pairs of the list, or where those are NULL at a wall: 0 where
- *  there are none. */
-VTI_INLINE void find_loads(const struct vti_sweep *s, const struct side *i, const struct side *j, const int64_t *which,
-                           int64_t wall, struct vti_loads *f)
+/** What springs hold between bodies i and j, or where j is NULL at a wall: 0 where there are none. */
+VTI_INLINE void find_loads(const vti_dashpots *p, const struct side *i, const struct side *j, int64_t wall,
+                           struct vti_loads *f)
 {
-    const vti_dashpots *const p = s->p;
     static const vti_friction none;
     const vti_history *const table = p->friction != NULL ? p->friction->history : NULL;
     int64_t at[WIDTH] = {0}, holds[WIDTH];
@@ -67,9 +65,7 @@ VTI_INLINE void find_loads(const struct vti_sweep *s, const struct side *i, cons
         return;
     }
     for (int l = 0; l < WIDTH; ++l) {
-        const vti_held *const held = which != NULL
-                                         ? vti_touching_slot(&s->kept, table, which[l], i->body[l] + 1, j->body[l] + 1)
-                                         : vti_history_at(table, i->body[l] + 1, -1 - wall);
+        const vti_held *const held = vti_history_at(table, i->body[l] + 1, j != NULL ? j->body[l] + 1 : -1 - wall);
         at[l] = slot_at(table->slot, held);
         holds[l] = held->i;
     }
@@ -92,7 +88,7 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
     gather_velocities(layout, s->b, &i, &j, &at.touch, &at.motion);
     at.damping.zeta = s->p->zeta;
-    find_loads(s, &i, &j, which, 0, &at.held);
+    find_loads(s->p, &i, &j, 0, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter_velocities(layout, s->b, &i, &j, &at.motion);
@@ -161,7 +157,7 @@ VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sw
     }
     load_at_wall(layout, s, from, first, &i, &at);
     at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[from->wall] : p->zeta;
-    find_loads(s, &i, NULL, NULL, from->wall, &at.held);
+    find_loads(p, &i, NULL, from->wall, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter(layout, &s->b->v, &i, at.motion.v_i);

@@ -8,7 +8,6 @@
 #include "../contacts/vti_cage.h"
 #include "vti_friction_touches.h"
 #include "vti_spring.h"
-#include "../contacts/vti_touching.h"
 #include "../contacts/vti_touch.h"
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
@@ -95,13 +94,11 @@ static void push_from_wall(void *context, const struct vti_touch *touch, vti_hel
 static void push_pairs(const vti_friction *p, const vti_bodies *b)
 {
     const vti_contacts *const list = p->contacts;
-    const struct vti_list_kept kept = vti_touching_read(p->touching, list, p->history);
     int64_t pair[VTI_TOUCHES], count = 0;
     vti_held *held[VTI_TOUCHES];
     for (int64_t k = 0; k < list->count; ++k) {
         pair[count] = k;
-        held[count] =
-            vti_touching_find(&kept, p->history, k, 1 + vti_contact_body(list, k, 0), 1 + vti_contact_body(list, k, 1));
+        held[count] = vti_friction_slot(p, k);
         count += held[count]->i != 0;
         if (count < VTI_TOUCHES && k < list->count - 1)
             continue;

@@ -4,7 +4,6 @@
  * 6.5). As many at once as a kernel takes, in the order of the lists. */
 #include "vti_carry.h"
 #include "vti_friction_touches.h"
-#include "../contacts/vti_touching.h"
 #include "../vti_shares.h"
 
 /** The slot of a touch that holds something or begins to; NULL if there is no room. */
@@ -28,16 +27,8 @@ struct carrying {
     const vti_friction *p;
     const vti_bodies *b;
     const vti_drifted *drifted;
-    struct vti_list_kept kept; /* of the list of pairs */
     struct vti_carried pairs;
 };
-
-/** The slot of pair k. */
-static vti_held *find_slot(const struct carrying *c, int64_t k)
-{
-    return vti_touching_slot(&c->kept, c->p->history, k, 1 + vti_contact_body(c->p->contacts, k, 0),
-                             1 + vti_contact_body(c->p->contacts, k, 1));
-}
 
 /** Increments of attitude of bodies that turn by L; beyond count, up to a whole number of lanes, the last ones again. */
 static void find_turns(struct carrying *c, const vti_bodies *turning)
@@ -96,7 +87,7 @@ static void carry_waiting(struct carrying *c)
         vti_touch_kernels_for(count)->carry(c->p, c->b, c->drifted, pairs);
     for (int64_t k = 0; k < count; ++k)
         if (pairs->delta[k] <= 0.0)
-            vti_history_remove(c->p->history, find_slot(c, pairs->pair[k]));
+            vti_history_remove(c->p->history, vti_friction_slot(c->p, pairs->pair[k]));
     pairs->count = 0;
 }
 
@@ -118,7 +109,7 @@ static int was_near(const struct carrying *c, int64_t k)
 static void carry_pair(struct carrying *c, int64_t k, int touches)
 {
     vti_history *const history = c->p->history;
-    vti_held *held = find_slot(c, k);
+    vti_held *held = vti_friction_slot(c->p, k);
     if (held->i == 0 && !(touches && was_near(c, k)))
         return;
     if (held->i == 0) {
@@ -144,7 +135,6 @@ static void carry_pairs(struct carrying *c)
     const vti_contacts *const list = c->p->contacts;
     const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(list->count);
     int64_t pair[VTI_TOUCHES];
-    c->kept = vti_touching_take(c->p->touching, list, c->p->history);
     for (int64_t first = 0; first < list->count; first += VTI_TOUCHES) {
         const int64_t left = list->count - first, most = left < VTI_TOUCHES ? left : VTI_TOUCHES,
                       found = kernels->near(list, c->b, c->p->reach, first, most, pair);

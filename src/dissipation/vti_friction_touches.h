@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Where the springs of friction are looked for at walls. */
+ * Where the springs of friction are looked for. */
 #ifndef VTI_FRICTION_TOUCHES_H
 #define VTI_FRICTION_TOUCHES_H
 
 #include "../contacts/vti_face.h"
+#include "../contacts/vti_history.h"
 #include "vti_touch_table.h"
 
 /** The effect's carry. */
 void vti_friction_carry(const void *self, const vti_bodies *b, const vti_drifted *drifted);
+
+/** The slot of pair k. */
+static inline vti_held *vti_friction_slot(const vti_friction *p, int64_t k)
+{
+    return vti_history_at(p->history, 1 + vti_contact_body(p->contacts, k, 0), 1 + vti_contact_body(p->contacts, k, 1));
+}
 
 /** Of the bodies from the first on, as many as a kernel takes, those near any wall, as vti_touch_kernels.near_wall has
  *  them. */

@@ -78,7 +78,6 @@ contains
         type(vti_bond_dashpots), target :: bond_dashpots
         type(vti_rupture), target :: rupture
         type(vti_dashpots), target :: dashpots
-        type(vti_touching), target :: touching
         type(vti_multistep), target :: multistep
         type(vti_past), target :: past
         type(vti_bonds), target :: bonds
@@ -138,7 +137,7 @@ contains
             c_loc(friction%sliding), c_loc(friction%rolling), c_loc(friction%twisting), c_loc(friction%stiffness), &
             c_loc(friction%mindlin), c_loc(friction%rolling_stiffness), c_loc(friction%twisting_stiffness), &
             c_loc(friction%reach), c_loc(friction%history), c_loc(friction%lost), c_loc(friction%wall_sliding), &
-            c_loc(friction%by_body), c_loc(friction%by_pair), c_loc(friction%touching)])
+            c_loc(friction%by_body), c_loc(friction%by_pair)])
         call add(c_sizeof(multistep), c_loc(multistep), [c_loc(multistep%name), c_loc(multistep%depth), &
             c_loc(multistep%c), c_loc(multistep%u), c_loc(multistep%reach), c_loc(multistep%about)])
         call add(c_sizeof(past), c_loc(past), [c_loc(past%memory), c_loc(past%depth), c_loc(past%known)])
@@ -152,14 +151,13 @@ contains
             c_loc(dashpots%friction), c_loc(dashpots%zeta), c_loc(dashpots%normal), c_loc(dashpots%tangential), &
             c_loc(dashpots%ratio), c_loc(dashpots%rolling), c_loc(dashpots%twisting), c_loc(dashpots%pull), &
             c_loc(dashpots%reach), c_loc(dashpots%lost), c_loc(dashpots%wall_zeta), &
-            c_loc(dashpots%by_body), c_loc(dashpots%touching)])
+            c_loc(dashpots%by_body)])
         call add(c_sizeof(bonds), c_loc(bonds), [c_loc(bonds%count), c_loc(bonds%pair), c_loc(bonds%base), &
             c_loc(bonds%rest), c_loc(bonds%moment), c_loc(bonds%axial), c_loc(bonds%shear), &
             c_loc(bonds%shear_form), c_loc(bonds%turn)])
         call add(c_sizeof(contacts), c_loc(contacts), [c_loc(contacts%count), c_loc(contacts%pair), &
             c_loc(contacts%base), c_loc(contacts%diameter), c_loc(contacts%stiffness), c_loc(contacts%modulus), &
             c_loc(contacts%length)])
-        call add(c_sizeof(touching), c_loc(touching), [c_loc(touching%room), c_loc(touching%memory)])
         call add(c_sizeof(motion), c_loc(motion), [c_loc(motion%velocity), c_loc(motion%spin), c_loc(motion%centre), &
             c_loc(motion%moved)])
         call add(c_sizeof(walls), c_loc(walls), [c_loc(walls%count), c_loc(walls%plane), c_loc(walls%diameter), &

@@ -4,7 +4,7 @@
  *     cost CONFIG STEPS [WEIGHT]
  *             CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact, w
  *             wall, g gravity, p pendulum; what loses energy: d dashpots (normal, tangential) and f friction (sliding)
- *             of contacts, o memory for their list, x drag, k rupture of bonds, b dashpots of bonds; h the pendulum by hand, without the
+ *             of contacts, x drag, k rupture of bonds, b dashpots of bonds; h the pendulum by hand, without the
  *             library's steps and effects; 1 one body, u not sealed */
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static const double floor_plane[1][4] = {{0.0, 0.0, 1.0, -0.4}}; /* every body t
 static vti_pendulum pendulum = {1.0, {0.0, 0.0, 1.0}};
 static vti_held slots[2 * N];
 static vti_sum lost[5][5];
-static int64_t id[N - 1], kept[8 * N];
+static int64_t id[N - 1];
 static const vti_gravity gravity = {{0.0, 0.0, -1.0}};
 
 /** A chain along x, its neighbours slightly overlapping, everything moving a little. */
@@ -116,22 +116,15 @@ int main(int argc, char **argv)
     if (strchr(config, 'p') != NULL)
         effects[n++] = vti_pendulum_effect(&pendulum);
 
-    const vti_touching touching = {vti_touching_room(N - 1), kept};
     vti_history history = {2 * N, 0, 0, slots};
-    const vti_friction friction = {.contacts = &contacts,
-                                   .sliding = 0.5,
-                                   .mindlin = 0.8,
-                                   .reach = 0.1,
-                                   .history = &history,
-                                   .lost = lost[0],
-                                   .touching = strchr(config, 'o') != NULL ? &touching : NULL};
+    const vti_friction friction = {
+        .contacts = &contacts, .sliding = 0.5, .mindlin = 0.8, .reach = 0.1, .history = &history, .lost = lost[0]};
     const vti_dashpots dashpots = {.contacts = &contacts,
                                    .friction = strchr(config, 'f') != NULL ? &friction : NULL,
                                    .zeta = 0.1,
                                    .ratio = 0.5,
                                    .reach = 0.1,
-                                   .lost = lost[1],
-                                   .touching = friction.touching};
+                                   .lost = lost[1]};
     const vti_drag drag = {.linear = k, .lost = lost[2]};
     const vti_bond_dashpots bond_dashpots = {.bonds = &bonds, .zeta = 0.1, .lost = lost[4]};
     const double limit = 1e9; /* nothing breaks: what looking for it costs */

@@ -49,7 +49,6 @@ for name, letters in {"binder: moment": "m", "binder: axial": "a", "binder: shea
 for name, base_letters, letters in (("dashpot of a touching pair: normal, tangential", "c", "cd"),
                                     ("friction of a touching pair: sliding", "c", "cf"),
                                     ("friction and dashpot together", "c", "cfd"),
-                                    ("the same with memory for the list (`vti_touching`)", "c", "cfdo"),
                                     ("limits of a bond (rupture)", "mas", "mask"),
                                     ("dashpots of a bond: four terms", "mas", "masb"), ("drag: linear", "", "x")):
     cost[name] = per_body("trl" + letters)[0] - per_body("trl" + base_letters)[0]
@@ -75,10 +74,8 @@ check(pendulum < 1.10 * hand, f"a pendulum scene costs {pendulum / hand:.3f} tim
 
 _, names = per_body("trlma")
 elastic = cost["contact (touching pair)"]
-both, kept = cost["friction and dashpot together"], cost["the same with memory for the list (`vti_touching`)"]
 print("a touching pair with dashpot and friction costs "
-      f"{(elastic + both) / elastic:.2f} elastic ones, {(elastic + kept) / elastic:.2f} with memory for the list\n")
-check(kept < 0.85 * both, f"memory for the list saves instructions: {kept:.0f} instead of {both:.0f}")
+      f"{(elastic + cost['friction and dashpot together']) / elastic:.2f} elastic ones\n")
 losing = re.compile("^flow|carry|history|dashpot|friction|drag|rupture|decay|booked")
 check(not any(map(losing.search, names_whole)), "a scene without dissipation calls no function of it")
 shear = re.compile("objective|quartic|printed|shear")

@@ -28,7 +28,7 @@ static void make_scene(const char *spin, const char *effects, struct scene *scen
 
 static const struct chunks *chunks_of_model(const struct model *model)
 {
-    struct effect_surfaces surfaces = {NULL, NULL, 0.0, NULL, NULL};
+    struct effect_surfaces surfaces = {NULL, NULL, 0.0, NULL};
     model->rooms[CONTACT].kind->surfaces(&model->rooms[CONTACT], &surfaces);
     assert_non_null(surfaces.chunks);
     return surfaces.chunks;
