@@ -31,11 +31,12 @@ enum { PILOT_MARKS = 16 };
 /** One stepper from the start of a scene on, of which the bodies at sixteen times are kept, the last at the end. */
 struct pilot {
     int64_t steps, force_evals;
-    int failed;                  /* a step was refused, or a state is not finite; message says why */
-    int marked;                  /* all of these are there; else, of runs of a few steps, only the end */
-    int spent;                   /* ended because the purse was empty */
-    double seconds;              /* of the steps alone */
-    double max_omega;            /* largest |Omega| at some 64 times */
+    int failed;       /* a step was refused, or a state is not finite; message says why */
+    int marked;       /* all of these are there; else, of runs of a few steps, only the end */
+    int spent;        /* ended because the purse was empty */
+    int parted;       /* ended at so many marks, having left the run that it was flown beside; 0: it was not */
+    double seconds;   /* of the steps alone */
+    double max_omega; /* largest |Omega| at some 64 times */
     double energy, energy_error; /* at t = 0, and the largest |E - E_0|/|E_0| at these (absolute if E_0 = 0) */
     vti_bodies at[PILOT_MARKS];  /* x, v, alpha and omega, of those that the scene has */
     double *memory;
@@ -45,10 +46,12 @@ struct pilot {
 /** The next number of steps that a pilot goes in: a multiple of PILOT_MARKS, its unit, unless it is small. */
 int64_t pilot_steps(double steps);
 int64_t pilot_unit(int64_t steps);
-/** Runs the trial, of pilot_steps. Returns 0; ADVISE_SPENT; or -1 with one line in *message if there is no memory or no
- *  model. A run that fails on its way is pilot->failed. pilot_destroy is due after any of them. */
-int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot *pilot,
-              struct message *message);
+/** Runs the trial, of pilot_steps. beside: a coarser run of the same time, or NULL; where the two part early by a
+ *  measure of cost_ladder.h, the rest would tell nothing of trajectories, and the run ends there. Returns 0;
+ *  ADVISE_SPENT; or -1 with one line in *message if there is no memory or no model. A run that fails on its way is
+ *  pilot->failed. pilot_destroy is due after any of them. */
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, const struct pilot *beside,
+              int measure, struct pilot *pilot, struct message *message);
 void pilot_destroy(struct pilot *pilot);
 
 /** How far a run is from the solution at a mark, by a measure of cost_ladder.h; of the energy that at all marks, for
@@ -144,7 +147,9 @@ struct search {
     struct message *message;
 };
 
-/** A pilot run over s->t_end. Returns as pilot_run does. */
+/** A pilot run over s->t_end. Returns as pilot_run does. search_run_beside ends it where it parts from a coarser one. */
+int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t steps, const struct pilot *beside,
+                      struct pilot *pilot);
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
 /** The fewest steps that are worth trying: below 0.9 of the stable step, and of the closed form's own bound. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
@@ -166,9 +171,9 @@ int search_solution(struct search *s, double share);
 double search_together(const struct search *s, const struct pilot *a, const struct pilot *b);
 
 /** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. Returns 0, -1, ADVISE_SPENT,
- *  or ADVISE_PARTED if they have nothing to do with each other: then it is the finer run, of which the energy's error
- *  is known, and search_law_follow goes on by that once s->measure is the energy. The offer stays as it is if they
- *  fail. */
+ *  or ADVISE_PARTED if they have nothing to do with each other: then it is the finer run, or the coarser one if they
+ *  part so early that the finer one is not flown to its end, of which the energy's error is known, and
+ *  search_law_follow goes on by that once s->measure is the energy. The offer stays as it is if they fail. */
 int search_law(struct search *s, struct offer *o, int64_t steps);
 void search_law_follow(const struct search *s, struct offer *o);
 /** The same from one run, of which that of the energy alone is known; s->measure is that. */

@@ -49,7 +49,7 @@ static double apart(const struct pilot *coarse, const struct pilot *fine, int me
     return fmax(end, race_median(at, PILOT_MARKS - FIRST));
 }
 
-/** What the finer run errs by all measures; of the energy it shows itself. */
+/** What the finer run errs by all measures; of the energy it shows itself, alone if it is the coarser one too. */
 static void errors_of(const struct search *s, const struct pilot *coarse, const struct pilot *fine, double finer,
                       double errors[COST_MEASURES])
 {
@@ -59,14 +59,14 @@ static void errors_of(const struct search *s, const struct pilot *coarse, const 
         errors[m] = has ? apart(coarse, fine, m) : NAN;
         if (m == COST_ENERGY)
             errors[m] = pilot_error(fine, NULL, m, PILOT_MARKS - 1);
-        else if (!(apart(coarse, fine, s->trajectory) < too_far))
+        else if (fine == coarse || !(apart(coarse, fine, s->trajectory) < too_far))
             errors[m] = NAN; /* they have parted */
         else
             errors[m] /= finer;
     }
 }
 
-/** The finer run as an offer. */
+/** That run as an offer. */
 static void offer_run(const struct search *s, struct offer *o, const struct pilot *fine)
 {
     o->steps = fine->steps;
@@ -79,12 +79,12 @@ static void offer_run(const struct search *s, struct offer *o, const struct pilo
 /** From that run, and its errors, to the steps that meet the error asked for. */
 void search_law_follow(const struct search *s, struct offer *o)
 {
-    static const double least = 0.5; /* the coarser run was made too */
-    static const double scatter = 3.0;
+    static const double scatter = 3.0, coarser = 0.5;
     static const double faster = 4.0; /* two orders of a doubling: 5.5 of chin4 on the torus to t = 1, from 176 steps */
     const double above = o->errors[s->measure] / (aim * s->target),
                  order = above > 1.0 ? o->order : plain_log2(1.0 + finer_by(o->stepper)),
-                 finer = fmax(plain_power(above, 1.0 / order), least);
+                 fewest = (double)search_fewest(s, o->stepper) / (double)o->steps,
+                 finer = fmax(plain_power(above, 1.0 / order), fmax(coarser, fewest));
     const int64_t steps = pilot_steps((double)o->steps * finer);
     const double more = (double)steps / (double)o->steps, less = plain_power(more, -order);
     for (int m = 0; m < COST_MEASURES; ++m)
@@ -115,14 +115,15 @@ int search_law(struct search *s, struct offer *o, int64_t steps)
     memset(&fine, 0, sizeof fine);
     int result = search_run(s, o->stepper, steps, &coarse);
     if (result == 0)
-        result = search_run(s, o->stepper, 2 * steps, &fine);
+        result = search_run_beside(s, o->stepper, 2 * steps, s->measure != COST_ENERGY ? &coarse : NULL, &fine);
     if (result == 0 && !fine.failed) {
         o->coarse = steps < 2 * search_fewest(s, o->stepper);
-        errors_of(s, &coarse, &fine, finer_by(o->stepper), o->errors);
-        offer_run(s, o, &fine);
+        const struct pilot *whole = fine.parted > 0 ? &coarse : &fine;
+        errors_of(s, &coarse, whole, finer_by(o->stepper), o->errors);
+        offer_run(s, o, whole);
         s->advice->together = search_together(s, &coarse, &fine);
-        s->advice->max_omega = fine.max_omega;
-        if (s->measure != COST_ENERGY && !(o->errors[s->trajectory] < too_far))
+        s->advice->max_omega = whole->max_omega;
+        if (s->measure != COST_ENERGY && !(o->errors[s->trajectory] < too_far)) /* or NaN, where it was not flown on */
             result = ADVISE_PARTED;
         else
             search_law_follow(s, o);

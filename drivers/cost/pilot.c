@@ -32,6 +32,8 @@ struct flight {
     struct pilot *pilot;
     struct trial_run run;
     const struct purse *purse;
+    const struct pilot *beside; /* a coarser run, or NULL, and by what the two are compared */
+    int measure;
     double evals;   /* of a step; 0 where they vary */
     double looking; /* seconds that are not the steps' */
     int64_t step;   /* the last at which the purse was looked at */
@@ -49,6 +51,16 @@ static double *keep(vti_view *view, double *p, int64_t n, int *finite)
         }
     *view = vti_view_packed(p);
     return p + 3 * n;
+}
+
+/** Whether the two runs are on their way to have nothing to do with each other, errors growing with the time: three times
+ *  the angle that says nothing. Late in a run its end is near, and its energy is worth it. */
+static int has_parted(const struct flight *f, int64_t mark)
+{
+    enum { EARLY = PILOT_MARKS / 4 };
+    static const double parted = 0.9;
+    return f->beside != NULL && mark < EARLY &&
+           pilot_error(f->beside, f->pilot, f->measure, (int)mark) * PILOT_MARKS > parted * (double)(mark + 1);
 }
 
 static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -73,8 +85,12 @@ static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies
     p = keep(&b->v, p, n, &finite);
     p = keep(&b->alpha, p, n, &finite);
     keep(&b->omega, p, n, &finite);
+    if (has_parted(f, mark)) {
+        f->step = step;
+        pilot->parted = (int)mark + 1;
+    }
     f->looking += trial_clock() - from;
-    return finite ? 0 : message_set(&pilot->message, "the bodies leave the range of numbers");
+    return finite ? pilot->parted > 0 : message_set(&pilot->message, "the bodies leave the range of numbers");
 }
 
 /** Energy, with what effects have booked, and rotation. */
@@ -128,10 +144,10 @@ static int64_t fly(struct flight *f, const struct trial *trial)
     const struct observer observers[] = {{see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL},
                                          {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL},
                                          {look, f, look_every(steps), 0, NULL}};
-    pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent;
+    pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent && pilot->parted == 0;
     pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
     pilot->force_evals = travel_force_evals(&f->run.travel);
-    if (pilot->spent && pilot->force_evals == 0) /* of a list of kicks that was stopped */
+    if ((pilot->spent || pilot->parted > 0) && pilot->force_evals == 0) /* of a list of kicks that was stopped */
         pilot->force_evals = 1 + f->step * trial->stepper->evals;
     return f->run.model.bodies.count;
 }
@@ -149,10 +165,11 @@ int64_t pilot_steps(double steps)
     return (int64_t)(unit * ceil(limited / unit));
 }
 
-int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot *pilot,
-              struct message *message)
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, const struct pilot *beside,
+              int measure, struct pilot *pilot, struct message *message)
 {
-    struct flight flight = {.pilot = pilot, .purse = purse, .evals = (double)trial->stepper->evals};
+    struct flight flight = {
+        .pilot = pilot, .purse = purse, .beside = beside, .measure = measure, .evals = (double)trial->stepper->evals};
     memset(pilot, 0, sizeof *pilot);
     pilot->steps = trial->steps;
     pilot->marked = trial->steps % PILOT_MARKS == 0;

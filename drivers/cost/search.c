@@ -24,10 +24,16 @@ enum { TRIES = 24, REFINEMENTS = 4 };
 
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot)
 {
+    return search_run_beside(s, stepper, steps, NULL, pilot);
+}
+
+int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t steps, const struct pilot *beside,
+                      struct pilot *pilot)
+{
     if (s->say != NULL)
         s->say(stepper->name, steps);
     const struct trial trial = {stepper, s->t_end / (double)steps, steps, s->t_end};
-    const int result = pilot_run(s->scene, &trial, &s->purse, pilot, s->message);
+    const int result = pilot_run(s->scene, &trial, &s->purse, beside, s->trajectory, pilot, s->message);
     s->advice->evals += (double)pilot->force_evals;
     return result;
 }
@@ -84,8 +90,9 @@ static void all_errors(const struct search *s, const struct pilot *pilot, double
 
 double search_together(const struct search *s, const struct pilot *a, const struct pilot *b)
 {
+    const int known = b->parted > 0 ? b->parted : PILOT_MARKS;
     int mark = 0;
-    while (mark < PILOT_MARKS && !(pilot_error(a, b, s->trajectory, mark) >= 0.1))
+    while (mark < known && !(pilot_error(a, b, s->trajectory, mark) >= 0.1))
         ++mark;
     return s->t_end * mark / PILOT_MARKS;
 }

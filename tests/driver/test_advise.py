@@ -232,6 +232,18 @@ def budget_is_hard():
         check(high < 3e5 * low, f"... that tells something: {low:.1e} ... {high:.1e}")
 
 
+def parted_early():
+    """Where two runs part early the finer one is not flown to its end: of both whole runs the pilots would take 2.5e6. What the
+    coarser one tells of the energy is true."""
+    advice = json.loads(run(advise, "--json", "--error", "1e-2", "--t-end", "35", scene("torus")).stdout)
+    took = 80 * advice["pilots"]["force_evals"]
+    check(took <= max(1e6, 80 * advice["predicted_force_evals"]), f"torus to 35: pilots took {took:.3g} evaluations")
+    check(advice["measure"] == "energy" and 0 < advice["trajectories_until"] < 35 / 4,
+          f"... and saw trajectories part at {advice['trajectories_until']}")
+    found, (low, high) = energy_error("torus", 35, advice["stepper"], advice["h"]), advice["interval"]
+    check(low <= found <= high < 1e3 * low, f"... {found:.2g} is in {low:.2g} ... {high:.2g}")
+
+
 def between_touches():
     """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below what was
     asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
@@ -309,6 +321,7 @@ far_below()
 rivals()
 always()
 budget_is_hard()
+parted_early()
 between_touches()
 measures()
 general_inertia()
