@@ -24,10 +24,16 @@ struct friction_self {
     vti_effect whole, made; /* as in one piece, and as it is */
 };
 
+/* ---- what springs remember (friction_memory.c) ------------------------------------------------------------------- */
+
+/** Room for so many touches. Returns 0, or -1 if there is no memory. */
+int friction_make_room(vti_history *history, int64_t touches);
 /** What all springs hold, for a run that goes on. */
 extern const struct effect_memory_of friction_memory;
 /** Room for what may touch after the next drift (kind.h). */
 int friction_find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message);
+
+/* ---- by chunks (friction_chunks.c) ------------------------------------------------------------------------------- */
 
 /** Makes the chunks, or the one of all, once friction is complete but for its history. Returns 0, or -1 if memory is
  *  out. */

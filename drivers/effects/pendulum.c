@@ -53,7 +53,7 @@ static void centre(const struct effect *e, const vti_bodies *bodies, int64_t i, 
     vti_pendulum_arm(e->settings, bodies, i, x);
 }
 
-/* ---- of many states at once --------------------------------------------------------------------------------------- */
+/* ---- of many states at once -------------------------------------------------------------------------------------- */
 
 VTI_INLINE void potentials_loops(const vti_pendulum *p, double *const q[4], int64_t n, double *restrict energy)
 {

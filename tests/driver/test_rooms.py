@@ -64,7 +64,7 @@ for room, _, inside in (each for top in ("src", "drivers") for each in os.walk(o
     check(len(sources) <= MOST + 1, f"{os.path.relpath(room, root)} is one room: {len(sources)} files with its meson.build, at most {MOST + 1}")
 
 rooms = []
-for path in glob.glob(os.path.join(root, "drivers", "effects", "*.c")):
+for path in glob.glob(os.path.join(root, "drivers", "effects", "**", "*.c"), recursive=True):
     with open(path, encoding="utf-8") as file:
         rooms += re.findall(r"^const struct effect_kind effect_(\w+) =", file.read(), flags=re.M)
 with open(os.path.join(root, "drivers", "effects", "kinds.h"), encoding="utf-8") as file:

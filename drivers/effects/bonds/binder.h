@@ -90,7 +90,23 @@ struct binder_self {
     struct bond_touch touch;
 };
 
+/* ---- what a scene says (binder_keys.c), and what it cannot say (binder_check.c) ---------------------------------- */
+
+enum { BINDER_FIELDS = 19 };
+extern const struct scene_field binder_fields[BINDER_FIELDS];
 extern const struct table_kind binder_table;
+
+/* As struct effect_kind has them. */
+void binder_defaults(void *settings);
+int binder_check(const struct scene_reader *reader, const struct scene *scene, const void *settings);
+int binder_check_tables(const struct model *model, const void *settings, const struct tables *tables,
+                        struct message *message);
+
+/** Whether there is the term of a column, BOND_MOMENT to BOND_SHEAR: the scene gives its stiffness, or the table, which
+ *  may be NULL, has the column. */
+int binder_has_term(const struct binder_settings *binder, const struct table *table, int column);
+
+/* ---- bonds of the start (binder_bonds.c), and how they are followed ---------------------------------------------- */
 
 /** Makes e->self->bonds. Returns 0, or -1 with one line in *message. */
 int binder_make_bonds(struct effect *e, const struct model *model, const struct table *table, struct message *message);
