@@ -5,11 +5,13 @@
  *     plane       g = n.x - (offset + n.moved),  N = n
  *     cylinder    g = R - |rho|,  N = -rho/|rho|,  rho being what of x - (point + moved) is across the axis
  *
- * and the velocity V + W x (x - centre) of the surface at x, W along the axis, which leaves the wall in its place. */
+ * and the velocity V + W x (x - centre) of the surface at x, W along the axis, which leaves the wall in its place. For
+ * lanes of bodies at one wall, or for one body, as in vti_touch_motion.h. */
 #ifndef VTI_FACE_H
 #define VTI_FACE_H
 
 #include "vti_hertz.h"
+#include "vti_touch_motion.h"
 
 static inline int64_t vti_faces(const vti_walls *p)
 {
@@ -32,27 +34,27 @@ static inline const vti_wall_motion *vti_face_motion(const vti_walls *p, int64_t
 }
 
 /** a, but what is along the unit vector n. */
-static inline void vti_face_across(const double a[3], const double n[3], double across[3])
+VTI_INLINE void vti_face_across(const lanes a[3], const double n[3], lanes across[3])
 {
-    const double along = vti_dot(a, n);
+    const lanes along = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
     for (int k = 0; k < 3; ++k)
         across[k] = a[k] - along * n[k];
 }
 
 /** From the axis of cylinder c towards the inside of its wall: of a place that is d away from a point of the axis. On
  *  the axis N = 0. */
-static inline double vti_face_inside(const double cylinder[7], const double d[3], double n[3])
+VTI_INLINE lanes vti_face_inside(const double cylinder[7], const lanes d[3], lanes n[3])
 {
-    double rho[3];
+    lanes rho[3];
     vti_face_across(d, cylinder, rho);
-    const double r = vti_norm(rho);
+    const lanes r = lanes_sqrt(lanes_dot(rho, rho));
     for (int k = 0; k < 3; ++k)
-        n[k] = r > VTI_COINCIDENT ? -rho[k] / r : 0.0 * rho[k];
+        n[k] = lanes_where(r > VTI_COINCIDENT, -rho[k] / r, 0.0 * rho[k]);
     return cylinder[6] - r;
 }
 
 /** x less a point of the axis of wall w. */
-static inline void vti_face_from_axis(const vti_walls *p, int64_t w, const double x[3], double d[3])
+VTI_INLINE void vti_face_from_axis(const vti_walls *p, int64_t w, const lanes x[3], lanes d[3])
 {
     const vti_wall_motion *const m = vti_face_motion(p, w);
     for (int k = 0; k < 3; ++k) {
@@ -72,21 +74,24 @@ static inline double vti_face_plane(const vti_walls *p, int64_t w, double n[3])
 }
 
 /** g of a plane that stands at offset. */
-static inline double vti_face_above(const double n[3], double offset, const double x[3])
+VTI_INLINE lanes vti_face_above(const double n[3], double offset, const lanes x[3])
 {
-    return vti_dot(n, x) - offset;
+    return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - offset;
 }
 
 /** g and N; g is NaN where a number is. */
-static inline double vti_face_gap(const vti_walls *p, int64_t w, const double x[3], double n[3])
+VTI_INLINE lanes vti_face_gap(const vti_walls *p, int64_t w, const lanes x[3], lanes n[3])
 {
     if (w >= p->count) {
-        double d[3];
+        lanes d[3];
         vti_face_from_axis(p, w, x, d);
         return vti_face_inside(p->cylinder + 7 * (w - p->count), d, n);
     }
-    const double offset = vti_face_plane(p, w, n);
-    return vti_face_above(n, offset, x);
+    double plane[3];
+    const double offset = vti_face_plane(p, w, plane);
+    for (int k = 0; k < 3; ++k)
+        n[k] = lanes_of(plane[k]);
+    return vti_face_above(plane, offset, x);
 }
 
 /** The axis about which wall w turns. */
@@ -96,18 +101,49 @@ static inline const double *vti_face_axis(const vti_walls *p, int64_t w)
 }
 
 /** Where walls move: the velocity of the surface of wall w at x, and its angular velocity. */
-static inline void vti_face_velocity(const vti_walls *p, int64_t w, const double x[3], double velocity[3],
-                                     double turning[3])
+VTI_INLINE void vti_face_velocity(const vti_walls *p, int64_t w, const lanes x[3], lanes velocity[3], lanes turning[3])
 {
     const vti_wall_motion *const m = &p->motion[w];
     const double *const axis = vti_face_axis(p, w);
-    double d[3];
+    lanes d[3];
     vti_face_from_axis(p, w, x, d);
     for (int k = 0; k < 3; ++k)
-        turning[k] = m->spin * axis[k];
-    vti_cross(turning, d, velocity);
+        turning[k] = lanes_of(m->spin * axis[k]);
+    lanes_cross(turning, d, velocity);
     for (int k = 0; k < 3; ++k)
         velocity[k] += m->velocity[k];
+}
+
+/** A body at x, of that radius, and wall w, where they are now; K is the caller's. */
+VTI_INLINE void vti_face_touch(struct vti_touch *at, const vti_walls *p, int64_t w, const lanes x[3], lanes radius)
+{
+    at->i = 0;
+    at->j = -1;
+    at->wall = w;
+    at->length = radius;
+    at->r = vti_face_gap(p, w, x, at->n);
+    at->delta = radius - at->r;
+    at->s_i = lanes_of(1.0);
+    at->s_j = lanes_of(0.0);
+    at->moves = p->motion != NULL;
+}
+
+/** Where it is no farther than reach, and there is a direction. */
+VTI_INLINE lanes_mask vti_face_near(const struct vti_touch *at, double reach)
+{
+    return (at->delta >= -reach) & (lanes_dot(at->n, at->n) > 0.0);
+}
+
+/** How the surface moves where a body at x touches it. */
+VTI_INLINE void vti_face_move(struct vti_touch *at, const vti_walls *p, const lanes x[3])
+{
+    lanes foot[3];
+    for (int c = 0; c < 3; ++c) {
+        foot[c] = x[c] - at->r * at->n[c];
+        at->v_j[c] = at->w_j[c] = lanes_of(0.0);
+    }
+    if (at->moves)
+        vti_face_velocity(p, at->wall, foot, at->v_j, at->w_j);
 }
 
 #endif

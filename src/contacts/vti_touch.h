@@ -55,22 +55,12 @@ static inline int vti_touch_wall(struct vti_touch *at, const vti_walls *p, const
 {
     double x[3];
     vti_load(&b->x, i, x);
-    at->i = i;
-    at->j = -1;
-    at->wall = w;
-    at->length = 0.5 * vti_scalar(&p->diameter, i);
-    at->r = vti_face_gap(p, w, x, at->n);
-    at->delta = at->length - at->r;
-    if (!(at->delta >= -reach) || (w >= p->count && !(vti_dot(at->n, at->n) > 0.0)))
+    vti_face_touch(at, p, w, x, 0.5 * vti_scalar(&p->diameter, i));
+    if (!vti_face_near(at, reach))
         return 0;
+    at->i = i;
     at->stiffness = vti_face_stiffness(p, w, i, at->length);
-    at->s_i = 1.0;
-    at->s_j = 0.0;
-    at->moves = p->motion != NULL;
-    for (int c = 0; c < 3 && at->moves; ++c)
-        x[c] -= at->r * at->n[c];
-    if (at->moves)
-        vti_face_velocity(p, w, x, at->v_j, at->w_j);
+    vti_face_move(at, p, x);
     return 1;
 }
 

@@ -4,7 +4,7 @@
 #define VTI_CARRY_KERNELS_H
 
 #include "../vti_move.h"
-#include "vti_spring.h"
+#include "vti_carry.h"
 #include "vti_touch_gather.h"
 
 VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
@@ -93,7 +93,7 @@ VTI_INLINE void carry_lanes(enum touch_layout layout, const vti_friction *p, con
     struct vti_taken taken;
     struct side i, j;
     int64_t place[WIDTH], at[WIDTH];
-    gather_touches(layout, p->contacts, b, whole(pairs->pair, first, pairs->count, place), &c.touch, &i, &j);
+    gather_touches(layout, p->contacts, b, whole(pairs->which, first, pairs->count, place), &c.touch, &i, &j);
     gather_motion(layout, &c, &i, &j, b, drifted, pairs, first);
     whole_slots(pairs->held[0], pairs->held, first, pairs->count, at);
     gather_loads(p, pairs->held[0], at, &before);
@@ -123,49 +123,70 @@ static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted 
 
 /* ---- at walls ---------------------------------------------------------------------------------------------------- */
 
-VTI_INLINE void load_vector(const struct vti_carried_at *from, int column, int64_t first, lanes a[3])
+/** Increments of attitude of bodies, and of the wall where they touch it; at a plane h Omega, so that rolling on it is
+ *  exact. */
+VTI_INLINE void gather_turns_at(enum touch_layout layout, const vti_walls *p, const vti_bodies *b,
+                                const vti_drifted *drifted, const struct vti_touch *touch, const struct side *i,
+                                const struct vti_carried *bodies, int64_t first, lanes a_i[3], lanes a_j[3])
 {
-    for (int k = 0; k < 3; ++k)
-        a[k] = lanes_load(from->column[column + k] + first);
-}
-
-VTI_INLINE void carry_lanes_at_wall(const vti_friction *p, struct vti_carried_at *from, int64_t first)
-{
-    struct vti_carry c = {.touch = {.j = -1, .moves = from->moves}};
-    struct vti_loads loads;
-    struct vti_taken taken;
-    lanes d0[3], a_i[3], a_j[3];
-    int64_t at[WIDTH];
-    load_vector(from, VTI_AT_N, first, c.touch.n);
-    c.touch.r = lanes_load(from->column[VTI_AT_R] + first);
-    c.touch.delta = lanes_load(from->column[VTI_AT_DELTA] + first);
-    c.touch.length = lanes_load(from->column[VTI_AT_LENGTH] + first);
-    c.touch.stiffness = lanes_load(from->column[VTI_AT_STIFFNESS] + first);
-    c.touch.s_i = lanes_of(1.0);
-    c.touch.s_j = lanes_of(0.0);
-    load_vector(from, VTI_AT_N0, first, c.n0);
-    load_vector(from, VTI_AT_D0, first, d0);
-    c.delta0 = lanes_load(from->column[VTI_AT_DELTA0] + first);
-    load_vector(from, VTI_AT_SLID, first, c.slid);
-    load_vector(from, VTI_AT_DRAGGED, first, c.dragged);
-    load_vector(from, VTI_AT_TURN_I, first, a_i);
-    load_vector(from, VTI_AT_TURN_J, first, a_j);
-    load_vector(from, VTI_AT_TURN_J, first, c.turned);
-    vti_carry_stretch(&c, d0, a_i, a_j);
-    whole_slots(from->held[0], from->held, first, from->count, at);
-    gather_loads(p, from->held[0], at, &loads);
-    vti_carry_loads(p, &c, lanes_load(from->column[VTI_AT_SLIDING] + first), &loads, &taken);
-    scatter_loads(p, from->held[0], at, &loads);
-    for (int k = 0; k < VTI_FRICTION_BOOKS; ++k) {
-        lanes_store(from->column[VTI_AT_LOST + k] + first, taken.lost[k]);
-        lanes_store(from->column[VTI_AT_WORKED + k] + first, taken.worked[k]);
+    lanes w_i[3];
+    if (!bodies->turned)
+        gather(layout, &b->omega, i, w_i);
+    for (int k = 0; k < 3; ++k) {
+        a_i[k] = bodies->turned ? lanes_load(bodies->turn[k] + first) : drifted->t * w_i[k];
+        a_j[k] = drifted->t * touch->w_j[k];
     }
+    if (touch->wall < p->count)
+        return;
+    if (!bodies->turned)
+        increments(drifted, w_i, a_i);
+    increments(drifted, touch->w_j, a_j);
 }
 
-static void carry_at_walls(const vti_friction *p, struct vti_carried_at *at)
+VTI_INLINE void carry_lanes_at_wall(enum touch_layout layout, const vti_friction *p, const vti_bodies *b,
+                                    const vti_drifted *drifted, int64_t w, struct vti_carried *bodies, int64_t first,
+                                    struct books *books)
 {
-    for (int64_t first = 0; first < at->count; first += WIDTH)
-        carry_lanes_at_wall(p, at, first);
+    const int64_t count = bodies->count - first;
+    struct vti_carry c;
+    struct vti_loads before, loads;
+    struct vti_taken taken;
+    struct side i;
+    lanes x[3], v[3], d0[3], a_i[3], a_j[3];
+    int64_t place[WIDTH], at[WIDTH];
+    side_of(whole(bodies->which, first, bodies->count, place), &i);
+    gather_at_wall(layout, p->walls, b, w, &i, &c.touch, x);
+    gather(layout, &b->v, &i, v);
+    gather_turns_at(layout, p->walls, b, drifted, &c.touch, &i, bodies, first, a_i, a_j);
+    vti_carry_at_wall(&c, p->walls, drifted->t, x, v, a_j, d0);
+    vti_carry_stretch(&c, d0, a_i, a_j);
+    whole_slots(bodies->held[0], bodies->held, first, bodies->count, at);
+    gather_loads(p, bodies->held[0], at, &before);
+    loads = before;
+    vti_carry_loads(p, &c, lanes_of(vti_friction_of_wall(p, w)), &loads, &taken);
+    const lanes_mask there = vti_face_near(&c.touch, INFINITY); /* but on the axis of a cylinder */
+    if (!lanes_all(there))
+        leave(there == 0, &before, &loads, &taken);
+    lanes_store(bodies->delta + first, lanes_where(there, c.touch.delta, lanes_of(INFINITY)));
+    scatter_loads(p, bodies->held[0], at, &loads);
+    const lanes lost[BOOKS] = {taken.lost[0], taken.lost[1], taken.lost[2], lanes_of(0.0)};
+    book_lanes(books, lost, count);
+    if (c.touch.moves)
+        sum_lanes(p->walls->work, taken.worked[0] + taken.worked[1] + taken.worked[2], count);
+}
+
+static void carry_at_wall(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, int64_t w,
+                          struct vti_carried *bodies)
+{
+    const int packed = is_packed(b);
+    struct books books;
+    books_open(&books, p->lost, VTI_FRICTION_BOOKS);
+    for (int64_t first = 0; first < bodies->count; first += WIDTH)
+        if (packed)
+            carry_lanes_at_wall(PACKED, p, b, drifted, w, bodies, first, &books);
+        else
+            carry_lanes_at_wall(ANY, p, b, drifted, w, bodies, first, &books);
+    books_close(&books, p->lost, VTI_FRICTION_BOOKS);
 }
 
 #endif

@@ -135,8 +135,8 @@ static int tells(const vti_dashpots *p)
     return p->by_body != NULL || p->walls->by_body != NULL;
 }
 
-/** One body, so that what it loses is known. */
-static void flow_one_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
+/** Body i, so that what it loses is known. */
+static void flow_singly_at(const struct vti_sweep *s, int64_t w, int64_t i)
 {
     vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}}, work = {0.0, 0.0};
     vti_dashpots own = *s->p;
@@ -146,80 +146,42 @@ static void flow_one_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
     own.lost = lost;
     own.walls = &walls;
     walls.work = &work;
-    vti_touch_kernels_for(1)->flow_at(&one, at);
-    vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, at->body[0], -1);
-    if (at->moves)
-        vti_share_out(&work, 1, s->p->walls->work, s->p->walls->by_body, at->body[0], -1);
+    vti_touch_kernels_for(1)->flow_at(&one, w, 1, &i);
+    vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, i, -1);
+    if (walls.motion != NULL)
+        vti_share_out(&work, 1, s->p->walls->work, s->p->walls->by_body, i, -1);
 }
 
-/** The bodies that wait. */
-static void flow_waiting(const struct vti_sweep *s, struct vti_at_wall *at)
+/** All bodies at wall w, in their order: as many at once as a kernel takes. */
+static void flow_wall(const struct vti_sweep *s, int64_t w)
 {
-    const int64_t last = at->count - 1;
-    for (int64_t to = at->count; at->count > 0 && to % VTI_LANES_MOST != 0; ++to) {
-        at->body[to] = at->body[last];
-        at->r[to] = at->r[last];
-        at->delta[to] = at->delta[last];
-        at->length[to] = at->length[last];
-        at->stiffness[to] = at->stiffness[last];
-        for (int c = 0; c < 3; ++c) {
-            at->n[c][to] = at->n[c][last];
-            at->v_j[c][to] = at->v_j[c][last];
-            at->w_j[c][to] = at->w_j[c][last];
+    const vti_walls *const walls = s->p->walls;
+    const int64_t end = s->b->first + s->b->count;
+    const int single = tells(s->p);
+    int64_t body[2 * VTI_TOUCHES], waiting = 0;
+    for (int64_t i = s->b->first; i < end; i += VTI_TOUCHES) {
+        const int64_t some = least_of(end - i, VTI_TOUCHES);
+        uint64_t near = vti_touch_kernels_for(some)->near_wall(walls, s->b, s->p->reach, 0.0, w, i, some);
+        for (int64_t n = i; near != 0; ++n, near >>= 1) {
+            body[waiting] = n;
+            waiting += (int64_t)(near & 1);
         }
+        if (waiting < VTI_TOUCHES && i + VTI_TOUCHES < end)
+            continue;
+        for (int64_t k = 0; single && k < waiting; ++k)
+            flow_singly_at(s, w, body[k]);
+        if (!single && waiting > 0)
+            vti_touch_kernels_for(waiting)->flow_at(s, w, waiting, body);
+        waiting = 0;
     }
-    if (at->count == 1 && tells(s->p))
-        flow_one_waiting(s, at);
-    else if (at->count > 0)
-        vti_touch_kernels_for(at->count)->flow_at(s, at);
-    at->count = 0;
-}
-
-/** A body within reach joins those that wait, if it touches, or will at the other end of the drift. */
-static void wait_at_wall(const struct vti_sweep *s, const struct vti_touch *touch, int64_t most, struct vti_at_wall *at)
-{
-    const int64_t to = at->count;
-    double u[3];
-    vti_load(&s->b->v, touch->i, u);
-    for (int c = 0; c < 3 && touch->moves; ++c)
-        u[c] -= touch->v_j[c];
-    if (touch->delta <= 0.0 && touch->delta - s->drift * vti_dot(u, touch->n) <= 0.0)
-        return;
-    at->moves = touch->moves;
-    at->body[to] = touch->i;
-    at->r[to] = touch->r;
-    at->delta[to] = touch->delta;
-    at->length[to] = touch->length;
-    at->stiffness[to] = touch->stiffness;
-    for (int c = 0; c < 3; ++c) {
-        at->n[c][to] = touch->n[c];
-        at->v_j[c][to] = touch->moves ? touch->v_j[c] : 0.0;
-        at->w_j[c][to] = touch->moves ? touch->w_j[c] : 0.0;
-    }
-    if (++at->count == most)
-        flow_waiting(s, at);
 }
 
 /** Wall by wall, in the order of the walls, forwards or backwards: flows of different bodies at walls do not meet. */
 static void flow_walls(const struct vti_sweep *s)
 {
-    const vti_walls *walls = s->p->walls;
-    const int64_t first = s->b->first, end = first + s->b->count, count = vti_faces(walls),
-                  most = walls != NULL && tells(s->p) ? 1 : VTI_TOUCHES;
-    struct vti_touch touch;
-    struct vti_at_wall at;
-    at.count = 0;
-    for (int64_t k = 0; k < count; ++k) {
-        at.wall = s->drift < 0.0 ? count - 1 - k : k;
-        for (int64_t i = first; i < end; i += VTI_TOUCHES) {
-            const int64_t some = least_of(end - i, VTI_TOUCHES);
-            uint64_t bodies = vti_touch_kernels_for(some)->near_wall(walls, s->b, s->p->reach, 0.0, at.wall, i, some);
-            for (int64_t n = i; bodies != 0; ++n, bodies >>= 1)
-                if (bodies & 1 && vti_touch_wall(&touch, walls, s->b, at.wall, n, s->p->reach))
-                    wait_at_wall(s, &touch, most, &at);
-        }
-        flow_waiting(s, &at);
-    }
+    const int64_t count = vti_faces(s->p->walls);
+    for (int64_t k = 0; k < count; ++k)
+        flow_wall(s, s->drift < 0.0 ? count - 1 - k : k);
 }
 
 static void flow(const void *self, const vti_bodies *b, double t, double drift)

@@ -26,6 +26,7 @@ struct vti_sweep {
 struct place {
     struct vti_touch touch;
     struct vti_touch_motion motion;
+    lanes_mask out; /* what is no touch whatever its overlap, as there is no direction or it is out of reach */
     lanes approach; /* u.n, which the flow of no other motion changes */
     lanes spin;     /* w.n, likewise */
     struct vti_damping damping;
@@ -165,7 +166,7 @@ VTI_INLINE void flow_of(int motion, const struct vti_sweep *s, struct place *at)
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
 
-/** A touch within reach, which has its motion. The other end of the drift is at delta - drift u.n, ahead of a drift
+/** A touch, which has its motion. The other end of the drift is at delta - drift u.n, ahead of a drift
  *  that follows (drift > 0), behind one that has been. Returns 0, and nothing has changed, if it is no touch at both
  *  ends. */
 VTI_INLINE int flow_touch(const struct vti_sweep *s, struct place *at)
@@ -177,7 +178,7 @@ VTI_INLINE int flow_touch(const struct vti_sweep *s, struct place *at)
         u[k] = at->motion.v_i[k] - at->motion.v_j[k]; /* what turns slips across the normal */
     at->approach = lanes_dot(u, touch->n);
     const lanes other = touch->delta - s->drift * at->approach;
-    const lanes_mask idle = (touch->delta <= 0.0) & (other <= 0.0);
+    const lanes_mask idle = at->out | ((touch->delta <= 0.0) & (other <= 0.0));
     if (lanes_all(idle))
         return 0;
     at->spin = at->worked = zero;

@@ -87,6 +87,7 @@ VTI_INLINE void flow_lanes(enum touch_layout layout, const struct vti_sweep *s, 
     struct side i, j;
     gather_touches(layout, s->p->contacts, s->b, which, &at.touch, &i, &j);
     gather_velocities(layout, s->b, &i, &j, &at.touch, &at.motion);
+    at.out = lanes_of(0.0) > 0.0;
     at.damping.zeta = s->p->zeta;
     find_loads(s->p, &i, &j, 0, &at.held);
     if (!flow_touch(s, &at))
@@ -113,71 +114,62 @@ static void flow_pairs(const struct vti_sweep *s, int64_t count, const int64_t *
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** Of bodies from the first on: where they touch, their velocities and the wall's, and what resists. */
-VTI_INLINE void load_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
-                             int64_t first, const struct side *i, struct place *at)
+/** Velocities of bodies at a wall and its own, and what resists. */
+VTI_INLINE void gather_velocities_at(enum touch_layout layout, const vti_bodies *b, const struct side *i,
+                                     struct vti_touch *touch, struct vti_touch_motion *m)
 {
-    struct vti_touch *const touch = &at->touch;
-    struct vti_touch_motion *const m = &at->motion;
     const lanes zero = lanes_of(0.0);
-    touch->i = 0;
-    touch->j = -1;
-    touch->wall = from->wall;
-    touch->moves = from->moves;
-    touch->r = lanes_load(from->r + first);
-    touch->delta = lanes_load(from->delta + first);
-    touch->length = lanes_load(from->length + first);
-    touch->stiffness = lanes_load(from->stiffness + first);
-    touch->s_i = lanes_of(1.0);
-    touch->s_j = touch->per_m_j = touch->per_j_j = touch->per_j_i = zero;
-    touch->per_m_i = per(&s->b->mass, i);
-    m->turns = vti_has(&s->b->omega);
-    gather(layout, &s->b->v, i, m->v_i);
+    touch->per_m_j = touch->per_j_j = touch->per_j_i = zero;
+    touch->per_m_i = per(&b->mass, i);
+    m->turns = vti_has(&b->omega);
+    gather(layout, &b->v, i, m->v_i);
     for (int k = 0; k < 3; ++k) {
-        touch->n[k] = lanes_load(from->n[k] + first);
-        touch->v_j[k] = m->v_j[k] = from->moves ? lanes_load(from->v_j[k] + first) : zero;
-        touch->w_j[k] = m->w_j[k] = from->moves ? lanes_load(from->w_j[k] + first) : zero;
+        m->v_j[k] = touch->v_j[k];
+        m->w_j[k] = touch->w_j[k];
         m->w_i[k] = zero;
     }
     if (!m->turns)
         return;
-    gather(layout, &s->b->omega, i, m->w_i);
-    touch->per_j_i = per(&s->b->inertia, i);
+    gather(layout, &b->omega, i, m->w_i);
+    touch->per_j_i = per(&b->inertia, i);
 }
 
-VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, const struct vti_at_wall *from,
-                                   int64_t first, struct books *books)
+VTI_INLINE void flow_lanes_at_wall(enum touch_layout layout, const struct vti_sweep *s, int64_t w, const int64_t *body,
+                                   int64_t count, struct books *books)
 {
     const vti_dashpots *const p = s->p;
     struct place at;
     struct side i;
-    for (int l = 0; l < WIDTH; ++l) {
-        i.body[l] = from->body[first + l];
-        i.packed[l] = 3 * i.body[l];
-    }
-    load_at_wall(layout, s, from, first, &i, &at);
-    at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[from->wall] : p->zeta;
-    find_loads(p, &i, NULL, from->wall, &at.held);
+    lanes x[3];
+    side_of(body, &i);
+    gather_at_wall(layout, p->walls, s->b, w, &i, &at.touch, x);
+    at.out = vti_face_near(&at.touch, p->reach) == 0;
+    gather_velocities_at(layout, s->b, &i, &at.touch, &at.motion);
+    at.damping.zeta = p->wall_zeta != NULL ? p->wall_zeta[w] : p->zeta;
+    find_loads(p, &i, NULL, w, &at.held);
     if (!flow_touch(s, &at))
         return;
     scatter(layout, &s->b->v, &i, at.motion.v_i);
     if (at.motion.turns)
         scatter(layout, &s->b->omega, &i, at.motion.w_i);
     if (at.touch.moves)
-        sum_lanes(p->walls->work, at.worked, from->count - first);
-    book_lanes(books, at.lost, from->count - first);
+        sum_lanes(p->walls->work, at.worked, count);
+    book_lanes(books, at.lost, count);
 }
 
-static void flow_at_wall(const struct vti_sweep *s, const struct vti_at_wall *at)
+static void flow_at_wall(const struct vti_sweep *s, int64_t w, int64_t count, const int64_t *body)
 {
     const int packed = is_packed(s->b);
+    int64_t place[WIDTH];
     struct books books;
     books_open(&books, s->p->lost, MOTIONS);
-    for (int64_t first = 0; first < at->count; first += WIDTH)
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const here = whole(body, first, count, place);
         if (packed)
-            flow_lanes_at_wall(PACKED, s, at, first, &books);
+            flow_lanes_at_wall(PACKED, s, w, here, count - first, &books);
         else
-            flow_lanes_at_wall(ANY, s, at, first, &books);
+            flow_lanes_at_wall(ANY, s, w, here, count - first, &books);
+    }
     books_close(&books, s->p->lost, MOTIONS);
 }
 

@@ -4,7 +4,6 @@
 #ifndef VTI_PUSH_KERNELS_H
 #define VTI_PUSH_KERNELS_H
 
-#include "../contacts/vti_face.h"
 #include "vti_touch_gather.h"
 
 /* ---- which are near ---------------------------------------------------------------------------------------------- */
@@ -51,45 +50,40 @@ static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double rea
 
 /* ---- which bodies are near a wall -------------------------------------------------------------------------------- */
 
-/** Of WIDTH bodies from the first on, at a plane that stands at offset. */
-VTI_INLINE unsigned near_plane(enum touch_layout layout, const vti_bodies *b, const vti_scalars *diameter,
-                               const double normal[3], double offset, double reach, double h, int64_t first)
+/** Of these bodies. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
+ *  before it are not known to the last digit. */
+VTI_INLINE unsigned near_lanes_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
+                                       double h, int64_t w, const int64_t body[WIDTH])
 {
+    struct vti_touch at;
     struct side i;
-    lanes x[3], v[3], n[3];
-    for (int l = 0; l < WIDTH; ++l) {
-        i.body[l] = first + l;
-        i.packed[l] = 3 * i.body[l];
-    }
-    for (int k = 0; k < 3; ++k)
-        n[k] = lanes_of(normal[k]);
+    lanes x[3], v[3], way[3];
+    side_of(body, &i);
     gather(layout, &b->x, &i, x);
-    const lanes length = 0.5 * scalars(diameter, &i), delta = length - (lanes_dot(n, x) - offset);
+    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, &i));
     if (!(h > 0.0))
-        return lanes_bits(delta >= -reach);
+        return lanes_bits(at.delta >= -reach);
     gather(layout, &b->v, &i, v);
-    const lanes way = lanes_abs(h * lanes_dot(v, n));
-    return lanes_bits(delta + 2.0 * way + 1e-6 * length >= -reach);
+    for (int k = 0; k < 3; ++k)
+        way[k] = h * (lanes_abs(v[k]) + (p->motion != NULL ? fabs(p->motion[w].velocity[k]) : 0.0));
+    const lanes far = lanes_sqrt(lanes_dot(way, way));
+    return lanes_bits(at.delta + 2.0 * far + 1e-6 * at.length >= -reach);
 }
 
-/** Where a wall is not a plane, or moves over the drift, any body may be near. */
 static uint64_t near_wall(const vti_walls *p, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
                           int64_t count)
 {
     const int packed = vti_is_packed(&b->x) && (!(h > 0.0) || vti_is_packed(&b->v));
-    const uint64_t any = ~UINT64_C(0) >> (64 - count);
     uint64_t bits = 0;
-    int64_t k = 0;
-    double n[3];
-    if (w >= p->count || (h > 0.0 && p->motion != NULL))
-        return any;
-    const double offset = vti_face_plane(p, w, n);
-    for (; k + WIDTH <= count; k += WIDTH) {
-        const uint64_t here = packed ? near_plane(PACKED, b, &p->diameter, n, offset, reach, h, first + k)
-                                     : near_plane(ANY, b, &p->diameter, n, offset, reach, h, first + k);
+    int64_t body[WIDTH];
+    for (int64_t k = 0; k < count; k += WIDTH) {
+        for (int l = 0; l < WIDTH; ++l)
+            body[l] = first + (k + l < count ? k + l : count - 1);
+        const uint64_t here = packed ? near_lanes_at_wall(PACKED, p, b, reach, h, w, body)
+                                     : near_lanes_at_wall(ANY, p, b, reach, h, w, body);
         bits |= here << k;
     }
-    return k < count ? bits | (any & ~UINT64_C(0) << k) : bits;
+    return bits & ~UINT64_C(0) >> (64 - count);
 }
 
 /* ---- what springs do --------------------------------------------------------------------------------------------- */

@@ -7,7 +7,7 @@
 
 #include "../lanes/vti_lanes.h"
 
-#include "../contacts/vti_hertz.h"
+#include "../contacts/vti_face.h"
 #include "../contacts/vti_touch_motion.h"
 #include "vti_touch_table.h"
 
@@ -31,6 +31,15 @@ VTI_INLINE void sides_of(const int64_t *list, int64_t base, const int64_t *which
         j->body[l] = list[2 * which[l] + 1] - base;
         i->packed[l] = 3 * i->body[l];
         j->packed[l] = 3 * j->body[l];
+    }
+}
+
+/** One body to a lane. */
+VTI_INLINE void side_of(const int64_t body[WIDTH], struct side *i)
+{
+    for (int l = 0; l < WIDTH; ++l) {
+        i->body[l] = body[l];
+        i->packed[l] = 3 * body[l];
     }
 }
 
@@ -121,6 +130,27 @@ VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, 
     at->length = gather_length(p, which, diameter_i, diameter_j);
     at->stiffness = gather_stiffness(p, i, j, at->length);
     vti_touch_between(at, d, diameter_i, diameter_j);
+}
+
+/** K of bodies at wall w, as vti_face_stiffness has it. */
+VTI_INLINE lanes gather_stiffness_at(const vti_walls *p, int64_t w, const struct side *i, lanes radius)
+{
+    double each[WIDTH];
+    if (p->modulus.p == NULL)
+        return lanes_of(vti_face_stiffness(p, w, 0, 0.0));
+    for (int l = 0; l < WIDTH; ++l)
+        each[l] = vti_face_stiffness(p, w, i->body[l], lanes_get(radius, l));
+    return lanes_load(each);
+}
+
+/** Where bodies touch wall w, at x. */
+VTI_INLINE void gather_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, int64_t w,
+                               const struct side *i, struct vti_touch *at, lanes x[3])
+{
+    gather(layout, &b->x, i, x);
+    vti_face_touch(at, p, w, x, 0.5 * scalars(&p->diameter, i));
+    at->stiffness = gather_stiffness_at(p, w, i, at->length);
+    vti_face_move(at, p, x);
 }
 
 /** Where loads stand in a slot of the table, in numbers. */

@@ -9,56 +9,17 @@
  *  the second. */
 enum { VTI_TOUCHES = 64, VTI_LANES_MOST = 8 };
 
-/** Pairs the springs of which follow a drift. */
+/** Pairs, or bodies at one wall, the springs of which follow a drift. */
 struct vti_carried {
     int64_t count;
-    int64_t pair[VTI_TOUCHES];   /* their numbers in the list */
+    int64_t which[VTI_TOUCHES];  /* their numbers in the list, or the bodies */
     vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
     double delta[VTI_TOUCHES];   /* overlaps after the drift, which the kernel finds */
     int turned;                  /* whether increments of attitude are known, of bodies that turn by L; else they are */
-    double turn[6]
-               [VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j; beyond count, up to a whole number of lanes,
+    double turn
+        [6]
+        [VTI_TOUCHES]; /* those of the law by Omega. Of i, and of j of pairs; beyond count, up to a whole number of lanes,
                                   * the last ones again */
-};
-
-/** What is known of a body at a wall the springs of which follow a drift, as struct vti_carry has it: where it touches
- *  after the drift and before, mu, the way of the centre past the surface, that of the surface, and the turns of both.
- *  What it takes, of sliding, rolling and twisting, the kernel finds. Vectors are three columns. */
-enum vti_carried_column {
-    VTI_AT_N,
-    VTI_AT_R = VTI_AT_N + 3,
-    VTI_AT_DELTA,
-    VTI_AT_LENGTH,
-    VTI_AT_STIFFNESS,
-    VTI_AT_SLIDING,
-    VTI_AT_N0,
-    VTI_AT_D0 = VTI_AT_N0 + 3,
-    VTI_AT_DELTA0 = VTI_AT_D0 + 3,
-    VTI_AT_SLID,
-    VTI_AT_DRAGGED = VTI_AT_SLID + 3,
-    VTI_AT_TURN_I = VTI_AT_DRAGGED + 3,
-    VTI_AT_TURN_J = VTI_AT_TURN_I + 3,
-    VTI_AT_LOST = VTI_AT_TURN_J + 3,
-    VTI_AT_WORKED = VTI_AT_LOST + 3,
-    VTI_AT_COLUMNS = VTI_AT_WORKED + 3
-};
-
-/** Such bodies; beyond count, up to a whole number of lanes, the last one is repeated. */
-struct vti_carried_at {
-    int64_t count;
-    int moves;                   /* 1: walls do */
-    vti_held *held[VTI_TOUCHES]; /* their slots, each another one */
-    double column[VTI_AT_COLUMNS][VTI_TOUCHES];
-};
-
-/** Bodies at one wall, where its surface is and how it moves there; beyond count, up to a whole number of lanes, the
- *  last one is repeated. */
-struct vti_at_wall {
-    int64_t wall, count;
-    int moves; /* 1: the wall does, by v_j and w_j */
-    int64_t body[VTI_TOUCHES];
-    double n[3][VTI_TOUCHES], r[VTI_TOUCHES], delta[VTI_TOUCHES], length[VTI_TOUCHES], stiffness[VTI_TOUCHES];
-    double v_j[3][VTI_TOUCHES], w_j[3][VTI_TOUCHES];
 };
 
 struct vti_sweep;      /* of dashpots (vti_dashpot_flow.h) */
@@ -69,21 +30,22 @@ struct vti_touch_kernels {
      *  into pair[count], unless that is NULL: k where pair k overlaps, -1 - k where there is a gap. Returns how many. */
     int64_t (*near)(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
                     int64_t *pair);
-    /** Of so many bodies, from 1 to 64, from the first on those at most reach away from wall w, as bits, and of the last
-     *  ones perhaps others. Where a drift of time h > 0 has been, those that have been as near before it, too. */
+    /** Of so many bodies, from 1 to 64, from the first on those at most reach away from wall w, as bits, and perhaps
+     *  others. Where a drift of time h > 0 has been, those that have been as near before it, too. */
     uint64_t (*near_wall)(const vti_walls *p, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
                           int64_t count);
     /** Adds what the springs of pairs hold to forces and moments, pair by pair in their order. */
     void (*push)(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *pair, vti_held *const *held);
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
-    void (*carry_at)(const vti_friction *p, struct vti_carried_at *at);
+    void (*carry_at)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, int64_t w,
+                     struct vti_carried *bodies);
     /** Of so many pairs, as near has found them, the numbers of those that overlap, or will at the other end of the
      *  drift: delta - drift u.n > 0. Returns how many. */
     int64_t (*soon)(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pair);
     /** The dashpots of pairs no two of which share a body. */
     void (*flow)(const struct vti_sweep *s, int64_t count, const int64_t *pair);
-    /** And those of bodies at a wall. */
-    void (*flow_at)(const struct vti_sweep *s, const struct vti_at_wall *at);
+    /** And those of bodies at wall w, each another one, that are within reach of it. */
+    void (*flow_at)(const struct vti_sweep *s, int64_t w, int64_t count, const int64_t *body);
     /** And those of bonds no two of which share a body. */
     void (*flow_bonds)(const struct vti_bond_sweep *s, int64_t count, const int64_t *bond);
 };

@@ -6,6 +6,7 @@
 #include "support.h"
 
 #include "../../src/dissipation/vti_bond_flow.h"
+#include "../../src/contacts/vti_touch.h"
 #include "../../src/dissipation/vti_carry.h"
 #include "../../src/dissipation/vti_dashpot_flow.h"
 #include "../../src/dissipation/vti_touch_table.h"
@@ -101,18 +102,46 @@ static void hold_on(const vti_friction *p, const struct vti_carry *c, double mu,
     for (int k = 0; k < VTI_FRICTION_BOOKS; ++k) {
         if (coefficient[k] > 0.0)
             vti_sum_add(&p->lost[k], taken.lost[k]);
-        if (coefficient[k] > 0.0 && c->touch.moves)
-            vti_sum_add(p->walls->work, taken.worked[k]);
     }
+    if (c->touch.j < 0 && c->touch.moves)
+        vti_sum_add(p->walls->work, taken.worked[0] + taken.worked[1] + taken.worked[2]);
 }
 
-/** What one touch has been through. */
-static void go_along(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b, const vti_drifted *drifted)
+/** The increments of attitude of a body and of what it touches, by the law. */
+static void turn_both(const vti_drifted *drifted, const double w_i[3], const double w_j[3], double a_i[3],
+                      double a_j[3])
 {
+    vti_drift_increment((int)drifted->law, drifted->t, w_i, a_i);
+    vti_drift_increment((int)drifted->law, drifted->t, w_j, a_j);
+}
+
+/** What one pair has been through. */
+static void go_along(struct vti_carry *c, const vti_bodies *b, const vti_drifted *drifted)
+{
+    struct vti_touch_motion m;
     double d0[3], a_i[3], a_j[3];
-    vti_carry_motion(c, walls, b, drifted, d0, a_i, a_j);
+    vti_touch_load(&c->touch, b, &m);
+    for (int k = 0; k < 3; ++k)
+        c->slid[k] = drifted->t * (m.v_i[k] - m.v_j[k]);
+    turn_both(drifted, m.w_i, m.w_j, a_i, a_j);
+    vti_carry_apart(c, c->slid, d0);
     vti_carry_stretch(c, d0, a_i, a_j);
-    memcpy(c->turned, a_j, sizeof a_j);
+}
+
+/** What one body at a wall has. */
+static void go_along_wall(struct vti_carry *c, const vti_walls *walls, const vti_bodies *b, const vti_drifted *drifted)
+{
+    double x[3], v[3], w[3], d0[3], a_i[3], a_j[3];
+    vti_load(&b->x, c->touch.i, x);
+    vti_load(&b->v, c->touch.i, v);
+    vti_load(&b->omega, c->touch.i, w);
+    turn_both(drifted, w, c->touch.w_j, a_i, a_j);
+    for (int k = 0; k < 3 && c->touch.wall < walls->count; ++k) {
+        a_i[k] = drifted->t * w[k];
+        a_j[k] = drifted->t * c->touch.w_j[k];
+    }
+    vti_carry_at_wall(c, walls, drifted->t, x, v, a_j, d0);
+    vti_carry_stretch(c, d0, a_i, a_j);
 }
 
 /** The springs of each pair alone. */
@@ -122,7 +151,7 @@ static void expect(const vti_friction *p, const vti_bodies *b, const vti_drifted
     for (int64_t k = 0; k < PAIRS; ++k) {
         struct vti_carry c = {.delta0 = 0.0};
         assert_true(vti_touch_pair(&c.touch, p->contacts, b, k, INFINITY));
-        go_along(&c, NULL, b, drifted);
+        go_along(&c, b, drifted);
         delta[k] = c.touch.delta;
         if (!(c.delta0 >= -p->reach))
             delta[k] = INFINITY;
@@ -185,7 +214,7 @@ static void carries(const struct vti_touch_kernels *kernels)
         struct vti_carried pairs = {.count = PAIRS};
         for (int64_t k = 0; k < VTI_TOUCHES; ++k) {
             const int64_t at = k < PAIRS ? k : PAIRS - 1;
-            pairs.pair[k] = at;
+            pairs.which[k] = at;
             pairs.held[k] = &bodies.held[at];
         }
         kernels->carry(&many, &b, &drifted, &pairs);
@@ -312,29 +341,40 @@ static void nears(const struct vti_touch_kernels *kernels)
     }
 }
 
-/** Bodies near a plane, one of which has left it in the drift; but for the last ones, which may be, no others. */
+/** Bodies near planes and inside a cylinder. One has left the wall in the drift, or the wall has left it. */
 static void nears_wall(const struct vti_touch_kernels *kernels)
 {
-    static const double plane[2][4] = {{0.6, 0.0, 0.8, -0.3}, {0.0, 1.0, 0.0, 0.2}};
+    static const double plane[2][4] = {{0.6, 0.0, 0.8, -0.3}, {0.0, 1.0, 0.0, 0.2}},
+                        cylinder[7] = {0.0, 1.0, 0.0, 0.1, 0.0, 0.0, 2.0}, inside[3] = {-1.0, 0.0, 0.0};
     rng g = rng_seed(43);
-    for (int trial = 0; trial < LAYOUTS * 16; ++trial) {
+    for (int trial = 0; trial < LAYOUTS * 24; ++trial) {
         const vti_bodies b = bodies_in(trial % LAYOUTS);
-        const vti_walls walls = {
-            .count = 2, .plane = plane[0], .diameter = vti_scalars_array(bodies.diameter), .stiffness = 1.0};
+        vti_wall_motion motion[3] = {{.spin = 0.0}};
+        vti_walls walls = {.count = 2,
+                           .plane = plane[0],
+                           .cylinders = 1,
+                           .cylinder = cylinder,
+                           .diameter = vti_scalars_array(bodies.diameter),
+                           .stiffness = 1.0};
         const double reach = trial % 5 ? 0.1 * (trial % 5 - 1) : INFINITY;
-        const int64_t w = trial % 2, first = trial % 3, count = N - trial % 4;
+        const int64_t w = trial % 3, first = trial % 4, count = N - trial % 5;
         struct vti_touch touch;
         draw(&g, &b);
         const uint64_t near = kernels->near_wall(&walls, &b, reach, 0.0, w, first, count);
-        for (int64_t k = 0; k < count; ++k) {
-            const int is_near = vti_touch_wall(&touch, &walls, &b, w, first + k, reach);
-            assert_true(is_near ? near >> k & 1 : k >= count - VTI_LANES_MOST || !(near >> k & 1));
-        }
+        for (int64_t k = 0; k < count; ++k)
+            assert_int_equal(near >> k & 1, vti_touch_wall(&touch, &walls, &b, w, first + k, reach));
         assert_true(near >> (count - 1) >> 1 == 0);
-        const double r = uniform(&g, 0.01, 3.0); /* how far body 9 has come from inside of the wall */
-        const double *const n = plane[w], away = n[3] + 0.5 * bodies.diameter[9] + 0.999 * r;
-        put(&b.x, 9, away * n[0], away * n[1], away * n[2]);
+        const double *const n = w < 2 ? plane[w] : inside; /* of the cylinder where x is largest */
+        const double r = uniform(&g, 0.01, 1.0), *const at = w < 2 ? NULL : cylinder + 3;
+        const double away = (w < 2 ? n[3] : -cylinder[6]) + 0.5 * bodies.diameter[9] + 0.999 * r;
+        put(&b.x, 9, away * n[0] + (at ? at[0] : 0.0), away * n[1], away * n[2]);
         put(&b.v, 9, 10.0 * r * n[0], 10.0 * r * n[1], 10.0 * r * n[2]);
+        assert_true(kernels->near_wall(&walls, &b, 0.0, 0.1, w, first, count) >> (9 - first) & 1);
+        put(&b.v, 9, 0.0, 0.0, 0.0);
+        assert_false(kernels->near_wall(&walls, &b, 0.0, 0.1, w, first, count) >> (9 - first) & 1);
+        for (int k = 0; k < 3; ++k)
+            motion[w].velocity[k] = -10.0 * r * n[k];
+        walls.motion = motion;
         assert_true(kernels->near_wall(&walls, &b, 0.0, 0.1, w, first, count) >> (9 - first) & 1);
     }
 }
@@ -745,15 +785,15 @@ static int expect_at_walls(const vti_friction *p, const vti_bodies *b, const vti
 {
     const vti_held none = {.i = 0};
     int holds = 0;
-    for (int64_t i = 0; i < MANY; ++i)
-        for (int64_t w = 0; w < WALLS; ++w) {
+    for (int64_t w = 0; w < WALLS; ++w)
+        for (int64_t i = 0; i < MANY; ++i) {
             struct vti_carry c = {.delta0 = 0.0};
             assert_true(vti_touch_wall(&c.touch, p->walls, b, w, i, INFINITY));
             if (c.touch.delta <= 0.0 && held[i][w].i == 0)
                 continue;
             held[i][w].i = 1 + i;
             held[i][w].j = -1 - w;
-            go_along(&c, p->walls, b, drifted);
+            go_along_wall(&c, p->walls, b, drifted);
             hold_on(p, &c, vti_friction_of_wall(p, w), &held[i][w]);
             if (c.touch.delta <= 0.0)
                 held[i][w] = none;

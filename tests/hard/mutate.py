@@ -63,14 +63,20 @@ def build_for(tests):
     return "build-mutate" if tests is None else "build-mutate-drivers"
 
 
+def applies(folder, fault):
+    """Whether its text occurs just once."""
+    with open(os.path.join(folder, fault[0]), encoding="utf-8") as file:
+        return file.read().count(fault[1]) == 1
+
+
 def check(folder, number, fault):
     path, old, new, tests = fault
     place = os.path.join(folder, path)
+    if not applies(folder, fault):
+        print(f"{number:3} STALE   {path}: {old!r} does not occur just once", flush=True)
+        return False
     with open(place, encoding="utf-8") as file:
         sound = file.read()
-    if sound.count(old) != 1:
-        print(f"{number:3} STALE   {path}: {old!r} occurs {sound.count(old)} times", flush=True)
-        return False
     with open(place, "w", encoding="utf-8") as file:
         file.write(sound.replace(old, new, 1))
     by = caught_by(os.path.join(folder, build_for(tests)), tests)
@@ -84,16 +90,18 @@ def main():
     faults = read_faults()
     parser = argparse.ArgumentParser(description="Do the tests notice each of the deliberate faults of faults.txt?")
     parser.add_argument("number", nargs="*", type=int, help=f"of faults, 1 to {len(faults)} (default all)")
-    parser.add_argument("--list", action="store_true", help="only say which they are")
+    parser.add_argument("--list", action="store_true", help="only say which they are, and which do not fit the sources any more")
     asked = parser.parse_args()
     for k in asked.number:
         if not 1 <= k <= len(faults):
             parser.error(f"fault {k}: there are 1 to {len(faults)}; --list shows them")
     chosen = asked.number or range(1, len(faults) + 1)
     if asked.list:
+        stale = [k for k in chosen if not applies(ROOT, faults[k - 1])]
         for k in chosen:
-            print(f"{k:3} {faults[k - 1][0]}: {faults[k - 1][1]}  ->  {faults[k - 1][2]}")
-        return 0
+            note = "STALE   " if k in stale else ""
+            print(f"{k:3} {note}{faults[k - 1][0]}: {faults[k - 1][1]}  ->  {faults[k - 1][2]}")
+        return 1 if stale else 0
     with tempfile.TemporaryDirectory(prefix="mutate-") as folder:
         copy_tree(folder)
         wanted = [faults[k - 1][3] for k in chosen]
