@@ -133,7 +133,6 @@ static size_t whole_size(const struct checkpoint *checkpoint)
 
 /** Bytes that go to the journal in pieces of BYTES, and their digest. */
 struct pieces {
-    struct sink sink; /* the first member: a sink is seen as this */
     struct journal *journal;
     unsigned char *piece;
     int64_t number; /* of the piece that is being filled, */
@@ -168,18 +167,19 @@ static void put_bytes(struct pieces *p, const void *data, size_t size)
 static void put_numbers(struct sink *sink, const double *numbers, int64_t count)
 {
     if (count > 0)
-        put_bytes((struct pieces *)sink, numbers, sizeof *numbers * (size_t)count);
+        put_bytes(sink->context, numbers, sizeof *numbers * (size_t)count);
 }
 
 /** All of a checkpoint; memory is what the model remembers. */
 static void put_checkpoint(struct pieces *p, const struct checkpoint *checkpoint, const vti_bodies *bodies,
                            const struct verdict *verdict, const double *more, int64_t more_count, const double *memory)
 {
+    struct sink sink = {put_numbers, p};
     put_bytes(p, checkpoint, sizeof *checkpoint);
-    state_give(bodies, &p->sink);
-    verdict_give(verdict, &p->sink);
-    put_numbers(&p->sink, more, more_count);
-    put_numbers(&p->sink, memory, model_memory_size(verdict->model));
+    state_give(bodies, &sink);
+    verdict_give(verdict, &sink);
+    put_numbers(&sink, more, more_count);
+    put_numbers(&sink, memory, model_memory_size(verdict->model));
     const uint64_t digest = p->digest;
     put_bytes(p, &digest, sizeof digest);
     put_rest(p);
@@ -190,7 +190,7 @@ int checkpoint_write(struct journal *journal, struct checkpoint *checkpoint, con
 {
     const int64_t remembered = model_memory_size(verdict->model);
     double *memory = malloc(sizeof *memory * (size_t)(remembered + 1));
-    struct pieces p = {{put_numbers}, journal, malloc(BYTES), 0, 0, DIGEST_START, 0, message};
+    struct pieces p = {journal, malloc(BYTES), 0, 0, DIGEST_START, 0, message};
     checkpoint->rows = journal->rows.mark;
     checkpoint->frames = journal->frames.mark;
     checkpoint->state_doubles = state_size(bodies) + verdict_size(verdict) + more_count + remembered;

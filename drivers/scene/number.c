@@ -119,7 +119,7 @@ int number_read(const char *text, double *value)
 /** Writes so many digits. Returns whether they are read as value. */
 static int write_digits(int digits, double value, char text[NUMBER_TEXT])
 {
-    char written[NUMBER_TEXT] = "";
+    char written[NUMBER_TEXT]; /* gcc -O3 -fsanitize=undefined warns that text may be NULL if it prints there */
     snprintf(written, sizeof written, "%.*g", digits, value);
     memcpy(text, written, sizeof written);
     return strtod(text, NULL) == value || !isfinite(value);

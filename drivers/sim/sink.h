@@ -7,6 +7,7 @@
 
 struct sink {
     void (*add)(struct sink *sink, const double *numbers, int64_t count);
+    void *context; /* what add puts them into */
 };
 
 #endif

@@ -48,22 +48,17 @@ void state_give(const vti_bodies *bodies, struct sink *sink)
         }
 }
 
-struct memory_sink {
-    struct sink sink;
-    double *next;
-};
-
 static void add_to_memory(struct sink *sink, const double *numbers, int64_t count)
 {
-    struct memory_sink *memory = (struct memory_sink *)sink;
-    memcpy(memory->next, numbers, (size_t)count * sizeof *numbers);
-    memory->next += count;
+    double **next = sink->context;
+    memcpy(*next, numbers, (size_t)count * sizeof *numbers);
+    *next += count;
 }
 
 void state_get(const vti_bodies *bodies, double *state)
 {
-    struct memory_sink memory = {{add_to_memory}, state};
-    state_give(bodies, &memory.sink);
+    struct sink memory = {add_to_memory, &state};
+    state_give(bodies, &memory);
 }
 
 void state_put(const double *state, const vti_bodies *bodies)

@@ -171,16 +171,18 @@ static int take_one(struct norms *n, int64_t step, const vti_bodies *bodies)
     return 0;
 }
 
-/** The next values of three integrals, which stay in registers: none waits for another's sums. */
+/** The next values of integrals, which stay in registers: none waits for another's sums. energy is NULL where
+ *  take_conserved has added it. */
 static void integrate(struct norms *n, const double *energy, const double *density, const double *distance)
 {
     vti_integral a = n->energy_squared, b = n->norm_squared, c = n->error_squared;
     for (int64_t k = 0; k < n->held; ++k) {
-        vti_integral_add(&a, n->h, energy[k]);
+        if (energy != NULL)
+            vti_integral_add(&a, n->h, energy[k]);
         vti_integral_add(&b, n->h, density[k]);
         vti_integral_add(&c, n->h, distance[k]);
     }
-    n->energy_squared = n->terms_count >= 0 ? a : n->energy_squared;
+    n->energy_squared = a;
     n->norm_squared = b;
     n->error_squared = c;
 }
@@ -194,7 +196,7 @@ static void take_those_that_wait(struct norms *n)
     states_distances(&n->states, n->kept, n->exact, n->held, distance);
     if (n->terms_count >= 0)
         take_those_conserved(n, energy);
-    integrate(n, n->terms_count >= 0 ? energy : density, density, distance);
+    integrate(n, n->terms_count >= 0 ? energy : NULL, density, distance);
     n->held = 0;
 }
 

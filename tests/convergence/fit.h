@@ -50,6 +50,26 @@ static inline void assert_order(const char *what, const int steps[RUNGS], const 
     assert_close(c1, order, slack + half);
 }
 
+/** A multistep method shows an order from `coarsest` steps on. square gives the square of the error of problem i after n
+ *  steps: errors pass through zero here and there, mean squares over several problems do not. */
+static inline void assert_multistep_order(const vti_multistep *method, int coarsest, double order, int problems,
+                                          double (*square)(const vti_multistep *method, const void *all, int i, int n),
+                                          const void *all)
+{
+    int n[RUNGS];
+    double e[RUNGS];
+    char what[64];
+    for (int k = 0; k < RUNGS; ++k) {
+        double sum = 0;
+        n[k] = fit_short_steps(coarsest, k);
+        for (int i = 0; i < problems; ++i)
+            sum += square(method, all, i, n[k]);
+        e[k] = sqrt(sum / problems);
+    }
+    snprintf(what, sizeof what, "AN(%d, %g), u = %g", (int)method->depth, method->c, method->u);
+    assert_order(what, n, e, order, fit_slack((int)method->depth));
+}
+
 /** y(t) from y(0) by rk8pd; 1e-14 is as near to rounding as its control goes. */
 static inline void fit_reference(gsl_odeiv2_system *system, double t_end, double *y)
 {

@@ -132,9 +132,15 @@ TEST(compositions_take_any_drift)
 
 enum { STARTS = 8 };
 
-/** The square of the errors of attitude and Omega after n steps of AN(K, c) with the weight u. */
-static double march_error(const vti_multistep *method, rig p, const rig *exact, int n)
+struct problem {
+    rig start, exact; /* exact: at the end */
+};
+
+/** The square of the errors of attitude and Omega after n steps. */
+static double march_error(const vti_multistep *method, const void *all, int i, int n)
 {
+    const rig *exact = &((const struct problem *)all)[i].exact;
+    rig p = ((const struct problem *)all)[i].start;
     double memory[MARCH_DEPTH][6];
     vti_past past = {memory[0], method->depth, 0};
     const vti_bodies b = rig_bodies(&p);
@@ -149,25 +155,24 @@ static double march_error(const vti_multistep *method, rig p, const rig *exact, 
 }
 
 /** Half of them swing in a plane. */
-static void make_start(rig start[2][STARTS], rig exact[2][STARTS])
+static void make_problems(struct problem problem[2][STARTS])
 {
     static const double e1[3] = {1, 0, 0};
     rng g = rng_seed(29);
     for (int flat = 0; flat <= 1; ++flat)
         for (int i = 0; i < STARTS; ++i) {
-            rig *p = &start[flat][i];
+            rig *p = &problem[flat][i].start;
             *p = rig_random(&g, RIG_QUAT);
             if (flat) {
                 rig_set_attitude(p, quat_turn(e1, (long double)uniform(&g, -2.5, 2.5)));
                 p->pendulum.rho0[0] = p->omega[1] = p->omega[2] = 0;
             }
-            exact[flat][i] = *p;
-            reference(&exact[flat][i]);
+            problem[flat][i].exact = *p;
+            reference(&problem[flat][i].exact);
         }
 }
 
-/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0. Its errors pass through zero here and there:
- *  mean squares over several pendulums do not. Magnus' vector, by which it turns, is of order 6, with a small
+/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0. Magnus' vector, by which it turns, is of order 6, with a small
  *  factor: K = 10 shows that, but for pendulums that swing in a plane, of which it is exact. */
 TEST(multistep_methods_show_theirs)
 {
@@ -179,23 +184,11 @@ TEST(multistep_methods_show_theirs)
                 {0.75, 0, 7, 200, 0, 8},         {-0.75, 0, 8, 200, 0, 9}, {-0.75, 0, 9, 110, 0, 10},
                 {0.345, -0.165, 10, 130, 0, 10}, {0.8, 0, 10, 140, 1, 11}, {-0.75, 0, 10, 190, 0, 6},
                 {0.75, -0.1, 6, 300, 0, 6},      {0, 0, 5, 400, 0, 6}};
-    rig start[2][STARTS], exact[2][STARTS];
-    make_start(start, exact);
+    struct problem problem[2][STARTS];
+    make_problems(problem);
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; ++r) {
         const vti_multistep method = {"own", rows[r].depth, rows[r].c, rows[r].u, 0.0, ""};
-        const int flat = rows[r].flat;
-        int n[RUNGS];
-        double e[RUNGS];
-        char what[64];
-        for (int k = 0; k < RUNGS; ++k) {
-            double sum = 0;
-            n[k] = fit_short_steps(rows[r].coarsest, k);
-            for (int i = 0; i < STARTS; ++i)
-                sum += march_error(&method, start[flat][i], &exact[flat][i], n[k]);
-            e[k] = sqrt(sum / STARTS);
-        }
-        snprintf(what, sizeof what, "AN(%d, %g), u = %g", rows[r].depth, rows[r].c, rows[r].u);
-        assert_order(what, n, e, rows[r].order, fit_slack(rows[r].depth));
+        assert_multistep_order(&method, rows[r].coarsest, rows[r].order, STARTS, march_error, problem[rows[r].flat]);
     }
 }
 

@@ -112,9 +112,15 @@ TEST(every_stepper_shows_its_order)
 
 enum { STARTS = 8 };
 
-/** The square of all errors after n steps of AN(K, c) with the weight u. */
-static double march_error(const vti_multistep *method, chain c, const chain *exact, int n)
+struct problem {
+    chain start, exact; /* exact: at the end */
+};
+
+/** The square of all errors after n steps. */
+static double march_error(const vti_multistep *method, const void *all, int i, int n)
 {
+    const chain *exact = &((const struct problem *)all)[i].exact;
+    chain c = ((const struct problem *)all)[i].start;
     double memory[LINKS][MARCH_DEPTH][6], e[4];
     vti_past past = {memory[0][0], method->depth, 0};
     const vti_bodies b = chain_bodies(&c);
@@ -125,8 +131,7 @@ static double march_error(const vti_multistep *method, chain c, const chain *exa
     return e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3];
 }
 
-/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0; mean squares over several chains, as in
- *  test_order.c. */
+/** AN(K, c) is of order K + 1 whatever c, and of order K where u is not 0. */
 TEST(multistep_methods_show_theirs)
 {
     static const struct {
@@ -135,25 +140,15 @@ TEST(multistep_methods_show_theirs)
     } rows[] = {{0.75, 0, 1, 80},        {0.75, 0, 2, 80},  {0.75, 0, 3, 160},   {0.75, 0, 4, 90},  {0.75, 0, 5, 100},
                 {0.75, 0, 6, 60},        {0.75, 0, 7, 70},  {-0.75, 0, 8, 64},   {-0.75, 0, 9, 64}, {-0.75, 0, 10, 61},
                 {0.345, -0.165, 10, 80}, {-0.5, 0, 10, 62}, {0.75, -0.1, 6, 60}, {0, 0, 5, 60}};
-    chain start[STARTS], exact[STARTS];
+    struct problem problem[STARTS];
     for (int i = 0; i < STARTS; ++i) {
-        chain_make(&start[i], 3, (uint64_t)(411 + i), CHAIN_QUAT);
-        exact[i] = reference(&start[i]);
+        chain_make(&problem[i].start, 3, (uint64_t)(411 + i), CHAIN_QUAT);
+        problem[i].exact = reference(&problem[i].start);
     }
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; ++r) {
         const vti_multistep method = {"own", rows[r].depth, rows[r].c, rows[r].u, 0.0, ""};
-        int n[RUNGS];
-        double e[RUNGS];
-        char what[64];
-        for (int k = 0; k < RUNGS; ++k) {
-            double sum = 0;
-            n[k] = fit_short_steps(rows[r].coarsest, k);
-            for (int i = 0; i < STARTS; ++i)
-                sum += march_error(&method, start[i], &exact[i], n[k]);
-            e[k] = sqrt(sum / STARTS);
-        }
-        snprintf(what, sizeof what, "AN(%d, %g), u = %g", rows[r].depth, rows[r].c, rows[r].u);
-        assert_order(what, n, e, rows[r].depth + (rows[r].u == 0.0), fit_slack(rows[r].depth));
+        assert_multistep_order(&method, rows[r].coarsest, rows[r].depth + (rows[r].u == 0.0), STARTS, march_error,
+                               problem);
     }
 }
 
