@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The binder: which kernels are its, and making and checking its list. */
+ * The binder: which kernels are its, and the effect that they make. */
 #include "vti_binder_table.h"
 
 /* ---- the kernels ------------------------------------------------------------------------------------------------- */
@@ -19,17 +19,10 @@ static const struct bond_kernels *kernels(int64_t count)
     return &vti_binder_baseline;
 }
 
-/** Whether there is such a form, and with turns, which the printed shear does not know. */
-static int form_is_known(const vti_bonds *bonds)
-{
-    return bonds->shear_form >= VTI_SHEAR_OBJECTIVE &&
-           bonds->shear_form <= (bonds->turn != NULL ? VTI_SHEAR_QUARTIC : VTI_SHEAR_PRINTED);
-}
-
 /** 0 without shear. Any form will do for one that is none: check refuses it. */
 static int form_of(const vti_bonds *bonds)
 {
-    return bonds->shear.p == NULL ? 0 : form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE;
+    return bonds->shear.p == NULL ? 0 : vti_bonds_form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE;
 }
 
 static int terms_of(const vti_bonds *bonds)
@@ -92,22 +85,17 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
-static int has_list(const vti_bonds *bonds)
-{
-    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
-}
-
 /** The list may be another one than when the effect was made. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_bonds *p = self;
     if (p->count <= 0)
         return VTI_OK;
-    if (!has_list(p))
+    if (!vti_bonds_has_list(p))
         return VTI_E_NULL;
     if (VTI_LOOKS)
         return vti_bonds_check(p, vti_bodies_named(b), NULL);
-    return p->shear.p != NULL && !form_is_known(p) ? VTI_E_BOND : VTI_OK;
+    return p->shear.p != NULL && !vti_bonds_form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
 /** r of bond k over L0 where the bodies are; 1 if it does not matter. */
@@ -173,7 +161,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 
 vti_effect vti_bonds_effect(const vti_bonds *bonds)
 {
-    if (bonds == NULL || !has_list(bonds))
+    if (bonds == NULL || !vti_bonds_has_list(bonds))
         return vti_effect_none();
     static const char moment[] = "binder_moment", axial[] = "binder_axial", shear[] = "binder_shear";
     static const char *const names[8][TERMS] = {{NULL},  {moment},        {axial},        {moment, axial},
@@ -203,12 +191,12 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
 
 static int pass_check(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, const double *loads)
 {
-    if (bonds == NULL || b == NULL || !has_list(bonds) || (last > first && loads == NULL))
+    if (bonds == NULL || b == NULL || !vti_bonds_has_list(bonds) || (last > first && loads == NULL))
         return VTI_E_NULL;
     if (first < 0 || first > last || last > bonds->count)
         return VTI_E_COUNT;
     const int terms = terms_of(bonds);
-    if (terms & TERM_SHEAR && !form_is_known(bonds))
+    if (terms & TERM_SHEAR && !vti_bonds_form_is_known(bonds))
         return VTI_E_BOND;
     const int status = vti_bodies_ready(b);
     const int lacks = (terms & (TERM_AXIAL | TERM_SHEAR) && !vti_has(&b->x)) ||
@@ -246,149 +234,5 @@ int vti_bonds_measure(const vti_bonds *bonds, const vti_bodies *b, int64_t first
     if (!vti_has(&b->x))
         return VTI_E_NEEDS;
     kernels(bonds->count)->measure(terms_of(bonds), form_of(bonds), bonds, b, first, last, measures);
-    return VTI_OK;
-}
-
-/* ---- making and checking a list ---------------------------------------------------------------------------------- */
-
-/** d = x_i - x_j of one pair; returns |d|. */
-static double separation(const int64_t pair[2], int64_t base, const vti_view *x, double d[3])
-{
-    double xj[3];
-    vti_load(x, pair[0] - base, d);
-    vti_load(x, pair[1] - base, xj);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= xj[c];
-    return vti_norm(d);
-}
-
-/** How many bodies there are is not known here, but that none comes before the first. */
-static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, vti_fault *fault)
-{
-    for (int64_t k = 0; k < count; ++k) {
-        for (int side = 0; side < 2; ++side)
-            if (pair[2 * k + side] < base)
-                return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
-        double d[3];
-        const double length = separation(pair + 2 * k, base, x, d);
-        if (!(length > 0.0) || !isfinite(length))
-            return vti_refuse(VTI_E_BOND, k, length, VTI_QUANTITY_NONE, fault);
-    }
-    return VTI_OK;
-}
-
-int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, double *rest, vti_fault *fault)
-{
-    vti_refuse_none(VTI_OK, fault);
-    if (count < 0)
-        return VTI_E_COUNT;
-    if (count == 0)
-        return VTI_OK;
-    if (pair == NULL || x == NULL || rest == NULL)
-        return VTI_E_NULL;
-    if (x->c[0] == NULL || x->c[1] == NULL || x->c[2] == NULL)
-        return vti_refuse(VTI_E_VIEW, -1, 0.0, VTI_QUANTITY_X, fault);
-    const int status = rest_check(count, pair, base, x, fault);
-    for (int64_t k = 0; status == VTI_OK && k < count; ++k) {
-        double d[3];
-        const double length = separation(pair + 2 * k, base, x, d);
-        for (int c = 0; c < 3; ++c)
-            rest[4 * k + c] = d[c] / length;
-        rest[4 * k + 3] = length;
-    }
-    return status;
-}
-
-/** R_i^T n and Q0 = R_i^T R_j of one bond, of which rest has n. Returns 0 where an attitude is none. */
-static int turn_now(const int64_t pair[2], int64_t base, const vti_bodies *b, double rest[4], double turn[4])
-{
-    double q[2][4] = {{0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0, 1.0}}, x[3];
-    for (int side = 0; side < 2 && vti_has_attitude(b); ++side)
-        vti_load_pair(b, pair[side] - base, q[side]);
-    vti_cross(q[0], q[1], x);
-    for (int c = 0; c < 3; ++c)
-        turn[c] = (q[0][3] * q[1][c] - q[1][3] * q[0][c]) - x[c];
-    turn[3] = q[0][3] * q[1][3] + vti_dot(q[0], q[1]);
-    const double square = vti_dot(turn, turn) + turn[3] * turn[3], length = sqrt(square);
-    for (int c = 0; c < 4; ++c)
-        turn[c] /= length;
-    vti_pair_rotate(q[0], -1.0, rest, rest);
-    return square > 0.0 && isfinite(square);
-}
-
-/** Bodies that do not exist, and attitudes that are none. */
-static int now_check(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, vti_fault *fault)
-{
-    for (int64_t k = 0; k < count; ++k) {
-        double n[4] = {1.0, 0.0, 0.0, 0.0}, turn[4];
-        for (int side = 0; side < 2; ++side)
-            if (pair[2 * k + side] < base || pair[2 * k + side] - base >= vti_bodies_named(b))
-                return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
-        if (!turn_now(pair + 2 * k, base, b, n, turn))
-            return vti_refuse(VTI_E_BOND, k, NAN, VTI_QUANTITY_NONE, fault);
-    }
-    return VTI_OK;
-}
-
-int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
-                       double *turn, vti_fault *fault)
-{
-    vti_refuse_none(VTI_OK, fault);
-    if (count < 0)
-        return VTI_E_COUNT;
-    if (b == NULL || (count > 0 && (pair == NULL || rest == NULL || turn == NULL)))
-        return VTI_E_NULL;
-    int status = vti_bodies_ready_or(b, fault);
-    if (status == VTI_OK && !vti_has(&b->x))
-        return vti_refuse(VTI_E_NEEDS, -1, 0.0, VTI_QUANTITY_X, fault);
-    if (status == VTI_OK)
-        status = now_check(count, pair, base, b, fault);
-    if (status == VTI_OK)
-        status = vti_bonds_rest(count, pair, base, &b->x, rest, fault);
-    for (int64_t k = 0; status == VTI_OK && k < count; ++k)
-        turn_now(pair + 2 * k, base, b, rest + 4 * k, turn + 4 * k);
-    return status;
-}
-
-/** Whether s ends before bond k. */
-static int ends_before(const vti_scalars *s, int64_t k)
-{
-    return s->count != 0 && k >= s->count;
-}
-
-static int stiffness_is_bad(const vti_scalars *s, int64_t k)
-{
-    return s->p != NULL && (ends_before(s, k) || !(isfinite(vti_scalar(s, k)) && vti_scalar(s, k) >= 0.0));
-}
-
-int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
-{
-    static const double unturned[4] = {0.0, 0.0, 0.0, 1.0};
-    vti_refuse_none(VTI_OK, fault);
-    if (bonds == NULL || !has_list(bonds))
-        return VTI_E_NULL;
-    if (bonds->count < 0 || n < 0)
-        return VTI_E_COUNT;
-    if (bonds->count > 0 && bonds->shear.p != NULL && !form_is_known(bonds))
-        return vti_refuse(VTI_E_BOND, -1, (double)bonds->shear_form, VTI_QUANTITY_NONE, fault);
-    for (int64_t k = 0; k < bonds->count; ++k) {
-        const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
-        const double *rest = bonds->rest + 4 * k;
-        if (i < 0 || i >= n)
-            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k], VTI_QUANTITY_NONE, fault);
-        if (j < 0 || j >= n || i == j)
-            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
-        if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
-            return vti_refuse(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
-        const double *turn = bonds->turn != NULL ? bonds->turn + 4 * k : unturned;
-        const double square = vti_dot(turn, turn) + turn[3] * turn[3];
-        if (!(fabs(square - 1.0) < 1e-12))
-            return vti_refuse(VTI_E_BOND, k, sqrt(square), VTI_QUANTITY_NONE, fault);
-        const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
-        for (int c = 0; c < TERMS; ++c)
-            if (stiffness_is_bad(all[c], k))
-                return vti_refuse(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : vti_scalar(all[c], k),
-                                  VTI_QUANTITY_NONE, fault);
-    }
     return VTI_OK;
 }

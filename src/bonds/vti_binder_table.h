@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The kernels of bonds, for the vector units that there may be. */
+ * The kernels of bonds, for the vector units that there may be, and what is asked of a list before they see it. */
 #ifndef VTI_BINDER_TABLE_H
 #define VTI_BINDER_TABLE_H
 
@@ -31,5 +31,17 @@ struct bond_kernels {
 
 /** The same bits from each. */
 extern const struct bond_kernels vti_binder_baseline, vti_binder_avx2, vti_binder_avx512;
+
+/** Whether there is such a form, and with turns, which the printed shear does not know. */
+VTI_INLINE int vti_bonds_form_is_known(const vti_bonds *bonds)
+{
+    return bonds->shear_form >= VTI_SHEAR_OBJECTIVE &&
+           bonds->shear_form <= (bonds->turn != NULL ? VTI_SHEAR_QUARTIC : VTI_SHEAR_PRINTED);
+}
+
+VTI_INLINE int vti_bonds_has_list(const vti_bonds *bonds)
+{
+    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
+}
 
 #endif

@@ -62,6 +62,16 @@ def same_bytes(base):
             check(len(contents) == 1, f"{kind}: {name} is the same on 1, 2, 3 and 5 ranks")
 
 
+def same_bytes_with_walls(base):
+    """Of a scene with contacts the reference is known at intervals, and every rank works out its runs against it."""
+    torus = os.path.join(os.path.dirname(STUDY), "..", "scenes", "torus.yaml")
+    for ranks in (1, 2, 3, 5):
+        result = study(ranks, torus, "--h", "1/500:1/2000", "--t-end", "0.5", "--steppers", "vti1,vti2", folder=f"{base}/walls{ranks}")
+        check(result.returncode == 0, f"a study with walls on {ranks} ranks {result.stderr}")
+        check(contents(f"{base}/walls{ranks}", ["timing.csv"]) == contents(f"{base}/walls1", ["timing.csv"]),
+              f"with walls: the same on {ranks} ranks as on 1")
+
+
 def not_whole(base):
     result = study(1, "--h", "0.3", "--t-end", "1", folder=f"{base}/whole")
     check(rows(f"{base}/whole")[0]["steps"] == "3" and "not a multiple" in result.stdout, "h = 0.3 does not divide t_end = 1, it says")
@@ -214,6 +224,7 @@ with tempfile.TemporaryDirectory() as base:
     study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", "--t-end", "100", folder=f"{base}/hundred")
     orders(f"{base}/hundred", "t = 100")
     same_bytes(base)
+    same_bytes_with_walls(base)
     not_whole(base)
     refused(base)
     without_orders(base)
