@@ -98,6 +98,7 @@ struct scene {
     struct scene_lattice lattice;
     char table[SCENE_PATH_SIZE];     /* of the bodies */
     double mass, inertia, diameter;  /* of all bodies; 0 if the file does not say */
+    double density;                  /* of all, where it says that in the place of their mass; else 0 */
     double moments[3], principal[3]; /* of all bodies that are not spheres, and how their axes lie; 0: they are */
     struct scene_clumps clumps;
     double x[3]; /* of a single body */

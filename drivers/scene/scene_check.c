@@ -191,7 +191,7 @@ static int check_counts_of_spheres(const struct scene_reader *reader, const stru
 /** Spheres say how large their clump is and how it turns. */
 static int check_clumps(const struct scene_reader *reader, const struct scene *scene)
 {
-    static const char *const instead[] = {"bodies.inertia", "bodies.moments", "bodies.diameter"};
+    static const char *const instead[] = {"bodies.inertia", "bodies.moments", "bodies.diameter", "bodies.density"};
     if (!scene->clumps.given)
         return 0;
     for (size_t k = 0; k < sizeof instead / sizeof instead[0]; ++k)
@@ -213,13 +213,16 @@ static int check_properties(const struct scene_reader *reader, const struct scen
     const int clumps = scene->clumps.given;
     if (check_moments(reader, scene) != 0 || check_clumps(reader, scene) != 0)
         return -1;
+    if (scene->density != 0.0 && has(reader, "bodies.mass"))
+        return scene_reader_fail(reader, "bodies.density", "given besides bodies.mass; keep one of them");
     if (scene->arrangement == SCENE_IN_TABLE)
         return 0;
     const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter") || clumps;
-    const int is_sphere = has_diameter && has(reader, "bodies.mass"); /* solid: inertia follows */
+    const int has_mass = has(reader, "bodies.mass") || scene->density != 0.0 || scene->clumps.density != 0.0;
+    const int is_sphere = has_diameter && has_mass; /* solid: inertia follows */
     const int is_known = is_sphere || has(reader, "bodies.moments") || clumps;
-    if (check_needed(reader, scene->translates && scene->clumps.density == 0.0, "bodies.mass",
-                     "bodies that translate") != 0 ||
+    if (check_needed(reader, scene->translates && !has_mass, "bodies.mass", "bodies that translate") != 0 ||
+        check_needed(reader, scene->density != 0.0 && !has_diameter, "bodies.diameter", "spheres of a density") != 0 ||
         check_needed(reader, scene->turns && !is_known, "bodies.inertia", "bodies that turn") != 0)
         return -1;
     return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !has_diameter, "bodies.diameter",

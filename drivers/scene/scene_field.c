@@ -52,6 +52,8 @@ static const struct scene_field head[] = {
      NULL},
     {"bodies.mass", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(mass), "mass m",
      "Of each body; needed by bodies that translate.", NULL},
+    {"bodies.density", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(density), "density",
+     "Mass per volume of solid spheres, in the place of mass: each has that of its diameter.", NULL},
     {"bodies.inertia", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(inertia), "moment of inertia J",
      "Of each body about its centre; that of a solid sphere without it, if mass and diameter are known.", NULL},
     {"bodies.moments", SCENE_VECTOR, SCENE_MAY, SCENE_POSITIVE, AT(moments), "principal moments of inertia A, B, C",

@@ -47,6 +47,12 @@ static int has_own_moments(const struct model *model, const struct table *bodies
     return model->scene->clumps.given || table_has(bodies, BODY_MOMENTS) || table_has(bodies, BODY_PRINCIPAL);
 }
 
+/** Each body has a mass of its own, which follows from the density. */
+static int is_weighed(const struct scene *s, const struct table *bodies)
+{
+    return s->clumps.density != 0.0 || (s->density != 0.0 && table_has(bodies, BODY_DIAMETER));
+}
+
 /** Doubles per body. */
 static int64_t body_width(const struct model *model, const struct tables *tables)
 {
@@ -55,7 +61,7 @@ static int64_t body_width(const struct model *model, const struct tables *tables
     width += model->translates ? 6 + 3 * ((loads & EFFECT_FORCE) != 0) : 0;
     width += is_general(model, &tables->bodies) ? 3 : 0;
     width += has_own_moments(model, &tables->bodies) ? 3 + 4 : 0;
-    width += model->scene->clumps.density != 0.0;
+    width += is_weighed(model->scene, &tables->bodies);
     width += model->turns ? 6 + 3 * ((loads & EFFECT_MOMENT) != 0) : 0;
     for (int k = BODY_MASS; k <= BODY_YOUNG; ++k)
         width += table_has(&tables->bodies, k);
@@ -128,6 +134,12 @@ static vti_scalars property(double **block, int64_t n, const struct table *bodie
     return vti_scalars_array(p);
 }
 
+/** m of a solid sphere. */
+static double ball(double density, double diameter)
+{
+    return density * (3.14159265358979323846 / 6.0) * diameter * diameter * diameter;
+}
+
 /** J of a solid sphere. */
 static double solid_sphere(double mass, double diameter)
 {
@@ -140,12 +152,14 @@ static const struct clump_template *template_of(const struct model *model, const
     return clumps_template(&model->clumps, model->scene, &tables->bodies, i);
 }
 
-/** Mass of each body, of its template and the density. */
+/** Mass of each body, of its template or its diameter. */
 static vti_scalars weighed(const struct model *model, const struct tables *tables, double **block)
 {
+    const struct scene *s = model->scene;
     double *mass = take(block, model->bodies.count);
     for (int64_t i = 0; i < model->bodies.count; ++i)
-        mass[i] = model->scene->clumps.density * template_of(model, tables, i)->solid.mass;
+        mass[i] = s->clumps.given ? s->clumps.density * template_of(model, tables, i)->solid.mass
+                                  : ball(s->density, tables->bodies.column[BODY_DIAMETER][i]);
     return vti_scalars_array(mass);
 }
 
@@ -170,11 +184,11 @@ static void place_properties(struct model *model, const struct tables *tables, d
     const struct scene *s = model->scene;
     const struct table *t = &tables->bodies;
     vti_bodies *b = &model->bodies;
-    model->mass = s->mass;
     model->sphere = s->diameter != 0.0 ? s->diameter : arrange_touching(s);
+    model->mass = s->density != 0.0 ? ball(s->density, model->sphere) : s->mass;
     model->inertia = s->inertia != 0.0 ? s->inertia : solid_sphere(model->mass, model->sphere);
-    const vti_scalars mass = s->clumps.density != 0.0 ? weighed(model, tables, block)
-                                                      : property(block, b->count, t, BODY_MASS, &model->mass);
+    const vti_scalars mass =
+        is_weighed(s, t) ? weighed(model, tables, block) : property(block, b->count, t, BODY_MASS, &model->mass);
     model->diameter = property(block, b->count, t, BODY_DIAMETER, &model->sphere);
     if (table_has(t, BODY_YOUNG)) {
         double *modulus = take(block, b->count);

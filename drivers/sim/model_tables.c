@@ -37,6 +37,7 @@ static int check_twice(const struct scene *s, const struct tables *t, struct mes
                   {s->has_alpha, BODY_ALPHA, "bodies.alpha"},
                   {s->has_omega, BODY_OMEGA, "bodies.omega"},
                   {s->mass != 0.0, BODY_MASS, "bodies.mass"},
+                  {s->density != 0.0, BODY_MASS, "bodies.density"},
                   {s->inertia != 0.0, BODY_INERTIA, "bodies.inertia"},
                   {s->moments[0] != 0.0, BODY_INERTIA, "bodies.moments"},
                   {s->moments[0] != 0.0, BODY_MOMENTS, "bodies.moments"},
@@ -64,7 +65,8 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
 {
     const struct scene *s = m->scene;
     const struct table *bodies = &t->bodies;
-    const int has_mass = s->mass != 0.0 || s->clumps.density != 0.0 || table_has(bodies, BODY_MASS);
+    const int has_mass =
+        s->mass != 0.0 || s->density != 0.0 || s->clumps.density != 0.0 || table_has(bodies, BODY_MASS);
     const int has_diameter = s->diameter != 0.0 || s->clumps.given || table_has(bodies, BODY_DIAMETER);
     const int has_inertia = s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) ||
                             table_has(bodies, BODY_MOMENTS) || (has_mass && has_diameter);
@@ -76,6 +78,8 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
         return fail(bodies, message, "nothing moves; give columns x, y, z or omega_x, omega_y, omega_z%s", "");
     if (m->translates && !has_mass)
         return fail(bodies, message, "no column mass; bodies that translate need it, or bodies.mass%s", "");
+    if (s->density != 0.0 && !has_diameter)
+        return fail(bodies, message, "no column diameter; bodies.density needs it, or bodies.diameter%s", "");
     if (m->turns && !has_inertia)
         return fail(bodies, message, "no column inertia; bodies that turn need it, or bodies.inertia%s", "");
     if (scene_first_with(s, EFFECT_SPHERES) != NULL && !has_diameter)
@@ -169,7 +173,8 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);
-    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0 && !s->clumps.given)
+    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0 && s->density == 0.0 &&
+        !s->clumps.given)
         return check_turned(s, tables, message);
     return 0;
 }

@@ -11,7 +11,8 @@
     "name, bodies, drag, binder, bond_dashpot, contact, wall, friction, dashpot, gravity, pendulum, stepper, rotor, "  \
     "h, tolerance, control, speed, turning, t_end"
 #define BODY_KEYS                                                                                                      \
-    "ring, chain, lattice, table, mass, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, random"
+    "ring, chain, lattice, table, mass, density, inertia, moments, principal, diameter, clumps, x, v, alpha, omega, "  \
+    "random"
 #define POSITIONS "bodies.x and bodies.v, or bodies.ring, chain, lattice or table"
 #define NOTHING "1:1: bodies: nothing moves; give " POSITIONS ", or bodies.alpha and bodies.omega"
 #define STEPPERS "vti1, vti2, vti3, vti3-leapfrog, exact, suzuki4, kl6, kl8, srkn6, srkn11, srkn14, chin4"
@@ -62,6 +63,10 @@ static const struct refusal files[] = {
      "1:1: bodies.inertia: missing; bodies that turn need it, the moment of inertia J"},
     {"bodies: {x: [0, 0, 0], v: [0, 0, 1]}\n" TIME,
      "1:1: bodies.mass: missing; bodies that translate need it, the mass m"},
+    {"bodies: {mass: 1, density: 1, diameter: 1, x: [0, 0, 0], v: [0, 0, 1]}\n" TIME,
+     "1:28: bodies.density: given besides bodies.mass; keep one of them"},
+    {"bodies: {x: [0, 0, 0], v: [0, 0, 1], density: 1}\n" TIME,
+     "1:1: bodies.diameter: missing; spheres of a density need it, the diameter D"},
     {"bodies: {inertia: 1, alpha: [0, 0, 0]}\n" TIME,
      "1:29: bodies.alpha: given without bodies.omega; give both or neither"},
     {"bodies: {mass: 1, v: [0, 0, 0]}\n" TIME, "1:22: bodies.v: given without bodies.x; give both or neither"},

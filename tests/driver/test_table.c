@@ -152,6 +152,10 @@ static const struct {
     {BONDED, THREE, "i,j,break_energy\n0,1,0\n", "c.csv:2:5: break_energy: '0' is not positive; it must be > 0"},
     {BONDED, THREE, "i,j,moment\n0,1,1\n", "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
     {BODIES, "x,y,z,mass\n0,0,0,1\n", "", "b.csv: gives what the scene gives as bodies.mass too; keep one of them"},
+    {"bodies: {table: b.csv, density: 1}\n", "x,y,z,mass\n0,0,0,1\n", "",
+     "b.csv: gives what the scene gives as bodies.density too; keep one of them"},
+    {"bodies: {table: b.csv, density: 1}\n", "x,y,z\n0,0,0\n", "",
+     "b.csv: no column diameter; bodies.density needs it, or bodies.diameter"},
     {"bodies: {table: b.csv, inertia: 1, v: [0, 0, 1]}\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
      "b.csv: no columns x, y, z; bodies.v needs them"},
     {"bodies: {table: b.csv}\n", "x,y,z\n0,0,0\n", "",
@@ -230,6 +234,27 @@ TEST(bodies_and_bonds)
     assert_true(bonds.shear.stride == 0 && bonds.shear.p[0] == 7.0);
     assert_true(bonds.rest[0] == 1.0 && bonds.rest[3] == 1.0); /* from 0 to 1 */
     assert_true(bonds.rest[5] == -1.0 && bonds.rest[7] == 2.0);
+    model_destroy(&model);
+}
+
+/** m = density pi/6 D^3 and J = m D^2/10, of diameters that are all the same or not. */
+TEST(density)
+{
+    static const double pi = 3.14159265358979323846;
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z,diameter\n0,0,0,1\n1,0,0,2\n1,2,0,3\n");
+    make_model("bodies: {table: b.csv, density: 12, omega: [0, 1, 0]}\n" TIME, &scene, &model);
+    for (int i = 0; i < 3; ++i) {
+        const double d = i + 1.0, m = 2.0 * pi * d * d * d;
+        assert_close(model.bodies.mass.p[i * model.bodies.mass.stride], m, 4 * EPS * m);
+        assert_close(model.bodies.inertia.p[i * model.bodies.inertia.stride], 0.1 * m * d * d, 8 * EPS * m * d * d);
+    }
+    model_destroy(&model);
+    make_model("bodies: {chain: {count: 2, spacing: 3}, density: 12, omega: [0, 1, 0]}\n" TIME, &scene, &model);
+    assert_int_equal(model.bodies.mass.stride, 0);
+    assert_close(*model.bodies.mass.p, 54.0 * pi, 1e3 * EPS);
+    assert_close(*model.bodies.inertia.p, 48.6 * pi, 1e3 * EPS);
     model_destroy(&model);
 }
 
@@ -365,6 +390,6 @@ TEST(given_tables)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
                     cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
-                    cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
+                    cmocka_unit_test(density), cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
                     cmocka_unit_test(materials_of_bodies), cmocka_unit_test(limits_name_the_bond),
                     cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))
