@@ -49,7 +49,7 @@ typedef struct vti_past {
 /** Remembers the accelerations by the force and moment of now. At the start, and after any jump, once before each of
  *  K - 1 steps of h by another method, and once after the last: then known = K. They are few, and need not be as good
  *  as K promises: four by srkn6, after which vti_multistep objects of the depths 5, 6 ... with c = 1, which record by
- *  themselves, take one evaluation each; or, for errors below 1e-10, all by srkn11. */
+ *  themselves, take one evaluation each; or, for errors below 1e-10, six by srkn11 and then of the depths 7, 8 ... */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:

@@ -57,16 +57,17 @@ static int multistep(struct course *c, const vti_multistep *m, vti_past *past)
     return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
 }
 
-/** A step of the start, K - 1 of them: of methods that are stable at large steps up to four by srkn6, and then one each
- *  by AN(5), AN(6) ..., which evaluate once; of others all by srkn11. Their orders are less than K, but at such steps
- *  they err by less than the rest of the way does, down to about 1e-11 by srkn6. */
+/** A step of the start, K - 1 of them: up to four by srkn6 where steps are large, up to six by srkn11 where they are small,
+ *  and then one each by AN(5), or AN(7), and so on, which evaluate once. Their orders are less than K, but at such steps
+ *  they err by less than the rest of the way does: by srkn6 down to about 1e-11, by srkn11 to rounding (an10-mid on the
+ *  chain: order 10.7 down to 5e-14). */
 static int start_step(struct course *c, const vti_multistep *m, vti_past *past)
 {
-    enum { GROWS_FROM = 5 };
     const int large = m->reach > 0.5;
+    const int64_t grows_from = large ? 5 : 7;
     const vti_multistep grown = {.depth = past->known, .c = 1.0};
     int status = past->known == 0 ? vti_multistep_record(past, &c->bodies) : VTI_OK;
-    if (status == VTI_OK && large && past->known >= GROWS_FROM)
+    if (status == VTI_OK && past->known >= grows_from)
         return multistep(c, &grown, past);
     if (status == VTI_OK)
         status = course_step(c, vti_stepper_find(large ? "srkn6" : "srkn11"), c->h);
