@@ -178,6 +178,39 @@ TEST(carry_has_the_chord)
 
 /* ---- impacts ----------------------------------------------------------------------------------------------------- */
 
+/** A body of three moments that are equal rolls on a plane as a sphere does: nothing slides, whatever the angle of a
+ *  step, as turns there are h Omega. */
+TEST(rolls_exactly)
+{
+    static const double plane[4] = {0.0, 0.0, 1.0, 0.0}, one = 1.0;
+    const double r = 0.45, w = 1.5, t = 0.5;
+    double x[3] = {t * w * r, 0.0, r}, v[3] = {w * r, 0.0, 0.0}, omega[3] = {0.0, w, 0.0}, alpha[3] = {0.0},
+           moments[3] = {0.1, 0.1, 0.1}, spin[3] = {0.0, 0.1 * w, 0.0}, principal[4] = {0.0, 0.0, 0.0, 1.0};
+    vti_held slot[8] = {{0}};
+    vti_history history = {8, 0, 0, slot};
+    vti_sum lost[VTI_FRICTION_BOOKS] = {{0.0, 0.0}};
+    const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 2.0};
+    const vti_friction springs = {
+        .walls = &walls, .sliding = 0.5, .stiffness = 1e3, .history = &history, .lost = lost, .reach = INFINITY};
+    vti_bodies b = vti_bodies_none(1);
+    b.x = vti_view_packed(x);
+    b.v = vti_view_packed(v);
+    b.omega = vti_view_packed(omega);
+    b.alpha = vti_view_packed(alpha);
+    b.spin = vti_view_packed(spin);
+    b.mass = vti_scalars_one(&one);
+    b.moments = (vti_view){{moments, moments + 1, moments + 2}, 0, 0};
+    b.principal = (vti_quat_view){{principal, principal + 1, principal + 2, principal + 3}, 0, 0};
+    const vti_drifted drifted = {.t = t, .law = VTI_LAW_EXACT, .frame = VTI_FRAME_SPACE};
+    const vti_effect effect = vti_friction_effect(&springs);
+    assert_int_equal(vti_effects_carry(&effect, 1, &drifted, &b), VTI_OK);
+    double most = 0.0;
+    for (int k = 0; k < 8; ++k)
+        most = fmax(most, vti_norm(slot[k].sliding));
+    assert_int_equal(history.used, 1);
+    assert_true(most < 1e3 * 4 * EPS);
+}
+
 /** Contacts, planes, friction and dashpots of all kinds. */
 static void lossy(int planes, double mu, double zeta, double size)
 {
@@ -330,5 +363,5 @@ TEST(random_impacts_never_gain)
     assert_true(losing > 200);
 }
 
-RUN_TESTS(cmocka_unit_test(stuck_pairs_turn), cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(impacts),
-          cmocka_unit_test(random_impacts_never_gain))
+RUN_TESTS(cmocka_unit_test(stuck_pairs_turn), cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(rolls_exactly),
+          cmocka_unit_test(impacts), cmocka_unit_test(random_impacts_never_gain))

@@ -214,6 +214,13 @@ TEST(cylinders)
     const vti_effect narrow = vti_walls_effect(&m.walls);
     assert_int_equal(vti_apply(&narrow, 1, &m.b), VTI_OK);
     assert_close(vti_norm(m.c.force[0]), 0, 0);
+    vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
+    const vti_dashpots damps = {.walls = &m.walls, .zeta = 0.5, .tangential = 3, .reach = INFINITY, .lost = lost};
+    const vti_effect flow = vti_dashpots_effect(&damps);
+    const double speed[3] = {1, 2, 3};
+    memcpy(m.c.v[0], speed, sizeof speed);
+    assert_int_equal(vti_effects_flow(&flow, 1, 0.1, 0.1, &m.b), VTI_OK);
+    assert_same_bits(m.c.v[0], speed, 3);
 }
 
 /** A sphere that does not slip rolls through the bottom of a cylinder like a pendulum: omega^2 = (g/(R - l))/(1 + J/(m
