@@ -113,24 +113,30 @@ VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
         add_by(order, second, by, a);
 }
 
-/** a is kicked, and x += t a where x moves. */
+/** Of the WIDTH bodies from i on a is kicked, and x += t a where x moves. */
+VTI_INLINE void kick_and_move_some(enum order order, struct kicks k, double t, struct stream a, int moves,
+                                   struct stream x, int64_t i)
+{
+    lanes v[3], place[3];
+    load(order, a, i, v);
+    if (k.count > 0) {
+        kick(order, k, i, v);
+        store(order, a, i, v);
+    }
+    if (!moves)
+        return;
+    load(order, x, i, place);
+    for (int c = 0; c < 3; ++c)
+        place[c] += t * v[c];
+    store(order, x, i, place);
+}
+
+/** The same of all bodies. */
 VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
                               int64_t begin, int64_t end)
 {
-    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
-        lanes v[3], place[3];
-        load(order, a, i, v);
-        if (k.count > 0) {
-            kick(order, k, i, v);
-            store(order, a, i, v);
-        }
-        if (!moves)
-            continue;
-        load(order, x, i, place);
-        for (int c = 0; c < 3; ++c)
-            place[c] += t * v[c];
-        store(order, x, i, place);
-    }
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH)
+        kick_and_move_some(order, k, t, a, moves, x, i);
 }
 
 /** The same, body by body: of vectors whose components lie side by side, at any strides. */
@@ -182,15 +188,27 @@ VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, 
     return begin + (end - begin) / WIDTH * WIDTH;
 }
 
+/** The translation of a move. */
+struct translation {
+    struct kicks k;
+    double t;
+    struct stream v, x; /* x is v where it does not move */
+    int moves;
+};
+
+VTI_INLINE struct translation translation_of(const struct vti_move *move, const vti_bodies *b)
+{
+    const int moves = move->drifts && vti_has(&b->x);
+    return (struct translation){kicks_of(move, &b->force, &b->mass), move->drift, stream_of(&b->v),
+                                stream_of(moves ? &b->x : &b->v), moves};
+}
+
 static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
     if (end - begin < WIDTH)
         return begin;
-    const struct stream v = stream_of(&b->v);
-    const struct kicks k = kicks_of(move, &b->force, &b->mass);
-    if (!move->drifts || !vti_has(&b->x))
-        return kick_and_move_any(k, 0.0, v, 0, v, begin, end);
-    return kick_and_move_any(k, move->drift, v, 1, stream_of(&b->x), begin, end);
+    const struct translation s = translation_of(move, b);
+    return kick_and_move_any(s.k, s.t, s.v, s.moves, s.x, begin, end);
 }
 
 #endif

@@ -148,6 +148,15 @@ static void rotate_all(const struct vti_move *move, const vti_bodies *b, int64_t
     turn_of(move, b)(move, b, begin, end);
 }
 
+/** The first body that is left to translate and to rotate. */
+static int64_t move_both(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const int carry = vti_has(&b->x_low) || vti_has(&b->v_low) || vti_has(&b->alpha_low) || vti_has(&b->omega_low);
+    for (const struct vti_move_kernels *const *k = kernels(end - begin, carry); *k != NULL; ++k)
+        begin = (*k)->both(move, b, begin, end);
+    return begin;
+}
+
 static void rotate_generally(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
     const int carry = vti_has(&b->alpha_low) || vti_has(&b->spin_low),
@@ -161,23 +170,54 @@ static void rotate_generally(const struct vti_move *move, const vti_bodies *b, i
  *  costs more than the first level saves. */
 enum { BLOCK = 1024 };
 
-void vti_move_all(const struct vti_move *move, const vti_bodies *b)
+/** Of so many, arrays do not fit into the second-level cache. */
+enum { MANY = 4096 };
+
+/** What of a body a move changes. */
+struct parts {
+    int translates, rotates, general; /* general: of three moments */
+};
+
+static void move_blocks(struct parts parts, const struct vti_move *move, const vti_bodies *b, int64_t first,
+                        int64_t last)
 {
-    const int kicks = move->before != 0.0 || move->kick != 0.0;
-    const int translates = vti_has(&b->v) && ((move->drifts && vti_has(&b->x)) || (kicks && vti_has(&b->force)));
-    const int general = vti_has(&b->moments);
-    const int rotates =
-        !general && vti_has(&b->omega) && ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment)));
-    const int64_t last = b->first + b->count;
-    for (int64_t begin = b->first; begin < last; begin += BLOCK) {
+    for (int64_t begin = first; begin < last; begin += BLOCK) {
         const int64_t end = last - begin < BLOCK ? last : begin + BLOCK;
-        if (translates)
+        if (parts.translates)
             translate_all(move, b, begin, end);
-        if (rotates)
+        if (parts.rotates)
             rotate_all(move, b, begin, end);
-        else if (general)
+        else if (parts.general)
             rotate_generally(move, b, begin, end);
     }
+}
+
+/** The first body from i on whose vector begins with a line of the cache: kernels that begin there load and store across
+ *  no two lines. i if there is none. */
+static int64_t aligned(const vti_view *v, int64_t i)
+{
+    for (int64_t k = i; k < i + 8; ++k)
+        if ((uintptr_t)(v->c[0] + k * v->stride) % 64 == 0)
+            return k;
+    return i;
+}
+
+void vti_move_all(const struct vti_move *move, const vti_bodies *b)
+{
+    const int kicks = move->before != 0.0 || move->kick != 0.0, general = vti_has(&b->moments);
+    const struct parts parts = {vti_has(&b->v) && ((move->drifts && vti_has(&b->x)) || (kicks && vti_has(&b->force))),
+                                !general && vti_has(&b->omega) &&
+                                    ((move->drifts && vti_has_attitude(b)) || (kicks && vti_has(&b->moment))),
+                                general};
+    const int64_t last = b->first + b->count;
+    int64_t begin = b->first;
+    if (b->count > BLOCK) { /* of fewer the bodies before cost as much */
+        begin = aligned(vti_has(&b->v) ? &b->v : &b->omega, begin);
+        move_blocks(parts, move, b, b->first, begin);
+    }
+    if (b->count >= MANY && parts.translates && parts.rotates)
+        begin = move_both(move, b, begin, last);
+    move_blocks(parts, move, b, begin, last);
 }
 
 /* ---- the bound of the closed form -------------------------------------------------------------------------------- */

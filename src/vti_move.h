@@ -53,6 +53,9 @@ struct vti_move_kernels {
     int64_t least; /* bodies; for fewer it does not pay to start */
     int64_t (*translate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     int64_t (*rotate)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+    /** Both at once, where everything lies the same way: memory gives more to a loop that reads all arrays than to one
+     *  loop after another. */
+    int64_t (*both)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     /** Whether a body's turn of the drift is 1 or more, or NaN; for the bodies up to *stopped. */
     int (*reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end, int64_t *stopped);
     /** The same two of bodies with moments. */

@@ -12,6 +12,7 @@
 const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               translate,
                                               rotate,
+                                              move_both,
                                               reaches,
                                               rotate_general,
                                               reaches_general,
@@ -34,7 +35,7 @@ static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_
     return 0;
 }
 
-const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          reaches_none,
+const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          none,         reaches_none,
                                               none, reaches_none, adams_predict, adams_correct};
 
 #endif

@@ -39,6 +39,18 @@ VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct 
     return u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
 }
 
+/** What is translated before it is turned, where one loop does both: memory gives more to a loop that goes from array to
+ *  array every few of its lines than to loops that stay with some of the arrays. */
+enum { STRIP = 32 };
+
+/** Translates the bodies of a strip that begins with i. Returns where it ends. */
+VTI_INLINE int64_t translate_strip(enum order order, struct translation x, int64_t i, int64_t end)
+{
+    const int64_t to = end - i < STRIP ? end : i + STRIP;
+    kick_and_move(order, x.k, x.t, x.v, x.moves, x.x, i, to);
+    return to;
+}
+
 VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b, int64_t i)
 {
     for (int l = 0; l < WIDTH; ++l)
@@ -46,14 +58,21 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
 }
 
 /** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c
- *  <= 2 and rounding keeps order, one sum that is less than c^2 tells. */
+ *  <= 2 and rounding keeps order, one sum that is less than c^2 tells. Bodies are translated too
+ *  where `with` says so. */
 VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
-                           int64_t begin, int64_t end)
+                           const struct translation *with, int64_t begin, int64_t end)
 {
     const struct stream omega = stream_of(&b->omega), alpha = stream_of(&b->alpha);
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
-    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+    const int translates = order != MIXED && with != NULL;
+    struct translation x = {0};
+    if (translates)
+        x = *with;
+    for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
+        if (translates && i == strip)
+            strip = translate_strip(order, x, i, end);
         lanes u[3], there[3], a[3], add[3], cf[2];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         load(order, alpha, i, there);
@@ -82,7 +101,7 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
 
 /** q <- normalise((u, c) q), or q (u, c) in the body's frame, where u is small enough for its square. */
 VTI_INLINE void turn_quat(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
-                          int64_t begin, int64_t end)
+                          const struct translation *with, int64_t begin, int64_t end)
 {
     const struct stream omega = stream_of(&b->omega);
     const vti_quat_view quat = b->quat;
@@ -91,7 +110,13 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     const int adjacent = quat_is_adjacent(&quat);
     int64_t at[WIDTH];
     lanes_strided(quat.stride, at);
-    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+    const int translates = order != MIXED && with != NULL;
+    struct translation x = {0};
+    if (translates)
+        x = *with;
+    for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
+        if (translates && i == strip)
+            strip = translate_strip(order, x, i, end);
         lanes u[3], q[4], r[4], cf[2];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         if (adjacent)
@@ -106,9 +131,9 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
         law_of(law, s2, cf);
         for (int n = 0; n < 3; ++n)
             u[n] *= cf[1];
-        const lanes x[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
+        const lanes y[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
         for (int n = 0; n < 3; ++n)
-            r[n] = cf[0] * q[n] + q[3] * u[n] + side * x[n];
+            r[n] = cf[0] * q[n] + q[3] * u[n] + side * y[n];
         r[3] = cf[0] * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
         const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
         for (int n = 0; n < 4; ++n)
@@ -122,12 +147,13 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
 }
 
 /* Literal arguments, so that each order, law and frame is a loop of its own. */
-typedef void turn(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
+typedef void turn_with(const struct vti_move *move, const vti_bodies *b, const struct translation *with, int64_t begin,
+                       int64_t end);
 #define TURN(KEPT, ORDER, LAW, FRAME, SIDE)                                                                            \
-    static void KEPT##_##ORDER##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b, int64_t begin,      \
-                                                 int64_t end)                                                          \
+    static void KEPT##_##ORDER##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b,                     \
+                                                 const struct translation *with, int64_t begin, int64_t end)           \
     {                                                                                                                  \
-        turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, begin, end);                                                  \
+        turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, with, begin, end);                                            \
     }
 #define LAWS(KEPT, ORDER, FRAME, SIDE)                                                                                 \
     TURN(KEPT, ORDER, CLOSED, FRAME, SIDE)                                                                             \
@@ -157,9 +183,26 @@ LAWS(quat, MIXED, body, -1.0)
         BY_LAW(KEPT, ORDER, space), BY_LAW(KEPT, ORDER, body)                                                          \
     }
 /** [attitude is a quaternion][order of omega, moment and alpha][frame is the body's][law] */
-static turn *const turns[2][3][2][VTI_LAW_EXACT9 + 1] = {
+static turn_with *const turns[2][3][2][VTI_LAW_EXACT9 + 1] = {
     {BY_FRAME(alpha, PACKED), BY_FRAME(alpha, SEPARATE), BY_FRAME(alpha, MIXED)},
     {BY_FRAME(quat, PACKED), BY_FRAME(quat, SEPARATE), BY_FRAME(quat, MIXED)}};
+
+/** The order in which the lanes of a turn are filled; -1 if they cannot be. */
+static int turn_order(const struct kicks *k, const vti_bodies *b)
+{
+    const struct stream w = stream_of(&b->omega);
+    int order = order_with(order_of(w), k->count > 0 ? k->by : w);
+    if (vti_has(&b->alpha))
+        order = order_with(order, stream_of(&b->alpha));
+    else if (b->quat.stride != 1 && !quat_is_adjacent(&b->quat))
+        order = -1;
+    return order == MIXED && WIDTH > 4 ? -1 : order; /* eight are sorted more slowly than twice four */
+}
+
+static turn_with *turn_of(const struct vti_move *move, const vti_bodies *b, int order)
+{
+    return turns[!vti_has(&b->alpha)][order][move->frame == VTI_FRAME_BODY][move->law];
+}
 
 static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
@@ -169,19 +212,45 @@ static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t 
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     if (!move->drifts || !vti_has_attitude(b))
         return kick_and_move_any(k, 0.0, w, 0, w, begin, end);
-    const int by_quat = !vti_has(&b->alpha);
-    int order = order_with(order_of(w), k.count > 0 ? k.by : w);
-    if (!by_quat)
-        order = order_with(order, stream_of(&b->alpha));
-    else if (b->quat.stride != 1 && !quat_is_adjacent(&b->quat))
-        order = -1;
-    if (order < 0 || (order == MIXED && WIDTH > 4)) /* eight are sorted more slowly than twice four */
+    const int order = turn_order(&k, b);
+    if (order < 0)
         return begin;
     const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
     struct vti_move rest = *move;
     if (order == MIXED && k.count > 0 && kick_and_move_any(k, 0.0, w, 0, w, begin, stop) == stop)
         rest.before = rest.kick = 0.0;
-    turns[by_quat][order][move->frame == VTI_FRAME_BODY][move->law](&rest, b, begin, stop);
+    turn_of(move, b, order)(&rest, b, NULL, begin, stop);
+    return stop;
+}
+
+/* ---- translation and turn in one loop ---------------------------------------------------------------------------- */
+
+/** Both kicks where nothing turns. */
+VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
+                          int64_t end)
+{
+    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH) {
+        kick_and_move_some(order, x.k, x.t, x.v, x.moves, x.x, i);
+        kick_and_move_some(order, k, 0.0, w, 0, w, i);
+    }
+}
+
+static int64_t move_both(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    const struct translation x = translation_of(move, b);
+    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
+    const struct stream w = stream_of(&b->omega), by = k.count > 0 ? k.by : w;
+    const int turns_too = move->drifts && vti_has_attitude(b);
+    const int order = order_with(order_with(order_of(x.v), x.x), x.k.count > 0 ? x.k.by : x.v);
+    if (order != (turns_too ? turn_order(&k, b) : order_with(order_of(w), by)) || order < 0 || order == MIXED)
+        return begin;
+    const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
+    if (turns_too)
+        turn_of(move, b, order)(move, b, &x, begin, stop);
+    else if (order == PACKED)
+        kick_both(PACKED, x, k, w, begin, stop);
+    else
+        kick_both(SEPARATE, x, k, w, begin, stop);
     return stop;
 }
 

@@ -434,6 +434,7 @@ static void general_kicks(const struct vti_move *move, const vti_bodies *b, int6
         KICKS, HOW##_CLOSED_##ROTOR, HOW##_CAYLEY_##ROTOR, HOW##_EXACT_##ROTOR, HOW##_EXACT9_##ROTOR                   \
     }
 /** [packed][half of the rotor, less 1][law, or 0 without a drift] */
+typedef void turn(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
 static turn *const generals[2][3][VTI_LAW_EXACT9 + 1] = {
     {GENERAL_BY_LAW(general, general_kicks, 2), GENERAL_BY_LAW(general, general_kicks, 4),
      GENERAL_BY_LAW(general, general_kicks, 6)},

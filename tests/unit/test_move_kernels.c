@@ -75,6 +75,18 @@ static void fill(rng *g, int closed, const vti_bodies *b)
     }
 }
 
+/** Moves what kernels have left: translates bodies from one on, turns them from another on. */
+static void move_rest(const struct vti_move *move, const vti_bodies *b, int64_t translated, int64_t turned)
+{
+    vti_bodies left = vti_bodies_slice(*b, translated, N - translated);
+    left.alpha = left.omega = left.moment = vti_view_none();
+    left.quat = vti_bodies_none(0).quat;
+    vti_move_all(move, &left);
+    left = vti_bodies_slice(*b, turned, N - turned);
+    left.x = left.v = left.force = vti_view_none();
+    vti_move_all(move, &left);
+}
+
 /** The move body by body, by the public primitives: fewer bodies than any kernel takes. */
 static void expect(const struct vti_move *move, const vti_bodies *b)
 {
@@ -112,15 +124,15 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
         assert_int_equal(kernels->reaches(&move, &b, 0, N, &stopped), law != VTI_LAW_CLOSED); /* some then spin */
         assert_true(stopped == N / width * width);
         const int64_t moved = kernels->translate(&move, &b, 0, N), turned = kernels->rotate(&move, &b, 0, N);
-        vti_bodies left = vti_bodies_slice(b, moved, N - moved);
-        left.alpha = left.omega = left.moment = vti_view_none();
-        left.quat = vti_bodies_none(0).quat;
-        vti_move_all(&move, &left);
-        left = vti_bodies_slice(b, turned, N - turned);
-        left.x = left.v = left.force = vti_view_none();
-        vti_move_all(&move, &left);
+        move_rest(&move, &b, moved, turned);
         if (layout == PACKED || layout == SEPARATE) /* not all is left over */
             assert_true(moved == N / width * width && turned == moved);
+        assert_same_bits(&many, &one, sizeof one / sizeof(double));
+        many = before;
+        const int64_t both = kernels->both(&move, &b, 0, N);
+        move_rest(&move, &b, both, both);
+        if (layout != BESIDE) /* which lies one way where nothing but velocities moves */
+            assert_true(both == (layout == STRUCTS ? 0 : moved));
         assert_same_bits(&many, &one, sizeof one / sizeof(double));
     }
 }
@@ -156,6 +168,39 @@ TEST(the_bound_sees_every_body)
     }
 }
 
+/** Bodies of more than a block and a strip that begin at any place in a line of the cache: `vti_move_all` leaves none
+ *  out, and moves none twice. */
+TEST(a_crowd_moves_body_by_body)
+{
+    enum { CROWD = 4096 + 1024 + 45, SHIFTS = 8, NUMBERS = 20 * CROWD };
+    static double whole[NUMBERS + SHIFTS], each[NUMBERS + SHIFTS];
+    const struct vti_move move = {0.1, 0.2, 0.3, 1, VTI_LAW_EXACT, VTI_FRAME_SPACE, 0};
+    for (int shift = 0; shift < SHIFTS; ++shift)
+        for (int separate = 0; separate < 2; ++separate) {
+            rng g = rng_seed((uint64_t)shift + 11);
+            for (int k = 0; k < NUMBERS; ++k)
+                whole[shift + k] = each[shift + k] = uniform(&g, 0.5, 1.5);
+            vti_bodies b[2];
+            for (int k = 0; k < 2; ++k) {
+                double *const p = (k == 0 ? whole : each) + shift;
+                b[k] = vti_bodies_none(CROWD);
+                vti_view *const views[] = {&b[k].x, &b[k].v, &b[k].force, &b[k].omega, &b[k].moment, &b[k].alpha};
+                for (int q = 0; q < 6; ++q) {
+                    double *const x = p + 3 * q * CROWD;
+                    *views[q] = separate ? vti_view_separate(x, x + CROWD, x + 2 * CROWD) : vti_view_packed(x);
+                }
+                b[k].mass = vti_scalars_array(p + 18 * CROWD);
+                b[k].inertia = vti_scalars_array(p + 19 * CROWD);
+            }
+            vti_move_all(&move, &b[0]);
+            for (int64_t i = 0; i < CROWD; ++i) {
+                const vti_bodies slice = vti_bodies_slice(b[1], i, 1);
+                vti_move_all(&move, &slice);
+            }
+            assert_same_bits(whole + shift, each + shift, NUMBERS);
+        }
+}
+
 TEST(next_is_finish_and_begin)
 {
     rng g = rng_seed(7);
@@ -182,4 +227,5 @@ TEST(next_is_finish_and_begin)
 }
 
 RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512),
-          cmocka_unit_test(the_bound_sees_every_body), cmocka_unit_test(next_is_finish_and_begin))
+          cmocka_unit_test(the_bound_sees_every_body), cmocka_unit_test(a_crowd_moves_body_by_body),
+          cmocka_unit_test(next_is_finish_and_begin))
