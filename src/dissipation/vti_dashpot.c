@@ -24,22 +24,34 @@ static int64_t least_of(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
+/** Of so many pairs, VTI_TOUCHES at most, no two of which share a body, those that overlap, or will at the other end of
+ *  the drift, in their order: returns how many. */
+static int64_t touching(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t pair[VTI_TOUCHES])
+{
+    int64_t apart[VTI_TOUCHES], closing[VTI_TOUCHES], gaps = 0, next = 0, all = 0;
+    for (int64_t n = 0; n < count; ++n) {
+        apart[gaps] = vti_touch_number(found[n]);
+        gaps += found[n] < 0;
+    }
+    const int64_t late = gaps > 0 ? vti_touch_kernels_for(gaps)->soon(s, gaps, apart, closing) : 0;
+    for (int64_t n = 0; n < count; ++n) {
+        const int closes = next < late && closing[next] == vti_touch_number(found[n]);
+        pair[all] = vti_touch_number(found[n]);
+        all += found[n] >= 0 || closes;
+        next += closes;
+    }
+    return all;
+}
+
 /** So many pairs of one colour in this order, at most so many at once. */
 static void flow_colour(const void *sweep, const int64_t *found, int64_t count, int64_t most)
 {
     const struct vti_sweep *const s = sweep;
-    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(count);
-    int64_t pair[VTI_TOUCHES], any = 0;
-    for (int64_t n = 0; n < count; ++n)
-        any |= found[n];
-    if (any >= 0 && most > 1) { /* none is apart */
-        kernels->flow(s, count, found);
-        return;
-    }
+    int64_t pair[VTI_TOUCHES];
     for (int64_t first = 0; first < count; first += most) {
-        const int64_t touching = kernels->soon(s, least_of(count - first, most), found + first, pair);
-        if (touching > 0)
-            vti_touch_kernels_for(touching)->flow(s, touching, pair);
+        const int64_t all = touching(s, least_of(count - first, most), found + first, pair);
+        if (all > 0)
+            vti_touch_kernels_for(all)->flow(s, all, pair);
     }
 }
 
@@ -47,20 +59,19 @@ static void flow_colour(const void *sweep, const int64_t *found, int64_t count, 
 static void flow_singly(const void *sweep, const int64_t *found, int64_t count, int64_t most)
 {
     const struct vti_sweep *const s = sweep;
-    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(1);
     vti_dashpots own = *s->p;
     struct vti_sweep one = *s;
     (void)most;
     one.p = &own;
     for (int64_t n = 0; n < count; ++n) {
         vti_sum lost[VTI_DASHPOT_BOOKS] = {{0.0, 0.0}};
-        int64_t k;
+        int64_t pair[VTI_TOUCHES];
         own.lost = lost;
-        if (kernels->soon(&one, 1, found + n, &k) == 0)
+        if (touching(&one, 1, found + n, pair) == 0)
             continue;
-        kernels->flow(&one, 1, &k);
-        vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, vti_contact_body(own.contacts, k, 0),
-                      vti_contact_body(own.contacts, k, 1));
+        vti_touch_kernels_for(1)->flow(&one, 1, pair);
+        vti_share_out(lost, VTI_DASHPOT_BOOKS, s->p->lost, s->p->by_body, vti_contact_body(own.contacts, pair[0], 0),
+                      vti_contact_body(own.contacts, pair[0], 1));
     }
 }
 

@@ -8,7 +8,7 @@
 
 /* ---- which touch ------------------------------------------------------------------------------------------------- */
 
-/** Where pairs will not touch at the other end of the drift. */
+/** Where pairs will not touch at the other end of the drift; NaN shall show. */
 VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_sweep *s, const int64_t *which)
 {
     const vti_contacts *const p = s->p->contacts;
@@ -28,27 +28,19 @@ VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_swee
     return length - r - s->drift * (lanes_dot(u, d) / r) <= 0.0;
 }
 
-static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pairs)
+static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *apart, int64_t *pairs)
 {
     const int packed = is_packed(s->b);
-    int64_t place[WIDTH], which[WIDTH], out[WIDTH], touching = 0;
+    int64_t place[WIDTH], stay[WIDTH], closing = 0;
     for (int64_t first = 0; first < count; first += WIDTH) {
-        const int64_t *const here = whole(found, first, count, place);
-        int64_t any = 0;
-        for (int l = 0; l < WIDTH; ++l) {
-            which[l] = vti_touch_number(here[l]);
-            any |= here[l];
-        }
-        lanes_mask apart = lanes_of(0.0) > 0.0;
-        if (any < 0)
-            apart = packed ? stay_apart(PACKED, s, which) : stay_apart(ANY, s, which);
-        lanes_told(apart, out);
-        for (int l = 0; l < WIDTH && first + l < count; ++l) { /* what is apart is written over */
-            pairs[touching] = which[l];
-            touching += 1 - (out[l] & (here[l] < 0));
+        const int64_t *const here = whole(apart, first, count, place);
+        lanes_told(packed ? stay_apart(PACKED, s, here) : stay_apart(ANY, s, here), stay);
+        for (int l = 0; l < WIDTH && first + l < count; ++l) { /* what stays apart is written over */
+            pairs[closing] = here[l];
+            closing += 1 + stay[l];
         }
     }
-    return touching;
+    return closing;
 }
 
 /* ---- flows ------------------------------------------------------------------------------------------------------- */

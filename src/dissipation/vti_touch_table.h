@@ -39,9 +39,9 @@ struct vti_touch_kernels {
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
     void (*carry_at)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, int64_t w,
                      struct vti_carried *bodies);
-    /** Of so many pairs, as near has found them, the numbers of those that overlap, or will at the other end of the
-     *  drift: delta - drift u.n > 0. Returns how many. */
-    int64_t (*soon)(const struct vti_sweep *s, int64_t count, const int64_t *found, int64_t *pair);
+    /** Of so many pairs that are apart, the numbers of those that will overlap at the other end of the drift: delta -
+     *  drift u.n > 0. Returns how many. */
+    int64_t (*soon)(const struct vti_sweep *s, int64_t count, const int64_t *apart, int64_t *pair);
     /** The dashpots of pairs no two of which share a body. */
     void (*flow)(const struct vti_sweep *s, int64_t count, const int64_t *pair);
     /** And those of bodies at wall w, each another one, that are within reach of it. */
