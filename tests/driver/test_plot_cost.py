@@ -179,15 +179,42 @@ def test_goals(program, folder):
     assert text.count("| position (length") == len(cost_support.SCENES) and "the scene itself goes on to t = 20" in text, text
 
 
+def measured(text):
+    return text.split("\n## How it is measured\n\n")[1].split("\n\n")[:3]
+
+
+def test_first_part(program, folder):
+    """For users: five minutes, each stepper of the library once in what it keeps, and a name that is one wherever one is told to
+    take it; then the tables."""
+    cost_support.write_cost(folder)
+    first, behind = page(program, folder, os.path.join(folder, "docs")).split("\n# The tables behind it\n")
+    assert re.findall(r"^## (.*)", first, re.M) == ["Which stepper when", "What it costs", "What it keeps, and what it does not"], first
+    assert len(first.split()) < 1250, f"{len(first.split())} words are no five minutes"     # at 250 a minute
+    assert behind.startswith("\n## How it is measured\n") and all(f"\n## {scene}\n" in behind for scene in cost_support.SCENES)
+    root, names = os.path.join(os.path.dirname(program), "..", "src"), []
+    for path, row in (("vti_steppers.h", r'ROW\("([\w-]+)"'), ("multistep/vti_multistep.c", r'\{"([\w-]+)", \d')):
+        with open(os.path.join(root, path), encoding="utf-8") as file:
+            names += re.findall(row, file.read())
+    kept = re.findall(r"`([\w-]+)`", " ".join(row[0] for row in table_below(first, "What it keeps, and what it does not")[1]))
+    assert sorted(kept) == sorted([*names, "srkn11", "--tolerance"]), (kept, names)      # srkn11 by a tolerance keeps other things
+    take = re.findall(r"`([\w-]+)`", " ".join(row[1] for row in table_below(first, "Which stepper when")[1]))
+    assert set(take) <= {*names, "--tolerance"}, take
+    factors = {row[0]: row[1:] for row in table_below(first.replace("A factor of ten in accuracy costs so", "## Ten\n"), "Ten")[1]}
+    scene = list(cost_support.SCENES).index("chain")
+    assert factors["exact"][scene] == "3.16" and factors["SRKN11 (`srkn11`)"][scene] == "1.47", factors     # 10^(1/2), 10^(1/6)
+
+
 def test_stored_page(program, folder):
     """docs/accuracy.md says what the generator says of how rivals were compiled, and each of its verdicts is that of its number."""
     with open(os.path.join(os.path.dirname(program), "..", "docs", "accuracy.md"), encoding="utf-8") as file:
         stored = file.read()
     cost_support.write_cost(folder)
     text = page(program, folder, os.path.join(folder, "docs"))
-    opening = text.split("\n\n")[1:4]
+    opening = measured(text)
     assert "compiled with the same flags" in opening[0] and "exception" in opening[1] and "GSL" in opening[1], opening
-    assert stored.split("\n\n")[1:4] == opening, "another opening"
+    assert measured(stored) == opening, "another opening"
+    for heading in ("Which stepper when", "What it keeps, and what it does not"):
+        assert table_below(stored, heading) == table_below(text, heading), f"stored, {heading}: another table"
     for row in table_below(stored, "What is claimed, and what is measured")[1][:4]:
         written = re.search(r"at most (.+) of the best", row[0])[1]
         found, most = float(re.match(r"\*\*([\d.]+)\*\*", row[1])[1]), {"a third": 1 / 3}.get(written) or float(written)
@@ -270,5 +297,5 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_goals, test_stored_page, test_edges, test_steady_spin,
-                      test_refusals)
+    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_goals, test_first_part, test_stored_page, test_edges,
+                      test_steady_spin, test_refusals)

@@ -21,9 +21,15 @@ OF = {"attitude": "attitude (rad, largest over the bodies)", "position": "positi
       "velocity": "velocity (v and Omega, relative)", "energy": "energy (relative, largest on the way)"}
 
 
-def opening(page, cost):
-    page.text("Made by `./dev cost`: every number below is from its files, and whether a claim holds is decided from them. "
-              "**ours** are the steppers of this library that are not in the paper, **paper** those that are, **rival** what "
+def opening(page):
+    page.text("Which stepper reaches an error for the least, and what one gives up for it. The first part is for whoever chooses one and "
+              "takes five minutes; behind it are the tables that it is from, of every scene, stepper and rival. Made by `./dev cost`: "
+              "every number is from its files, and whether a claim holds is decided from them.")
+
+
+def measured_part(page, cost):
+    page.heading("How it is measured")
+    page.text("**ours** are the steppers of this library that are not in the paper, **paper** those that are, **rival** what "
               "people use instead, written from the literature for this comparison alone and compiled with the same flags.")
     page.text("**RK8(7) of GSL is the exception**: it is GSL's rk8pd as the distribution compiled it, with other flags. Beside it "
               "stand the same tableau and DOP853, Verner's of order 9, Adams and extrapolation methods, all compiled here on the same "
@@ -165,7 +171,10 @@ def build(folder, root, into):
             pictures[scene] = _save(work_precision.precision(cost, scene), root, into, f"{scene}.png")
         if into is None or scene == longest:
             pictures[scene, "energy"] = _save(work_precision.energy(cost, scene), root, into, f"{scene}-energy.png")
-    opening(page, cost)
+    opening(page)
+    advice.write(page, cost)
+    page.part("The tables behind it")
+    measured_part(page, cost)
     page.heading("What is claimed, and what is measured")
     page.table(claims.HEAD, claims.rows(cost))
     head, rows = claims.goals(cost)
@@ -176,7 +185,6 @@ def build(folder, root, into):
                   "and Takahashi-Imada, of order 4, joined them later and need far fewer evaluations for large errors.")
         page.table(*claims.goals(cost, claims.SET_AGAINST))
         _room_part(page, cost)
-    advice.write(page, cost)
     for scene in cost.scenes():
         scene_part(page, cost, scene, pictures.get(scene))
     page.heading("Energy")

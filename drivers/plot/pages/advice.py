@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which stepper when: the words, with what a cost study has to say filled in. What the scenes are is told here too."""
+"""The first part of the page, for users: which stepper when, what it costs and what it keeps, with what a cost study has to say
+filled in. What the scenes are is told here too."""
 import numpy as np
 
 from .. import methods
@@ -33,34 +34,91 @@ def _known(scene):
     return next((known for name, known in SCENES.items() if scene == name or scene.startswith(name + "-")), (None, ""))
 
 
+# In the order in which one asks: scene and wish, what to take, why
+WHEN = (
+    ("Something is lost: drag, dashpots, friction", "`exact`, `vti2`; to fewer errors `chin4`",
+     "Their coefficients are positive. The other lists step backwards in time, which turns damping into pumping, and multistep methods "
+     "take forces of positions alone: the programs refuse them."),
+    ("Contacts or walls: long times, or errors of 1e-2", "`exact` or `vti2`",
+     "One force evaluation a step, the largest stable step, and an energy that does not drift."),
+    ("Contacts or walls: trajectories", "`an4`, `an7`, or with bonds `an10`; where quiet times and touches take turns `srkn11` with "
+     "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4.5 there, "
+     "where all others of equal steps are of 2.5."),
+    ("Smooth forces (bonds, joints, gravity): trajectories, forces that are dear", "`an7` to 1e-2, `an10` to 1e-6, `an10-mid` below; "
+     "where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Beside the forces they take more time than the lists, so "
+     "they gain the more the dearer a force is."),
+    ("Smooth forces: long times, forces that are cheap", "`srkn6` to 1e-4, `srkn11` to 1e-6, `srkn14` below; below 1e-8 `kl8` as well",
+     "Symplectic: energy swings and does not drift, both momenta stay to rounding, over any number of periods."),
+    ("Fast spin, large h\\|Omega\\|", "`exact`, and what is made of it (`srkn6`, `srkn11`, `srkn14`, `chin4`)",
+     "`vti1` refuses h\\|Omega\\| >= 1, `vti2` lags by (h\\|Omega\\|)^2/12 of the angle: see Steady spin."),
+    ("The answer of an older code", "`vti2`; where velocities live at half steps `vti3-leapfrog`",
+     "`vti2` is q <- normalise(q + (h/2) Omega q) of MercuryDPM and others, step by step."),
+    ("The paper's figures", "`vti1`, `vti2`, `vti3`", "They are the paper's."),
+)
+
+# Steppers, order, order that contacts leave of it, energy, angular momentum, what may be lost
+KEEPS = (
+    ("`vti1`, `vti1-body`, `vti2`, `vti3-leapfrog`, `exact`", "2", "2", "swings, no drift", "to rounding", "all of it"),
+    ("`vti3`", "1", "1", "swings, no drift", "to rounding", "all of it"),
+    ("`chin4`", "4", "2.5", "swings; symplectic to order 4 alone", "to order 4", "all of it, at order 2"),
+    ("`suzuki4`, `srkn6`", "4", "2.5", "swings, no drift", "to rounding", "refused"),
+    ("`srkn11`, `srkn14`, `kl6`", "6", "2.5", "swings, no drift", "to rounding", "refused"),
+    ("`kl8`", "8", "2.5", "swings, no drift", "to rounding", "refused"),
+    ("`srkn11` with `--tolerance`", "6", "-", "drifts", "to rounding", "refused"),
+    ("`an4`, `an7`", "5, 8", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
+    ("`an10`", "10", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
+    ("`an10-mid`, `an10-fine`", "11", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
+)
+
+
 def write(page, cost):
+    """What a user has to know, in the order of use."""
     page.heading("Which stepper when")
-    page.text("The cheapest of ours for each scene and error, in time; then the least time of ours and the least evaluations of "
-              "ours, each as a share of the best rival's:")
+    page.table(["what you have, and want", "take", "why"], [list(row) for row in WHEN])
+    page.text("`vti-advise SCENE --error 1e-5` tries them on your scene and says which h, and how sure that is.")
+    page.heading("What it costs")
+    page.text("The scenes; a number behind a name is the time at which they end: " + " ".join(_short(cost)))
+    page.text("The cheapest of ours in time; then the least time of ours and the least evaluations of ours, each as a share of the "
+              "best rival's (below 1 is a gain):")
     page.table(["error", *map(power, ERRORS)],
                [[scene, *(_cell(cost, scene, error) for error in ERRORS)] for scene in cost.scenes()])
     page.text(_beaten(cost))
-    page.text(f"- **Smooth forces, accuracy wanted** (bonds, joints, gravity; no contacts): `srkn11` or `srkn14`, below 1e-8 "
-              f"`kl8` as well. {_gain(cost, False)}")
-    page.text("- **Trajectories, and forces that are dear**: `an10`, below 1e-8 `an10-mid`, and where nothing is stiff (the "
-              "pendulum) `an10-fine`. They need the fewest "
-              "evaluations on smooth scenes and spend more time beside the forces than the others do: the dearer a "
-              "force, the more they gain (the table above has forces that are cheap). They are not symplectic: energy "
-              "drifts linearly and angular momentum is kept to their order alone; over long times take the symplectic "
-              "lists.")
-    page.text("- **Contacts or walls, accuracy wanted**: `an4`, `an7` or `an10`. Where a contact begins or ends within a step they "
-              "take off what the step misses by that, which no other method of equal steps does; so they are of order 4.5 "
-              "there, and the others of 2.5. Where quiet times and touches take turns, `srkn11` with a tolerance "
-              "(`srkn11-tol` in the tables).")
-    page.text("- **Contacts or walls, long times or large errors**: begin with `exact` (or `vti2`): a step costs one force "
-              f"evaluation, and its energy does not drift. What the best of ours gains depends on the scene. {_gain(cost, True)}")
-    page.text("- **Dissipation** (damping, friction): `exact`, `vti2` or `chin4`. Their coefficients are positive; the others "
-              "step backwards in time, which turns damping into pumping, and the library refuses them there.")
-    page.text("- **The answer of an older code**: `vti2`. It is the quaternion update q <- normalise(q + (h/2) Omega q) of "
-              "MercuryDPM and others, step by step; where velocities live at half steps, `vti3-leapfrog`.")
-    page.text("- **Fast spin, large h|Omega|**: `exact`, and what is made of it (`srkn6`, `srkn11`, `srkn14`, `chin4`). "
-              "`vti1` refuses h|Omega| >= 1, `vti2` lags by (h|Omega|)^2/12 of the angle; see the table of steady spin.")
-    page.text("- **The paper's figures**: `vti1`, `vti2`, `vti3`.")
+    gains = [_gain(cost, contact) for contact in (False, True)]
+    if any(gains):
+        page.text(f"The time of VTI-2 over that of the best of ours, {'; '.join(gain for gain in gains if gain)}.")
+    _dearer(page, cost)
+    page.heading("What it keeps, and what it does not")
+    page.table(["stepper", "order", "at contacts", "energy over long times", "angular momentum", "drag, dashpots, friction"],
+               [list(row) for row in KEEPS])
+    page.text("Linear momentum all of them keep to rounding. All but `vti3`, AN(K) and steps by a tolerance are reversible, all but "
+              "`chin4`, AN(K) and steps by a tolerance symplectic. AN(K) remembers K accelerations of each body, at equal steps. "
+              "`an10` has a second free number, u, beside the c of all of them: it costs one order, 10 in place of 11, and makes the "
+              "largest stable step 2.3 times that of `an10-mid`. docs/linking.md has the formula, c and u of each, its largest step, "
+              "and how fast its energy drifts.")
+
+
+def _short(cost):
+    """A sentence on each scene, those of one name in one."""
+    known = {name: text.split(". ")[0].rstrip(".") for name, (_, text) in SCENES.items()
+             if any(scene == name or scene.startswith(name + "-") for scene in cost.scenes())}
+    return [f"**{name}**, {text[0].lower()}{text[1:]}." for name, text in known.items()]
+
+
+def _dearer(page, cost):
+    """What a factor of ten in accuracy costs, by some that are typical, from the dearest to the cheapest."""
+    typical = ("vti2", "exact", "chin4", "srkn6", "srkn11", "srkn14", "an7", "an10")
+    scenes = [scene for scene in cost.scenes() if touches(scene) is not None]
+    rows = [[methods.typed(method), *(_factor(cost, scene, method) for scene in scenes)] for method in typical]
+    rows = [row for row in rows if any(cell != "-" for cell in row[1:])]
+    if rows:
+        page.text("A factor of ten in accuracy costs so many times the time:")
+        page.table(["stepper", *scenes], rows)
+
+
+def _factor(cost, scene, method):
+    ladder = cost.prices[scene].get(method)
+    factor = price_list.factor(ladder) if ladder else np.nan
+    return f"{factor:.2f}" if np.isfinite(factor) else "-"
 
 
 def _cell(cost, scene, error):
@@ -81,7 +139,7 @@ def _gain(cost, contact):
             if np.isfinite(ratio):
                 parts.append(f"{scene} to {power(error)}: {three(ratio)} ({methods.name(mine)})")
                 break
-    return f"The time of VTI-2 over that of the best of ours, {'; '.join(parts)}." if parts else ""
+    return "; ".join(parts)
 
 
 def _beaten(cost):

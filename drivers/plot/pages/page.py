@@ -29,6 +29,10 @@ class Page:
     def heading(self, text):
         self.blocks.append(("heading", text))
 
+    def part(self, text):
+        """A heading above headings, of the same rank as the page's title."""
+        self.blocks.append(("part", text))
+
     def text(self, text):
         """One paragraph; **bold** and `code` are the only marks."""
         self.blocks.append(("text", " ".join(text.split())))
@@ -47,8 +51,8 @@ class Page:
     def markdown(self):
         parts = [f"# {self.title}"]
         for kind, content in self.blocks:
-            if kind == "heading":
-                parts.append(f"## {content}")
+            if kind in ("part", "heading"):
+                parts.append(f"{'#' if kind == 'part' else '##'} {content}")
             elif kind == "picture":
                 parts.append(f"![{content}]({content})")
             elif kind == "table":
@@ -61,8 +65,9 @@ class Page:
     def html(self):
         parts = [f"<h1>{html.escape(self.title)}</h1>"]
         for kind, content in self.blocks:
-            if kind == "heading":
-                parts.append(f"<h2>{html.escape(content)}</h2>")
+            if kind in ("part", "heading"):
+                rank = "h1" if kind == "part" else "h2"
+                parts.append(f"<{rank}>{html.escape(content)}</{rank}>")
             elif kind == "picture":
                 parts.append(f'<p><a href="{html.escape(content)}"><img src="{html.escape(content)}" '
                              f'alt="{html.escape(content)}"></a></p>')
