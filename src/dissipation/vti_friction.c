@@ -48,47 +48,22 @@ static void visit_pairs(const vti_friction *p, const vti_bodies *b, visitor *vis
     }
 }
 
-/** And for body i at all walls where it does. */
-VTI_INLINE void visit_at_walls(const vti_friction *p, const vti_bodies *b, int64_t i, visitor *visit, void *context)
+/** And for all bodies at wall w. */
+static void visit_wall(const vti_friction *p, const vti_bodies *b, int64_t w, visitor *visit, void *context)
 {
+    const int64_t end = b->first + b->count;
     struct vti_touch touch;
-    for (int64_t w = 0; w < vti_faces(p->walls); ++w) {
-        if (!vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
-            continue;
-        vti_held *const held = vti_history_at(p->history, i + 1, -1 - w);
-        if (held->i != 0)
-            visit(context, &touch, held);
-    }
-}
-
-/** And for all bodies at walls. */
-VTI_INLINE void visit_walls(const vti_friction *p, const vti_bodies *b, visitor *visit, void *context)
-{
-    const int64_t end = vti_faces(p->walls) > 0 ? b->first + b->count : b->first;
     for (int64_t first = b->first; first < end; first += VTI_TOUCHES) {
-        uint64_t bodies = vti_friction_near_walls(p, b, 0.0, 0.0, first);
-        for (int64_t i = first; bodies != 0; ++i, bodies >>= 1)
-            if (bodies & 1)
-                visit_at_walls(p, b, i, visit, context);
+        uint64_t near = vti_friction_near_wall(p, b, w, first);
+        for (int64_t i = first; near != 0; ++i, near >>= 1) {
+            vti_held *const held = near & 1 ? vti_history_at(p->history, 1 + i, -1 - w) : NULL;
+            if (held != NULL && held->i != 0 && vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
+                visit(context, &touch, held);
+        }
     }
 }
 
 /* ---- forces and energies ----------------------------------------------------------------------------------------- */
-
-static void push_from_wall(void *context, const struct vti_touch *touch, vti_held *held)
-{
-    const vti_bodies *b = context;
-    double moment[3];
-    if (!vti_owns(b, touch->i))
-        return;
-    vti_cross(touch->n, held->sliding, moment);
-    for (int k = 0; k < 3; ++k)
-        moment[k] = touch->s_i * touch->r * moment[k] - (held->rolling[k] + held->twisting * touch->n[k]);
-    for (int k = 0; k < 3 && vti_has(&b->force); ++k)
-        b->force.c[k][touch->i * b->force.stride] -= held->sliding[k];
-    if (vti_has(&b->moment))
-        vti_add(&b->moment, touch->i, moment);
-}
 
 /** Pairs that hold something, as many at once as a kernel takes. */
 static void push_pairs(const vti_friction *p, const vti_bodies *b)
@@ -107,13 +82,34 @@ static void push_pairs(const vti_friction *p, const vti_bodies *b)
     }
 }
 
+/** Bodies that hold something at wall w, likewise. */
+static void push_at_wall(const vti_friction *p, const vti_bodies *b, int64_t w)
+{
+    const int64_t end = b->first + b->count;
+    int64_t body[VTI_TOUCHES], count = 0;
+    vti_held *held[VTI_TOUCHES];
+    for (int64_t first = b->first; first < end; first += VTI_TOUCHES) {
+        uint64_t near = vti_friction_near_wall(p, b, w, first);
+        count = 0;
+        for (int64_t i = first; near != 0; ++i, near >>= 1) {
+            if (!(near & 1))
+                continue;
+            body[count] = i;
+            held[count] = vti_history_at(p->history, 1 + i, -1 - w);
+            count += held[count]->i != 0;
+        }
+        if (count > 0)
+            vti_touch_kernels_for(count)->push_at(p, b, w, count, body, held);
+    }
+}
+
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_friction *p = self;
-    vti_bodies all = *b;
     if (p->contacts != NULL)
         push_pairs(p, b);
-    visit_walls(p, b, push_from_wall, &all);
+    for (int64_t w = 0; w < vti_faces(p->walls); ++w)
+        push_at_wall(p, b, w);
 }
 
 struct energies {
@@ -143,7 +139,8 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 {
     struct energies e = {.p = self};
     visit_pairs(self, b, add_energy, &e);
-    visit_walls(self, b, add_energy, &e);
+    for (int64_t w = 0; w < vti_faces(e.p->walls); ++w)
+        visit_wall(e.p, b, w, add_energy, &e);
     for (int k = 0; k < terms_of(self); ++k)
         energies[k] = vti_sum_value(&e.sum[k]);
 }

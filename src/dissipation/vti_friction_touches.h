@@ -16,16 +16,12 @@ static inline vti_held *vti_friction_slot(const vti_friction *p, int64_t k)
     return vti_history_at(p->history, 1 + vti_contact_body(p->contacts, k, 0), 1 + vti_contact_body(p->contacts, k, 1));
 }
 
-/** Of the bodies from the first on, as many as a kernel takes, those near any wall, as vti_touch_kernels.near_wall has
+/** Of the bodies from the first on, as many as a kernel takes, those at wall w, as vti_touch_kernels.near_wall has
  *  them. */
-static inline uint64_t vti_friction_near_walls(const vti_friction *p, const vti_bodies *b, double reach, double h,
-                                               int64_t first)
+static inline uint64_t vti_friction_near_wall(const vti_friction *p, const vti_bodies *b, int64_t w, int64_t first)
 {
     const int64_t left = b->first + b->count - first, count = left < VTI_TOUCHES ? left : VTI_TOUCHES;
-    uint64_t bodies = 0;
-    for (int64_t w = 0; w < vti_faces(p->walls); ++w)
-        bodies |= vti_touch_kernels_for(count)->near_wall(p->walls, b, reach, h, w, first, count);
-    return bodies;
+    return vti_touch_kernels_for(count)->near_wall(p->walls, b, 0.0, 0.0, w, first, count);
 }
 
 #endif

@@ -143,11 +143,16 @@ VTI_INLINE void push_lanes(enum touch_layout layout, const vti_friction *p, cons
     }
 }
 
+static int is_loaded_packed(const vti_bodies *b)
+{
+    return is_packed(b) && (!vti_has(&b->force) || vti_is_packed(&b->force)) &&
+           (!vti_has(&b->moment) || vti_is_packed(&b->moment));
+}
+
 static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *which,
                          vti_held *const *held)
 {
-    const int packed = is_packed(b) && (!vti_has(&b->force) || vti_is_packed(&b->force)) &&
-                       (!vti_has(&b->moment) || vti_is_packed(&b->moment));
+    const int packed = is_loaded_packed(b);
     int64_t place[WIDTH];
     int64_t slot[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
@@ -157,6 +162,50 @@ static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t cou
             push_lanes(PACKED, p, b, pairs, held[0], slot, count - first);
         else
             push_lanes(ANY, p, b, pairs, held[0], slot, count - first);
+    }
+}
+
+/** The same on bodies at wall w. */
+VTI_INLINE void push_lanes_at_wall(enum touch_layout layout, const vti_friction *p, const vti_bodies *b, int64_t w,
+                                   const int64_t *body, const vti_held *slots, const int64_t slot[WIDTH], int64_t count)
+{
+    struct vti_touch at;
+    struct vti_loads f;
+    struct side i;
+    lanes x[3], across[3], force[3], moment[3];
+    double row[2][3 * WIDTH];
+    int64_t to[WIDTH];
+    side_of(body, &i);
+    gather(layout, &b->x, &i, x);
+    vti_face_touch(&at, p->walls, w, x, 0.5 * scalars(&p->walls->diameter, &i));
+    gather_loads(p, slots, slot, &f);
+    lanes_cross(at.n, f.sliding, across);
+    const lanes_mask touches = vti_face_near(&at, 0.0);
+    for (int k = 0; k < 3; ++k) {
+        const lanes turning = at.r * across[k] - (f.rolling[k] + f.twisting * at.n[k]);
+        force[k] = lanes_where(touches, -f.sliding[k], lanes_of(0.0));
+        moment[k] = lanes_where(touches, turning, lanes_of(0.0));
+    }
+    lanes_strided(3, to);
+    lanes_untriple(row[0], to, force);
+    lanes_untriple(row[1], to, moment);
+    for (int l = 0; l < WIDTH && l < count; ++l)
+        add_loads(layout, b, i.body[l], row[0] + 3 * l, row[1] + 3 * l);
+}
+
+static void push_springs_at_wall(const vti_friction *p, const vti_bodies *b, int64_t w, int64_t count,
+                                 const int64_t *body, vti_held *const *held)
+{
+    const int packed = is_loaded_packed(b);
+    int64_t place[WIDTH];
+    int64_t slot[WIDTH];
+    for (int64_t first = 0; first < count; first += WIDTH) {
+        const int64_t *const bodies = whole(body, first, count, place);
+        whole_slots(held[0], held, first, count, slot);
+        if (packed)
+            push_lanes_at_wall(PACKED, p, b, w, bodies, held[0], slot, count - first);
+        else
+            push_lanes_at_wall(ANY, p, b, w, bodies, held[0], slot, count - first);
     }
 }
 

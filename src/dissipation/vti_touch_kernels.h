@@ -7,5 +7,6 @@
 #include "vti_dashpot_kernels.h"
 #include "vti_push_kernels.h"
 
-const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs, near_wall,  push_springs, carry,     carry_at_wall,
-                                                soon,       flow_pairs, flow_at_wall, flow_bonds};
+const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs,   near_wall,     push_springs, push_springs_at_wall,
+                                                carry,        carry_at_wall, soon,         flow_pairs,
+                                                flow_at_wall, flow_bonds};

@@ -36,6 +36,9 @@ struct vti_touch_kernels {
                           int64_t count);
     /** Adds what the springs of pairs hold to forces and moments, pair by pair in their order. */
     void (*push)(const vti_friction *p, const vti_bodies *b, int64_t count, const int64_t *pair, vti_held *const *held);
+    /** And those of bodies at wall w. */
+    void (*push_at)(const vti_friction *p, const vti_bodies *b, int64_t w, int64_t count, const int64_t *body,
+                    vti_held *const *held);
     void (*carry)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, struct vti_carried *pairs);
     void (*carry_at)(const vti_friction *p, const vti_bodies *b, const vti_drifted *drifted, int64_t w,
                      struct vti_carried *bodies);

@@ -436,6 +436,58 @@ static void pushes(const struct vti_touch_kernels *kernels)
     }
 }
 
+/** The same at a plane and inside a cylinder, some bodies not touching it. */
+static void pushes_at_wall(const struct vti_touch_kernels *kernels)
+{
+    static const double plane[4] = {0.6, 0.0, 0.8, -0.3}, cylinder[7] = {0.0, 1.0, 0.0, 0.1, 0.0, 0.0, 0.7};
+    rng g = rng_seed(47);
+    int touching = 0;
+    for (int trial = 0; trial < LAYOUTS * 4 * 16; ++trial) {
+        vti_bodies b = bodies_in(trial % LAYOUTS), too;
+        const vti_walls walls = {.count = 1,
+                                 .plane = plane,
+                                 .cylinders = 1,
+                                 .cylinder = cylinder,
+                                 .diameter = vti_scalars_array(bodies.diameter),
+                                 .stiffness = 1.0};
+        vti_friction friction = friction_in(trial / LAYOUTS, NULL, NULL);
+        friction.walls = &walls;
+        vti_held *held[PAIRS];
+        int64_t body[PAIRS];
+        draw(&g, &b);
+        for (int n = 0; n < 2 * ROOM; ++n)
+            loads[0][n / ROOM][n % ROOM] = loads[1][n / ROOM][n % ROOM] = uniform(&g, -1, 1);
+        b.force = view_in(trial % LAYOUTS, loads[0][0]);
+        b.moment = view_in(trial % LAYOUTS, loads[0][1]);
+        too = b;
+        too.force = view_in(trial % LAYOUTS, loads[1][0]);
+        too.moment = view_in(trial % LAYOUTS, loads[1][1]);
+        for (int64_t k = 0; k < PAIRS; ++k) {
+            body[k] = (2 * k + trial) % N;
+            held[k] = &bodies.held[k];
+        }
+        kernels->push_at(&friction, &b, trial % 2, PAIRS, body, held);
+        for (int64_t k = 0; k < PAIRS; ++k) {
+            struct vti_touch touch;
+            double force[3], moment[3];
+            if (!vti_touch_wall(&touch, &walls, &b, trial % 2, body[k], 0.0))
+                continue;
+            const int slides = friction.sliding > 0.0, rolls = friction.rolling > 0.0, twists = friction.twisting > 0.0;
+            vti_cross(touch.n, held[k]->sliding, moment);
+            for (int c = 0; c < 3; ++c) {
+                force[c] = slides ? -held[k]->sliding[c] : -0.0;
+                moment[c] = (slides ? touch.r * moment[c] : 0.0) -
+                            ((rolls ? held[k]->rolling[c] : 0.0) + (twists ? held[k]->twisting : 0.0) * touch.n[c]);
+            }
+            vti_add(&too.force, body[k], force);
+            vti_add(&too.moment, body[k], moment);
+            ++touching;
+        }
+        assert_same_bits(loads[0], loads[1], 2 * ROOM);
+    }
+    assert_true(touching > 100);
+}
+
 /* ---- dashpots of bonds ------------------------------------------------------------------------------------------- */
 
 /** All bonds at once, and one by one by the kernel for any processor. What one does test bond_dashpot says. */
@@ -875,6 +927,7 @@ static void agree(const struct vti_touch_kernels *kernels)
     nears(kernels);
     nears_wall(kernels);
     pushes(kernels);
+    pushes_at_wall(kernels);
     carries(kernels);
     flows(kernels);
     bond_flows(kernels);
