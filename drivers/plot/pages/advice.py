@@ -40,7 +40,7 @@ WHEN = (
      "Their coefficients are positive. The other lists step backwards in time, which turns damping into pumping, and multistep methods "
      "take forces of positions alone: the programs refuse them."),
     ("Contacts or walls: long times, or errors of 1e-2", "`exact` or `vti2`",
-     "One force evaluation a step, the largest stable step, and an energy that does not drift."),
+     "One force evaluation a step, the largest stable step for its cost, and an energy that does not drift."),
     ("Contacts or walls: trajectories", "`an4`, `an7`, or with bonds `an10`; where quiet times and touches take turns `srkn11` with "
      "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4.5 there, "
      "where all others of equal steps are of 2.5."),

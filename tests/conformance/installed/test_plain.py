@@ -16,9 +16,12 @@ project = pathlib.Path(sys.argv[1])
 blocks = re.findall(r"^```sh\n(meson .*?)^```$", (project / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 check(len(blocks) == 2, "README.md has two plain ways")
 
+COMPILERS = ("CC", "CXX", "FC", "CFLAGS", "CXXFLAGS", "FFLAGS", "LDFLAGS")
+
 
 def run(line, home, path):
-    environment = {**{name: value for name, value in os.environ.items() if not name.startswith("MESON")},
+    # a CC of the caller's may name what the bare folder does not have
+    environment = {**{name: value for name, value in os.environ.items() if not name.startswith("MESON") and name not in COMPILERS},
                    "HOME": str(home), "PATH": str(path), "PKG_CONFIG_LIBDIR": str(home)}
     result = subprocess.run(line, shell=True, cwd=home / "vti-source", env=environment, text=True, check=False, timeout=900,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
