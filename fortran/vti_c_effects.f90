@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_c_effects -- the functions of vti_effect.h and of the effects' headers as C has them; called by module
-!> vti_effects and its two other files only.
+!> vti_c_effects -- the functions of vti_effect.h and of the effects' headers as C has them, but those of bonds, which
+!> are in vti_c_bonds; called by module vti_effects and its two other files only.
 module vti_c_effects
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_int64_t, c_ptr
     use vti_types
@@ -173,33 +173,6 @@ module vti_c_effects
             type(vti_effect) :: effect
         end function
 
-        function c_bond_dashpots_effect(dashpots) result(effect) bind(c, name='vti_bond_dashpots_effect')
-            import :: c_ptr, vti_effect
-            type(c_ptr), value :: dashpots
-            type(vti_effect) :: effect
-        end function
-
-        function c_rupture_effect(rupture) result(effect) bind(c, name='vti_rupture_effect')
-            import :: c_ptr, vti_effect
-            type(c_ptr), value :: rupture
-            type(vti_effect) :: effect
-        end function
-
-        function c_rupture_check(rupture, fault) result(status) bind(c, name='vti_rupture_check')
-            import :: c_int, vti_fault, vti_rupture
-            type(vti_rupture), intent(in) :: rupture
-            type(vti_fault), intent(out) :: fault
-            integer(c_int) :: status
-        end function
-
-        function c_rupture_take_out(rupture, count, id) result(status) bind(c, name='vti_rupture_take_out')
-            import :: c_int, c_int64_t, vti_rupture
-            type(vti_rupture), intent(in) :: rupture
-            integer(c_int64_t), value :: count
-            integer(c_int64_t), intent(in) :: id(*)
-            integer(c_int) :: status
-        end function
-
         function c_dashpots_effect(dashpots) result(effect) bind(c, name='vti_dashpots_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: dashpots
@@ -228,12 +201,6 @@ module vti_c_effects
             integer(c_int) :: status
         end function
 
-        function c_bonds_effect(bonds) result(effect) bind(c, name='vti_bonds_effect')
-            import :: c_ptr, vti_effect
-            type(c_ptr), value :: bonds
-            type(vti_effect) :: effect
-        end function
-
         function c_contacts_effect(contacts) result(effect) bind(c, name='vti_contacts_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: contacts
@@ -260,62 +227,6 @@ module vti_c_effects
             import :: c_ptr, vti_effect
             type(c_ptr), value :: walls
             type(vti_effect) :: effect
-        end function
-
-        function c_bonds_rest(count, pair, base, x, rest, fault) result(status) bind(c, name='vti_bonds_rest')
-            import :: c_double, c_int, c_int64_t, vti_fault, vti_view
-            integer(c_int64_t), value :: count, base
-            integer(c_int64_t), intent(in) :: pair(2, *)
-            type(vti_view), intent(in) :: x
-            real(c_double), intent(inout) :: rest(4, *)
-            type(vti_fault), intent(out) :: fault
-            integer(c_int) :: status
-        end function
-
-        function c_bonds_rest_now(count, pair, base, b, rest, turn, fault) result(status) &
-                bind(c, name='vti_bonds_rest_now')
-            import :: c_double, c_int, c_int64_t, vti_bodies, vti_fault
-            integer(c_int64_t), value :: count, base
-            integer(c_int64_t), intent(in) :: pair(2, *)
-            type(vti_bodies), intent(in) :: b
-            real(c_double), intent(inout) :: rest(4, *), turn(4, *)
-            type(vti_fault), intent(out) :: fault
-            integer(c_int) :: status
-        end function
-
-        function c_bonds_check(bonds, n, fault) result(status) bind(c, name='vti_bonds_check')
-            import :: c_int, c_int64_t, vti_bonds, vti_fault
-            type(vti_bonds), intent(in) :: bonds
-            integer(c_int64_t), value :: n
-            type(vti_fault), intent(out) :: fault
-            integer(c_int) :: status
-        end function
-
-        function c_bonds_loads(bonds, bodies, first, last, loads) result(status) bind(c, name='vti_bonds_loads')
-            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
-            type(vti_bonds), intent(in) :: bonds
-            type(vti_bodies), intent(in) :: bodies
-            integer(c_int64_t), value :: first, last
-            real(c_double), intent(inout) :: loads(*)
-            integer(c_int) :: status
-        end function
-
-        function c_bonds_measure(bonds, bodies, first, last, measures) result(status) bind(c, name='vti_bonds_measure')
-            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
-            type(vti_bonds), intent(in) :: bonds
-            type(vti_bodies), intent(in) :: bodies
-            integer(c_int64_t), value :: first, last
-            real(c_double), intent(inout) :: measures(*)
-            integer(c_int) :: status
-        end function
-
-        function c_bonds_sum(bonds, loads, first, last, bodies) result(status) bind(c, name='vti_bonds_sum')
-            import :: c_double, c_int, c_int64_t, vti_bodies, vti_bonds
-            type(vti_bonds), intent(in) :: bonds
-            real(c_double), intent(in) :: loads(*)
-            integer(c_int64_t), value :: first, last
-            type(vti_bodies), intent(in) :: bodies
-            integer(c_int) :: status
         end function
 
         function c_contacts_check(contacts, n, fault) result(status) bind(c, name='vti_contacts_check')

@@ -7,7 +7,7 @@
 module vti_effects_bonds
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int64_t, c_loc
     use vti_c, only: vti_bodies_check
-    use vti_c_effects
+    use vti_c_bonds
     use vti_steps, only: from_one
     use vti_types
     implicit none

@@ -22,8 +22,7 @@ struct friction_settings {
 static const struct scene_field fields[] = {
     {"friction", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "friction of contacts and walls",
      "Springs that slide where they would hold more than a share of the normal force; bodies turn then, and steppers "
-     "with "
-     "negative coefficients are refused.",
+     "with negative coefficients are refused.",
      NULL},
     NUMBER_AT(sliding, SCENE_NOT_NEGATIVE, "coefficient mu", "Sliding friction is at most mu times the normal force."),
     NUMBER_AT(stiffness, SCENE_POSITIVE, "tangential stiffness", "Force per length of the sliding spring, a constant."),

@@ -53,8 +53,7 @@ static const struct scene_field fields[] = {
      "A row for each plane, then for each cylinder; what they put in is the column work_wall, negative.", NULL},
     {"wall.spins", SCENE_NUMBERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, spins), "spin of each wall",
      "A number for each plane, then for each cylinder, radians per unit of time: cylinders turn about their axes, "
-     "planes "
-     "about their normals through the origin; friction and dashpots feel it.",
+     "planes about their normals through the origin; friction and dashpots feel it.",
      NULL},
 };
 

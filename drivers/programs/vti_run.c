@@ -37,8 +37,7 @@ static const struct option_row rows[] = {
     {"--control", "HOW", OPTION_KEY, &sets, OPTION_ANY,
      "integrating: steps that follow how fast bodies turn, for reversible steppers such as srkn6, whose energy keeps "
      "without drift; naive: the same without that, to compare with; H is the step at rest and the unit of --record, "
-     "and "
-     "turning (--set) the angular velocity at which a step is 0.7 of it"},
+     "and turning (--set) the angular velocity at which a step is 0.7 of it"},
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--record", "EVERY", OPTION_WHOLE, &request.record_every, 1, 0x1p53, "50 or 1e3",
@@ -47,8 +46,7 @@ static const struct option_row rows[] = {
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
     {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,
      "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; lost: the energy that it has lost so far, "
-     "in "
-     "all and by the columns of OUT.csv"},
+     "in all and by the columns of OUT.csv"},
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
      "srkn6, srkn11, srkn14 and an4 to an10-fine"},

@@ -7,8 +7,8 @@ import sys
 HEAD = """# Scenes
 
 A scene is a YAML file: bodies, the effects that act on them, the stepper and its step. A section that is missing is an effect that
-is missing. Numbers are written 0.01, 1e-3, 1/64 or 2^-6, in units of which the scene is free: any that go together, so that
-an energy is a mass times a velocity squared. A key that is needed is needed where its section is there.
+is missing. Numbers are written 0.01, 1e-3, 1/64 or 2^-6, in any consistent units: an energy is a mass times a velocity squared. A key
+that is marked as needed is needed where its section is there.
 
 This page is made of `vti-run --list keys` by `tests/driver/scenes_page.py`; a test compares them.
 """

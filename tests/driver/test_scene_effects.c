@@ -226,8 +226,7 @@ static const struct refusal refused[] = {
     {POINT "wall:\n  stiffness: 1\n  planes: [[0, 0, 0, 1]]\n" TIME,
      "4:13: wall.planes[0]: '[0, 0, 0, 1]' has no unit normal; its first three numbers are zero or too large"},
     {POINT "wall:\n  stiffness: 1\n  planes: [[1.7e308, 1.7e308, 0, 0]]\n" TIME,
-     "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or "
-     "too "
+     "4:13: wall.planes[0]: '[1.7e308, 1.7e308, 0, 0]' has no unit normal; its first three numbers are zero or too "
      "large"},
     {POINT WALL(", young: 1") TIME, "2:53: wall.young: given with wall.stiffness; keep one of them"},
     {POINT WALL(", poisson: 0") TIME, "2:55: wall.poisson: given with wall.stiffness; keep one of them"},

@@ -47,6 +47,17 @@ static double tolerance(double size, double s)
     return size / s * (pow(tau, 4) / 4 + 48 * EPS / tau);
 }
 
+/** A pair, bonded by the combination of terms of that trial, and its loads. */
+static void draw_loaded(pair *p, rng *g, int trial, int *terms, int *form, double *s, double *size)
+{
+    pair_draw(p, g, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, s, size);
+    web_combination(trial % 15, terms, form);
+    web_terms(&p->w, 1, *terms, *form);
+    const vti_effect effect = vti_bonds_effect(&p->w.bonds);
+    const vti_bodies b = crowd_bodies(&p->c);
+    vti_apply(&effect, 1, &b);
+}
+
 TEST(loads_are_minus_the_gradient)
 {
     rng g = rng_seed(3021);
@@ -54,12 +65,7 @@ TEST(loads_are_minus_the_gradient)
         pair p;
         int terms, form;
         double s, size;
-        pair_draw(&p, &g, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, &s, &size);
-        web_combination(trial % 15, &terms, &form);
-        web_terms(&p.w, 1, terms, form);
-        const vti_effect effect = vti_bonds_effect(&p.w.bonds);
-        const vti_bodies b = crowd_bodies(&p.c);
-        vti_apply(&effect, 1, &b);
+        draw_loaded(&p, &g, trial, &terms, &form, &s, &size);
         const crowd at = p.c;
         for (int i = 0; i < 2; ++i)
             for (int k = 0; k < 6; ++k)
@@ -78,12 +84,7 @@ TEST(loads_balance)
         pair p;
         int terms, form;
         double s, size, arms[2][3], total[3], most = 0;
-        pair_draw(&p, &g, trial & 1 ? CROWD_QUAT : CROWD_ALPHA, &s, &size);
-        web_combination(trial % 15, &terms, &form);
-        web_terms(&p.w, 1, terms, form);
-        const vti_effect effect = vti_bonds_effect(&p.w.bonds);
-        const vti_bodies b = crowd_bodies(&p.c);
-        vti_apply(&effect, 1, &b);
+        draw_loaded(&p, &g, trial, &terms, &form, &s, &size);
         vti_cross(p.c.x[0], p.c.force[0], arms[0]);
         vti_cross(p.c.x[1], p.c.force[1], arms[1]);
         for (int k = 0; k < 3; ++k) {

@@ -42,22 +42,22 @@ NOTES = {
     "torsion": "h is the given share of reach/2 times `vti_stable_step`, so each stepper is beside its own limit. The limit is "
                "that of small oscillations, 1e-6 rad; the other rows say what was seen of large ones in 20000 steps. Bounded "
                "means an energy below 1e4 times its start.",
-    "nonfinite": "State, masses and inertias are looked at by `vti_bodies_check_values`, bonds by `vti_bonds_check`, contacts by "
-                 "`vti_contacts_check`; all are for once before a run. Nobody looks at numbers during a step: there they spread to what they act on, and show in "
-                 "energies.",
+    "nonfinite": "`vti_bodies_check_values` looks at states, masses and inertias, `vti_bonds_check` at bonds, `vti_contacts_check` at "
+                 "contacts: each once, before a run. Nobody looks at numbers during a step: there they spread to what they act on, and "
+                 "show in energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
-    "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. Bad is an energy that grows by "
-               "more than a quarter of what moves (S, the largest T + U without fields; by H and by H - (h^2/8) sum(F^2/m + RM^2/J), or "
-               "by 0.7 of S by H alone), a body that travels by more than a diameter per step where bodies meet something, and a run "
-               "that breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "
+    "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. A run is bad if its energy "
+               "grows by more than S/4, S being its largest T + U without fields, and that in H and in H - (h^2/8) sum(F^2/m + RM^2/J), or "
+               "by 0.7 S in H alone; if a body travels by more than a diameter per step where bodies meet something; or if the run "
+               "breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "
                "of magnitude, eight steppers, 256 steps; a run with a step 16 times smaller says what the energy should be at each. The "
-               "verdict errs where it is good or doubtful on a run that is off by more than ten times S/4, or bad on one that is within S/4; "
+               "verdict errs if it is good or doubtful on a run that is off by more than ten times S/4, or bad on one that is within S/4; "
                "what lies between may be called either.",
-    "rivals": "What `drivers/rivals` holds beside this library's steppers, in the cases that all of them can be put to. "
-              "h = 0.9 and 1.1 of 2/omega is the limit of velocity Verlet, the same for all. Methods that choose their steps "
-              "themselves are left out. Multistep methods (an4, an7, an10, an10-mid, an10-fine) begin with steps of srkn6 or srkn11, which a single "
-              "step therefore is, and are stable up to shorter steps than these.",
+    "rivals": "The schemes of `drivers/rivals` beside this library's steppers, in the cases that all of them can be put to. "
+              "h = 0.9 and 1.1 of 2/omega is beside the limit of velocity Verlet, the same for all. Methods that choose their steps "
+              "themselves are left out. Multistep methods (an4, an7, an10, an10-mid, an10-fine) begin with steps of srkn6 or srkn11, so "
+              "that a single step of theirs is one of these, and are stable up to shorter steps.",
 }
 
 HEAD = """# What happens in hard cases

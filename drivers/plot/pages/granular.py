@@ -207,9 +207,9 @@ def columns_part(page, some):
     page.heading("Run-out of a column against its aspect ratio")
     page.text("`scenes/column.yaml` with other tables: beads poured into a box of ten diameters' width beside the "
               "smooth wall, settled, and let go. a is height over width. Run-out is (end - start)/start of the front "
-              f"behind which {SHARE:.0%} of the beads lie; beside it that of the furthest bead of the heap, beads that "
-              "roll away alone left out: the place of one bead. Means over the packings, and in brackets the standard "
-              "deviation of one.")
+              f"behind which {SHARE:.0%} of the beads lie. Beside it is that of the furthest bead of the heap, which is the "
+              "place of one bead; beads that have rolled away alone do not count. Means over the packings, and in "
+              "brackets the standard deviation of a single one.")
     alike = [[one for one in some if one.beads == beads] for beads in sorted({one.beads for one in some})]
     page.table(["beads", "packings", "a", "run-out/width", "furthest/width"],
                [[str(same[0].beads), str(len(same)),
@@ -228,12 +228,12 @@ def columns_part(page, some):
 
 def repose_part(page, found):
     page.heading("Angle of repose against friction")
-    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: degrees of the heap that is left, "
-              f"mean over {max(len(some) for some in found.values())} packings and in brackets the standard deviation "
-              f"of one. The slope is fitted between {LOW:.0%} and {HIGH:.0%} of the height, a dozen strips of beads, "
-              "and scatters; the wedge is that of the heap's centre of mass, of all its beads, its long foot among "
-              "them. mu is that between beads, the plane keeps its 0.8; mu_r is the length of the rolling resistance, "
-              "the mean radius being 1.5 mm.")
+    page.text("250 beads in a box of 25 diameters' width, whose side opens at once: the angle of the heap that is left, "
+              f"in degrees, mean over {max(len(some) for some in found.values())} packings and in brackets the standard "
+              f"deviation of a single one. The slope is fitted between {LOW:.0%} and {HIGH:.0%} of the height, a dozen "
+              "strips of beads, and scatters. The wedge is one whose centre of mass is where the heap's is; all beads "
+              "count, those of its long foot too. mu is the friction between beads, the plane keeps its 0.8; mu_r is "
+              "the length of the rolling resistance, the mean radius being 1.5 mm.")
     rows = []
     for mu in sorted({mu for mu, _ in found}):
         angles = [np.array(found.get((mu, length), [[float("nan")] * 2])) for length in lengths(found)]
@@ -244,8 +244,8 @@ def repose_part(page, found):
 
 def drum_part(page, times, angles):
     page.heading("The drum's surface")
-    page.text("`scenes/drum.yaml`, for longer: how far the centre of mass is off the vertical, mean and standard "
-              f"deviation over every {SPAN:g} seconds. Beads slip back one by one and in small avalanches.")
+    page.text("`scenes/drum.yaml`, for longer: the angle between the vertical and the bed's centre of mass, as seen from "
+              f"the axis; mean and standard deviation over every {SPAN:g} seconds. Beads slip back one by one and in small avalanches.")
     rows = [[f"{start} to {start + SPAN}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
             for start in range(0, int(times[-1]), SPAN) if np.any(inside := (times > start) & (times <= start + SPAN))]
     page.table(["s", "degrees", "deviation"], rows)
@@ -256,7 +256,7 @@ def rebounds_part(page, some):
     page.text(f"`scenes/billiards.yaml` at its h, about 100 steps in a contact. Beads leave the plane with e = "
               f"{RESTITUTION} of their normal velocity, and where they slide all the way, v_t > (7/2) mu (1 + e) v_n, "
               f"they lose mu (1 + e) v_n of the tangential one, mu = {MU}. The last column is the distance of the "
-              "struck bead's velocity from the same closed form, whose normal does not turn; here it does, by 1e-3.")
+              "struck bead's velocity from the same closed form, which holds the normal fixed; here it turns by 1e-3.")
     page.table(["degrees", "normal", "e v_n", "tangential", "closed form", "struck bead off by"],
                [[f"{one.degrees:.0f}", f"{one.plane[0]:.6f}", f"{RESTITUTION * np.cos(np.radians(one.degrees)):.6f}",
                  f"{one.plane[1]:.6f}", f"{one.closed[1]:.6f}" if one.closed else "sticks",

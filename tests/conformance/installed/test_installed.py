@@ -97,7 +97,7 @@ def by_pkg_config():
 def from_sources():
     """For a compiler that cannot read the module files that are there."""
     sources = package.prefix / "share" / "vti" / "fortran"
-    order = ["types", "rrv", "c", "c_effects", "sums", "views", "steps", "controls", "multisteps", "effects",
+    order = ["types", "rrv", "c", "c_effects", "c_bonds", "sums", "views", "steps", "controls", "multisteps", "effects",
              "effects_bonds", "effects_contacts", "packed"]
     files = [sources / f"vti_{name}.f90" for name in order] + [sources / "vti.f90"]
     own = use / "own"
