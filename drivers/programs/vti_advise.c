@@ -186,8 +186,7 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
     if (vti_multistep_find(best->stepper->name) != NULL)
         fprintf(file,
                 "note: %s is a multistep method and not symplectic: its energy drifts in proportion to time; for times "
-                "much "
-                "longer than t = %g name the others by --steppers\n",
+                "much longer than t = %g name the others by --steppers\n",
                 best->stepper->name, a->t_end);
     say_small(best, a->target, stable_least(&a->limits, best->stepper), file);
     if (best->source == OFFER_STABILITY && a->evals > 0.0)
