@@ -97,7 +97,7 @@ static void carry_one(struct carrying *c, int64_t n)
     vti_share_out(lost, VTI_FRICTION_BOOKS, p->lost, by_pair ? NULL : p->by_body, body_of(c, n, 0), body_of(c, n, 1));
     for (int m = 0; m < VTI_FRICTION_BOOKS && by_pair; ++m)
         p->by_pair[VTI_FRICTION_BOOKS * all->which[n] + m] = lost[m].high;
-    if (c->wall >= 0 && walls.motion != NULL)
+    if (c->wall >= 0 && p->walls != NULL && p->walls->motion != NULL)
         vti_share_out(&work, 1, p->walls->work, p->walls->by_body, body_of(c, n, 0), -1);
 }
 
