@@ -125,7 +125,7 @@ static void carry_waiting(struct carrying *c)
 }
 
 /** A pair, or a body at the wall, that holds something in this slot or, as that is empty, begins to. */
-static void wait(struct carrying *c, int64_t which, int64_t i, int64_t j, vti_held *held)
+static void enlist(struct carrying *c, int64_t which, int64_t i, int64_t j, vti_held *held)
 {
     vti_history *const history = c->p->history;
     if (held->i == 0)
@@ -165,7 +165,7 @@ static void carry_pair(struct carrying *c, int64_t k, int touches)
 {
     vti_held *const held = vti_friction_slot(c->p, k);
     if (held->i != 0 || (touches && was_near(c, k)))
-        wait(c, k, 1 + vti_contact_body(c->p->contacts, k, 0), 1 + vti_contact_body(c->p->contacts, k, 1), held);
+        enlist(c, k, 1 + vti_contact_body(c->p->contacts, k, 0), 1 + vti_contact_body(c->p->contacts, k, 1), held);
 }
 
 static void carry_pairs(struct carrying *c)
@@ -190,7 +190,7 @@ static void carry_body(struct carrying *c, int64_t i)
     vti_held *const held = vti_history_at(c->p->history, 1 + i, -1 - c->wall);
     struct vti_touch touch;
     if (held->i != 0 || (vti_touch_wall(&touch, c->p->walls, c->b, c->wall, i, 0.0) && touch.delta > 0.0))
-        wait(c, i, 1 + i, -1 - c->wall, held);
+        enlist(c, i, 1 + i, -1 - c->wall, held);
 }
 
 /** Of a wall the bodies in their order. */
