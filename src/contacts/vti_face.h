@@ -48,8 +48,10 @@ VTI_INLINE lanes vti_face_inside(const double cylinder[7], const lanes d[3], lan
     lanes rho[3];
     vti_face_across(d, cylinder, rho);
     const lanes r = lanes_sqrt(lanes_dot(rho, rho));
+    const lanes_mask aside = r > VTI_COINCIDENT;
+    const lanes length = lanes_where(aside, r, lanes_of(1.0)); /* none divides by zero */
     for (int k = 0; k < 3; ++k)
-        n[k] = lanes_where(r > VTI_COINCIDENT, -rho[k] / r, 0.0 * rho[k]);
+        n[k] = lanes_where(aside, -rho[k] / length, 0.0 * rho[k]);
     return cylinder[6] - r;
 }
 
