@@ -31,6 +31,8 @@ struct bench_bodies {
 int bench_bodies_make(struct bench_bodies *b, enum bench_layout layout, int64_t n);
 void bench_bodies_free(struct bench_bodies *b);
 
+/** What the loops of the same bytes do with n bodies in this memory: one pass, with a drift or without. */
+void bench_pass(double *memory, int64_t n, int drifts);
 extern double bench_sums[];
 
 /** Uniform in [-1, 1). */

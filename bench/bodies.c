@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "bench.h"
+#include "wide.h"
 
 static const double h = 1e-3;
 
@@ -136,7 +137,7 @@ static void next_vti2(void *self)
 /* ---- the same bytes ---------------------------------------------------------------------------------------------- */
 
 /** y += t x of count numbers */
-static void add(double *restrict y, double t, const double *restrict x, int64_t count)
+VTI_INLINE void add(double *restrict y, double t, const double *restrict x, int64_t count)
 {
     for (int64_t k = 0; k < count; ++k)
         y[k] += t * x[k];
@@ -146,26 +147,24 @@ enum { TILE = 64 };
 double bench_sums[TILE];
 
 /** Reads the masses and inertias of a tile. What is summed anybody may look at, so that no compiler leaves it out. */
-static void read_constants(const double *mass, const double *inertia, int64_t count)
+VTI_INLINE void read_constants(const double *mass, const double *inertia, int64_t count)
 {
     for (int64_t i = 0; i < count; ++i)
         bench_sums[i] = mass[i] + inertia[i];
 }
 
 /** What a kick reads and writes, and a drift after it, where arrays lie whole; by tiles, so that each number comes from
- *  memory once. */
-static void pass(const struct bench_bodies *b, int drifts)
+ *  memory once. By the widest vectors that the machine has, whatever the steps beside it have. */
+VTI_INLINE void bench_pass_loops(double *memory, int64_t n, int drifts)
 {
-    double *const m = b->memory;
-    const int64_t n = b->n;
     for (int64_t first = 0; first < n; first += TILE) {
         const int64_t count = n - first < TILE ? n - first : TILE;
         double *at[ALPHA + 1];
         for (int q = X; q <= ALPHA; ++q)
-            at[q] = m + 3 * (q * n + first);
+            at[q] = memory + 3 * (q * n + first);
         add(at[V], 1e-9, at[FORCE], 3 * count);
         add(at[OMEGA], 1e-9, at[MOMENT], 3 * count);
-        read_constants(m + MASS * n + first, m + INERTIA * n + first, count);
+        read_constants(memory + MASS * n + first, memory + INERTIA * n + first, count);
         if (drifts) {
             add(at[X], 1e-9, at[V], 3 * count);
             add(at[ALPHA], 1e-9, at[OMEGA], 3 * count);
@@ -173,15 +172,19 @@ static void pass(const struct bench_bodies *b, int drifts)
     }
 }
 
+WIDE(bench_pass, (double *memory, int64_t n, int drifts), (memory, n, drifts))
+
 static void bytes_step(void *self)
 {
-    pass(self, 1);
-    pass(self, 0);
+    const struct bench_bodies *b = self;
+    bench_pass(b->memory, b->n, 1);
+    bench_pass(b->memory, b->n, 0);
 }
 
 static void bytes_next(void *self)
 {
-    pass(self, 1);
+    const struct bench_bodies *b = self;
+    bench_pass(b->memory, b->n, 1);
 }
 
 /* ---- cases ------------------------------------------------------------------------------------------------------- */

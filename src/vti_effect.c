@@ -8,10 +8,11 @@ static void clear(const vti_view *view, int64_t begin, int64_t end)
 {
     double *const *c = view->c;
     if (vti_is_packed(view)) {
-        /* in small parts, for which no C library falls back to storing bytes */
-        for (int64_t first = begin; first < end; first += VTI_LANES)
-            memset(c[0] + 3 * first, 0,
-                   (size_t)(end - first < VTI_LANES ? end - first : VTI_LANES) * 3 * sizeof(double));
+        /* in small parts, for which no C library falls back to storing bytes; of no size that compilers know, for which
+           they store narrow vectors themselves */
+        const int64_t parts = (end - begin + VTI_LANES - 1) / VTI_LANES, size = (end - begin) / parts;
+        for (int64_t first = begin; first < end; first += size)
+            memset(c[0] + 3 * first, 0, (size_t)(end - first < size ? end - first : size) * 3 * sizeof(double));
         return;
     }
     for (int64_t i = begin; i < end; ++i)

@@ -14,10 +14,10 @@
  *  MIXED: of components that lie side by side at any stride, and of separate ones. */
 enum order { PACKED, SEPARATE, MIXED };
 
-/** A view, in variables of its own: what nobody else can change stays in registers, but for arrays that are indexed or
- *  passed on, of which there are none here. */
+/** A view, in variables of its own: what nobody else can change stays in registers, but for what is indexed or pointed
+ *  to; gcc would copy an array of three pointers to the stack and back at every body. */
 struct stream {
-    double *c[3];
+    double *x, *y, *z;
     int64_t stride;
     int adjacent; /* its components lie side by side */
 };
@@ -25,7 +25,7 @@ struct stream {
 VTI_INLINE struct stream stream_of(const vti_view *v)
 {
     const int adjacent = vti_has(v) && v->c[1] == v->c[0] + 1 && v->c[2] == v->c[0] + 2;
-    return (struct stream){{v->c[0], v->c[1], v->c[2]}, v->stride, adjacent};
+    return (struct stream){v->c[0], v->c[1], v->c[2], v->stride, adjacent};
 }
 
 /** The order in which lanes are filled from it alone; -1 if they cannot be. */
@@ -46,10 +46,12 @@ VTI_INLINE void load(enum order order, struct stream s, int64_t i, lanes r[3])
     if (order == MIXED && s.adjacent) {
         int64_t at[WIDTH];
         lanes_strided(s.stride, at);
-        lanes_triples(s.c[0] + i * s.stride, at, r);
-    } else
-        for (int k = 0; k < 3; ++k)
-            r[k] = lanes_load(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i);
+        lanes_triples(s.x + i * s.stride, at, r);
+        return;
+    }
+    r[0] = lanes_load(order == PACKED ? s.x + 3 * i : s.x + i);
+    r[1] = lanes_load(order == PACKED ? s.x + 3 * i + WIDTH : s.y + i);
+    r[2] = lanes_load(order == PACKED ? s.x + 3 * i + 2 * WIDTH : s.z + i);
 }
 
 VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes r[3])
@@ -57,10 +59,12 @@ VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes 
     if (order == MIXED && s.adjacent) {
         int64_t at[WIDTH];
         lanes_strided(s.stride, at);
-        lanes_untriple(s.c[0] + i * s.stride, at, r);
-    } else
-        for (int k = 0; k < 3; ++k)
-            lanes_store(order == PACKED ? s.c[0] + 3 * i + k * WIDTH : s.c[k] + i, r[k]);
+        lanes_untriple(s.x + i * s.stride, at, r);
+        return;
+    }
+    lanes_store(order == PACKED ? s.x + 3 * i : s.x + i, r[0]);
+    lanes_store(order == PACKED ? s.x + 3 * i + WIDTH : s.y + i, r[1]);
+    lanes_store(order == PACKED ? s.x + 3 * i + 2 * WIDTH : s.z + i, r[2]);
 }
 
 /* ---- kick -------------------------------------------------------------------------------------------------------- */
@@ -145,7 +149,7 @@ VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, in
 {
     double first = lanes_get(k.by_first, 0), second = lanes_get(k.by_second, 0);
     for (int64_t i = begin; i < end; ++i) {
-        double *const v = a.c[0] + i * a.stride, *const place = x.c[0] + i * x.stride;
+        double *const v = a.x + i * a.stride, *const place = x.x + i * x.stride;
         pair xy = pair_load(v);
         double z = v[2];
         if (k.stride != 0 && k.count > 0) {
@@ -154,7 +158,7 @@ VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, in
             second = k.second == k.first ? first : k.second / m;
         }
         for (int n = 0; n < k.count; ++n) {
-            const double *const by = k.by.c[0] + i * k.by.stride, q = n == 0 ? first : second;
+            const double *const by = k.by.x + i * k.by.stride, q = n == 0 ? first : second;
             xy += q * pair_load(by);
             z += q * by[2];
         }

@@ -106,6 +106,15 @@ void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i)
     turn_of(&drift, b)(&drift, b, i, i + 1);
 }
 
+void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i)
+{
+    const struct increment d = increment(VTI_LAW_EXACT9, u);
+    if (vti_has(&b->alpha))
+        turn_alpha(d, 1.0, u, &b->alpha, i);
+    else
+        turn_quat(d, 1.0, u, &b->quat, i);
+}
+
 /* ---- many -------------------------------------------------------------------------------------------------------- */
 
 /** The kernels for so many bodies and this machine's vector units, widest first, then NULL: what one leaves over, the

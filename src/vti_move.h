@@ -33,6 +33,9 @@ int vti_drift_by(int law, int frame, int rotor, double t, const vti_bodies *b, v
 /** Turns one body by the drift: what the kernels leave out. */
 void vti_move_turn(const struct vti_move *move, const vti_bodies *b, int64_t i);
 
+/** Turns one body by the vector u in space, to order 9 in it. */
+void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i);
+
 /* ---- bodies with moments (vti_rotor.c) --------------------------------------------------------------------------- */
 
 /** Kicks, and turns by the drift, the bodies begin <= i < end, which have been checked. */
@@ -46,6 +49,10 @@ int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault 
 int64_t vti_move_below(const struct vti_move *move, const vti_bodies *b);
 
 /* ---- many at once ------------------------------------------------------------------------------------------------ */
+
+/** Half a step of a multistep method. */
+typedef int64_t vti_half_step(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b,
+                              int64_t begin, int64_t end, double *turn);
 
 /** Kernels move as many of the bodies begin <= i < end as fill their lanes, and say where they stopped: at begin if the
  *  layout is not for them. Nothing that carries residuals is for them. */
@@ -62,12 +69,12 @@ struct vti_move_kernels {
     int64_t (*general)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end);
     int (*general_reaches)(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end,
                            int64_t *stopped);
-    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by turn[][3]: all
-     *  of the bodies, whatever the layout (vti_adams_kernels.h). */
-    void (*predict)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
-                    int64_t end, double *turn);
-    void (*correct)(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
-                    int64_t end, double *turn);
+    /** The two halves of a step of a multistep method but for the attitudes, which are still to turn by the last three
+     *  numbers of turn[][4]: of as many bodies as fill the lanes, all if one does, whatever the layout
+     *  (vti_adams_kernels.h). They say where they stopped. */
+    vti_half_step *predict, *correct;
+    /** Turns bodies by the last three of by[][4], as vti_move_turn_by does (vti_adams_turns.h). */
+    int64_t (*turn)(const double *by, const vti_bodies *b, int64_t begin, int64_t end);
 };
 extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_avx512;
 

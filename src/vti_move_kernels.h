@@ -8,6 +8,7 @@
 #if VTI_WIDTH > 1
 
 #include "inertia/vti_rotor_kernels.h"
+#include "multistep/vti_adams_turns.h"
 
 const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               translate,
@@ -17,7 +18,8 @@ const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               rotate_general,
                                               reaches_general,
                                               adams_predict,
-                                              adams_correct};
+                                              adams_correct,
+                                              adams_turn};
 
 #else
 
@@ -35,7 +37,13 @@ static int reaches_none(const struct vti_move *move, const vti_bodies *b, int64_
     return 0;
 }
 
-const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          none,         reaches_none,
-                                              none, reaches_none, adams_predict, adams_correct};
+static int64_t turn_none(const double *by, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    (void)by;
+    return none(NULL, b, begin, end);
+}
+
+const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          none,          reaches_none,
+                                              none, reaches_none, adams_predict, adams_correct, turn_none};
 
 #endif

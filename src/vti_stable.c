@@ -19,7 +19,7 @@ struct wide {
 
 static const double up = 0x1p256, down = 0x1p-256, most = 0x1p128, least = 0x1p-128;
 
-static struct wide wide(double x, int e)
+static struct wide scaled(double x, int e)
 {
     for (; x >= most && isfinite(x); ++e)
         x *= down;
@@ -29,32 +29,39 @@ static struct wide wide(double x, int e)
     return w;
 }
 
-static struct wide times(struct wide a, struct wide b)
+/** Nearly all numbers are in the range already. */
+static inline struct wide wide(double x, int e)
+{
+    const struct wide w = {x, e};
+    return x >= least && x < most ? w : scaled(x, e);
+}
+
+static inline struct wide times(struct wide a, struct wide b)
 {
     return wide(a.x * b.x, a.e + b.e);
 }
 
-static struct wide over(struct wide a, struct wide b)
+static inline struct wide over(struct wide a, struct wide b)
 {
     return wide(a.x / b.x, a.e - b.e);
 }
 
 /** x of a at another e, near its own or larger; what vanishes there is less than rounding. */
-static double at_exponent(struct wide a, int e)
+static inline double at_exponent(struct wide a, int e)
 {
     return a.e == e ? a.x : a.e > e ? a.x * up : a.e + 1 == e ? a.x * down : 0.0 * a.x;
 }
 
 /** The larger e of the two that are not 0. */
-static int exponent(struct wide a, struct wide b)
+static inline int exponent(struct wide a, struct wide b)
 {
     return a.x == 0.0 || (b.x != 0.0 && b.e > a.e) ? b.e : a.e;
 }
 
-static struct wide plus(struct wide a, struct wide b)
+static inline struct wide plus(struct wide a, struct wide b)
 {
-    if (!isfinite(a.x) || !isfinite(b.x))
-        return wide(a.x + b.x, 0);
+    if (a.e == b.e || !isfinite(a.x) || !isfinite(b.x))
+        return wide(a.x + b.x, a.e);
     const int e = exponent(a, b);
     return wide(at_exponent(a, e) + at_exponent(b, e), e);
 }

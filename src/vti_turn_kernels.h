@@ -43,9 +43,18 @@ VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct 
  *  array every few of its lines than to loops that stay with some of the arrays. */
 enum { STRIP = 32 };
 
-/** Translates the bodies of a strip that begins with i. Returns where it ends. */
+/** What is translated; a copy, which stays in registers. */
+VTI_INLINE struct translation translation_with(enum order order, const struct translation *with)
+{
+    const struct translation none = {0};
+    return order == MIXED || with == NULL ? none : *with;
+}
+
+/** Translates the bodies of a strip that begins with i, if they are to be. Returns where it ends. */
 VTI_INLINE int64_t translate_strip(enum order order, struct translation x, int64_t i, int64_t end)
 {
+    if (order == MIXED || x.v.x == NULL)
+        return end;
     const int64_t to = end - i < STRIP ? end : i + STRIP;
     kick_and_move(order, x.k, x.t, x.v, x.moves, x.x, i, to);
     return to;
@@ -57,23 +66,47 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
         vti_move_turn(move, b, i + l);
 }
 
-/** alpha <- alpha (+) dalpha(t Omega). The incremental form is allowed where s^2 < 8, |alpha| < 2^29 and 2|d| < c; as c
- *  <= 2 and rounding keeps order, one sum that is less than c^2 tells. Bodies are translated too
- *  where `with` says so. */
+/** a <- a (+) dalpha(u) where the incremental form is allowed, which the mask says: s^2 = u.u < 8, |a| < 2^29 and 2|d| < c;
+ *  as c <= 2 and rounding keeps order, one sum that is less than c^2 tells. */
+VTI_INLINE lanes_mask turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
+{
+    lanes add[3], cf[2];
+    law_of(law, s2, cf);
+    const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    for (int n = 0; n < 3; ++n)
+        a[n] += add[n];
+    const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
+    return law == VTI_LAW_EXACT9 ? near & (s2 < 8.0) : near; /* its c grows again where s^2 > 180 */
+}
+
+/** r = normalise((u, c) q), or q (u, c) in the body's frame, where s^2 = u.u < 8. */
+VTI_INLINE void turn_quats(int law, double side, lanes s2, const lanes u[3], const lanes q[4], lanes r[4])
+{
+    lanes f[3], cf[2];
+    law_of(law, s2, cf);
+    for (int n = 0; n < 3; ++n)
+        f[n] = cf[1] * u[n];
+    const lanes y[3] = {f[1] * q[2] - f[2] * q[1], f[2] * q[0] - f[0] * q[2], f[0] * q[1] - f[1] * q[0]};
+    for (int n = 0; n < 3; ++n)
+        r[n] = cf[0] * q[n] + q[3] * f[n] + side * y[n];
+    r[3] = cf[0] * q[3] - (f[0] * q[0] + f[1] * q[1] + f[2] * q[2]);
+    const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
+    for (int n = 0; n < 4; ++n)
+        r[n] *= scale;
+}
+
+/** alpha <- alpha (+) dalpha(t Omega), of bodies that are translated too where `with` says so. */
 VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
                            const struct translation *with, int64_t begin, int64_t end)
 {
     const struct stream omega = stream_of(&b->omega), alpha = stream_of(&b->alpha);
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
-    const int translates = order != MIXED && with != NULL;
-    struct translation x = {0};
-    if (translates)
-        x = *with;
+    const struct translation x = translation_with(order, with);
     for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
-        if (translates && i == strip)
+        if (i == strip)
             strip = translate_strip(order, x, i, end);
-        lanes u[3], there[3], a[3], add[3], cf[2];
+        lanes u[3], there[3], a[3];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         load(order, alpha, i, there);
         if (order == PACKED)
@@ -81,16 +114,10 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
         else
             for (int n = 0; n < 3; ++n)
                 a[n] = there[n];
-        law_of(law, s2, cf);
-        const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add),
-                    aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-        const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
-        if (!lanes_all(near)) {
+        if (!lanes_all(turn_alphas(law, side, s2, u, a))) {
             turn_one_by_one(move, b, i);
             continue;
         }
-        for (int n = 0; n < 3; ++n)
-            a[n] += add[n];
         if (order == PACKED) {
             lanes_join(a, there);
             store(order, alpha, i, there);
@@ -110,14 +137,11 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     const int adjacent = quat_is_adjacent(&quat);
     int64_t at[WIDTH];
     lanes_strided(quat.stride, at);
-    const int translates = order != MIXED && with != NULL;
-    struct translation x = {0};
-    if (translates)
-        x = *with;
+    const struct translation x = translation_with(order, with);
     for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
-        if (translates && i == strip)
+        if (i == strip)
             strip = translate_strip(order, x, i, end);
-        lanes u[3], q[4], r[4], cf[2];
+        lanes u[3], q[4], r[4];
         const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
         if (adjacent)
             lanes_quads(quat.xyzw[0] + i * quat.stride, at, q);
@@ -128,16 +152,7 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
             turn_one_by_one(move, b, i);
             continue;
         }
-        law_of(law, s2, cf);
-        for (int n = 0; n < 3; ++n)
-            u[n] *= cf[1];
-        const lanes y[3] = {u[1] * q[2] - u[2] * q[1], u[2] * q[0] - u[0] * q[2], u[0] * q[1] - u[1] * q[0]};
-        for (int n = 0; n < 3; ++n)
-            r[n] = cf[0] * q[n] + q[3] * u[n] + side * y[n];
-        r[3] = cf[0] * q[3] - (u[0] * q[0] + u[1] * q[1] + u[2] * q[2]);
-        const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
-        for (int n = 0; n < 4; ++n)
-            r[n] *= scale;
+        turn_quats(law, side, s2, u, q, r);
         if (adjacent)
             lanes_unquad(quat.xyzw[0] + i * quat.stride, at, r);
         else

@@ -10,6 +10,13 @@
 
 #define CHECK_PI 3.14159265358979323846
 
+/** |a - b| */
+static inline double difference(const double a[3], const double b[3])
+{
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return vti_norm(d);
+}
+
 /** A state; all in the inertial frame. */
 struct bodies {
     int64_t n;
@@ -103,6 +110,22 @@ struct turn {
 struct turn free_turn(struct kit *kit, double w, double h, int64_t steps);
 /** The sentence where attitudes do not follow spins. */
 void say_side(struct kit *kit, const struct turn *turn, double should_be);
+
+/* ---- euler.c ----------------------------------------------------------------------------------------------------- */
+
+/** A body of three principal moments and its angular momentum in space, and what acts on it: a constant moment in
+ *  space, and a weight 1 along -e3 at arm. */
+struct top {
+    double q[4], L[3], I[3], moment[3], arm[3];
+};
+/** The usual one: turned, spinning, free. */
+struct top top_usual(void);
+/** The body after a time t, by Euler's equations with g times their gyroscopic term. */
+struct top top_moved(const struct top *start, double g, double t);
+/** The body after so many steps of the host; NaN if it refuses. */
+struct top top_hosted(struct kit *kit, const struct top *start, double h, int64_t steps);
+/** The angle between two attitudes; NaN if one is. */
+double top_turned(const struct top *a, const struct top *b);
 
 /* ---- ratios.c ---------------------------------------------------------------------------------------------------- */
 

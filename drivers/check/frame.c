@@ -19,8 +19,7 @@ static void constant(const void *self, const vti_bodies *b)
 
 static double off(const double a[3], const double b[3])
 {
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vti_norm(d) / vti_norm(b);
+    return difference(a, b) / vti_norm(b);
 }
 
 struct sentences {

@@ -1,144 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Hosts of bodies of three principal moments I = (A, B, C) along the body's axes, with the angular momentum L in space.
- * What they do is compared with Euler's equations along the body's axes, which know nothing of how the library moves
- * such bodies,
- *
- *     q' = q w_b/2,  I w_b' = R^T RM + g I w_b x w_b,  L = R I w_b,   g = 1,
- *
- * by the classical Runge-Kutta method at small steps, and with what comes of mistakes: L misunderstood at the first
- * step, g = 0 or -1 later on, moments in another frame. */
+ * Hosts of bodies of three principal moments: what they do is compared with Euler's equations (euler.c), and with what
+ * comes of mistakes: L misunderstood at the first step, g = 0 or -1 later on, moments in another frame. */
 #include "check.h"
 
 #include <string.h>
 
-/** One body, and what acts on it: a constant moment in space, and a weight 1 along -e3 at arm. */
-struct one {
-    double q[4], L[3], I[3], moment[3], arm[3];
-};
-
-static const double usual[3] = {1.0, 1.7, 2.3}, spin[3] = {0.9, 1.4, -1.1};
-
-/** The usual one: turned, spinning, free. */
-static struct one usual_body(void)
-{
-    static const double turned[3] = {0.6, -0.5, 0.7};
-    struct one b;
-    double alpha[3];
-    memset(&b, 0, sizeof b);
-    memcpy(b.I, usual, sizeof b.I);
-    memcpy(b.L, spin, sizeof b.L);
-    vti_rrv_from_rotvec(turned, alpha);
-    vti_rrv_to_quat_xyzw(alpha, b.q);
-    return b;
-}
-
-/* ---- Euler's equations ------------------------------------------------------------------------------------------- */
-
-enum { STATE = 7 };
-
-static void moment_on(const struct one *b, const double q[4], double moment[3])
-{
-    double r[3];
-    vti_pair_rotate(q, 1.0, b->arm, r);
-    moment[0] = b->moment[0] - r[1];
-    moment[1] = b->moment[1] + r[0];
-    moment[2] = b->moment[2];
-}
-
-/** y = (q, w_b) */
-static void euler(const struct one *b, double g, const double *y, double *rate)
-{
-    const double *q = y, *w = y + 4, p[3] = {b->I[0] * w[0], b->I[1] * w[1], b->I[2] * w[2]};
-    double m[3], x[3];
-    vti_cross(q, w, x);
-    for (int k = 0; k < 3; ++k)
-        rate[k] = 0.5 * (q[3] * w[k] + x[k]);
-    rate[3] = -0.5 * vti_dot(q, w);
-    moment_on(b, q, m);
-    vti_pair_rotate(q, -1.0, m, m);
-    vti_cross(p, w, x);
-    for (int k = 0; k < 3; ++k)
-        rate[4 + k] = (m[k] + g * x[k]) / b->I[k];
-}
-
-static void add(const double *y, double t, const double *rate, double *r)
-{
-    for (int k = 0; k < STATE; ++k)
-        r[k] = y[k] + t * rate[k];
-}
-
-/** The body after a time t. */
-static struct one moved(const struct one *start, double g, double t)
-{
-    enum { STEPS = 2000 };
-    struct one b = *start;
-    double y[STATE], k1[STATE], k2[STATE], k3[STATE], k4[STATE], z[STATE];
-    const double h = t / STEPS;
-    memcpy(y, b.q, sizeof b.q);
-    vti_pair_rotate(b.q, -1.0, b.L, y + 4);
-    for (int k = 0; k < 3; ++k)
-        y[4 + k] /= b.I[k];
-    for (int n = 0; n < STEPS; ++n) {
-        euler(&b, g, y, k1);
-        add(y, 0.5 * h, k1, z);
-        euler(&b, g, z, k2);
-        add(y, 0.5 * h, k2, z);
-        euler(&b, g, z, k3);
-        add(y, h, k3, z);
-        euler(&b, g, z, k4);
-        for (int k = 0; k < STATE; ++k)
-            y[k] += h / 6.0 * (k1[k] + 2.0 * (k2[k] + k3[k]) + k4[k]);
-    }
-    memcpy(b.q, y, sizeof b.q);
-    for (int k = 0; k < 3; ++k)
-        b.L[k] = b.I[k] * y[4 + k];
-    vti_pair_rotate(b.q, 1.0, b.L, b.L);
-    return b;
-}
-
-/* ---- the host ---------------------------------------------------------------------------------------------------- */
-
-static void answer(void *kit, int64_t n, const double *x, const double *quat, double *force, double *moment)
-{
-    const struct one *b = kit;
-    (void)x;
-    for (int64_t k = 0; k < 3 * n; ++k)
-        force[k] = moment[k] = n == 1 ? 0.0 : NAN;
-    if (n == 1)
-        moment_on(b, quat, moment);
-}
-
-/** The body after so many steps of the host; NaN if it refuses. */
-static struct one hosted(struct kit *kit, const struct one *start, double h, int64_t steps)
-{
-    struct one b = *start, asked = *start;
-    double x[3] = {0.0, 0.0, 0.0}, v[3] = {0.0, 0.0, 0.0}, mass = 1.0, sum = 0.0;
-    const int failed =
-        kit->host.advance(kit->host.self, h, steps, 1, x, v, b.q, b.L, &mass, start->I, answer, &asked) != 0;
-    for (int k = 0; k < 3; ++k)
-        sum += b.q[k] + b.L[k];
-    if (failed || !isfinite(sum) || !isfinite(1.0 / vti_pair_square(b.q)))
-        for (int k = 0; k < 4; ++k)
-            b.q[k] = b.L[k % 3] = NAN;
-    return b;
-}
-
-static double turned_between(const struct one *a, const struct one *b)
-{
-    return isfinite(a->q[0]) && isfinite(b->q[0]) ? vti_pair_distance(a->q, b->q) : NAN;
-}
-
-static double apart(const double a[3], const double b[3])
-{
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vti_norm(d);
-}
-
 /* ---- the first step ---------------------------------------------------------------------------------------------- */
 
 /** R^before diag(k) R^after L */
-static void tilted(const struct one *b, int before, const double k[3], int after, double w[3])
+static void tilted(const struct top *b, int before, const double k[3], int after, double w[3])
 {
     memcpy(w, b->L, sizeof b->L);
     if (after != 0)
@@ -150,7 +21,7 @@ static void tilted(const struct one *b, int before, const double k[3], int after
 }
 
 /** What the angular velocity of the start may have been taken for; text is room for that. */
-static const char *rate_named(const struct one *b, const double found[3], char text[VTI_CHECK_TEXT])
+static const char *rate_named(const struct top *b, const double found[3], char text[VTI_CHECK_TEXT])
 {
     static const double one[3] = {1.0, 1.0, 1.0};
     static const char *const orders[5] = {"A, C, B", "B, A, C", "B, C, A", "C, A, B", "C, B, A"};
@@ -172,19 +43,19 @@ static const char *rate_named(const struct one *b, const double found[3], char t
         tilted(b, mistake[m].before, mistake[m].by == 0 ? one : mistake[m].by == 1 ? k : b->I, mistake[m].after, w);
         for (int n = 0; n < 3; ++n)
             w[n] *= mistake[m].sign;
-        if (apart(w, found) <= near)
+        if (difference(w, found) <= near)
             return mistake[m].says;
     }
     for (int m = 0; m < 5; ++m) {
         const double other[3] = {k[order[m][0]], k[order[m][1]], k[order[m][2]]};
         tilted(b, 1, other, -1, w);
         snprintf(text, VTI_CHECK_TEXT, "moments of inertia are taken in the wrong order: %s for A, B, C", orders[m]);
-        if (apart(w, found) <= near)
+        if (difference(w, found) <= near)
             return text;
     }
     tilted(b, 1, k, -1, w);
     vti_pair_rotate(b->q, 1.0, w, w);
-    if (apart(w, found) <= near)
+    if (difference(w, found) <= near)
         return "attitude increments act in the body's frame while the angular velocity is spatial";
     vti_cross(b->L, found, w);
     if (vti_norm(w) <= 0.005 * vti_norm(b->L) * vti_norm(found))
@@ -196,8 +67,8 @@ static void check_rate(struct kit *kit)
 {
     const double h = 0x1p-12;
     const int steps = 4;
-    const struct one start = usual_body(), end = hosted(kit, &start, h, steps);
-    const double k[3] = {1.0 / usual[0], 1.0 / usual[1], 1.0 / usual[2]};
+    const struct top start = top_usual(), end = top_hosted(kit, &start, h, steps);
+    const double k[3] = {1.0 / start.I[0], 1.0 / start.I[1], 1.0 / start.I[2]};
     double should[3], found[3] = {NAN, NAN, NAN}, a[3], b[3];
     tilted(&start, 1, k, -1, should);
     if (isfinite(end.q[0])) {
@@ -208,7 +79,7 @@ static void check_rate(struct kit *kit)
         for (int n = 0; n < 3; ++n)
             found[n] /= h * steps;
     }
-    const double off = apart(should, found) / vti_norm(should);
+    const double off = difference(should, found) / vti_norm(should);
     kit_line(kit, "general inertia: angular velocity at the start, off by", off, -1, 0.01, VTI_CHECK_FAIL);
     if (off <= 0.01)
         return;
@@ -228,12 +99,12 @@ static void check_kick(struct kit *kit)
 {
     const double h = 0x1p-10, m[3] = {0.4, -0.7, 0.5};
     const int steps = 4;
-    struct one start = usual_body();
+    struct top start = top_usual();
     memset(start.L, 0, sizeof start.L);
     memcpy(start.moment, m, sizeof m);
-    const struct one end = hosted(kit, &start, h, steps);
-    struct one as_momentum = start;
-    const double k[3] = {1.0 / usual[0], 1.0 / usual[1], 1.0 / usual[2]};
+    const struct top end = top_hosted(kit, &start, h, steps);
+    struct top as_momentum = start;
+    const double k[3] = {1.0 / start.I[0], 1.0 / start.I[1], 1.0 / start.I[2]};
     double grown[3], body[3], space[3], divided[3], along, rest[3];
     memcpy(as_momentum.L, m, sizeof m);
     for (int n = 0; n < 3; ++n)
@@ -244,17 +115,17 @@ static void check_kick(struct kit *kit)
     vti_pair_rotate(start.q, -1.0, m, body);
     vti_pair_rotate(start.q, 1.0, m, space);
     tilted(&as_momentum, 1, k, -1, divided);
-    const double size = vti_norm(m), near = 0.005 * size, off = apart(grown, m) / size, half = 0.5 / steps;
+    const double size = vti_norm(m), near = 0.005 * size, off = difference(grown, m) / size, half = 0.5 / steps;
     kit_line(kit, "general inertia: L by a constant moment, off by", off, -1, 0.01, VTI_CHECK_FAIL);
     if (off <= 0.01 || (!isfinite(off) && kit->report->faults > 0))
         return;
     if (!isfinite(off))
         kit_fault(kit, "a body of three moments under a moment is refused, or not finite");
-    else if (apart(grown, body) <= near)
+    else if (difference(grown, body) <= near)
         kit_fault(kit, "moments are turned into the body's frame while L is spatial");
-    else if (apart(grown, space) <= near)
+    else if (difference(grown, space) <= near)
         kit_fault(kit, "moments are taken along the body's axes, and are spatial");
-    else if (apart(grown, divided) <= near)
+    else if (difference(grown, divided) <= near)
         kit_fault(kit, "L is kicked by the moment over the inertia, as an angular velocity is");
     else if (vti_norm(rest) > near)
         kit_fault(kit, "L does not grow along the moment");
@@ -272,36 +143,37 @@ static void check_kick(struct kit *kit)
 static void check_gyroscopic(struct kit *kit)
 {
     const double t = 2.0;
-    const struct one start = usual_body(), end = hosted(kit, &start, t / 512, 512);
-    const struct one right = moved(&start, 1.0, t), without = moved(&start, 0.0, t), against = moved(&start, -1.0, t);
-    const double off = turned_between(&right, &end), kept = apart(end.L, start.L) / vti_norm(start.L);
+    const struct top start = top_usual(), end = top_hosted(kit, &start, t / 512, 512);
+    const struct top right = top_moved(&start, 1.0, t), without = top_moved(&start, 0.0, t),
+                     against = top_moved(&start, -1.0, t);
+    const double off = top_turned(&right, &end), kept = difference(end.L, start.L) / vti_norm(start.L);
     kit_line(kit, "general inertia: attitude of a free body, off by", off, -1, 0.02, VTI_CHECK_FAIL);
     kit_line(kit, "general inertia: L of a free body, changed by", kept, -1, 1e-9, VTI_CHECK_NOTE);
     if (off <= 0.02 || kit->attitude_lost)
         return;
-    if (turned_between(&without, &end) < 0.2 * off)
+    if (top_turned(&without, &end) < 0.2 * off)
         kit_fault(kit, "the gyroscopic term w x J w is missing: a free body turns about a fixed axis");
-    else if (turned_between(&against, &end) < 0.2 * off)
+    else if (top_turned(&against, &end) < 0.2 * off)
         kit_fault(kit, "the gyroscopic term w x J w has the wrong sign");
 }
 
 /** How the error falls at each halving of the step. */
-static double order_of(struct kit *kit, const struct one *start, double t)
+static double order_of(struct kit *kit, const struct top *start, double t)
 {
-    const struct one right = moved(start, 1.0, t);
+    const struct top right = top_moved(start, 1.0, t);
     double error[2];
     for (int k = 0; k < 2; ++k) {
         const int64_t steps = 256 << k;
-        const struct one end = hosted(kit, start, t / (double)steps, steps);
-        error[k] = turned_between(&right, &end);
+        const struct top end = top_hosted(kit, start, t / (double)steps, steps);
+        error[k] = top_turned(&right, &end);
     }
     return error[1] <= 1e-10 ? 9.0 : log2(error[0] / error[1]); /* beyond what the reference tells */
 }
 
 static void check_orders(struct kit *kit)
 {
-    struct one top = usual_body();
-    const struct one body = top;
+    struct top top = top_usual();
+    const struct top body = top;
     top.arm[0] = 0.3;
     top.arm[1] = 0.2;
     top.arm[2] = 0.9;
@@ -322,7 +194,7 @@ static void check_orders(struct kit *kit)
 static void check_slender(struct kit *kit)
 {
     static const double slender[3] = {1.7231, 0.0658, 1.7243}, w[3] = {0.2, 1.0, 0.1};
-    struct one start;
+    struct top start;
     double p[3], energy = 0.0, later = 0.0;
     memset(&start, 0, sizeof start);
     start.q[3] = 1.0;
@@ -331,7 +203,7 @@ static void check_slender(struct kit *kit)
         start.L[k] = slender[k] * w[k];
         energy += slender[k] * w[k] * w[k];
     }
-    const struct one end = hosted(kit, &start, 0.2, 4000);
+    const struct top end = top_hosted(kit, &start, 0.2, 4000);
     vti_pair_rotate(end.q, -1.0, end.L, p);
     for (int k = 0; k < 3; ++k)
         later += p[k] * p[k] / slender[k];

@@ -16,12 +16,6 @@ static void momenta(const struct bodies *b, double p[3], double l[3])
     vti_angular_momentum(&bodies, origin, l);
 }
 
-static double change(const double a[3], const double b[3])
-{
-    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vti_norm(d);
-}
-
 void check_momentum(struct kit *kit)
 {
     enum { STEPS = 640 };
@@ -31,7 +25,7 @@ void check_momentum(struct kit *kit)
     momenta(&b, p, l);
     host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
     momenta(&b, p_end, l_end);
-    const double linear = change(p_end, p), angular = change(l_end, l);
+    const double linear = difference(p_end, p), angular = difference(l_end, l);
     kit_line(kit, "momentum of a bonded pair after t = 10, off by", linear, -1, 1e-11, VTI_CHECK_FAIL);
     /* methods that merely approximate it do so to their order; h = 1/64 */
     kit_line(kit, "angular momentum, off by", angular, -1, 1e-10, angular < 1e-5 ? VTI_CHECK_NOTE : VTI_CHECK_FAIL);

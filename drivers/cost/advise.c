@@ -70,14 +70,6 @@ static int choose_measure(struct stages *g, const struct model *model, struct me
     return 0;
 }
 
-static int any_breaks(const struct model *model)
-{
-    int any = 0;
-    for (int64_t k = 0; k < model->effects_count; ++k)
-        any |= model->effects[k].rupture != NULL;
-    return any;
-}
-
 /** The scene's own numbers. */
 static int look_at(struct stages *g)
 {
@@ -90,7 +82,7 @@ static int look_at(struct stages *g)
     s->bodies = model.bodies.count;
     s->omega0 = vti_max_turn(1.0, &model.bodies);
     s->kinked = scene_first_with(s->scene, EFFECT_KINKED) != NULL;
-    s->breaks = any_breaks(&model);
+    s->breaks = model_breaks(&model);
     s->doubt = s->breaks ? 30.0 : s->kinked ? 10.0 : 3.0;
     int failed = model_find_limits(&model, &s->advice->limits, s->message);
     const vti_deformation at = {s->advice->limits.at.overlap, 0.0, 0};

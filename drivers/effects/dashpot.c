@@ -179,19 +179,15 @@ static int make(struct effect *e, const struct model *model, const struct table 
 {
     const struct dashpot_settings *d = e->settings;
     struct dashpot_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
+    const struct effect_surfaces surfaces = model_surfaces(model);
     const struct effect *friction = NULL;
     (void)table;
     if (self == NULL)
         return -1;
     vti_dashpots *dashpots = &self->dashpots;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *other = &model->rooms[k];
-        if (other->kind->surfaces != NULL)
-            other->kind->surfaces(other, &surfaces);
-        if (other->kind->friction != NULL)
-            friction = other;
-    }
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->friction != NULL)
+            friction = &model->rooms[k];
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;

@@ -105,13 +105,10 @@ static int make(struct effect *e, const struct model *model, const struct table 
                 struct message *message)
 {
     struct friction_self *self = effect_memory(e, sizeof *self, message);
-    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
+    const struct effect_surfaces surfaces = model_surfaces(model);
     (void)table;
     if (self == NULL)
         return -1;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->surfaces != NULL)
-            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
     self->diameter = model->diameter;
     self->friction.contacts = surfaces.contacts;
     self->friction.walls = surfaces.walls;

@@ -92,6 +92,9 @@ struct effect_planes {
     /** How each moves, planes first: on and on with the same velocity and spin. NULL, itself or what it returns: none
      *  does. */
     const vti_wall_motion *(*motion)(const struct effect *e);
+    /** The largest |(v - V).N| of a body at x with the velocity v, V being that of a plane or cylinder where it is now, and
+     *  N its normal there. */
+    double (*approach)(const struct effect *e, const double x[3], const double v[3]);
 };
 
 struct chunks; /* chunks.h */

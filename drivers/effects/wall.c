@@ -137,12 +137,8 @@ static vti_effect draft(const void *settings, const struct table *table)
 /** E/(1 - nu^2) of the bodies: what their contact has, or their table. */
 static vti_scalars modulus_of_bodies(const struct model *model)
 {
-    struct effect_surfaces surfaces = {.contacts = NULL};
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->surfaces != NULL && model->rooms[k].kind->number != EFFECT_wall)
-            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
-    return surfaces.contacts != NULL && surfaces.contacts->modulus.p != NULL ? surfaces.contacts->modulus
-                                                                             : model->modulus;
+    const vti_contacts *contacts = model_surfaces(model).contacts;
+    return contacts != NULL && contacts->modulus.p != NULL ? contacts->modulus : model->modulus;
 }
 
 static int make(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
@@ -239,13 +235,35 @@ static void limit(const struct effect *e, const vti_deformation *at, const vti_s
     snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 
+static const double *axis_of(const vti_walls *walls, int64_t w)
+{
+    return w < walls->count ? walls->plane + 4 * w : walls->cylinder + 7 * (w - walls->count);
+}
+
+/** On the axis a of a cylinder any direction across it may be N: |a x (v - V)|. */
+static double approach(const struct effect *e, const double x[3], const double v[3])
+{
+    const vti_walls *walls = walls_of(e);
+    double most = 0.0;
+    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w) {
+        double n[3], to[3], across[3];
+        vti_walls_gap(walls, w, x, n);
+        for (int k = 0; k < 3; ++k)
+            to[k] = v[k] - (walls->motion != NULL ? walls->motion[w].velocity[k] : 0.0);
+        vti_cross(axis_of(walls, w), to, across);
+        const double speed = vti_dot(n, n) > 0.0 ? fabs(vti_dot(to, n)) : vti_norm(across);
+        most = speed <= most ? most : speed; /* NaN stays */
+    }
+    return most;
+}
+
 /** The fastest that a point of a surface at a body goes, squared. */
 static double fastest(const vti_walls *walls, const vti_bodies *b)
 {
     double most = 0.0;
     for (int64_t w = 0; walls->motion != NULL && w < walls->count + walls->cylinders; ++w) {
         const vti_wall_motion *m = &walls->motion[w];
-        const double *axis = w < walls->count ? walls->plane + 4 * w : walls->cylinder + 7 * (w - walls->count);
+        const double *axis = axis_of(walls, w);
         for (int64_t i = 0; i < b->count; ++i) {
             double d[3], way[3], n[3], x[3];
             for (int k = 0; k < 3; ++k)
@@ -273,7 +291,7 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
 }
 
-static const struct effect_planes drawn = {"wall", planes, cylinders, motion};
+static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
                                            {"work_wall", "$-W^{\\mathrm{pw}}$", "taken by moving walls", "#14505C"}};
@@ -289,6 +307,6 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         EFFECT_TERMS(terms),
                                         .limit = limit,
                                         .deform = deform,
-                                        .planes = &drawn,
+                                        .planes = &faces,
                                         .surfaces = surfaces,
                                         .memory = &remembered};

@@ -67,13 +67,13 @@ static void write_runs(const struct cost *cost, int with_times, FILE *file)
 }
 
 /** Every run with its times. */
-static void cost_csv_write(const struct cost *cost, FILE *file)
+static void cost_csv_write(const void *cost, FILE *file)
 {
     write_runs(cost, 1, file);
 }
 
 /** Every run without them: nothing in it depends on clocks or ranks. */
-static void errors_csv_write(const struct cost *cost, FILE *file)
+static void errors_csv_write(const void *cost, FILE *file)
 {
     write_runs(cost, 0, file);
 }
@@ -94,8 +94,9 @@ static void write_prices(const struct cost *cost, int64_t c, int64_t m, int meas
     }
 }
 
-static void prices_csv_write(const struct cost *cost, FILE *file)
+static void prices_csv_write(const void *what, FILE *file)
 {
+    const struct cost *cost = what;
     fputs("scene,t_end,scene_t_end,stepper,kind,measure,error,force_evals,seconds\n", file);
     for (int64_t c = 0; c < cost->plan->cases_count; ++c)
         for (int measure = 0; measure < COST_MEASURES; ++measure)
@@ -103,24 +104,15 @@ static void prices_csv_write(const struct cost *cost, FILE *file)
                 write_prices(cost, c, m, measure, file);
 }
 
-static void write_machine(const struct cost *cost, FILE *file)
+static void write_machine(const void *what, FILE *file)
 {
+    const struct cost *cost = what;
     machine_write(file);
     fprintf(file, "ranks: %d\n", cost->ranks);
     fprintf(file,
             "times: one run per rank at a time, the least of %d samples; spread is how far their median lies above "
             "it, as a share\n",
             cost->plan->repeats);
-}
-
-static int write_one(const struct cost *cost, const char *folder, const char *name,
-                     void (*write)(const struct cost *, FILE *), struct message *message)
-{
-    FILE *file = folder_open(folder, name, message);
-    if (file == NULL)
-        return -1;
-    write(cost, file);
-    return folder_close(file, folder, name, message);
 }
 
 static const char *const names[COST_FILES] = {"cost.csv", "errors.csv", "prices.csv", "machine.txt"};
@@ -133,10 +125,10 @@ const struct output cost_outputs[COST_FILES] = {
 
 int cost_files_write(const struct cost *cost, const char *folder, struct message *message)
 {
-    static void (*const writers[COST_FILES])(const struct cost *, FILE *) = {cost_csv_write, errors_csv_write,
-                                                                             prices_csv_write, write_machine};
+    static folder_writer *const writers[COST_FILES] = {cost_csv_write, errors_csv_write, prices_csv_write,
+                                                       write_machine};
     int failed = 0;
     for (int k = 0; k < COST_FILES && failed == 0; ++k)
-        failed = write_one(cost, folder, names[k], writers[k], message);
+        failed = folder_write(folder, names[k], writers[k], cost, message);
     return folder_finish(folder, names, COST_FILES, failed, message);
 }

@@ -39,8 +39,9 @@ void study_csv_row(const char *scene, const struct trial *trial, int64_t force_e
     write_judgement(judgement, file);
 }
 
-void study_csv_write(const struct study *study, FILE *file)
+void study_csv_write(const void *what, FILE *file)
 {
+    const struct study *study = what;
     study_csv_header(file);
     fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {
@@ -62,8 +63,9 @@ void timing_csv_row(const char *scene, const struct trial *trial, double seconds
             1e9 * seconds / (double)trial->steps, rank);
 }
 
-void timing_csv_write(const struct study *study, FILE *file)
+void timing_csv_write(const void *what, FILE *file)
 {
+    const struct study *study = what;
     timing_csv_header(file);
     fputc('\n', file);
     for (int64_t r = 0; r < study->runs; ++r) {

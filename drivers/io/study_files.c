@@ -9,16 +9,6 @@ static int write_hdf5(const struct study *study, const char *folder, const char 
     return folder_output(folder, name, 1, path, message) != 0 ? -1 : study_hdf5_write(study, path, message);
 }
 
-static int write_csv(const struct study *study, const char *folder, const char *name,
-                     void (*write)(const struct study *, FILE *), struct message *message)
-{
-    FILE *file = folder_open(folder, name, message);
-    if (file == NULL)
-        return -1;
-    write(study, file);
-    return folder_close(file, folder, name, message);
-}
-
 static const char *const names[STUDY_FILES] = {"study.h5", "study.csv", "timing.csv"};
 
 const struct output study_outputs[STUDY_FILES] = {{"study.h5", {NULL, NULL, NULL}},
@@ -29,8 +19,8 @@ int study_files_write(const struct study *study, const char *folder, struct mess
 {
     int failed = write_hdf5(study, folder, names[0], message);
     if (failed == 0)
-        failed = write_csv(study, folder, names[1], study_csv_write, message);
+        failed = folder_write(folder, names[1], study_csv_write, study, message);
     if (failed == 0)
-        failed = write_csv(study, folder, names[2], timing_csv_write, message);
+        failed = folder_write(folder, names[2], timing_csv_write, study, message);
     return folder_finish(folder, names, STUDY_FILES, failed, message);
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cost.h"
+#include "folder.h"
 #include "overwrite.h"
 #include "study.h"
 #include "survey.h"
@@ -26,10 +27,10 @@ int study_files_write(const struct study *study, const char *folder, struct mess
  *  initial value. The bytes depend on the results only. Writes the file at path. Returns 0, or -1 with one line in
  *  *message. */
 int study_hdf5_write(const struct study *study, const char *path, struct message *message);
-/** study.csv: one row per run in task order, 17 digits; nothing in it depends on clocks or ranks. */
-void study_csv_write(const struct study *study, FILE *file);
-/** timing.csv: seconds of every run with its measurements, and the rank that did it. */
-void timing_csv_write(const struct study *study, FILE *file);
+/** study.csv of a struct study: one row per run in task order, 17 digits; nothing in it depends on clocks or ranks. */
+folder_writer study_csv_write;
+/** timing.csv of a struct study: seconds of every run with its measurements, and the rank that did it. */
+folder_writer timing_csv_write;
 
 /** Of both the first line and a row of one run, for files with more columns behind; error: as study_measures names
  *  them, then the momentum error. */

@@ -131,6 +131,15 @@ int folder_close(FILE *file, const char *folder, const char *name, struct messag
     return sync_end(file, fclose) != 0 ? fail(path, message) : 0;
 }
 
+int folder_write(const char *folder, const char *name, folder_writer *write, const void *what, struct message *message)
+{
+    FILE *file = folder_open(folder, name, message);
+    if (file == NULL)
+        return -1;
+    write(what, file);
+    return folder_close(file, folder, name, message);
+}
+
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 static int sync_part(const char *folder, const char *name, struct message *message)

@@ -32,6 +32,11 @@ FILE *folder_open(const char *folder, const char *name, struct message *message)
 /** Closes it. Returns 0, or -1 with *message if not all that was written to it has got there. */
 int folder_close(FILE *file, const char *folder, const char *name, struct message *message);
 
+/** What writes a file of something, *what. */
+typedef void folder_writer(const void *what, FILE *file);
+/** All three: opens folder/name.part, writes, closes. Returns 0, or -1 with *message. */
+int folder_write(const char *folder, const char *name, folder_writer *write, const void *what, struct message *message);
+
 /** The end of files that belong together. If failed is 0, brings every folder/name.part, written and closed, to the
  *  disk and then gives all of them their real names; otherwise, and if that fails, removes them. Returns 0, or -1 with
  *  *message, which is as it was if failed is not 0. */

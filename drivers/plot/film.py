@@ -54,7 +54,7 @@ def _pictures(run, scene, frames, width):
     for k, frame in enumerate(frames):
         axes.clear()
         scene.draw(axes, frame)
-        axes.set(xlabel=f"${scene.axis_names()[0]}$", ylabel=f"${scene.axis_names()[1]}$")
+        axes.set(xlabel=scene.axis_names()[0], ylabel=scene.axis_names()[1])
         axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.2f}"
                        + "".join("\n" + line for line in scene.meaning()))
         figure.canvas.draw()

@@ -53,6 +53,9 @@ class Walls:
     cylinder_velocity: np.ndarray   # k, 3
     cylinder_spin: np.ndarray       # k
 
+    def move(self):
+        return bool(np.any(self.plane_velocity) or np.any(self.cylinder_velocity) or np.any(self.cylinder_spin))
+
     def planes_at(self, t):
         moved = np.sum(self.planes[:, :3] * self.plane_velocity, axis=1) * t
         return np.column_stack([self.planes[:, :3], self.planes[:, 3] + moved])

@@ -4,7 +4,7 @@ frames, planes, lines between bodies, marks that turn with the bodies, and conta
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from . import outlines, style, walls
+from . import level, outlines, style, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 SMALL = 1 / 100         # of the window: smaller bodies have thin rims and no marks, which would hide their colours
@@ -23,7 +23,10 @@ class Scenery:
         """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get."""
         self.run = run
         self.detailed = run.bodies <= MOST_MARKED
-        self.plane = _plane(frames)
+        self.level = level.axes_of(run.walls)
+        self.walls = run.walls if self.level is None else level.of_walls(self.level, run.walls)
+        frames = [self._seen(frame) for frame in frames]
+        self.plane = _plane(frames, 3 if self.level is None else 2)
         self.radius = outlines.radius(run, frames[0])
         extents = [self._extent(frame) for frame in frames]
         largest = max(np.max(high - low) for low, high in extents)
@@ -41,6 +44,9 @@ class Scenery:
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
 
+    def _seen(self, frame):
+        return frame if self.level is None else level.of_frame(self.level, frame)
+
     def _extent(self, frame):
         seen = outlines.of(self.run, frame, self.radius)
         return np.min(seen.x - seen.reach, axis=0)[self.plane], np.max(seen.x + seen.reach, axis=0)[self.plane]
@@ -48,7 +54,7 @@ class Scenery:
     def _with_cylinders(self, frames, low, high):
         """The window that shows the cylinders seen along their axes, too, but for those that dwarf the bodies."""
         for frame in frames:
-            for centre, radius, _ in walls.circles(self.run.walls, frame.t, self.plane):
+            for centre, radius, _ in walls.circles(self.walls, frame.t, self.plane):
                 if 2 * radius <= FAR * np.max(high - low):
                     low, high = np.minimum(low, centre - radius), np.maximum(high, centre + radius)
         return low, high
@@ -58,7 +64,7 @@ class Scenery:
         return middle - self.half, middle + self.half
 
     def axis_names(self):
-        return ["xyz"[axis] for axis in self.plane]
+        return [f"${'xyz'[axis]}$" for axis in self.plane] if self.level is None else ["along the plane", "off the plane"]
 
     def meaning(self):
         """What marks and colours stand for, of those that can appear: a line or none."""
@@ -73,11 +79,12 @@ class Scenery:
 
     def draw(self, axes, frame):
         """Returns whether any body is in contact."""
+        frame = self._seen(frame)
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
         seen = outlines.of(run, frame, self.radius)
         behind_first = np.argsort(seen.x[:, 3 - sum(self.plane)], kind="stable")
         touching = np.zeros(len(seen.x), bool) if run.breaks else self._touching(frame)
-        walls.draw(axes, self.plane, run.walls, frame.t, window)
+        walls.draw(axes, self.plane, self.walls, frame.t, window)
         fills = np.where(touching, CONTACT, _fills(run, frame, seen))[behind_first]
         ellipses = [part[behind_first] for part in seen.ellipses(self.plane)]
         axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills, 0.15 if self.small else 0.5))
@@ -97,7 +104,7 @@ class Scenery:
         touching = np.zeros(len(self.radius), bool)
         if self.run.diameter is None or self.run.clumps is not None or not self.detailed:
             return touching
-        for gap in walls.gaps(self.run.walls, frame):
+        for gap in walls.gaps(self.walls, frame):
             touching |= gap < self.radius
         for i in range(len(frame.x) - 1 if self.run.touching else 0):
             distance = np.linalg.norm(frame.x[i + 1:] - frame.x[i], axis=1)
@@ -107,10 +114,11 @@ class Scenery:
         return touching
 
 
-def _plane(frames):
-    """The two coordinates to draw; left out is the one in which bodies move least, z if that does not tell."""
+def _plane(frames, some):
+    """The two coordinates to draw; left out is the one, of some from the first on, in which bodies move least, the last of them
+    if that does not tell."""
     moved = np.max([np.max(np.abs(frame.x - frames[0].x), axis=0) for frame in frames], axis=0)
-    least = max(axis for axis in range(3) if moved[axis] <= np.min(moved) + 1e-9 * np.max(moved))
+    least = max(axis for axis in range(some) if moved[axis] <= np.min(moved[:some]) + 1e-9 * np.max(moved))
     return [axis for axis in range(3) if axis != least]
 
 

@@ -1,20 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""shapes.png: the bodies at equally spaced times, one scale and one window for all, as in the paper's figure of the
-deformed torus."""
+"""shapes.png: the bodies at equally spaced times, until they rest, one scale and one window for all, as in the paper's figure of
+the deformed torus."""
+import numpy as np
+
 from . import scenery, style, words
 
 PANELS = (8, 9, 6)      # the first that divides the trajectory into equal parts, else the first of all
+WIDE = 2.5              # times as wide as it is high, a window is a strip: then fewer are drawn, and larger
+STRIPS = (6, 5, 7)      # the same of strips
 TALLEST = 11.0          # inches of all panels together
-TITLE = 0.3             # inches above each
+TITLE, AROUND = 0.3, 0.45   # inches above and beside each
+FILLED = 0.75           # of a page's width, so much at least where that can be
+STILL = 0.005           # of the window, and radians: who has moved by less, rests
 
 
 def draw(run):
     if not run.translates:
         return None, ["not drawn, the bodies of this scene have no positions"]
-    frames = [run.frame(k) for k in _choose(len(run.times))]
+    count = len(run.times)
+    frames = [run.frame(k) for k in _choose(count, PANELS)]
     scene = scenery.Scenery(run, frames)
-    rows, columns = _grid(len(frames), *scene.half)
-    panel = TITLE + (style.WIDTH / columns - 0.45) * scene.half[1] / scene.half[0]
+    until = until_rest(run, scene)
+    if until < count or scene.half[0] > WIDE * scene.half[1]:
+        frames = [run.frame(k) for k in _choose(until, STRIPS if scene.half[0] > WIDE * scene.half[1] else PANELS)]
+        scene = scenery.Scenery(run, frames)
+    rows, columns = _grid(len(frames), *(2 * scene.half))
+    panel = TITLE + (style.WIDTH / columns - AROUND) * scene.half[1] / scene.half[0]
     figure = style.new_figure(0.95 + rows * min(panel, TALLEST / rows))
     figure.suptitle(f"{words.plain(run.scene)}: shapes over time, {words.stepper_name(run.stepper)}, "
                     rf"$h$ = {words.step_text(run.h)}")
@@ -25,31 +36,55 @@ def draw(run):
         axes.ticklabel_format(style="sci", scilimits=(-2, 4), useMathText=True)  # millimetres in metres, say
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
-            axes.set_xlabel(f"${scene.axis_names()[0]}$ (lengths)", labelpad=1)
+            axes.set_xlabel(f"{scene.axis_names()[0]} (lengths)", labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(f"${scene.axis_names()[1]}$ (lengths)", labelpad=1)
-    figure.supxlabel("\n".join([_facts(run, scene, touched), *run.notes()]), fontsize=8.5, color=style.GREY)
+            axes.set_ylabel(f"{scene.axis_names()[1]} (lengths)", labelpad=1)
+    figure.supxlabel("\n".join([_facts(run, scene, touched, until), *run.notes()]), fontsize=8.5, color=style.GREY)
     return figure, run.notes()
 
 
-def _choose(count):
-    """Frames at equally spaced times from the first to the last, all of them if they are few."""
-    if count <= max(PANELS):
+def until_rest(run, scene):
+    """How many frames there are until bodies are where they are at the end; all of them where walls move or the window does."""
+    count = len(run.times)
+    if scene.follows or run.walls.move():
+        return count
+    last, turns = run.frame(count - 1), scene.marked or run.ellipsoids
+    while count > 1 and _apart(run.frame(count - 2), last, np.max(scene.half), turns) <= STILL:
+        count -= 1
+    return count
+
+
+def _apart(frame, other, size, turns):
+    """How far bodies are from where they are in another frame, in sizes, or in radians; infinite where bonds have broken."""
+    if len(frame.lines) != len(other.lines):
+        return np.inf
+    far = np.max(np.abs(frame.x - other.x if frame.spheres is None else frame.spheres - other.spheres)) / size
+    cosine = np.abs(np.sum(frame.attitude * other.attitude, axis=1)) if turns else np.ones(1)
+    return max(far, 2 * np.arccos(min(1.0, np.min(cosine))))
+
+
+def _choose(count, numbers):
+    """Frames at equally spaced times from the first to the last, as many as fit of these numbers; all of them if they are few."""
+    if count <= max(numbers):
         return list(range(count))
-    panels = next((panels for panels in PANELS if (count - 1) % (panels - 1) == 0), PANELS[0])
+    panels = next((panels for panels in numbers if (count - 1) % (panels - 1) == 0), numbers[0])
     return [round(k * (count - 1) / (panels - 1)) for k in range(panels)]
 
 
 def _grid(count, width, height):
-    """Full rows and columns that show the bodies largest."""
-    def scale(columns):
-        return min((style.WIDTH / columns - 0.45) / width, (TALLEST / (count // columns) - TITLE) / height)
-    columns = max((columns for columns in range(1, count + 1) if count % columns == 0), key=scale)
+    """Full rows and columns that fill the page's width and show the bodies largest."""
+    def merit(columns):
+        wide = (style.WIDTH / columns - AROUND) / width     # inches per length
+        scale = min(wide, (TALLEST / (count // columns) - TITLE) / height)
+        return min(scale / wide, FILLED), scale
+    columns = max((columns for columns in range(1, count + 1) if count % columns == 0), key=merit)
     return count // columns, columns
 
 
-def _facts(run, scene, touched):
+def _facts(run, scene, touched, until):
     parts = []
+    if until < len(run.times):
+        parts.append(f"Bodies rest from $t$ = {run.times[until - 1]:.4g} on.")
     if run.clumps is not None:
         parts.append("Circles: spheres of clumps, which share a colour.")
     if run.ellipsoids:

@@ -74,8 +74,8 @@ static const struct option_row rows[] = {
         "be given a later --t-end; all else must be as it was.\n"
         "\n"
         "The last line is the verdict: good, doubtful or bad, and why. Where it is bad (the energy grew by\n"
-        "more than a quarter of its scale, or bodies move by more than a diameter per step) all files are\n"
-        "written and the code is 3."),
+        "more than a quarter of its scale, or bodies come by more than a diameter per step towards what they\n"
+        "touch) all files are written and the code is 3."),
     {0}};
 
 static const struct options options = {"vti-run", "", "[options] SCENE.yaml", rows, 1};

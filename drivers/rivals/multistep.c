@@ -87,10 +87,7 @@ enum { KEPT = 19, LOADS = 6 };
 static int prepare_multistep(struct course *c, struct message *message)
 {
     const size_t depth = (size_t)vti_multistep_at(c->rival - ways)->depth, n = (size_t)c->n;
-    struct effect_surfaces surfaces = {.contacts = NULL, .walls = NULL};
-    for (int64_t k = 0; k < c->model->rooms_count; ++k)
-        if (c->model->rooms[k].kind->surfaces != NULL)
-            c->model->rooms[k].kind->surfaces(&c->model->rooms[k], &surfaces);
+    const struct effect_surfaces surfaces = model_surfaces(c->model);
     if (surfaces.contacts == NULL && surfaces.walls == NULL)
         return 0;
     struct touching *t = calloc(1, sizeof *t + (3 + KEPT + LOADS * depth) * n * sizeof(double));

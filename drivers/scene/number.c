@@ -128,12 +128,13 @@ static int write_digits(int digits, double value, char text[NUMBER_TEXT])
 const char *number_text(double value, char text[NUMBER_TEXT])
 {
     /* every decimal of up to DBL_DIG digits is what its double prints with that many; only subnormal ones hold fewer */
-    int digits = fabs(value) < DBL_MIN ? 1 : DBL_DIG;
-    if (digits == DBL_DIG && !write_digits(16, value, text)) /* half of all doubles */
-        digits = 17;
-    while (digits < 17 && !write_digits(digits, value, text))
-        ++digits;
-    if (digits == 17)
+    char shorter[NUMBER_TEXT];
+    if (fabs(value) < DBL_MIN)
+        for (int digits = 1; !write_digits(digits, value, text) && digits < 17;)
+            ++digits;
+    else if (!write_digits(16, value, text)) /* half of all doubles */
         snprintf(text, NUMBER_TEXT, "%.17g", value);
+    else if (write_digits(DBL_DIG, value, shorter))
+        memcpy(text, shorter, sizeof shorter);
     return text;
 }

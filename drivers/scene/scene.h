@@ -140,6 +140,13 @@ int64_t scene_bodies(const struct scene *scene);
 int64_t scene_templates(const struct scene *scene);
 /** The key that gives the positions: "bodies.ring" and so on. */
 const char *scene_positions_key(const struct scene *scene);
+/** What is known of each body: 1 or 0. */
+struct scene_known {
+    int mass, diameter, inertia;
+};
+/** That what the scene says and its table has, and what follows: a ring's neighbours touch, and a solid sphere's inertia
+ *  is that of its mass and diameter. */
+struct scene_known scene_knows(const struct scene *scene, struct scene_known table);
 /** The word of its control; NULL if it has none. */
 const char *scene_control_word(const struct scene *scene);
 /** The key of the first of its effects that has the trait, NULL if none has. Of stiff ones steps above h may be

@@ -144,9 +144,9 @@ static int check_motion(const struct scene_reader *reader, struct scene *scene)
 
 /* ---- what they need ---------------------------------------------------------------------------------------------- */
 
-static int check_needed(const struct scene_reader *reader, int needed, const char *path, const char *who)
+static int check_needed(const struct scene_reader *reader, int missing, const char *path, const char *who)
 {
-    if (!needed || has(reader, path))
+    if (!missing)
         return 0;
     return scene_reader_fail(reader, path, "missing; %s need it, the %s", who, scene_field_find(path)->about);
 }
@@ -207,25 +207,32 @@ static int check_clumps(const struct scene_reader *reader, const struct scene *s
     return check_counts_of_spheres(reader, &scene->clumps);
 }
 
+struct scene_known scene_knows(const struct scene *scene, struct scene_known table)
+{
+    struct scene_known known = table;
+    known.mass |= scene->mass != 0.0 || scene->density != 0.0 || scene->clumps.density != 0.0;
+    known.diameter |= scene->diameter != 0.0 || scene->clumps.given || is_formula(scene);
+    known.inertia |=
+        scene->inertia != 0.0 || scene->moments[0] != 0.0 || scene->clumps.given || (known.mass && known.diameter);
+    return known;
+}
+
 /** Without a table nobody else says. */
 static int check_properties(const struct scene_reader *reader, const struct scene *scene)
 {
-    const int clumps = scene->clumps.given;
+    const struct scene_known none = {0, 0, 0}, known = scene_knows(scene, none);
     if (check_moments(reader, scene) != 0 || check_clumps(reader, scene) != 0)
         return -1;
     if (scene->density != 0.0 && has(reader, "bodies.mass"))
         return scene_reader_fail(reader, "bodies.density", "given besides bodies.mass; keep one of them");
     if (scene->arrangement == SCENE_IN_TABLE)
         return 0;
-    const int has_diameter = is_formula(scene) || has(reader, "bodies.diameter") || clumps;
-    const int has_mass = has(reader, "bodies.mass") || scene->density != 0.0 || scene->clumps.density != 0.0;
-    const int is_sphere = has_diameter && has_mass; /* solid: inertia follows */
-    const int is_known = is_sphere || has(reader, "bodies.moments") || clumps;
-    if (check_needed(reader, scene->translates && !has_mass, "bodies.mass", "bodies that translate") != 0 ||
-        check_needed(reader, scene->density != 0.0 && !has_diameter, "bodies.diameter", "spheres of a density") != 0 ||
-        check_needed(reader, scene->turns && !is_known, "bodies.inertia", "bodies that turn") != 0)
+    if (check_needed(reader, scene->translates && !known.mass, "bodies.mass", "bodies that translate") != 0 ||
+        check_needed(reader, scene->density != 0.0 && !known.diameter, "bodies.diameter", "spheres of a density") !=
+            0 ||
+        check_needed(reader, scene->turns && !known.inertia, "bodies.inertia", "bodies that turn") != 0)
         return -1;
-    return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !has_diameter, "bodies.diameter",
+    return check_needed(reader, scene_first_with(scene, EFFECT_SPHERES) != NULL && !known.diameter, "bodies.diameter",
                         "spheres in contact");
 }
 

@@ -34,14 +34,16 @@ static void cell_of(const struct cells *s, const double x[3], int64_t q[3])
         q[k] = (int64_t)floor(fmax(-last_cell, fmin(x[k] / s->width, last_cell)));
 }
 
-/** The slot of the cell q, or the empty one where it belongs. */
-static int64_t *slot_of(const struct cells *s, const int64_t q[3])
+/** Hashes of cells take in x, y and z one after the other, so that cells in a line share the most of it. */
+static uint64_t hash(uint64_t h, int64_t q)
 {
-    uint64_t h = 0;
-    for (int k = 0; k < 3; ++k) {
-        h = (h ^ (uint64_t)q[k]) * 0x9e3779b97f4a7c15u;
-        h ^= h >> 32;
-    }
+    h = (h ^ (uint64_t)q) * 0x9e3779b97f4a7c15u;
+    return h ^ h >> 32;
+}
+
+/** The slot of the cell q, which has the hash h, or the empty one where it belongs. */
+static int64_t *slot_of(const struct cells *s, uint64_t h, const int64_t q[3])
+{
     const uint64_t mask = (uint64_t)s->slots - 1;
     for (h &= mask;; h = (h + 1) & mask) {
         const int64_t c = s->slot[h] - 1;
@@ -58,7 +60,7 @@ static void count_members(struct cells *s)
     for (int64_t i = 0; i < s->n; ++i) {
         int64_t q[3];
         cell_of(s, s->x + 3 * i, q);
-        int64_t *const slot = slot_of(s, q);
+        int64_t *const slot = slot_of(s, hash(hash(hash(0, q[0]), q[1]), q[2]), q);
         if (*slot == 0) {
             const struct cell empty = {{q[0], q[1], q[2]}, 0, 0};
             s->cell[s->count] = empty;
@@ -136,16 +138,30 @@ static int search_two_cells(const struct cells *s, double skin, const struct cel
     return 0;
 }
 
-/** The cell with itself and with 13 of the 26 around it, for which it is one of the other 13. */
-static int search_around(const struct cells *s, double skin, const struct cell *cell, struct pairs *found)
+/** The cell with those of the line at x and y beside it, from z on, the hash of x being hx. */
+static int search_line(const struct cells *s, double skin, const struct cell *cell, uint64_t hx, int64_t x, int64_t y,
+                       int64_t z, struct pairs *found)
 {
-    for (int step = 13; step < 27; ++step) {
-        const int64_t q[3] = {cell->q[0] + step / 9 - 1, cell->q[1] + step / 3 % 3 - 1, cell->q[2] + step % 3 - 1};
-        const int64_t next = *slot_of(s, q) - 1;
+    const int64_t last = cell->q[2] + 1;
+    const uint64_t hxy = hash(hx, y);
+    for (; z <= last; ++z) {
+        const int64_t q[3] = {x, y, z}, next = *slot_of(s, hash(hxy, z), q) - 1;
         if (next >= 0 && search_two_cells(s, skin, cell, &s->cell[next], found) != 0)
             return -1;
     }
     return 0;
+}
+
+/** The cell with itself and with 13 of the 26 around it, for which it is one of the other 13. */
+static int search_around(const struct cells *s, double skin, const struct cell *cell, struct pairs *found)
+{
+    const int64_t x = cell->q[0], y = cell->q[1], z = cell->q[2];
+    const uint64_t here = hash(0, x), beside = hash(0, x + 1);
+    int failed = search_line(s, skin, cell, here, x, y, z, found);
+    failed |= search_line(s, skin, cell, here, x, y + 1, z - 1, found);
+    for (int64_t line = y - 1; line <= y + 1; ++line)
+        failed |= search_line(s, skin, cell, beside, x + 1, line, z - 1, found);
+    return failed;
 }
 
 struct search {

@@ -199,14 +199,6 @@ static int can_join(const struct run *run)
            run->effects == 0 && !run->breaks && run->model->errors == NULL;
 }
 
-static int any_breaks(const struct model *model)
-{
-    int any = 0;
-    for (int64_t k = 0; k < model->effects_count; ++k)
-        any |= model->effects[k].rupture != NULL;
-    return any;
-}
-
 int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t from, int64_t steps,
              const struct observer *observers, int observers_count, struct message *message)
 {
@@ -217,7 +209,7 @@ int loop_run(struct model *model, const vti_stepper *stepper, double h, int64_t 
                       .observers = observers,
                       .observers_count = observers_count,
                       .effects = model_dissipates(model) != NULL ? model->effects_count : 0,
-                      .breaks = any_breaks(model)};
+                      .breaks = model_breaks(model)};
     if (create_forks(&run) != 0) {
         free(run.reader.memory);
         free(run.probe.memory);

@@ -136,6 +136,15 @@ const vti_bodies *model_spheres(const struct model *model)
     return has_clumps(model) ? &model->clumps.list.spheres : &model->bodies;
 }
 
+struct effect_surfaces model_surfaces(const struct model *model)
+{
+    struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->surfaces != NULL)
+            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    return surfaces;
+}
+
 /** The spheres of clumps to where the bodies are. */
 static int spread(struct model *model, const vti_bodies *bodies)
 {
@@ -203,6 +212,14 @@ const vti_effect *model_dissipates(const struct model *model)
             return e;
     }
     return NULL;
+}
+
+int model_breaks(const struct model *model)
+{
+    int any = 0;
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        any |= model->effects[k].rupture != NULL;
+    return any;
 }
 
 int model_of_spheres(const struct model *model, const char *what, struct message *message)

@@ -60,6 +60,8 @@ void model_destroy(struct model *model);
 
 /** What has surfaces: the spheres of clumps, as of the last model_find_pairs, or else the bodies. */
 const vti_bodies *model_spheres(const struct model *model);
+/** What touches, of all effects that have surfaces. */
+struct effect_surfaces model_surfaces(const struct model *model);
 /** The effects' loads on the bodies of a slice and, where these are clumps, on their spheres, which have been put where
  *  they are; each effect k as acting[k]. Returns VTI_OK or a status. */
 int model_apply(const struct model *model, const vti_effect *acting, const vti_bodies *bodies,
@@ -77,6 +79,9 @@ double model_energy(struct model *model, const vti_bodies *bodies);
 /** The first effect that flows, carries, breaks or dissipates; NULL if none does. Steps of such a model are those of
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
+
+/** Whether something in it may break. */
+int model_breaks(const struct model *model);
 
 /** Returns 0 if the bodies are spheres, which is all that what knows; else -1 with one line in *message. */
 int model_of_spheres(const struct model *model, const char *what, struct message *message);

@@ -65,24 +65,22 @@ static int check_needs(const struct model *m, const struct tables *t, struct mes
 {
     const struct scene *s = m->scene;
     const struct table *bodies = &t->bodies;
-    const int has_mass =
-        s->mass != 0.0 || s->density != 0.0 || s->clumps.density != 0.0 || table_has(bodies, BODY_MASS);
-    const int has_diameter = s->diameter != 0.0 || s->clumps.given || table_has(bodies, BODY_DIAMETER);
-    const int has_inertia = s->inertia != 0.0 || s->moments[0] != 0.0 || table_has(bodies, BODY_INERTIA) ||
-                            table_has(bodies, BODY_MOMENTS) || (has_mass && has_diameter);
+    const struct scene_known known =
+        scene_knows(s, (struct scene_known){table_has(bodies, BODY_MASS), table_has(bodies, BODY_DIAMETER),
+                                            table_has(bodies, BODY_INERTIA) || table_has(bodies, BODY_MOMENTS)});
     if (!m->translates && s->clumps.given)
         return fail(bodies, message, "no columns x, y, z; bodies.clumps needs them%s", "");
     if (!m->translates && needs_positions(s) != NULL)
         return fail(bodies, message, "no columns x, y, z; %s needs them", needs_positions(s));
     if (!m->translates && !m->turns)
         return fail(bodies, message, "nothing moves; give columns x, y, z or omega_x, omega_y, omega_z%s", "");
-    if (m->translates && !has_mass)
+    if (m->translates && !known.mass)
         return fail(bodies, message, "no column mass; bodies that translate need it, or bodies.mass%s", "");
-    if (s->density != 0.0 && !has_diameter)
+    if (s->density != 0.0 && !known.diameter)
         return fail(bodies, message, "no column diameter; bodies.density needs it, or bodies.diameter%s", "");
-    if (m->turns && !has_inertia)
+    if (m->turns && !known.inertia)
         return fail(bodies, message, "no column inertia; bodies that turn need it, or bodies.inertia%s", "");
-    if (scene_first_with(s, EFFECT_SPHERES) != NULL && !has_diameter)
+    if (scene_first_with(s, EFFECT_SPHERES) != NULL && !known.diameter)
         return fail(bodies, message, "no column diameter; %s needs it, or bodies.diameter",
                     scene_first_with(s, EFFECT_SPHERES));
     return 0;
@@ -173,8 +171,6 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
         return -1;
     if (s->arrangement == SCENE_IN_TABLE)
         return check_needs(model, tables, message);
-    if (model->turns && s->inertia == 0.0 && s->moments[0] == 0.0 && s->mass == 0.0 && s->density == 0.0 &&
-        !s->clumps.given)
-        return check_turned(s, tables, message);
-    return 0;
+    return model->turns && !scene_knows(s, (struct scene_known){0, 0, 0}).inertia ? check_turned(s, tables, message)
+                                                                                  : 0;
 }

@@ -52,6 +52,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->columns = columns;
     v->h = h;
     v->diameter = smallest_diameter(model);
+    v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;
     v->found.stable = INFINITY;
     for (int64_t e = 0; e < model->effects_count; ++e)
         for (int k = 0; k < 3; ++k)
@@ -108,25 +109,46 @@ static double inner_energy(const struct verdict *v, const vti_bodies *bodies, co
     return fmax(kinetic - 0.5 * v->mass * vti_dot(u, u), 0.0) + elastic;
 }
 
+static void vector_of(const vti_view *view, int64_t i, double r[3])
+{
+    for (int k = 0; k < 3; ++k)
+        r[k] = view->c[k][i * view->stride];
+}
+
 /** |Omega| of the body of sphere s of a clump, times how far the sphere is from its centre. */
 static double swing(const vti_clumps *clumps, const vti_bodies *bodies, int64_t s)
 {
-    const int64_t at = clumps->body[s] * bodies->omega.stride;
-    const double omega[3] = {bodies->omega.c[0][at], bodies->omega.c[1][at], bodies->omega.c[2][at]};
+    double omega[3];
+    vector_of(&bodies->omega, clumps->body[s], omega);
     return vti_norm(omega) * vti_norm(clumps->offset + 3 * s);
+}
+
+/** The largest speed of a body at x along the normals of the planes of all effects. */
+static double approach(const struct model *model, const double x[3], const double v[3])
+{
+    double most = 0.0;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
+        if (e->kind->planes != NULL)
+            most = larger(most, e->kind->planes->approach(e, x, v));
+    }
+    return most;
 }
 
 double verdict_travel(const struct verdict *v, const vti_bodies *bodies)
 {
-    double u[3], most = 0.0;
-    common_velocity(v, bodies, u);
     const vti_clumps *clumps = &v->model->clumps.list;
-    for (int64_t s = 0; s < model_spheres(v->model)->count; ++s) {
+    const vti_bodies *spheres = clumps->count > 0 ? &clumps->spheres : bodies;
+    double sum[3], own[3], from[3], x[3], most = 0.0;
+    vti_momentum(bodies, sum);
+    for (int64_t s = 0; s < spheres->count; ++s) {
         const int64_t i = clumps->count > 0 ? clumps->body[s] : s;
-        double w[3];
+        vector_of(&bodies->v, i, own);
+        vector_of(&spheres->x, s, x);
         for (int k = 0; k < 3; ++k)
-            w[k] = bodies->v.c[k][i * bodies->v.stride] - u[k];
-        most = larger(most, vti_norm(w) + (clumps->count > 0 ? swing(clumps, bodies, s) : 0.0));
+            from[k] = own[k] - sum[k] / v->mass;
+        const double apart = v->meet ? vti_norm(from) : 0.0, to_planes = approach(v->model, x, own);
+        most = larger(most, larger(apart, to_planes) + (clumps->count > 0 ? swing(clumps, bodies, s) : 0.0));
     }
     return most * v->h / v->diameter;
 }

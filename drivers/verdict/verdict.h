@@ -54,7 +54,7 @@ struct judgement {
     double energy_slope;       /* of the modified energy, of H where there is none, over time (trend_slope) */
     double energy_slope_error; /* its standard error */
     double energy_scale;       /* S */
-    double travel;             /* largest h|v| of a body in diameters of the smallest; NaN where bodies do not meet */
+    double travel;             /* verdict_travel, the largest; NaN where bodies do not meet */
     double rotation;           /* largest h|Omega|, radians */
     double angle_error;        /* turning_error of that */
     double stable_step;        /* the stepper's least, as contacts came; infinite if nothing oscillates */
@@ -89,6 +89,7 @@ struct verdict {
     const vti_stepper *stepper;
     const struct columns *columns;
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
+    int meet;                 /* 1: bodies touch each other, not walls alone */
     int watches;              /* 1: an effect follows something at every step */
     int open[3];              /* 1: something from outside acts along this axis */
     struct modified modified;

@@ -11,8 +11,10 @@
 /** The next effect from *k that follows something along a run; NULL behind the last. */
 struct effect *verdict_next_watch(const struct model *model, int64_t *k);
 
-/** Largest h|v|, less the common velocity, in diameters of the smallest body; of spheres of clumps, which also swing
- *  about their body's centre, a bound. */
+/** How far bodies come in a step h towards what they touch, in diameters of the smallest: the largest h|v - u| where
+ *  they touch each other, u being the velocity of their centre of mass, so that two come nearer by no more than twice
+ *  that; and the largest h|(v - V).N| at walls, of velocity V and with the normal N at the body. Of spheres of clumps,
+ *  which also swing about their body's centre, a bound. */
 double verdict_travel(const struct verdict *v, const vti_bodies *bodies);
 
 #endif

@@ -59,8 +59,9 @@ static enum layout layout_of(int terms, const vti_bodies *b)
     return q->stride == 4 && side_by_side ? QUAT : ANY;
 }
 
-/** Bonds that are evaluated before they are summed: their rows stay in the first-level cache. */
-enum { TILE = 64 };
+/** Bonds that are evaluated before they are summed: their rows stay in the first-level cache. Behind a chain that ends
+ *  there may soon be another one. */
+enum { TILE = 64, TILE_BEHIND_CHAIN = 8 };
 
 static void apply(const void *self, const vti_bodies *b)
 {
@@ -70,8 +71,12 @@ static void apply(const void *self, const vti_bodies *b)
     const int terms = terms_of(bonds);
     const enum layout layout = layout_of(terms, b), evaluated = loads_layout(terms, bonds, layout);
     double rows[TILE * VTI_BOND_LOADS];
-    for (int64_t first = 0; first < bonds->count; first += TILE) {
-        const int64_t last = bonds->count - first < TILE ? bonds->count : first + TILE;
+    for (int64_t first = 0, last; first < bonds->count; first = last) {
+        const int64_t begin = first;
+        if (evaluated == ALPHA)
+            first = kernel->chain(bonds, b, first, bonds->count);
+        const int64_t tile = first > begin ? TILE_BEHIND_CHAIN : TILE;
+        last = bonds->count - first < tile ? bonds->count : first + tile;
         kernel->loads[evaluated](bonds, b, first, last, rows);
         all->sum[layout == ANY](terms, bonds, b, first, last, rows);
     }

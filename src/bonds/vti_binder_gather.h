@@ -68,9 +68,21 @@ VTI_INLINE vti_bonds block_at(const vti_bonds *bonds, int64_t first, int64_t las
 
 /* ---- gather ------------------------------------------------------------------------------------------------------ */
 
+/** The components of the packed vectors of bodies i ... i + WIDTH - 1. */
+VTI_INLINE void load_in_row(const vti_view *view, int64_t i, lanes r[3])
+{
+    const double *const p = view->c[0] + 3 * i;
+    const lanes there[3] = {lanes_load(p), lanes_load(p + WIDTH), lanes_load(p + 2 * WIDTH)};
+    lanes_split(there, r);
+}
+
 VTI_INLINE void gather_vectors(enum layout layout, const vti_view *view, const int64_t body[WIDTH], lanes r[3])
 {
     int64_t at[WIDTH];
+    if (layout == CHAIN) {
+        load_in_row(view, body[0], r);
+        return;
+    }
     for (int l = 0; l < WIDTH; ++l)
         at[l] = body[l] * (layout == ANY ? view->stride : 3);
     if (layout != ANY)
@@ -86,7 +98,7 @@ VTI_INLINE void gather_pairs(enum layout layout, const vti_bodies *b, const int6
     int64_t at[WIDTH];
     for (int l = 0; l < WIDTH; ++l)
         at[l] = body[l] * 4;
-    if (layout == ALPHA) {
+    if (layout == ALPHA || layout == CHAIN) {
         gather_vectors(layout, &b->alpha, body, q);
         for (int k = 0; k < 3; ++k)
             q[k] *= 0.5;
@@ -118,6 +130,18 @@ VTI_INLINE void gather_end(int terms, enum layout layout, const vti_bonds *block
         gather_vectors(layout, &b->x, body, x);
 }
 
+/** Of the second bodies of bonds in a row: those of the first but one, and any other. */
+VTI_INLINE void follow_end(int terms, const vti_bonds *block, const vti_bodies *b, const lanes qi[4], const lanes xi[3],
+                           lanes qj[4], lanes xj[3])
+{
+    const int64_t last = 3 * (block->pair[2 * WIDTH - 1] - block->base);
+    for (int k = 0; k < 3 && terms & (TERM_MOMENT | TERM_SHEAR); ++k)
+        qj[k] = lanes_before(qi[k], 0.5 * b->alpha.c[0][last + k]);
+    qj[3] = lanes_of(1.0);
+    for (int k = 0; k < 3 && terms & (TERM_AXIAL | TERM_SHEAR); ++k)
+        xj[k] = lanes_before(xi[k], b->x.c[0][last + k]);
+}
+
 VTI_INLINE void gather_stiffness(int terms, const vti_bonds *block, struct bond_state *s)
 {
     if (terms & TERM_MOMENT)
@@ -135,7 +159,10 @@ VTI_INLINE void gather_places(int terms, enum layout layout, const vti_bonds *bl
     int64_t at[WIDTH];
     lanes xj[3], rest[4];
     gather_end(terms, layout, block, 0, b, s->qi, s->d);
-    gather_end(terms, layout, block, 1, b, s->qj, xj);
+    if (layout == CHAIN)
+        follow_end(terms, block, b, s->qi, s->d, s->qj, xj);
+    else
+        gather_end(terms, layout, block, 1, b, s->qj, xj);
     if (terms & (TERM_AXIAL | TERM_SHEAR)) {
         lanes_strided(4, at);
         lanes_quads(block->rest, at, rest);

@@ -9,7 +9,7 @@
  * BOND_KERNELS, the name of its table. */
 #include <string.h>
 
-#include "vti_binder_gather.h"
+#include "vti_binder_chain.h"
 
 /* ---- evaluate ---------------------------------------------------------------------------------------------------- */
 
@@ -35,14 +35,6 @@ VTI_APART void evaluate_apart(int terms, int form, const vti_bonds *block, const
     gather(terms, ANY, block, b, &state);
     bond_evaluate(terms, form, &state, &loads);
     write_rows(&loads, rows);
-}
-
-/** Whether some alpha of WIDTH bonds is so large that it has to be scaled. No |alpha_k| > VTI_RRV_LARGE gets past the
- *  square of its pair. */
-VTI_INLINE int is_large(const struct bond_state *s)
-{
-    const double most = 0.25 * VTI_RRV_LARGE * VTI_RRV_LARGE;
-    return !(lanes_all(lanes_square(s->qi) <= most) && lanes_all(lanes_square(s->qj) <= most));
 }
 
 /** The loads of WIDTH bonds as rows; only what the terms give is to be read of them. */
@@ -195,11 +187,6 @@ VTI_INLINE void sums_turn(enum layout layout, int forces, int moments, const vti
     s->body = body;
 }
 
-VTI_INLINE int is_of_slice(const vti_bodies *b, int64_t body)
-{
-    return (uint64_t)body - (uint64_t)b->first < (uint64_t)b->count;
-}
-
 /** Adds the rows of the bonds first <= k < last to those of their bodies that are in the slice. */
 VTI_INLINE void sum_all(enum layout layout, int forces, int moments, const vti_bonds *bonds, const vti_bodies *bodies,
                         int64_t first, int64_t last, const double *rows)
@@ -250,6 +237,10 @@ SUM(any, ANY)
     LOADS(ALPHA, NAME, TERMS_, FORM)                                                                                   \
     LOADS(QUAT, NAME, TERMS_, FORM)                                                                                    \
     LOADS(ANY, NAME, TERMS_, FORM)                                                                                     \
+    static int64_t chain_##NAME(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last)              \
+    {                                                                                                                  \
+        return last - first < WIDTH ? first : chain_all(TERMS_, FORM, bonds, b, first, last);                          \
+    }                                                                                                                  \
     static void energy_##NAME(const vti_bonds *bonds, const vti_bodies *b, double *energies)                           \
     {                                                                                                                  \
         energy_all(TERMS_, FORM, bonds, b, energies);                                                                  \
@@ -280,11 +271,11 @@ SHEAR_KERNELS(KERNEL, printed, VTI_SHEAR_PRINTED)
 
 #define PICK(NAME)                                                                                                     \
     {                                                                                                                  \
-        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, NULL}, energy_##NAME                                 \
+        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, NULL}, chain_##NAME, energy_##NAME                   \
     }
 #define PICK_TURNED(NAME)                                                                                              \
     {                                                                                                                  \
-        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, loads_TURNED_##NAME}, energy_##NAME                  \
+        {loads_ALPHA_##NAME, loads_QUAT_##NAME, loads_ANY_##NAME, loads_TURNED_##NAME}, chain_##NAME, energy_##NAME    \
     }
 #define PICK_SHEAR(PICK_ONE, SHEAR)                                                                                    \
     {                                                                                                                  \

@@ -8,13 +8,18 @@
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 
 /** ALPHA: all vectors lie as x[n][3], and attitudes are alpha. QUAT: the same with quaternions as q[n][4]. ANY:
- *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. */
-enum layout { ALPHA, QUAT, ANY, TURNED, LAYOUTS };
+ *  whatever the views say. TURNED: that, and bonds have rotations Q0 that matter to them. CHAIN: as ALPHA, and the bonds of
+ *  a block join bodies in a row, i and i + 1, i + 1 and i + 2, and so on, but for the last, which joins its first body and any other. */
+enum layout { ALPHA, QUAT, ANY, TURNED, LAYOUTS, CHAIN = LAYOUTS };
 
 struct bond_kernel {
     /** The rows of the bonds first <= k < last, VTI_BOND_LOADS numbers each; [layout]. TURNED: NULL where nothing
      *  that could be turned is a term, and of the printed shear. */
     void (*loads[LAYOUTS])(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last, double *rows);
+    /** Of bodies that lie as ALPHA: adds the loads of the bonds from first on to their bodies, in blocks that join
+     *  bodies in a row, as chains and rings do, each block where the one before ends. Returns the first bond that is
+     *  left, before last. */
+    int64_t (*chain)(const vti_bonds *bonds, const vti_bodies *b, int64_t first, int64_t last);
     void (*energy)(const vti_bonds *bonds, const vti_bodies *b, double *energies);
 };
 

@@ -130,13 +130,20 @@ VTI_INLINE lanes vti_touch_decay(lanes mass, lanes gone, lanes a[3])
 }
 
 /** a = (a.n) n + P a: leaves P a there, and (a.n) n in along. */
-VTI_INLINE void vti_touch_split(const struct vti_touch *at, lanes a[3], lanes along[3])
+VTI_INLINE void vti_touch_split(const lanes n[3], lanes a[3], lanes along[3])
 {
-    const lanes an = lanes_dot(a, at->n);
+    const lanes an = lanes_dot(a, n);
     for (int c = 0; c < 3; ++c) {
-        along[c] = an * at->n[c];
+        along[c] = an * n[c];
         a[c] -= along[c];
     }
+}
+
+/** P a alone. */
+VTI_INLINE void vti_touch_across(const lanes n[3], lanes a[3])
+{
+    lanes along[3];
+    vti_touch_split(n, a, along);
 }
 
 /** 1/m_n */

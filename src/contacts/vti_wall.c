@@ -75,16 +75,17 @@ static inline double overlap(const vti_walls *p, int64_t w, const double x[3], d
 }
 
 /** F = (K/(D/2)) o^{3/2} along the normal, of wall w on the bodies begin <= i < end. A plane stands where it does for all
- *  of them; and what is copied here, which no force is written over, stays in registers. */
-VTI_INLINE void press_face(int is_plane, const vti_walls *walls, int64_t w, const vti_bodies *b, int64_t begin,
-                           int64_t end)
+ *  of them; and what is copied here, which no force is written over, stays in registers. Alike are bodies of one
+ *  diameter whose positions are packed. */
+VTI_INLINE void press_face(int is_plane, int alike, const vti_walls *walls, int64_t w, const vti_bodies *b,
+                           int64_t begin, int64_t end)
 {
     const vti_walls p = *walls;
-    const vti_view place = b->x, load = b->force;
+    const vti_view place = alike ? vti_view_packed(b->x.c[0]) : b->x, load = b->force;
     double n[3];
-    const double offset = is_plane ? vti_face_plane(&p, w, n) : 0.0;
+    const double offset = is_plane ? vti_face_plane(&p, w, n) : 0.0, one = 0.5 * vti_scalar(&p.diameter, begin);
     for (int64_t i = begin; i < end; ++i) {
-        const double radius = 0.5 * vti_scalar(&p.diameter, i);
+        const double radius = alike ? one : 0.5 * vti_scalar(&p.diameter, i);
         double x[3];
         vti_load(&place, i, x);
         const double gap = is_plane ? vti_face_above(n, offset, x) : vti_face_gap(&p, w, x, n);
@@ -98,10 +99,12 @@ VTI_INLINE void press_face(int is_plane, const vti_walls *walls, int64_t w, cons
 
 static void press(const vti_walls *p, int64_t w, const vti_bodies *b, int64_t begin, int64_t end)
 {
-    if (w < p->count)
-        press_face(1, p, w, b, begin, end);
+    if (w >= p->count)
+        press_face(0, 0, p, w, b, begin, end);
+    else if (p->diameter.stride == 0 && vti_is_packed(&b->x))
+        press_face(1, 1, p, w, b, begin, end);
     else
-        press_face(0, p, w, b, begin, end);
+        press_face(1, 0, p, w, b, begin, end);
 }
 
 /** Of so many bodies at once the places stay in the first-level cache from wall to wall. */

@@ -30,12 +30,9 @@ struct bond_place {
 VTI_INLINE lanes_mask gather_bonds(enum touch_layout layout, const vti_bonds *p, const vti_bodies *b,
                                    const int64_t *which, struct side *i, struct side *j, struct vti_touch *at)
 {
-    lanes d[3], x[3];
+    lanes d[3];
     sides_of(p->pair, p->base, which, i, j);
-    gather(layout, &b->x, i, d);
-    gather(layout, &b->x, j, x);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= x[c];
+    gather_difference(layout, &b->x, i, j, d);
     at->i = at->j = 0;
     at->moves = 0;
     at->r = lanes_sqrt(lanes_dot(d, d));
@@ -88,7 +85,7 @@ VTI_INLINE void flow_bond(int motion, struct bond_place *at)
         vti_touch_roll(&at->motion, a);
     else
         vti_touch_slip(&at->touch, &at->motion, a);
-    vti_touch_split(&at->touch, a, along);
+    vti_touch_split(at->touch.n, a, along);
     if (motion == VTI_AXIAL) {
         const lanes un = lanes_dot(along, at->touch.n), gone = at->gone[VTI_AXIAL], mass = at->mass[VTI_AXIAL];
         at->lost[VTI_AXIAL] = mass * gone * (1.0 - 0.5 * gone) * un * un;
@@ -136,10 +133,7 @@ static void flow_bonds(const struct vti_bond_sweep *s, int64_t count, const int6
     books_open(&books, s->p->lost, BOND_MOTIONS);
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(which, first, count, place);
-        if (packed)
-            flow_bond_lanes(PACKED, s, here, count - first, &books);
-        else
-            flow_bond_lanes(ANY, s, here, count - first, &books);
+        BY_LAYOUT(packed, flow_bond_lanes, s, here, count - first, &books);
     }
     books_close(&books, s->p->lost, BOND_MOTIONS);
 }

@@ -97,14 +97,6 @@ VTI_INLINE void flow_normal(const vti_dashpots *p, struct place *at, double t)
     at->lost[NORMAL] = -size * (un + 0.5 * size * at->per[NORMAL]);
 }
 
-/** a - (a.n) n */
-VTI_INLINE void across(lanes a[3], const lanes n[3])
-{
-    const lanes along = lanes_dot(a, n);
-    for (int k = 0; k < 3; ++k)
-        a[k] -= along * n[k];
-}
-
 /** Of the velocity a of a motion: becomes the impulse. Returns what is lost by it. */
 VTI_INLINE lanes decay(const vti_dashpots *p, const struct place *at, int motion, double t, const lanes f[3],
                        lanes a[3])
@@ -125,7 +117,7 @@ VTI_INLINE void flow_tangential(const vti_dashpots *p, struct place *at, double 
 {
     lanes u[3];
     vti_touch_slip(&at->touch, &at->motion, u);
-    across(u, at->touch.n);
+    vti_touch_across(at->touch.n, u);
     at->lost[TANGENTIAL] = decay(p, at, TANGENTIAL, t, at->held.sliding, u);
     push(at, u);
 }
@@ -134,7 +126,7 @@ VTI_INLINE void flow_rolling(const vti_dashpots *p, struct place *at, double t)
 {
     lanes w[3];
     vti_touch_roll(&at->motion, w);
-    across(w, at->touch.n);
+    vti_touch_across(at->touch.n, w);
     at->lost[ROLLING] = decay(p, at, ROLLING, t, at->held.rolling, w);
     turn(at, w);
 }

@@ -13,16 +13,10 @@ VTI_INLINE lanes_mask stay_apart(enum touch_layout layout, const struct vti_swee
 {
     const vti_contacts *const p = s->p->contacts;
     struct side i, j;
-    lanes d[3], x[3], u[3], v[3];
+    lanes d[3], u[3];
     sides_of(p->pair, p->base, which, &i, &j);
-    gather(layout, &s->b->x, &i, d);
-    gather(layout, &s->b->x, &j, x);
-    gather(layout, &s->b->v, &i, u);
-    gather(layout, &s->b->v, &j, v);
-    for (int c = 0; c < 3; ++c) {
-        d[c] -= x[c];
-        u[c] -= v[c];
-    }
+    gather_difference(layout, &s->b->x, &i, &j, d);
+    gather_difference(layout, &s->b->v, &i, &j, u);
     const lanes length = gather_length(p, which, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
                 r = lanes_sqrt(lanes_dot(d, d));
     return length - r - s->drift * (lanes_dot(u, d) / r) <= 0.0;
@@ -34,7 +28,7 @@ static int64_t soon(const struct vti_sweep *s, int64_t count, const int64_t *apa
     int64_t place[WIDTH], stay[WIDTH], closing = 0;
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(apart, first, count, place);
-        lanes_told(packed ? stay_apart(PACKED, s, here) : stay_apart(ANY, s, here), stay);
+        lanes_told(BY_LAYOUT(packed, stay_apart, s, here), stay);
         for (int l = 0; l < WIDTH && first + l < count; ++l) { /* what stays apart is written over */
             pairs[closing] = here[l];
             closing += 1 + stay[l];
@@ -96,10 +90,7 @@ static void flow_pairs(const struct vti_sweep *s, int64_t count, const int64_t *
     books_open(&books, s->p->lost, MOTIONS);
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(which, first, count, place);
-        if (packed)
-            flow_lanes(PACKED, s, here, count - first, &books);
-        else
-            flow_lanes(ANY, s, here, count - first, &books);
+        BY_LAYOUT(packed, flow_lanes, s, here, count - first, &books);
     }
     books_close(&books, s->p->lost, MOTIONS);
 }
@@ -157,10 +148,7 @@ static void flow_at_wall(const struct vti_sweep *s, int64_t w, int64_t count, co
     books_open(&books, s->p->lost, MOTIONS);
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const here = whole(body, first, count, place);
-        if (packed)
-            flow_lanes_at_wall(PACKED, s, w, here, count - first, &books);
-        else
-            flow_lanes_at_wall(ANY, s, w, here, count - first, &books);
+        BY_LAYOUT(packed, flow_lanes_at_wall, s, w, here, count - first, &books);
     }
     books_close(&books, s->p->lost, MOTIONS);
 }

@@ -17,8 +17,9 @@
  * not commute: one after the other, backwards in the reverse order.
  *
  * Booked is p.(v + v')/2, what the impulse p on the medium takes (6.1). */
-#include "vti_decay.h"
+#include "vti_drag_flow.h"
 #include "vti_joint.h"
+#include "vti_touch_table.h"
 #include "../vti_shares.h"
 
 static double value(const vti_scalars *s, int64_t i)
@@ -26,43 +27,34 @@ static double value(const vti_scalars *s, int64_t i)
     return s->p != NULL ? vti_scalar(s, i) : 0.0;
 }
 
-/** a = toward + (a - toward) (1 - gone), the residual of compensated sums included; in *mean the old and new a's. */
-static void decay(const vti_view *view, const vti_view *low, int64_t i, const double toward[3], double kept,
-                  double gone, double change[3], double mean[3])
+/** The velocity of body i, the residual of compensated sums included. */
+static void store(const vti_view *view, const vti_view *low, int64_t i, const double a[3], double kept)
 {
-    for (int k = 0; k < 3; ++k) {
-        double *const a = view->c[k] + i * view->stride;
-        const double before = *a, u = before - toward[k];
-        change[k] = -gone * u;
-        *a = gone < 0.5 ? before + change[k] : toward[k] + kept * u; /* each where it rounds less */
-        mean[k] = 0.5 * (before + *a);
-        if (vti_has(low))
-            low->c[k][i * low->stride] *= kept;
-    }
+    vti_store(view, i, a);
+    for (int k = 0; k < 3 && vti_has(low); ++k)
+        low->c[k][i * low->stride] *= kept;
 }
 
 static void slow(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
 {
-    const double c = value(&p->linear, i), k = value(&p->quadratic, i), m = vti_scalar(&b->mass, i), z = c * t / m;
-    const struct vti_decay e = vti_decay(z);
-    const double phi = t / m * vti_decay_mean(z, &e);
-    double u[3], change[3], mean[3];
-    vti_load(&b->v, i, u);
-    for (int d = 0; d < 3; ++d)
-        u[d] -= p->medium[d];
-    const double more = k > 0.0 ? k * vti_norm(u) * phi : 0.0;
-    decay(&b->v, &b->v_low, i, p->medium, e.kept / (1.0 + more), (e.gone + more) / (1.0 + more), change, mean);
-    vti_sum_add(lost, -m * vti_dot(change, mean));
+    const double m = vti_scalar(&b->mass, i);
+    double v[3];
+    vti_load(&b->v, i, v);
+    const double u[3] = {v[0] - p->medium[0], v[1] - p->medium[1], v[2] - p->medium[2]};
+    const struct vti_decay e = vti_drag_decay(value(&p->linear, i), value(&p->quadratic, i), vti_norm(u), m, t);
+    vti_sum_add(lost, vti_drag_slow(&e, p->medium, m, v));
+    store(&b->v, &b->v_low, i, v, e.kept);
 }
 
 static void slow_turning(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)
 {
     static const double still[3] = {0.0, 0.0, 0.0};
     const double j = vti_scalar(&b->inertia, i);
-    const struct vti_decay e = vti_decay(value(&p->angular, i) * t / j);
-    double change[3], mean[3];
-    decay(&b->omega, &b->omega_low, i, still, e.kept, e.gone, change, mean);
-    vti_sum_add(lost, -j * vti_dot(change, mean));
+    const struct vti_decay e = vti_drag_decay_linear(value(&p->angular, i), j, t);
+    double w[3];
+    vti_load(&b->omega, i, w);
+    vti_sum_add(lost, vti_drag_slow(&e, still, j, w));
+    store(&b->omega, &b->omega_low, i, w, e.kept);
 }
 
 /** L of a body of any inertia, about its principal axes. */
@@ -178,6 +170,19 @@ static void flow_spheres(const void *self, const vti_clumps *clumps, const vti_b
 
 static void flow_singly(const vti_drag *p, const vti_bodies *b, double t, double drift);
 
+/** One motion of all bodies: by kernels, which leave over what they cannot do, or else one by one. */
+static void slow_all(const vti_drag *p, const vti_bodies *b, double t, int singly,
+                     void (*one)(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost), int book)
+{
+    const int64_t end = b->first + b->count;
+    for (int64_t i = b->first; i < end; ++i) {
+        if (!singly)
+            i = vti_touch_kernels_for(end - i)->drag(p, b, t, book, i, end);
+        if (i < end)
+            one(p, b, i, t, &p->lost[book]);
+    }
+}
+
 static void flow(const void *self, const vti_bodies *b, double t, double drift)
 {
     const vti_drag *p = self;
@@ -185,10 +190,12 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
         flow_singly(p, b, t, drift);
         return;
     }
-    for (int64_t i = b->first; (p->linear.p != NULL || p->quadratic.p != NULL) && i < b->first + b->count; ++i)
-        slow(p, b, i, t, &p->lost[0]);
-    for (int64_t i = b->first; p->angular.p != NULL && i < b->first + b->count; ++i)
-        (vti_has(&b->moments) ? slow_general : slow_turning)(p, b, i, t, &p->lost[1]);
+    if (p->linear.p != NULL || p->quadratic.p != NULL)
+        slow_all(p, b, t, vti_has(&b->v_low), slow, 0);
+    if (p->angular.p != NULL && vti_has(&b->moments))
+        slow_all(p, b, t, 1, slow_general, 1);
+    else if (p->angular.p != NULL)
+        slow_all(p, b, t, vti_has(&b->omega_low), slow_turning, 1);
 }
 
 /** Bodies one by one, so that what each loses is known. */

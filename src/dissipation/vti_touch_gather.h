@@ -14,6 +14,9 @@
 /** PACKED: all vectors lie as x[n][3]. ANY: whatever the views say. */
 enum touch_layout { ANY, PACKED };
 
+/** act(layout, ...): literal arguments, so that each layout has code of its own. */
+#define BY_LAYOUT(is_packed, act, ...) ((is_packed) ? act(PACKED, __VA_ARGS__) : act(ANY, __VA_ARGS__))
+
 static inline int is_packed(const vti_bodies *b)
 {
     return vti_is_packed(&b->x) && vti_is_packed(&b->v) && (!vti_has(&b->omega) || vti_is_packed(&b->omega));
@@ -59,6 +62,17 @@ VTI_INLINE void gather(enum touch_layout layout, const vti_view *view, const str
     times(side, view->stride, at);
     for (int k = 0; k < 3; ++k)
         r[k] = lanes_gather(view->c[k], at);
+}
+
+/** a_i - a_j */
+VTI_INLINE void gather_difference(enum touch_layout layout, const vti_view *view, const struct side *i,
+                                  const struct side *j, lanes r[3])
+{
+    lanes a[3];
+    gather(layout, view, i, r);
+    gather(layout, view, j, a);
+    for (int k = 0; k < 3; ++k)
+        r[k] -= a[k];
 }
 
 VTI_INLINE void scatter(enum touch_layout layout, const vti_view *view, const struct side *side, const lanes r[3])
@@ -118,14 +132,11 @@ VTI_INLINE const int64_t *whole(const int64_t *which, int64_t first, int64_t cou
 VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b,
                                const int64_t *which, struct vti_touch *at, struct side *i, struct side *j)
 {
-    lanes d[3], x[3];
+    lanes d[3];
     sides_of(p->pair, p->base, which, i, j);
     at->i = at->j = 0;
     at->moves = 0;
-    gather(layout, &b->x, i, d);
-    gather(layout, &b->x, j, x);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= x[c];
+    gather_difference(layout, &b->x, i, j, d);
     const lanes diameter_i = scalars(&p->diameter, i), diameter_j = scalars(&p->diameter, j);
     at->length = gather_length(p, which, diameter_i, diameter_j);
     at->stiffness = gather_stiffness(p, i, j, at->length);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The kernels of touches, for the vector units that there may be. */
+ * The kernels of touches and of drag, for the vector units that there may be. */
 #ifndef VTI_TOUCH_TABLE_H
 #define VTI_TOUCH_TABLE_H
 
@@ -51,6 +51,9 @@ struct vti_touch_kernels {
     void (*flow_at)(const struct vti_sweep *s, int64_t w, int64_t count, const int64_t *body);
     /** And those of bonds no two of which share a body. */
     void (*flow_bonds)(const struct vti_bond_sweep *s, int64_t count, const int64_t *bond);
+    /** Drag on the bodies from begin to end, on their translation (book 0) or on their turn by Omega (1), booked there.
+     *  Returns the first body that is left to do, one whose speed is out of range, or end. */
+    int64_t (*drag)(const vti_drag *p, const vti_bodies *b, double t, int book, int64_t begin, int64_t end);
 };
 
 /** The pair's number in the list, of what near has found. */

@@ -20,9 +20,10 @@ VTI_INLINE void load_any(struct stream s, int64_t i, lanes r[3])
     } else if (order_of(s) >= 0)
         load(MIXED, s, i, r);
     else {
+        double *const c[3] = {s.x, s.y, s.z};
         lanes_strided(s.stride, at);
         for (int k = 0; k < 3; ++k)
-            r[k] = s.stride == 0 ? lanes_of(*s.c[k]) : lanes_gather(s.c[k] + i * s.stride, at);
+            r[k] = s.stride == 0 ? lanes_of(*c[k]) : lanes_gather(c[k] + i * s.stride, at);
     }
 }
 
@@ -36,9 +37,10 @@ VTI_INLINE void store_any(struct stream s, int64_t i, const lanes r[3])
     } else if (order_of(s) >= 0)
         store(MIXED, s, i, r);
     else {
+        double *const c[3] = {s.x, s.y, s.z};
         lanes_strided(s.stride, at);
         for (int k = 0; k < 3; ++k)
-            lanes_scatter(s.c[k] + i * s.stride, at, r[k]);
+            lanes_scatter(c[k] + i * s.stride, at, r[k]);
     }
 }
 

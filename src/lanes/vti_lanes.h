@@ -9,15 +9,18 @@
  *     lanes_bits     where it does, bit l for lane l
  *     lanes_told     of each lane: -1 where it does, 0 else
  *     lanes_zero     where whole numbers are 0
+ *     lanes_are_row  whether 2 WIDTH whole numbers are pairs in a row, i, i + 1, i + 1, i + 2, i + 2, ...; the last is any
  *     lanes_where    a where a comparison holds, b elsewhere
  *     lanes_flip     -a where b is -0, a where it is 0
  *     lanes_half_to  2^-k of whole 0 <= k <= 1022
  *     lanes_gather   p[at[0]], p[at[1]], ...                                               lanes_scatter   the way back
  *     lanes_triples  the components of three-vectors that begin at p[at[0]], p[at[1]], ... lanes_untriple  the way back
+ *     lanes_after    the last number of `before`, then all of a but the last
+ *     lanes_before   all of a but the first number, then `next`
  *     lanes_quads    those of four numbers that begin there                                lanes_unquad    the way back
+ *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
  *     triple         three numbers that lie side by side, to be added to others
  * and for two and more, which take bodies in their order,
- *     lanes_split    the components of WIDTH packed three-vectors                          lanes_join      the way back
  *     lanes_spread   k of each body three times, as the components of packed vectors lie */
 #ifndef VTI_LANES_H
 #define VTI_LANES_H

@@ -48,6 +48,16 @@ VTI_INLINE void lanes_scatter(double *p, const int64_t at[8], lanes a)
     four_scatter(p, at + 4, upper(a));
 }
 
+VTI_INLINE lanes lanes_after(lanes before, lanes a)
+{
+    return SHUFFLE(before, a, 7, 8, 9, 10, 11, 12, 13, 14);
+}
+
+VTI_INLINE lanes lanes_before(lanes a, double next)
+{
+    return SHUFFLE(a, lanes_of(next), 1, 2, 3, 4, 5, 6, 7, 8);
+}
+
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
 {
     const lanes x = SHUFFLE(p[0], p[1], 0, 3, 6, 9, 12, 15, 0, 0);

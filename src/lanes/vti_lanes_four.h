@@ -11,6 +11,16 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return four_bits(m) == 15;
 }
 
+VTI_INLINE lanes lanes_after(lanes before, lanes a)
+{
+    return SHUFFLE(before, a, 3, 4, 5, 6);
+}
+
+VTI_INLINE lanes lanes_before(lanes a, double next)
+{
+    return SHUFFLE(a, lanes_of(next), 1, 2, 3, 4);
+}
+
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
 {
     const lanes x = SHUFFLE(p[0], p[1], 0, 1, 6, 7); /* x0 y0 x2 y2 */

@@ -42,6 +42,12 @@ VTI_INLINE lanes_mask lanes_zero(const int64_t p[1])
     return p[0] == 0;
 }
 
+VTI_INLINE int lanes_are_row(const int64_t p[2])
+{
+    (void)p;
+    return 1;
+}
+
 VTI_INLINE lanes lanes_sqrt(lanes a)
 {
     return sqrt(a);
@@ -97,6 +103,18 @@ VTI_INLINE void lanes_scatter(double *p, const int64_t at[1], lanes a)
     p[at[0]] = a;
 }
 
+VTI_INLINE lanes lanes_after(lanes before, lanes a)
+{
+    (void)a;
+    return before;
+}
+
+VTI_INLINE lanes lanes_before(lanes a, double next)
+{
+    (void)a;
+    return next;
+}
+
 /** Of n numbers side by side. */
 #define SIDE_BY_SIDE(WHAT, BACK, N)                                                                                    \
     VTI_INLINE void lanes_##WHAT(const double *p, const int64_t at[1], lanes a[N])                                     \
@@ -112,6 +130,17 @@ VTI_INLINE void lanes_scatter(double *p, const int64_t at[1], lanes a)
 SIDE_BY_SIDE(triples, untriple, 3)
 SIDE_BY_SIDE(quads, unquad, 4)
 #undef SIDE_BY_SIDE
+
+VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
+{
+    for (int k = 0; k < 3; ++k)
+        a[k] = p[k];
+}
+
+VTI_INLINE void lanes_join(const lanes a[3], lanes p[3])
+{
+    lanes_split(a, p);
+}
 
 struct triple {
     double x, y, z;

@@ -27,6 +27,16 @@ VTI_INLINE void lanes_scatter(double *p, const int64_t at[2], lanes a)
     p[at[1]] = a[1];
 }
 
+VTI_INLINE lanes lanes_after(lanes before, lanes a)
+{
+    return SHUFFLE(before, a, 1, 2);
+}
+
+VTI_INLINE lanes lanes_before(lanes a, double next)
+{
+    return SHUFFLE(a, lanes_of(next), 1, 2);
+}
+
 VTI_INLINE void lanes_split(const lanes p[3], lanes a[3])
 {
     a[0] = SHUFFLE(p[0], p[1], 0, 3);

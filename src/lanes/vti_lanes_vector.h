@@ -52,6 +52,20 @@ VTI_INLINE lanes_mask lanes_zero(const int64_t p[WIDTH])
     return m == 0;
 }
 
+VTI_INLINE int lanes_all(lanes_mask m);
+
+VTI_INLINE int lanes_are_row(const int64_t p[2 * WIDTH])
+{
+    lanes_mask first, last, up, up_later; /* the last numbers overlap the first ones in one */
+    for (int k = 0; k < WIDTH; ++k) {
+        up[k] = (k + 1) / 2;
+        up_later[k] = (k + WIDTH) / 2;
+    }
+    memcpy(&first, p, sizeof first);
+    memcpy(&last, p + WIDTH - 1, sizeof last);
+    return lanes_all(((first - up - p[0]) | (last - up_later - p[0])) == 0);
+}
+
 VTI_INLINE lanes lanes_sqrt(lanes a)
 {
     for (int l = 0; l < WIDTH; ++l)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a multistep method does to one body after the other (EQUATIONS 8.1), its numbers in quads: of the six
- * differences of a body, translation first, the first four (a quad whose last number is the turn's) and the last four
- * (whose first is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by
+ * What a multistep method does to one body after the other, or two at once (EQUATIONS 8.1), its numbers in quads: of the
+ * six differences of a body, translation first, the first four (a quad whose last number is the turn's) and the last
+ * four (whose first is the translation's). Included by vti_move_kernels.h, for each of the vector units, and by
  * vti_multistep.c. */
 #ifndef VTI_ADAMS_KERNELS_H
 #define VTI_ADAMS_KERNELS_H
@@ -18,7 +18,8 @@ VTI_INLINE double *adams_differences(const vti_past *past, int64_t i)
 
 VTI_INLINE void quad_zero(part a[PARTS])
 {
-    quad_of(0.0, 0.0, 0.0, 0.0, a);
+    static const double none[AT_ONCE] = {0.0};
+    quad_of(none, none, none, none, a);
 }
 
 /** a += t b. */
@@ -28,31 +29,39 @@ VTI_INLINE void quad_add(double t, const part b[PARTS], part a[PARTS])
         a[k] += t * b[k];
 }
 
-/** A vector of body i as (x, y, z, 0), or as (0, x, y, z) with first = 1. */
+/** A vector of the bodies from i on as (x, y, z, 0), or as (0, x, y, z) with first = 1. */
 VTI_INLINE void quad_of_view(const vti_view *view, int first, int64_t i, part a[PARTS])
 {
-    const int64_t at = i * view->stride;
-    const double x = view->c[0][at], y = view->c[1][at], z = view->c[2][at];
+    double x[AT_ONCE], y[AT_ONCE], z[AT_ONCE], none[AT_ONCE];
+    for (int l = 0; l < AT_ONCE; ++l) {
+        const int64_t at = (i + l) * view->stride;
+        x[l] = view->c[0][at];
+        y[l] = view->c[1][at];
+        z[l] = view->c[2][at];
+        none[l] = 0.0;
+    }
     if (first)
-        quad_of(0.0, x, y, z, a);
+        quad_of(none, x, y, z, a);
     else
-        quad_of(x, y, z, 0.0, a);
+        quad_of(x, y, z, none, a);
 }
 
 VTI_INLINE void quad_into_view(const vti_view *view, int first, int64_t i, const part a[PARTS])
 {
-    for (int k = 0; k < 3; ++k)
-        view->c[k][i * view->stride] = quad_get(a, k + first);
+    for (int l = 0; l < AT_ONCE; ++l)
+        for (int k = 0; k < 3; ++k)
+            view->c[k][(i + l) * view->stride] = quad_get(a, l, k + first);
 }
 
 /** v_p = v + h sum g_j N^j a,  x_p = x + h v + h^2 sum d_j N^j a. */
-VTI_INLINE void adams_move(int64_t depth, double h, const double *n, const vti_view *x, const vti_view *v, int64_t i)
+VTI_INLINE void adams_move(int64_t depth, double h, const double *n, int64_t apart, const vti_view *x,
+                           const vti_view *v, int64_t i)
 {
     part a[PARTS], g[PARTS], d[PARTS], there[PARTS], speed[PARTS];
     quad_zero(g);
     quad_zero(d);
     for (int64_t j = 0; j < depth; ++j) {
-        quad_load(n + 6 * j, a);
+        quad_load(n + 6 * j, apart, a);
         quad_add(adams_d[j], a, d);
         quad_add(adams_g[j], a, g);
     }
@@ -85,22 +94,23 @@ VTI_INLINE void adams_magnus(double h, part o[3][PARTS], part theta[PARTS])
     quad_cross(a1, p, c2);
     for (int k = 0; k < PARTS; ++k) {
         p[k] = c1[k] - 20.0 * a1[k] - a3[k];
-        q[k] = a2[k] - c2[k] / 60.0;
+        q[k] = a2[k] - 1.0 / 60.0 * c2[k];
     }
     quad_cross(p, q, theta);
     for (int k = 0; k < PARTS; ++k)
-        theta[k] = a1[k] + a3[k] / 12.0 + theta[k] / 240.0;
+        theta[k] = a1[k] + 1.0 / 12.0 * a3[k] + 1.0 / 240.0 * theta[k];
 }
 
-/** w_p = w + h sum g_j N^j b, and by which vector the body turns meanwhile. */
-VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, const vti_view *omega, int64_t i, double turn[3])
+/** w_p = w + h sum g_j N^j b, and by which vector a body turns meanwhile. */
+VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, int64_t apart, const vti_view *omega, int64_t i,
+                           double *turn)
 {
     part b[PARTS], g[PARTS], w[PARTS], o[3][PARTS], theta[PARTS];
     quad_zero(g);
     for (int s = 0; s < 3; ++s)
         quad_zero(o[s]);
     for (int64_t j = 0; j < depth; ++j) {
-        quad_load(n + 6 * j + 2, b);
+        quad_load(n + 6 * j + 2, apart, b);
         quad_add(adams_g[j], b, g);
         for (int s = 0; s < 3; ++s)
             quad_add(adams_node[s][j], b, o[s]);
@@ -112,25 +122,26 @@ VTI_INLINE void adams_spin(int64_t depth, double h, const double *n, const vti_v
     adams_magnus(h, o, theta);
     quad_add(h, g, w);
     quad_into_view(omega, 1, i, w);
-    for (int k = 0; k < 3; ++k)
-        turn[k] = quad_get(theta, 1 + k);
+    quad_store(turn, 4, theta);
 }
 
-/** Bodies begin <= i < end to where they will be but for the correction, attitudes excepted, which turn by
- *  turn[end - begin][3]. */
-static inline void adams_predict(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
-                                 int64_t begin, int64_t end, double *turn)
+/** Bodies begin <= i < end, as many as are done at once, to where they will be but for the correction, attitudes
+ *  excepted, which turn by the last three of turn[end - begin][4]. */
+static inline int64_t adams_predict(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
+                                    int64_t begin, int64_t end, double *turn)
 {
     const vti_view x = bodies->x, v = bodies->v, omega = bodies->omega;
     const int moves = vti_has(&v), spins = vti_has(&omega);
     const int64_t depth = m->depth, apart = 6 * past->depth;
     const double *n = adams_differences(past, begin);
-    for (int64_t i = begin; i < end; ++i, n += apart, turn += 3) {
+    int64_t i = begin;
+    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += 4 * AT_ONCE) {
         if (moves)
-            adams_move(depth, h, n, &x, &v, i);
+            adams_move(depth, h, n, apart, &x, &v, i);
         if (spins)
-            adams_spin(depth, h, n, &omega, i, turn);
+            adams_spin(depth, h, n, apart, &omega, i, turn);
     }
+    return i;
 }
 
 /** What a load does, a = by/over: (x, y, z, 0), or (0, x, y, z) with first = 1; 0 where there is none. */
@@ -139,10 +150,14 @@ VTI_INLINE void adams_acceleration(const vti_view *by, const vti_scalars *over, 
     quad_zero(a);
     if (!vti_has(by))
         return;
-    const double m = over->p[i * over->stride];
+    double m[AT_ONCE];
+    for (int l = 0; l < AT_ONCE; ++l)
+        m[l] = over->p[(i + l) * over->stride];
+    part per[PARTS];
+    quad_of(m, m, m, m, per);
     quad_of_view(by, first, i, a);
     for (int k = 0; k < PARTS; ++k)
-        a[k] /= m;
+        a[k] /= per[k];
 }
 
 /** Accelerations, or differences of them: F/m and the first number of RM/J; the last of F/m and RM/J. */
@@ -162,18 +177,18 @@ VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const
 
 /** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: the levels
  *  differences of the last f, at least depth, become those of this one. */
-VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, struct adams_felt f,
+VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, int64_t apart, struct adams_felt f,
                               struct adams_felt *off)
 {
     struct adams_felt sum, was, now = f;
     quad_zero(sum.low);
     quad_zero(sum.high);
     for (int64_t j = 0; j < levels; ++j, n += 6) {
-        quad_load(n, was.low);
-        quad_load(n + 2, was.high);
+        quad_load(n, apart, was.low);
+        quad_load(n + 2, apart, was.high);
         if (writes) {
-            quad_store(n, now.low);
-            quad_store(n + 2, now.high); /* the two numbers that are in both are the same */
+            quad_store(n, apart, now.low);
+            quad_store(n + 2, apart, now.high); /* the two numbers that are in both are the same */
         }
         for (int k = 0; k < PARTS; ++k) {
             /* cppcheck-suppress uninitvar ; quad_load writes it */
@@ -215,8 +230,8 @@ VTI_INLINE double adams_corrector(const vti_multistep *m)
 }
 
 /** By D, off: v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b, and turn = c h^2 d_K D_b. */
-static inline void adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
-                                 int64_t begin, int64_t end, double *turn)
+static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
+                                    int64_t begin, int64_t end, double *turn)
 {
     const double g = h * adams_corrector(m), d = m->c * h * h * adams_d[m->depth];
     const vti_view v = bodies->v, omega = bodies->omega, force = bodies->force, moment = bodies->moment;
@@ -224,16 +239,19 @@ static inline void adams_correct(const vti_multistep *m, double h, const vti_pas
     const vti_scalars mass = bodies->mass, inertia = bodies->inertia;
     const int64_t depth = m->depth, levels = adams_levels(past), apart = 6 * past->depth;
     double *n = adams_differences(past, begin);
-    for (int64_t i = begin; i < end; ++i, n += apart, turn += 3) {
+    int64_t i = begin;
+    for (; i + AT_ONCE <= end; i += AT_ONCE, n += AT_ONCE * apart, turn += 4 * AT_ONCE) {
         struct adams_felt f, off;
         adams_feel(&force, &mass, &moment, &inertia, i, &f);
-        adams_compare(1, depth, levels, n, f, &off);
+        adams_compare(1, depth, levels, n, apart, f, &off);
         adams_add(&v, 0, i, g, off.low);
         adams_add(&x, 0, i, d, off.low);
         adams_add(&omega, 1, i, g, off.high);
-        for (int k = 0; k < 3; ++k)
-            turn[k] = d * quad_get(off.high, 1 + k);
+        for (int k = 0; k < PARTS; ++k)
+            off.high[k] *= d;
+        quad_store(turn, 4, off.high);
     }
+    return i;
 }
 
 #endif

@@ -73,7 +73,7 @@ int vti_multistep_record(vti_past *past, const vti_bodies *b)
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         struct adams_felt f, off;
         adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
-        adams_compare(1, 0, adams_levels(past), adams_differences(past, i), f, &off);
+        adams_compare(1, 0, adams_levels(past), adams_differences(past, i), 0, f, &off);
     }
     past->known += past->known < past->depth;
     return VTI_OK;
@@ -95,46 +95,58 @@ static int check(const vti_multistep *method, double h, const vti_past *past, co
                                         : vti_refuse(VTI_E_PAST, -1, (double)past->known, VTI_QUANTITY_NONE, fault);
 }
 
-/** The kernels of this machine's vector units: a body takes four numbers at once of them, if they have so many. */
-static const struct vti_move_kernels *widest(void)
+/** Of so many bodies the past does not stay in the cache. */
+enum { MANY = 4096 };
+
+/** The kernels of this machine's vector units, widest first, then NULL: what one leaves over, the next takes. Two bodies at
+ *  once are for the cache: from memory a past comes at half the speed where two places of it are read in turns. */
+static const struct vti_move_kernels *const *kernels(int64_t bodies)
 {
+    (void)bodies;
+    static const struct vti_move_kernels *const all[] = {
 #ifdef VTI_HAS_AVX512
-    if (vti_serves_avx512())
-        return &vti_move_avx512;
+        &vti_move_avx512,
 #endif
 #ifdef VTI_HAS_AVX2
-    if (vti_serves_avx2())
-        return &vti_move_avx2;
+        &vti_move_avx2,
 #endif
-    return &vti_move_baseline;
+        &vti_move_baseline, NULL};
+    const struct vti_move_kernels *const *first = all;
+#ifdef VTI_HAS_AVX512
+    first += bodies >= MANY || !vti_serves_avx512();
+#endif
+#ifdef VTI_HAS_AVX2
+    first += *first == &vti_move_avx2 && !vti_serves_avx2();
+#endif
+    return first;
 }
 
-/** Bodies are turned so many at once, in vector registers where there are enough (vti_turn_kernels.h). */
+/** Turns by the last three numbers of turn[][4], to order 9 in them. */
+static void turn_all(const struct vti_move_kernels *const *k, const double *turn, const vti_bodies *b, int64_t begin,
+                     int64_t end)
+{
+    int64_t i = begin;
+    for (; *k != NULL && i + 1 < end; ++k)
+        i = (*k)->turn(turn + 4 * (i - begin), b, i, end);
+    for (; i < end; ++i)
+        vti_move_turn_by(turn + 4 * (i - begin) + 1, b, i);
+}
+
+/** Bodies are turned so many at once, in vector registers where there are enough. */
 enum { TILE = 64 };
 
-typedef void half_step(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b, int64_t begin,
-                       int64_t end, double *turn);
-
-/** Half a step of all bodies of the slice, and then the turns that it asks for, to order 9 in them. */
-static void in_tiles(half_step *half, const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b)
+/** Half a step of all bodies of the slice, and then the turns that it asks for. */
+static void in_tiles(int corrects, const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b)
 {
-    const struct vti_move whole = {.drift = 1.0, .drifts = 1, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};
-    const int turns = vti_has(&b->omega) && vti_has_attitude(b), by_alpha = vti_has(&b->alpha);
-    double turn[3 * TILE];
-    vti_bodies turned = vti_bodies_none(0);
-    turned.omega = vti_view_packed(turn);
-    for (int64_t begin = b->first, end = b->first + b->count; begin < end; begin += TILE) {
-        turned.count = end - begin < TILE ? end - begin : TILE;
-        half(m, h, past, b, begin, begin + turned.count, turn);
-        if (!turns)
-            continue;
-        turned.alpha = b->alpha;
-        turned.quat = b->quat;
-        for (int k = 0; k < 3 && by_alpha; ++k)
-            turned.alpha.c[k] += begin * b->alpha.stride;
-        for (int k = 0; k < 4 && !by_alpha; ++k)
-            turned.quat.xyzw[k] += begin * b->quat.stride;
-        vti_move_all(&whole, &turned);
+    const struct vti_move_kernels *const *const widest = kernels(b->count);
+    const int turns = vti_has(&b->omega) && vti_has_attitude(b);
+    double turn[4 * TILE];
+    for (int64_t begin = b->first, last = b->first + b->count, i = begin; begin < last; begin = i) {
+        const int64_t end = last - begin < TILE ? last : begin + TILE;
+        for (const struct vti_move_kernels *const *k = widest; *k != NULL && i < end; ++k)
+            i = (corrects ? (*k)->correct : (*k)->predict)(m, h, past, b, i, end, turn + 4 * (i - begin));
+        if (turns)
+            turn_all(widest, turn, b, begin, end);
     }
 }
 
@@ -143,7 +155,7 @@ int vti_multistep_predict(const vti_multistep *method, double h, const vti_past 
 {
     const int status = check(method, h, past, b, fault);
     if (status == VTI_OK)
-        in_tiles(widest()->predict, method, h, past, b);
+        in_tiles(0, method, h, past, b);
     return status;
 }
 
@@ -152,7 +164,7 @@ int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past,
     const int status = check(method, h, past, b, NULL);
     if (status != VTI_OK)
         return status;
-    in_tiles(widest()->correct, method, h, past, b);
+    in_tiles(1, method, h, past, b);
     past->known += past->known < past->depth;
     return VTI_OK;
 }
@@ -171,10 +183,10 @@ int vti_multistep_error(const vti_multistep *method, double h, const vti_past *p
         struct adams_felt f, off;
         double a[3], w[3];
         adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
-        adams_compare(0, method->depth, method->depth, adams_differences(past, i), f, &off);
+        adams_compare(0, method->depth, method->depth, adams_differences(past, i), 0, f, &off);
         for (int k = 0; k < 3; ++k) {
-            a[k] = quad_get(off.low, k);
-            w[k] = quad_get(off.high, 1 + k);
+            a[k] = quad_get(off.low, 0, k);
+            w[k] = quad_get(off.high, 0, 1 + k);
         }
         *velocity = vti_larger(*velocity, g * vti_norm(a));
         *spin = vti_larger(*spin, g * vti_norm(w));

@@ -5,7 +5,8 @@
  *             CONFIG: letters t translation, r rotation, l force and moment arrays; m a s binder terms; c contact, w
  *             wall, g gravity, p pendulum; what loses energy: d dashpots (normal, tangential) and f friction (sliding)
  *             of contacts, x drag, k rupture of bonds, b dashpots of bonds; h the pendulum by hand, without the
- *             library's steps and effects; 1 one body, u not sealed */
+ *             library's steps and effects; 1 one body, u not sealed, z an array for each component,
+ *             y loads that stay as they are */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,6 +45,12 @@ static void place(void)
     }
 }
 
+/** Packed vectors, or so many numbers as three arrays. */
+static vti_view view(const char *config, double (*a)[3])
+{
+    return strchr(config, 'z') == NULL ? vti_view_packed(a[0]) : vti_view_separate(a[0], a[0] + N, a[0] + 2 * N);
+}
+
 /** The pendulum as one would write it: one loop over bodies, the same arithmetic. */
 static void by_hand(long steps)
 {
@@ -75,19 +82,19 @@ int main(int argc, char **argv)
     int64_t n = 0, broken = 0;
     place();
     if (strchr(config, 't') != NULL) {
-        b.x = vti_view_packed(x[0]);
-        b.v = vti_view_packed(v[0]);
+        b.x = view(config, x);
+        b.v = view(config, v);
         b.mass = vti_scalars_one(&one);
     }
     if (strchr(config, 'r') != NULL) {
-        b.alpha = vti_view_packed(alpha[0]);
-        b.omega = vti_view_packed(omega[0]);
+        b.alpha = view(config, alpha);
+        b.omega = view(config, omega);
         b.inertia = vti_scalars_one(&one);
     }
     if (strchr(config, 'l') != NULL && strchr(config, 't') != NULL)
-        b.force = vti_view_packed(force[0]);
+        b.force = view(config, force);
     if (strchr(config, 'l') != NULL && strchr(config, 'r') != NULL)
-        b.moment = vti_view_packed(moment[0]);
+        b.moment = view(config, moment);
 
     const vti_scalars none = {NULL, 0, 0}, k = vti_scalars_one(&stiffness), d = vti_scalars_one(&diameter);
     const int terms = strpbrk(config, "mas") != NULL;
@@ -158,7 +165,8 @@ int main(int argc, char **argv)
     else
         for (long s = 0; s < steps && status == VTI_OK; ++s) {
             status = vti_step_begin(method, h, &b, NULL);
-            vti_apply(effects, n, &b);
+            if (strchr(config, 'y') == NULL)
+                vti_apply(effects, n, &b);
             vti_step_finish(method, h, &b);
         }
     printf("%s: %.17g %.17g\n", config, x[N / 2][2], alpha[N / 2][0]);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vti-plot on runs: test_plot_run.py VTI-PLOT. Makes runs by formula, draws and films them and looks at what came out; then
 hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
+import importlib
 import os
 
 import plot_support
@@ -151,6 +152,62 @@ def test_walls(program, folder):
     assert drawn[0] != drawn[2], "one does not see that a cylinder turns"
 
 
+def test_rest(program, folder):
+    """What rests is drawn once: panels are of the time before, and of all of it where a body, a mark or a wall moves."""
+    shapes, run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("shapes", "run_file", "scenery"))
+    path, count = os.path.join(folder, "out.h5"), 24
+
+    def frames(**change):
+        write_run(path, count)
+        with h5py.File(path, "a") as file:
+            for name in ("VTKHDF/Points", "VTKHDF/PointData/attitude_xyzw"):
+                file[name][31 * count:] = np.tile(file[name][30 * count:31 * count], (40, 1))
+            for name, (row, value) in change.items():
+                changed = file[f"VTKHDF/{name}"][row * count] + value
+                file[f"VTKHDF/{name}"][row * count] = changed / (np.linalg.norm(changed) if len(changed) == 4 else 1)
+        run = run_file.read_run(path)
+        return shapes.until_rest(run, scenery.Scenery(run, [run.frame(0), run.frame(30)]))
+    assert frames() == 31
+    assert frames(Points=(50, [0.1, 0, 0])) == 52 and frames(Points=(50, [0.001, 0, 0])) == 31
+    assert frames(**{"PointData/attitude_xyzw": (40, [0.1, 0, 0, 0])}) == 42
+    write_run(path, frames=2)
+    with h5py.File(path, "a") as file:
+        file["VTKHDF/Points"][count:] = file["VTKHDF/Points"][:count]
+        file["VTKHDF/PointData/attitude_xyzw"][count:] = file["VTKHDF/PointData/attitude_xyzw"][:count]
+        file["wall_velocities"], file["wall_spins"] = np.full((2, 3), 0.01), np.zeros(2)
+    run = run_file.read_run(path)
+    assert shapes.until_rest(run, scenery.Scenery(run, [run.frame(0)])) == 2, "a wall moves"
+
+
+def test_level(program, folder):
+    """A plane that no coordinates show from the side is level in pictures: gaps, distances and attitudes are those in space."""
+    level, outlines, run_file, scenery, walls = (importlib.import_module(f"plot.{name}")
+                                                 for name in ("level", "outlines", "run_file", "scenery", "walls"))
+    path = os.path.join(folder, "out.h5")
+    for plane, seen in (((1, 0, 0, -1), False), ((0.6, 0, 0.8, -1), False), ((0.36, -0.48, 0.8, -1), True),
+                        ((-0.8, 0.48, -0.36, -2), True)):
+        write_run(path, count=5, frames=2, rows=2)
+        with h5py.File(path, "a") as file:
+            del file["walls"], file["VTKHDF/PointData/attitude_xyzw"]
+            file["walls"] = [plane]
+            file["wall_velocities"], file["wall_spins"] = np.array([[1.0, 2.0, 3.0]]), np.zeros(1)
+            attitude = np.random.default_rng(5).standard_normal((10, 4))
+            file["VTKHDF/PointData/attitude_xyzw"] = attitude / np.linalg.norm(attitude, axis=1, keepdims=True)
+        run = run_file.read_run(path)
+        axes, frame = level.axes_of(run.walls), run.frame(1)
+        assert (axes is not None) == seen, f"{plane} is turned, or is not"
+        scene = scenery.Scenery(run, [run.frame(0), frame])
+        assert scene.axis_names()[1] == ("off the plane" if seen else "$y$")
+        if not seen:
+            continue
+        there = level.of_frame(axes, frame)
+        assert np.allclose(axes @ axes.T, np.eye(3), 0, 4 * EPS) and np.linalg.det(axes) > 0
+        assert np.allclose(scene.walls.planes_at(7.0)[0], [0, 0, 1, run.walls.planes_at(7.0)[0, 3]], 0, 30 * EPS)
+        assert np.allclose(list(walls.gaps(scene.walls, there)), list(walls.gaps(run.walls, frame)), 0, 50 * EPS)
+        vectors = np.random.default_rng(6).standard_normal((5, 3))
+        assert np.allclose(outlines.turned(there.attitude, vectors), outlines.turned(frame.attitude, vectors) @ axes.T, 0, 50 * EPS)
+
+
 def test_film(program, folder):
     run = os.path.join(folder, "out.h5")
     write_run(run, frames=15)
@@ -204,4 +261,4 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_film, test_refusals)
+    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_film, test_refusals)

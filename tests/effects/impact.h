@@ -40,6 +40,48 @@ static inline void impact_clear(impact *m, int n, int planes, double stiffness)
     m->b = crowd_bodies(&m->c);
 }
 
+/** A random state of two spheres, or one and a plane, that overlap by a share o of their mean diameter. */
+static inline void impact_touch(impact *m, rng *g, int plane, double o)
+{
+    double n[3];
+    impact_clear(m, 2, plane, 1e4);
+    random_unit(g, 3, n);
+    for (int i = 0; i < 2; ++i) {
+        m->diameter[i] = uniform(g, 0.4, 2);
+        m->c.mass[i] = pow(10, uniform(g, -1.5, 1.5)) * pow(m->diameter[i], 3);
+        m->c.inertia[i] = uniform(g, 0.05, 0.17) * m->c.mass[i] * m->diameter[i] * m->diameter[i];
+        random_vector(g, 2, m->c.v[i]);
+        random_vector(g, 4, m->c.omega[i]);
+        random_vector(g, 1, m->c.x[i]);
+    }
+    const double length = plane ? 0.5 * m->diameter[0] : 0.5 * (m->diameter[0] + m->diameter[1]);
+    for (int k = 0; k < 3; ++k) {
+        m->plane[0][k] = n[k];
+        m->c.x[1][k] += plane ? 40 * n[k] : 0; /* out of the way */
+        m->c.x[0][k] = (plane ? 0 : m->c.x[1][k]) + length * (1 - o) * n[k];
+    }
+}
+
+/** u of the contact point and w, of body 0 against body 1 or the plane, as EQUATIONS 6.2 has them, and their masses. */
+static inline void impact_relative(const impact *m, int plane, double u[3], double w[3], double masses[3])
+{
+    const double si = plane ? 1 : m->diameter[0] / (m->diameter[0] + m->diameter[1]), sj = 1 - si;
+    double d[3], spin[3], cross[3], r = 0;
+    for (int k = 0; k < 3; ++k) {
+        d[k] = m->c.x[0][k] - (plane ? 0 : m->c.x[1][k]);
+        spin[k] = si * m->c.omega[0][k] + (plane ? 0 : sj * m->c.omega[1][k]);
+        w[k] = m->c.omega[0][k] - (plane ? 0 : m->c.omega[1][k]);
+        r += d[k] * d[k];
+    }
+    vti_cross(spin, d, cross);
+    for (int k = 0; k < 3; ++k)
+        u[k] = m->c.v[0][k] - (plane ? 0 : m->c.v[1][k]) - cross[k];
+    const double other = plane ? 0 : 1;
+    masses[0] = 1 / (1 / m->c.mass[0] + other / m->c.mass[1]);
+    masses[1] = 1 / (1 / masses[0] + r * (si * si / m->c.inertia[0] + other * sj * sj / m->c.inertia[1]));
+    masses[2] = 1 / (1 / m->c.inertia[0] + other / m->c.inertia[1]);
+}
+
 /** Adds an effect. */
 static inline void impact_add(impact *m, vti_effect effect)
 {

@@ -130,4 +130,33 @@ static inline void linear_state(const uneven *m, vec y[4])
     }
 }
 
+/** The flow of the one effect of two bodies, of which at says the same: the exponential of the whole system, whose rates
+ *  are below 2 (1/m + a^2/J) < 200, so that terms fall from the first on. P and L stay, and what kinetic energy goes is
+ *  booked. */
+static inline void linear_assert_flow(uneven *m, const struct linear *at, double t, double drift)
+{
+    double before[6], after[6];
+    vec y[4], is[4];
+    const double energy = vti_energy(m->effects, 1, &m->b);
+    uneven_momenta(m, before);
+    linear_state(m, y);
+    linear_flow(m, at, 1, t, 64, y);
+    assert_int_equal(vti_effects_flow(m->effects, 1, t, drift, &m->b), VTI_OK);
+    linear_state(m, is);
+    for (int q = 0; q < 4; ++q) /* some 200 operations on numbers below 5 */
+        for (int k = 0; k < 3; ++k)
+            assert_close(is[q].c[k], y[q].c[k], 1000 * EPS);
+    if (m->b.omega.c[0] != NULL) { /* the read-out follows */
+        double w[3];
+        uneven_omega(m, 0, w);
+        assert_close3(m->t.c.omega[0], w, 200 * EPS);
+    }
+    uneven_momenta(m, after);
+    for (int k = 0; k < 6 && !at->plane; ++k)
+        assert_close(after[k], before[k], 200 * EPS);
+    const double left = vti_energy(m->effects, 1, &m->b);
+    assert_close(left + vti_booked(m->effects, 1), energy, 100 * EPS * energy);
+    assert_true(left <= energy * (1 + 4 * EPS) && vti_booked(m->effects, 1) > 0);
+}
+
 #endif

@@ -192,6 +192,65 @@ TEST(three_moments)
     }
 }
 
+/** Many bodies, in any layout, have the bits of those with residuals of 0, which are done one by one: with rest, speeds the
+ *  squares of which are out of range, and coefficients of some alone. */
+TEST(many)
+{
+    enum { MOST = 40 };
+    rng g = rng_seed(1403);
+    for (int trial = 0; trial < 400; ++trial) {
+        double value[3][MOST], apart[2][3][MOST], zero[2][MOST][3] = {{{0}}};
+        const int n = 1 + (int)uniform(&g, 0, MOST - 0.1), separate = trial % 2;
+        vti_drag drag = {.linear = vti_scalars_array(value[0]), .angular = vti_scalars_array(value[2]), .lost = lost};
+        if (trial % 3 > 0)
+            drag.quadratic = vti_scalars_array(value[1]);
+        if (trial % 5 > 0)
+            random_vector(&g, 3, drag.medium);
+        crowd_clear(&c, n, CROWD_ALPHA);
+        for (int i = 0; i < n; ++i) {
+            const double sizes[] = {0, pow(10, uniform(&g, -300, -130)), pow(10, uniform(&g, 140, 152.5))},
+                         size = trial % 4 == 0 && i % 4 < 3 ? sizes[i % 4] : 1;
+            c.mass[i] = uniform(&g, 0.1, 10);
+            c.inertia[i] = uniform(&g, 0.1, 10);
+            for (int k = 0; k < 3; ++k) {
+                value[k][i] = uniform(&g, -1, 1) < -0.5 ? 0 : pow(10, uniform(&g, -6, 3));
+                apart[0][k][i] = c.v[i][k] = size * uniform(&g, -1, 1);
+                apart[1][k][i] = c.omega[i][k] = uniform(&g, -1, 1);
+            }
+            if (size > 0 && size < 1e-100)
+                value[1][i] = 1 / size;
+        }
+        vti_sum singly[VTI_DRAG_BOOKS];
+        b = crowd_bodies(&c);
+        memset(lost, 0, sizeof lost);
+        if (separate) {
+            b.v = vti_view_separate(apart[0][0], apart[0][1], apart[0][2]);
+            b.omega = vti_view_separate(apart[1][0], apart[1][1], apart[1][2]);
+            flow(&drag, 0.25);
+            b = crowd_bodies(&c);
+        } else {
+            crowd all = c;
+            b = crowd_bodies(&all);
+            flow(&drag, 0.25);
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < 3; ++k) {
+                    apart[0][k][i] = all.v[i][k];
+                    apart[1][k][i] = all.omega[i][k];
+                }
+            b = crowd_bodies(&c);
+        }
+        memcpy(singly, lost, sizeof lost);
+        memset(lost, 0, sizeof lost);
+        b.v_low = vti_view_packed(zero[0][0]);
+        b.omega_low = vti_view_packed(zero[1][0]);
+        flow(&drag, 0.25);
+        assert_memory_equal(singly, lost, sizeof lost);
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < 3; ++k)
+                assert_true(apart[0][k][i] == c.v[i][k] && apart[1][k][i] == c.omega[i][k]);
+    }
+}
+
 TEST(what_it_needs_and_refuses)
 {
     const double one = 1, some[] = {1, 2}, v[3] = {1, 2, 3}, bad[] = {-1, INFINITY, NAN};
@@ -233,4 +292,5 @@ TEST(what_it_needs_and_refuses)
 }
 
 RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
-          cmocka_unit_test(residuals), cmocka_unit_test(three_moments), cmocka_unit_test(what_it_needs_and_refuses))
+          cmocka_unit_test(residuals), cmocka_unit_test(three_moments), cmocka_unit_test(many),
+          cmocka_unit_test(what_it_needs_and_refuses))

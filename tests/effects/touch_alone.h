@@ -7,7 +7,7 @@
 #include "support.h"
 
 #include "../../src/contacts/vti_touch.h"
-#include "../../src/dissipation/vti_carry.h"
+#include "../../src/friction/vti_carry.h"
 
 /** All springs of one touch, and what they take. */
 static inline void hold_on(const vti_friction *p, const struct vti_carry *c, double mu, vti_held *held)

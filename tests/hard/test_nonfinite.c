@@ -140,6 +140,15 @@ static vti_bodies touching(void)
     return crowd_bodies(&good);
 }
 
+/** One between both, of all three terms. */
+static void bond(void)
+{
+    memset(&w, 0, sizeof w);
+    w.pair[0][1] = 1;
+    w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;
+    web_terms(&w, 1, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+}
+
 TEST(bond_parameters)
 {
     const double wrong[4] = {NAN, INFINITY, -INFINITY, -1};
@@ -148,10 +157,7 @@ TEST(bond_parameters)
     for (int k = 0; k < 7; ++k)
         for (int v = 0; v < 4; ++v) {
             vti_fault fault = {-1, 0, 0};
-            memset(&w, 0, sizeof w);
-            w.pair[0][1] = 1;
-            w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;
-            web_terms(&w, 1, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+            bond();
             assert_int_equal(vti_bonds_check(&w.bonds, 2, &fault), VTI_OK);
             *numbers[k] = wrong[v];
             if (k == 5 && v == 3)
@@ -203,10 +209,7 @@ TEST(stable_step)
     vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&diameter), .stiffness = NAN};
     vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&diameter), .stiffness = NAN};
     vti_pendulum pendulum = {NAN, {1, 0, 0}};
-    memset(&w, 0, sizeof w);
-    w.pair[0][1] = 1;
-    w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;
-    web_terms(&w, 1, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+    bond();
     const vti_effect bonds = vti_bonds_effect(&w.bonds);
     const vti_effect effects[] = {
         vti_contacts_effect(&contacts), vti_walls_effect(&walls), vti_pendulum_effect(&pendulum), bonds, bonds, bonds};
@@ -231,10 +234,7 @@ TEST(positions)
     const double one = 1, plane[4] = {1, 0, 0, 0};
     const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&one), .stiffness = 10};
     const vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 10};
-    memset(&w, 0, sizeof w);
-    w.pair[0][1] = 1;
-    w.rest[0][1] = w.rest[0][3] = w.moment[0] = w.axial[0] = w.shear[0] = 1;
-    web_terms(&w, 1, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+    bond();
     const vti_effect effects[] = {vti_contacts_effect(&contacts), vti_walls_effect(&walls), vti_bonds_effect(&w.bonds)};
     static const char *const who[] = {"contact", "wall", "binder"};
     for (int k = 0; k < 3; ++k) {

@@ -176,6 +176,10 @@ TEST(travel)
         snprintf(text, sizeof text, wall, x);
         assert_bad("wall at 1e6", judge_text(text), 0.0);
     }
+    /* what slides along a slope, by 0.026 diameters a step at the end, comes no nearer to it */
+    static const char *const slides[] = {"friction.sliding=0.1"};
+    if (judge_shipped("incline", slides, 1)->verdict != VERDICT_GOOD)
+        fail_msg("sliding: %s", judged.line.text);
     /* what flies together does not meet */
     snprintf(text, sizeof text, pair, "  v: [1e6, 0, 0]\n");
     if (judge_text(text)->verdict != VERDICT_GOOD)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * What the verdict is made of: angles of the laws against libm's in long double, the modified energy's order, slopes of
- * series with known ones, bonds that turn past half a turn. */
+ * series with known ones, bonds that turn past half a turn, ways towards what bodies touch. */
 #define _POSIX_C_SOURCE 200809L
 #include "hard.h"
 
 #include "../driver/model_support.h"
-#include "verdict.h"
+#include "verdict_parts.h"
 
 /* ---- angles ------------------------------------------------------------------------------------------------------ */
 
@@ -208,6 +208,58 @@ TEST(bonds)
     assert_int_equal(turned(1.05, 0.02), 1);
 }
 
+/* ---- ways -------------------------------------------------------------------------------------------------------- */
+
+/** verdict_travel at t = 0 of the bodies, and of the effects that they meet by. */
+static double travel_of(const char *bodies, const char *effects)
+{
+    static struct scene scene;
+    static struct model model;
+    static struct verdict v;
+    struct columns columns;
+    struct message message;
+    char text[TEXT_SIZE];
+    snprintf(text, sizeof text, "bodies: {%s}\n%s\nh: 0.01\nt_end: 1\n", bodies, effects);
+    make_model(text, &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
+    const double travel = verdict_travel(&v, &model.bodies);
+    verdict_destroy(&v);
+    model_destroy(&model);
+    return travel;
+}
+
+/** h|v.N|/D by hand: along a wall nothing comes nearer, and what walls or all bodies do together does not count. */
+TEST(ways)
+{
+#define SPHERE "mass: 2, diameter: 0.5, "
+    static const char slope[] = "wall: {stiffness: 10, planes: [[0.6, 0, 0.8, -9]]}",
+                      piston[] = "wall: {stiffness: 10, planes: [[0, 0, 1, -9]], velocities: [[7, 0, 2]], spins: [5]}",
+                      drum[] = "wall: {stiffness: 10, cylinders: [[0, 0, 1, 0, 0, 0, 4]]}",
+                      corner[] = "wall: {stiffness: 10, planes: [[1, 0, 0, -9], [0, 1, 0, -9]]}";
+    const double unit = 0.01 / 0.5;
+    assert_close(travel_of(SPHERE "x: [0, 0, 0], v: [8e3, 5e3, -6e3]", slope), 0.0, 1e-9);
+    assert_close(travel_of(SPHERE "x: [0, 0, 0], v: [3, 7, -1]", slope), unit, 1e-15);
+    assert_close(travel_of(SPHERE "x: [0, 0, 0], v: [5, 0, -1]", piston), 3.0 * unit, 1e-15);
+    assert_close(travel_of(SPHERE "x: [2, 0, 0], v: [1, 50, 90]", drum), unit, 1e-15);
+    assert_close(travel_of(SPHERE "x: [0, 0, 0], v: [3, 4, 70]", drum), 5.0 * unit, 1e-15);
+    assert_close(travel_of(SPHERE "x: [0, 0, 0], v: [-3, 4, 50]", corner), 4.0 * unit, 1e-15);
+    /* a clump of two spheres of diameter 1, each 0.3 from the centre, about which they turn by 2 */
+    assert_close(
+        travel_of("clumps: {spheres: [[0, 0, 0, 1], [0.6, 0, 0, 1]], density: 1}, x: [0, 0, 0], v: [9, 0, -1], "
+                  "alpha: [0, 0, 0], omega: [0, 0, 2]",
+                  piston),
+        0.01 * (3.0 + 0.6), 1e-15);
+    /* their centre of mass moves with (1, 0, -100) */
+    write_text("two.csv", "x,y,z,vx,vy,vz,mass\n0,0,0,4,0,-100,1\n9,0,0,0,0,-100,3\n");
+    assert_close(travel_of("table: two.csv, diameter: 0.5", "contact: {stiffness: 10}"), 3.0 * unit, 1e-12);
+    assert_close(travel_of("table: two.csv, diameter: 0.5", "wall: {stiffness: 10, planes: [[0, 1, 0, -9]]}"), 0.0,
+                 0.0);
+    assert_close(travel_of("table: two.csv, diameter: 0.5", drum), 4.0 * unit, 1e-12);
+    assert_close(travel_of("table: two.csv, diameter: 0.5", piston), 102.0 * unit, 1e-12);
+#undef SPHERE
+}
+
 /* ---- what to do -------------------------------------------------------------------------------------------------- */
 
 /** Warnings at a step of 1: where a tolerance chooses the steps, it is what has to be smaller. */
@@ -245,4 +297,4 @@ TEST(remedies)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(remedies), cmocka_unit_test(angles), cmocka_unit_test(errors),
                     cmocka_unit_test(orders), cmocka_unit_test(elsewhere), cmocka_unit_test(slopes),
-                    cmocka_unit_test(bonds))
+                    cmocka_unit_test(bonds), cmocka_unit_test(ways))

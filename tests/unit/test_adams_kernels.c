@@ -3,6 +3,8 @@
  * The two halves of a step of a multistep method by the kernels of every vector width, in every layout, against
  * the equations (EQUATIONS 8.1) written out here number by number, to the bit; and that nothing beside a slice is
  * touched. */
+#include <float.h>
+
 #include "../../src/multistep/vti_adams.h"
 #include "../../src/vti_move.h"
 #include "units.h"
@@ -59,9 +61,9 @@ static double sum(int64_t depth, const double *coefficient, double past[DEPTH][6
     return s;
 }
 
-static void predict(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double theta[3])
+static void predict(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
 {
-    double o[3][3], a1[3], a2[3], a3[3], c1[3], c2[3], p[3], q[3], w[3];
+    double o[3][3], theta[3], a1[3], a2[3], a3[3], c1[3], c2[3], p[3], q[3], w[3];
     for (int c = 0; c < 3; ++c) {
         const double v = *at(&b->v, i, c);
         *at(&b->x, i, c) += h * (v + h * sum(m->depth, adams_d, s->past[i], c));
@@ -80,14 +82,14 @@ static void predict(const vti_multistep *m, double h, struct system *s, const vt
     vti_cross(a1, p, c2);
     for (int c = 0; c < 3; ++c) {
         p[c] = c1[c] - 20.0 * a1[c] - a3[c];
-        q[c] = a2[c] - c2[c] / 60.0;
+        q[c] = a2[c] - 1.0 / 60.0 * c2[c];
     }
     vti_cross(p, q, theta);
     for (int c = 0; c < 3; ++c)
-        theta[c] = a1[c] + a3[c] / 12.0 + theta[c] / 240.0;
+        turn[1 + c] = a1[c] + 1.0 / 12.0 * a3[c] + 1.0 / 240.0 * theta[c];
 }
 
-static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[3])
+static void correct(const vti_multistep *m, double h, struct system *s, const vti_bodies *b, int i, double turn[4])
 {
     static const double ones[DEPTH] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     const double g = h * (adams_g[m->depth] + m->u), d = m->c * h * h * adams_d[m->depth];
@@ -99,7 +101,7 @@ static void correct(const vti_multistep *m, double h, struct system *s, const vt
         if (c < 3)
             *at(&b->x, i, c) += d * off;
         else
-            turn[c - 3] = d * off;
+            turn[1 + c - 3] = d * off;
         for (int j = 0; j < DEPTH; ++j) { /* the new value of each difference, and the next difference */
             const double was = s->past[i][j][c];
             s->past[i][j][c] = f;
@@ -108,10 +110,23 @@ static void correct(const vti_multistep *m, double h, struct system *s, const vt
     }
 }
 
+/** Bodies that one of them leaves over are for the next. */
+static void do_all(const struct vti_move_kernels *kernels, int corrects, const vti_multistep *m, const vti_past *past,
+                   const vti_bodies *b, double turn[END - FIRST][4])
+{
+    vti_half_step *const half[2] = {kernels->predict, kernels->correct}, *const rest[2] = {vti_move_baseline.predict,
+                                                                                           vti_move_baseline.correct};
+    const int64_t stop = half[corrects](m, 0.3, past, b, FIRST, END, turn[0]);
+    assert_in_range(END - stop, 0, 1);
+    rest[corrects](m, 0.3, past, b, stop, END, turn[stop - FIRST]);
+    for (int i = 0; i < END - FIRST; ++i)
+        turn[i][0] = 0.0; /* says nothing */
+}
+
 static void agree(const struct vti_move_kernels *kernels)
 {
     static struct system one, many;
-    double expected[END - FIRST][3], turn[END - FIRST][3];
+    double expected[END - FIRST][4] = {{0.0}}, turn[END - FIRST][4];
     rng g = rng_seed(11);
     for (int trial = 0; trial < LAYOUTS * 2 * (int)vti_multistep_count(); ++trial) {
         const vti_multistep *m = vti_multistep_at(trial / (LAYOUTS * 2));
@@ -122,18 +137,130 @@ static void agree(const struct vti_move_kernels *kernels)
         const vti_past past = {many.past[0][0], DEPTH, DEPTH};
         for (int i = FIRST; i < END; ++i)
             (corrects ? correct : predict)(m, 0.3, &one, &by_one, i, expected[i - FIRST]);
-        (corrects ? kernels->correct : kernels->predict)(m, 0.3, &past, &b, FIRST, END, turn[0]);
-        assert_same_bits(turn, expected, sizeof turn / sizeof(double));
+        do_all(kernels, corrects, m, &past, &b, turn);
+        assert_same_bits(turn, expected, sizeof expected / sizeof(double));
         assert_same_bits(&many, &one, sizeof one / sizeof(double));
     }
 }
 
-TEST(baseline)
+/* ---- turns ------------------------------------------------------------------------------------------------------- */
+
+enum { TURNED = 19, QUAT_ROOM = 5 * TURNED };
+enum { ALPHA_PACKED, ALPHA_SEPARATE, ALPHA_APART, QUAT_PACKED, QUAT_SEPARATE, QUAT_APART, KEPT };
+
+static vti_bodies attitudes_in(int kept, double *p)
 {
-    agree(&vti_move_baseline);
+    vti_bodies b = vti_bodies_none(TURNED);
+    const vti_view apart = {{p + 2, p, p + 4}, 5, 0};
+    if (kept == ALPHA_PACKED)
+        b.alpha = vti_view_packed(p);
+    else if (kept == ALPHA_SEPARATE)
+        b.alpha = vti_view_separate(p, p + TURNED, p + 2 * TURNED);
+    else if (kept == ALPHA_APART)
+        b.alpha = apart;
+    for (int k = 0; kept >= QUAT_PACKED && k < 4; ++k) {
+        b.quat.xyzw[k] = p + k * (kept == QUAT_SEPARATE ? TURNED : 1);
+        b.quat.stride = kept == QUAT_PACKED ? 4 : kept == QUAT_SEPARATE ? 1 : 5;
+    }
+    return b;
 }
 
-ON_AVX2(agree(&vti_move_avx2))
-ON_AVX512(agree(&vti_move_avx512))
+/** Turns of any size, of all numbers of bodies, among them such that only single bodies can make. */
+static void turn_alike(const struct vti_move_kernels *kernels)
+{
+    double one[QUAT_ROOM], many[QUAT_ROOM], by[4 * TURNED];
+    static const double large[3] = {4.0, 1e12, 1e200}; /* the square of the last is infinite */
+    rng g = rng_seed(12);
+    for (int trial = 0; trial < 40 * KEPT; ++trial) {
+        const int64_t first = trial % 3, end = first + trial % (TURNED - 2);
+        const double most = trial % 5 == 0 ? large[trial / 30 % 3] : 0.3;
+        for (int k = 0; k < QUAT_ROOM; ++k)
+            one[k] = many[k] = uniform(&g, -1.0, 1.0);
+        for (int k = 0; k < 4 * TURNED; ++k)
+            by[k] = uniform(&g, -most, most);
+        const vti_bodies by_one = attitudes_in(trial % KEPT, one), b = attitudes_in(trial % KEPT, many);
+        const int64_t stop = kernels->turn(by, &b, first, end);
+        assert_in_range(end - stop, 0, 4);
+        for (int64_t i = first; i < stop; ++i)
+            vti_move_turn_by(by + 4 * (i - first) + 1, &by_one, i);
+        assert_same_bits(many, one, QUAT_ROOM);
+    }
+}
 
-RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512))
+/** A turn about z by s = 0.2, x = s/2: the fraction for tan(x) errs by x^9/(3^2 5^2 7^2 9), 1e-14. */
+TEST(one_turn)
+{
+    double alpha[3] = {0.0, 0.0, 0.0}, quat[4] = {0.0, 0.0, 0.0, 1.0};
+    const double u[3] = {0.0, 0.0, 0.2}, tolerance = 1e-14 + 8.0 * DBL_EPSILON;
+    vti_bodies b = vti_bodies_none(1), q = vti_bodies_none(1);
+    b.alpha = vti_view_packed(alpha);
+    for (int k = 0; k < 4; ++k)
+        q.quat.xyzw[k] = quat + k;
+    vti_move_turn_by(u, &b, 0);
+    vti_move_turn_by(u, &q, 0);
+    assert_close(0.5 * alpha[2], tan(0.1), tolerance);
+    assert_close(quat[2], sin(0.1), tolerance);
+    assert_close(quat[3], cos(0.1), tolerance);
+}
+
+/* ---- whole steps ------------------------------------------------------------------------------------------------- */
+
+enum { MOST = 77 };
+
+struct many {
+    double x[3 * MOST], v[3 * MOST], force[3 * MOST], alpha[3 * MOST], omega[3 * MOST], moment[3 * MOST],
+        past[MOST][DEPTH][6];
+};
+
+/** A step of the bodies from first on, so many. */
+static void step(struct many *s, int64_t first, int64_t count)
+{
+    static const double one = 1.5;
+    const vti_multistep *const m = vti_multistep_find("an10");
+    vti_bodies b = vti_bodies_none(count);
+    vti_past past = {s->past[0][0], DEPTH, DEPTH};
+    b.first = first;
+    b.x = vti_view_packed(s->x);
+    b.v = vti_view_packed(s->v);
+    b.force = vti_view_packed(s->force);
+    b.alpha = vti_view_packed(s->alpha);
+    b.omega = vti_view_packed(s->omega);
+    b.moment = vti_view_packed(s->moment);
+    b.mass = b.inertia = vti_scalars_one(&one);
+    assert_int_equal(vti_multistep_predict(m, 0.1, &past, &b, NULL), VTI_OK);
+    assert_int_equal(vti_multistep_correct(m, 0.1, &past, &b), VTI_OK);
+}
+
+/** All bodies as one alone, by whatever kernels there are, and of any number. */
+TEST(numbers_of_bodies)
+{
+    static struct many all, each;
+    rng g = rng_seed(13);
+    for (int64_t n = 1; n <= MOST; ++n) {
+        double *const numbers = (double *)&all;
+        for (size_t k = 0; k < sizeof all / sizeof *numbers; ++k)
+            numbers[k] = uniform(&g, -1.0, 1.0);
+        each = all;
+        step(&all, 0, n);
+        for (int64_t i = 0; i < n; ++i)
+            step(&each, i, 1);
+        assert_same_bits(&all, &each, sizeof all / sizeof *numbers);
+    }
+}
+
+static void all_kernels(const struct vti_move_kernels *kernels)
+{
+    agree(kernels);
+    turn_alike(kernels);
+}
+
+TEST(baseline)
+{
+    all_kernels(&vti_move_baseline);
+}
+
+ON_AVX2(all_kernels(&vti_move_avx2))
+ON_AVX512(all_kernels(&vti_move_avx512))
+
+RUN_TESTS(cmocka_unit_test(one_turn), cmocka_unit_test(numbers_of_bodies), cmocka_unit_test(baseline),
+          cmocka_unit_test(avx2), cmocka_unit_test(avx512))

@@ -145,13 +145,8 @@ static int make_bond(struct binder_self *self, const vti_bodies *bodies, const i
 /** Where bodies touch: the contact of the model, whose list is that of the bodies as they are. */
 static int find_contacts(struct model *model, const vti_contacts **contacts)
 {
-    struct effect_surfaces surfaces;
-    memset(&surfaces, 0, sizeof surfaces);
     const int status = model_find_pairs(model, &model->bodies);
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->surfaces != NULL)
-            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
-    *contacts = surfaces.contacts;
+    *contacts = model_surfaces(model).contacts;
     return status;
 }
 

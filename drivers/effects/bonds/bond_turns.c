@@ -108,15 +108,15 @@ static double least_inertia(const vti_bodies *b)
     return least;
 }
 
-/** Steps in which no two bodies turn by more than 60 degrees against each other, with twice the energy E of now
+/** Steps in which no two bodies turn by more than 90 degrees against each other, with twice the energy E of now
  *
- *      2 h |Omega| <= 2 h (4 E/J)^{1/2}
+ *      h (|Omega_i| + |Omega_j|) <= h (2 |Omega_i|^2 + 2 |Omega_j|^2)^{1/2} <= h (8 E/J)^{1/2}
  *
  *  but few, as rows may be far apart and walls may stir bodies in between. */
 static double steps_between(const vti_bodies *bodies, double energy, double h)
 {
-    const double sixty_degrees = 1.0471975511965976, most = 16.0;
-    const double steps = sixty_degrees / (2.0 * h * sqrt(4.0 * energy / least_inertia(bodies)));
+    const double right_angle = 1.5707963267948966, most = 16.0;
+    const double steps = right_angle / (h * sqrt(8.0 * energy / least_inertia(bodies)));
     return steps >= 1.0 ? fmin(floor(steps), most) : 1.0;
 }
 

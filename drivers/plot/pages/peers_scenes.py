@@ -111,7 +111,7 @@ def agglomerate_picture(folder, path):
     curves(left, rows, "t", "bonds", "vti")
     left.set(title="Bonds that hold", xlabel="t (s)", ylabel="bonds", ylim=(0, None))
     curves(right, rows, "t", "kinetic", "vti")
-    right.set(title="Kinetic energy", xlabel="t (s)", ylabel="J", ylim=(0, None))
+    right.set(title="Kinetic energy", xlabel="t (s)", ylabel="energy (J)", ylim=(0, None))
     style.save(figure, path)
 
 

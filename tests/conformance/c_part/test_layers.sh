@@ -63,14 +63,15 @@ core="include/*.h src/*.[ch] src/*/*.[ch]"
     [ -z "$strangers" ] || complain "the core includes more than C99, math.h and string.h:
 $strangers"
     from "$(own_headers include/*.h)" include
-    # one room sees what is below it; kernels of a vector unit are compiled as one, so that moves see turns and multistep methods
+    # one room sees what is below it; kernels of a vector unit are compiled as one, so that moves see turns and multistep methods,
+    # and dashpots friction, which is carried by the kernels of the same table
     from "$(own_headers src/*.[ch] | nameless)" include src src/lanes src/inertia src/multistep
     from "$(own_headers src/lanes/*.h | nameless)" include src src/lanes
     from "$(own_headers src/inertia/*.[ch] | nameless)" include src src/lanes src/inertia
     from "$(own_headers src/multistep/*.[ch] | nameless)" include src src/lanes src/multistep
     from "$(own_headers src/bonds/*.[ch] | nameless)" include src src/lanes src/bonds
     from "$(own_headers src/contacts/*.[ch] | nameless)" include src src/lanes src/contacts
-    from "$(own_headers src/dissipation/*.[ch] | nameless)" include src src/lanes src/contacts src/dissipation
+    from "$(own_headers src/dissipation/*.[ch] src/friction/*.[ch] | nameless)" include src src/lanes src/contacts src/dissipation src/friction
     calls='(malloc|calloc|realloc|free|alloca|printf|fprintf|sprintf|snprintf|puts|putchar|fopen|exit|_Exit|abort|assert|getenv|setlocale|rand)'
     bad=$(sed -E 's://.*$::; s:"([^"\\]|\\.)*":"":g' $core | awk '{
             line = $0

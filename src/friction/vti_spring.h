@@ -30,13 +30,6 @@ struct vti_taken {
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */
 
-VTI_INLINE void vti_carry_across(lanes a[3], const lanes n[3])
-{
-    const lanes along = lanes_dot(a, n);
-    for (int k = 0; k < 3; ++k)
-        a[k] -= along * n[k];
-}
-
 /** d0, n0 and delta0 of two bodies that have moved against each other by way. */
 VTI_INLINE void vti_carry_apart(struct vti_carry *c, const lanes way[3], lanes d0[3])
 {
@@ -72,8 +65,8 @@ VTI_INLINE void vti_carry_stretch(struct vti_carry *c, const lanes d0[3], const 
     }
     c->tau = 0.125 * lanes_dot(sum, s);
     c->twisted = lanes_dot(c->rolled, c->n_m);
-    vti_carry_across(c->slid, c->n_m);
-    vti_carry_across(c->rolled, c->n_m);
+    vti_touch_across(c->n_m, c->slid);
+    vti_touch_across(c->n_m, c->rolled);
     /* since they have touched */
     const lanes part = at->delta / (at->delta - c->delta0);
     const lanes share = lanes_where((c->delta0 < 0.0) & (at->delta > 0.0), part, lanes_of(1.0));

@@ -5,7 +5,7 @@
 
 #include "../vti_move.h"
 #include "vti_carry.h"
-#include "vti_touch_gather.h"
+#include "../dissipation/vti_touch_gather.h"
 
 VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
 
@@ -45,11 +45,10 @@ VTI_INLINE void gather_motion(enum touch_layout layout, struct vti_carry *c, con
                               const vti_bodies *b, const vti_drifted *drifted, const struct vti_carried *pairs,
                               int64_t first)
 {
-    lanes v[3], a_i[3], a_j[3], d0[3];
-    gather(layout, &b->v, i, c->slid);
-    gather(layout, &b->v, j, v);
+    lanes a_i[3], a_j[3], d0[3];
+    gather_difference(layout, &b->v, i, j, c->slid);
     for (int k = 0; k < 3; ++k)
-        c->slid[k] = drifted->t * (c->slid[k] - v[k]);
+        c->slid[k] *= drifted->t;
     for (int k = 0; k < 3 && pairs->turned; ++k) {
         a_i[k] = lanes_load(pairs->turn[k] + first);
         a_j[k] = lanes_load(pairs->turn[3 + k] + first);
@@ -114,10 +113,7 @@ static void carry(const vti_friction *p, const vti_bodies *b, const vti_drifted 
     struct books books;
     books_open(&books, p->lost, VTI_FRICTION_BOOKS);
     for (int64_t first = 0; first < pairs->count; first += WIDTH)
-        if (packed)
-            carry_lanes(PACKED, p, b, drifted, pairs, first, &books);
-        else
-            carry_lanes(ANY, p, b, drifted, pairs, first, &books);
+        BY_LAYOUT(packed, carry_lanes, p, b, drifted, pairs, first, &books);
     books_close(&books, p->lost, VTI_FRICTION_BOOKS);
 }
 
@@ -182,10 +178,7 @@ static void carry_at_wall(const vti_friction *p, const vti_bodies *b, const vti_
     struct books books;
     books_open(&books, p->lost, VTI_FRICTION_BOOKS);
     for (int64_t first = 0; first < bodies->count; first += WIDTH)
-        if (packed)
-            carry_lanes_at_wall(PACKED, p, b, drifted, w, bodies, first, &books);
-        else
-            carry_lanes_at_wall(ANY, p, b, drifted, w, bodies, first, &books);
+        BY_LAYOUT(packed, carry_lanes_at_wall, p, b, drifted, w, bodies, first, &books);
     books_close(&books, p->lost, VTI_FRICTION_BOOKS);
 }
 

@@ -4,7 +4,7 @@
 #ifndef VTI_PUSH_KERNELS_H
 #define VTI_PUSH_KERNELS_H
 
-#include "vti_touch_gather.h"
+#include "../dissipation/vti_touch_gather.h"
 
 /* ---- which are near ---------------------------------------------------------------------------------------------- */
 
@@ -14,14 +14,11 @@ VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, c
 {
     int64_t all[WIDTH], found = 0;
     struct side i, j;
-    lanes d[3], x[3];
+    lanes d[3];
     for (int l = 0; l < WIDTH; ++l)
         all[l] = first + (l < count ? l : count - 1);
     sides_of(p->pair, p->base, all, &i, &j);
-    gather(layout, &b->x, &i, d);
-    gather(layout, &b->x, &j, x);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= x[c];
+    gather_difference(layout, &b->x, &i, &j, d);
     const lanes length = gather_length(p, all, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
                 far = length + reach, r2 = lanes_dot(d, d);
     int64_t is_near[WIDTH], touches[WIDTH];
@@ -79,9 +76,7 @@ static uint64_t near_wall(const vti_walls *p, const vti_bodies *b, double reach,
     for (int64_t k = 0; k < count; k += WIDTH) {
         for (int l = 0; l < WIDTH; ++l)
             body[l] = first + (k + l < count ? k + l : count - 1);
-        const uint64_t here = packed ? near_lanes_at_wall(PACKED, p, b, reach, h, w, body)
-                                     : near_lanes_at_wall(ANY, p, b, reach, h, w, body);
-        bits |= here << k;
+        bits |= (uint64_t)BY_LAYOUT(packed, near_lanes_at_wall, p, b, reach, h, w, body) << k;
     }
     return bits & ~UINT64_C(0) >> (64 - count);
 }
@@ -153,15 +148,11 @@ static void push_springs(const vti_friction *p, const vti_bodies *b, int64_t cou
                          vti_held *const *held)
 {
     const int packed = is_loaded_packed(b);
-    int64_t place[WIDTH];
-    int64_t slot[WIDTH];
+    int64_t place[WIDTH], slot[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const pairs = whole(which, first, count, place);
         whole_slots(held[0], held, first, count, slot);
-        if (packed)
-            push_lanes(PACKED, p, b, pairs, held[0], slot, count - first);
-        else
-            push_lanes(ANY, p, b, pairs, held[0], slot, count - first);
+        BY_LAYOUT(packed, push_lanes, p, b, pairs, held[0], slot, count - first);
     }
 }
 
@@ -197,15 +188,11 @@ static void push_springs_at_wall(const vti_friction *p, const vti_bodies *b, int
                                  const int64_t *body, vti_held *const *held)
 {
     const int packed = is_loaded_packed(b);
-    int64_t place[WIDTH];
-    int64_t slot[WIDTH];
+    int64_t place[WIDTH], slot[WIDTH];
     for (int64_t first = 0; first < count; first += WIDTH) {
         const int64_t *const bodies = whole(body, first, count, place);
         whole_slots(held[0], held, first, count, slot);
-        if (packed)
-            push_lanes_at_wall(PACKED, p, b, w, bodies, held[0], slot, count - first);
-        else
-            push_lanes_at_wall(ANY, p, b, w, bodies, held[0], slot, count - first);
+        BY_LAYOUT(packed, push_lanes_at_wall, p, b, w, bodies, held[0], slot, count - first);
     }
 }
 
