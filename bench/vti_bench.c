@@ -93,6 +93,17 @@ static double nanoseconds(const struct bench_case *c, int64_t calls)
     return 1e9 * turn(c, calls) / ((double)calls * (double)c->items);
 }
 
+/** Another order of so many cases in each round: a case that follows one on other memory finds less of its own in a large
+ *  cache, however often that is fetched first, than one that follows one on its own. */
+static void shuffle(int *order, int count, uint64_t *seed)
+{
+    for (int k = 0; k < count; ++k) {
+        const int other = (int)(0.5 * (bench_random(seed) + 1.0) * (k + 1));
+        order[k] = order[other];
+        order[other] = k;
+    }
+}
+
 /** Rounds of all cases, and more of them where some median is not known yet: a machine that does other things for a
  *  second would else leave its mark on the sizes that take less. */
 static int run(const struct bench_case *cases, int count, int64_t n)
@@ -103,10 +114,13 @@ static int run(const struct bench_case *cases, int count, int64_t n)
         return -1;
     for (int k = 0; k < count; ++k)
         t[k].calls = calls_of(&cases[k]);
+    int order[BENCH_CASES];
+    uint64_t seed = 1;
     int64_t done = 0;
     for (int known = 0; done < rounds || (!known && done < MORE * rounds);) {
+        shuffle(order, count, &seed);
         for (int k = 0; k < count; ++k)
-            t[k].ns[done] = nanoseconds(&cases[k], t[k].calls);
+            t[order[k]].ns[done] = nanoseconds(&cases[order[k]], t[order[k]].calls);
         ++done;
         known = 1;
         for (int k = 0; k < count && known && done >= rounds; ++k)

@@ -198,13 +198,14 @@ struct translation {
     double t;
     struct stream v, x; /* x is v where it does not move */
     int moves;
+    int far; /* there are so many bodies that they are prefetched */
 };
 
 VTI_INLINE struct translation translation_of(const struct vti_move *move, const vti_bodies *b)
 {
     const int moves = move->drifts && vti_has(&b->x);
     return (struct translation){kicks_of(move, &b->force, &b->mass), move->drift, stream_of(&b->v),
-                                stream_of(moves ? &b->x : &b->v), moves};
+                                stream_of(moves ? &b->x : &b->v),    moves,       0};
 }
 
 static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)

@@ -168,6 +168,24 @@ TEST(the_bound_sees_every_body)
     }
 }
 
+/** So many bodies in 20 n numbers, of quaternions in 21 n. */
+static vti_bodies crowd_in(double *p, int64_t n, int separate, int by_quat)
+{
+    vti_bodies b = vti_bodies_none(n);
+    vti_view *const views[] = {&b.x, &b.v, &b.force, &b.omega, &b.moment, &b.alpha};
+    for (int q = 0; q < (by_quat ? 5 : 6); ++q) {
+        double *const x = p + 3 * q * n;
+        *views[q] = separate ? vti_view_separate(x, x + n, x + 2 * n) : vti_view_packed(x);
+    }
+    for (int k = 0; k < 4 && by_quat; ++k)
+        b.quat.xyzw[k] = separate ? p + (17 + k) * n : p + 17 * n + k;
+    b.quat.stride = by_quat && !separate ? 4 : 1;
+    double *const m = p + (by_quat ? 15 : 18) * n;
+    b.mass = vti_scalars_array(m);
+    b.inertia = vti_scalars_array(m + n);
+    return b;
+}
+
 /** Bodies of more than a block and a strip that begin at any place in a line of the cache: `vti_move_all` leaves none
  *  out, and moves none twice. */
 TEST(a_crowd_moves_body_by_body)
@@ -180,25 +198,39 @@ TEST(a_crowd_moves_body_by_body)
             rng g = rng_seed((uint64_t)shift + 11);
             for (int k = 0; k < NUMBERS; ++k)
                 whole[shift + k] = each[shift + k] = uniform(&g, 0.5, 1.5);
-            vti_bodies b[2];
-            for (int k = 0; k < 2; ++k) {
-                double *const p = (k == 0 ? whole : each) + shift;
-                b[k] = vti_bodies_none(CROWD);
-                vti_view *const views[] = {&b[k].x, &b[k].v, &b[k].force, &b[k].omega, &b[k].moment, &b[k].alpha};
-                for (int q = 0; q < 6; ++q) {
-                    double *const x = p + 3 * q * CROWD;
-                    *views[q] = separate ? vti_view_separate(x, x + CROWD, x + 2 * CROWD) : vti_view_packed(x);
-                }
-                b[k].mass = vti_scalars_array(p + 18 * CROWD);
-                b[k].inertia = vti_scalars_array(p + 19 * CROWD);
-            }
-            vti_move_all(&move, &b[0]);
+            const vti_bodies all = crowd_in(whole + shift, CROWD, separate, 0),
+                             alone = crowd_in(each + shift, CROWD, separate, 0);
+            vti_move_all(&move, &all);
             for (int64_t i = 0; i < CROWD; ++i) {
-                const vti_bodies slice = vti_bodies_slice(b[1], i, 1);
+                const vti_bodies slice = vti_bodies_slice(alone, i, 1);
                 vti_move_all(&move, &slice);
             }
             assert_same_bits(whole + shift, each + shift, NUMBERS);
         }
+}
+
+/** So many that they are prefetched have the bits of fewer. */
+TEST(bodies_are_prefetched_with_the_same_bits)
+{
+    enum { CROWD = (1 << 19) + 45, PART = 1 << 17, NUMBERS = 21 * CROWD };
+    double *const whole = malloc(2 * NUMBERS * sizeof *whole), *const parts = whole + NUMBERS;
+    assert_non_null(whole);
+    for (int k = 0; k < 8; ++k) {
+        const int drifts = k % 2, separate = k / 2 % 2, by_quat = k / 4;
+        const struct vti_move move = {0.0, 0.2, 0.3, drifts, VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 0};
+        rng g = rng_seed((uint64_t)k + 13);
+        for (int64_t n = 0; n < NUMBERS; ++n)
+            whole[n] = parts[n] = uniform(&g, 0.5, 1.5);
+        const vti_bodies all = crowd_in(whole, CROWD, separate, by_quat),
+                         fewer = crowd_in(parts, CROWD, separate, by_quat);
+        vti_move_all(&move, &all);
+        for (int64_t i = 0; i < CROWD; i += PART) {
+            const vti_bodies slice = vti_bodies_slice(fewer, i, CROWD - i < PART ? CROWD - i : PART);
+            vti_move_all(&move, &slice);
+        }
+        assert_same_bits(whole, parts, NUMBERS);
+    }
+    free(whole);
 }
 
 TEST(next_is_finish_and_begin)
@@ -228,4 +260,4 @@ TEST(next_is_finish_and_begin)
 
 RUN_TESTS(cmocka_unit_test(baseline), cmocka_unit_test(avx2), cmocka_unit_test(avx512),
           cmocka_unit_test(the_bound_sees_every_body), cmocka_unit_test(a_crowd_moves_body_by_body),
-          cmocka_unit_test(next_is_finish_and_begin))
+          cmocka_unit_test(bodies_are_prefetched_with_the_same_bits), cmocka_unit_test(next_is_finish_and_begin))
