@@ -147,30 +147,29 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
     const struct translation x = translation_with(order, with);
-    for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
-        if (i == strip) {
-            const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
-            if (next >= 0)
-                prefetch_vectors(order, alpha, next);
-            strip = translate_strip(order, x, i, end);
+    for (int64_t i = begin; i < end;) { /* a whole number of lanes */
+        const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
+        if (next >= 0)
+            prefetch_vectors(order, alpha, next);
+        for (const int64_t to = translate_strip(order, x, i, end); i < to; i += WIDTH) {
+            lanes u[3], there[3], a[3];
+            const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+            load(order, alpha, i, there);
+            if (order == PACKED)
+                lanes_split(there, a);
+            else
+                for (int n = 0; n < 3; ++n)
+                    a[n] = there[n];
+            if (!lanes_all(turn_alphas(law, side, s2, u, a))) {
+                turn_one_by_one(move, b, i);
+                continue;
+            }
+            if (order == PACKED) {
+                lanes_join(a, there);
+                store(order, alpha, i, there);
+            } else
+                store(order, alpha, i, a);
         }
-        lanes u[3], there[3], a[3];
-        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
-        load(order, alpha, i, there);
-        if (order == PACKED)
-            lanes_split(there, a);
-        else
-            for (int n = 0; n < 3; ++n)
-                a[n] = there[n];
-        if (!lanes_all(turn_alphas(law, side, s2, u, a))) {
-            turn_one_by_one(move, b, i);
-            continue;
-        }
-        if (order == PACKED) {
-            lanes_join(a, there);
-            store(order, alpha, i, there);
-        } else
-            store(order, alpha, i, a);
     }
 }
 
@@ -186,30 +185,29 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     int64_t at[WIDTH];
     lanes_strided(quat.stride, at);
     const struct translation x = translation_with(order, with);
-    for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
-        if (i == strip) {
-            const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
-            for (int n = 0; n < 4 && next >= 0; ++n)
-                prefetch(adjacent ? quat.xyzw[0] + next * quat.stride + n * STRIP : quat.xyzw[n] + next, STRIP);
-            strip = translate_strip(order, x, i, end);
+    for (int64_t i = begin; i < end;) { /* a whole number of lanes */
+        const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
+        for (int n = 0; n < 4 && next >= 0; ++n)
+            prefetch(adjacent ? quat.xyzw[0] + next * quat.stride + n * STRIP : quat.xyzw[n] + next, STRIP);
+        for (const int64_t to = translate_strip(order, x, i, end); i < to; i += WIDTH) {
+            lanes u[3], q[4], r[4];
+            const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+            if (adjacent)
+                lanes_quads(quat.xyzw[0] + i * quat.stride, at, q);
+            else
+                for (int n = 0; n < 4; ++n)
+                    q[n] = lanes_load(quat.xyzw[n] + i);
+            if (!lanes_all(s2 < 8.0)) {
+                turn_one_by_one(move, b, i);
+                continue;
+            }
+            turn_quats(law, side, s2, u, q, r);
+            if (adjacent)
+                lanes_unquad(quat.xyzw[0] + i * quat.stride, at, r);
+            else
+                for (int n = 0; n < 4; ++n)
+                    lanes_store(quat.xyzw[n] + i, r[n]);
         }
-        lanes u[3], q[4], r[4];
-        const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
-        if (adjacent)
-            lanes_quads(quat.xyzw[0] + i * quat.stride, at, q);
-        else
-            for (int n = 0; n < 4; ++n)
-                q[n] = lanes_load(quat.xyzw[n] + i);
-        if (!lanes_all(s2 < 8.0)) {
-            turn_one_by_one(move, b, i);
-            continue;
-        }
-        turn_quats(law, side, s2, u, q, r);
-        if (adjacent)
-            lanes_unquad(quat.xyzw[0] + i * quat.stride, at, r);
-        else
-            for (int n = 0; n < 4; ++n)
-                lanes_store(quat.xyzw[n] + i, r[n]);
     }
 }
 
@@ -296,13 +294,12 @@ static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t 
 VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
                           int64_t end)
 {
-    for (int64_t i = begin, strip = begin; i + WIDTH <= end; i += WIDTH) {
-        if (i == strip) {
-            (void)prefetch_ahead(order, x, k, w, i, end);
-            strip += STRIP;
+    for (int64_t i = begin; i < end;) {
+        (void)prefetch_ahead(order, x, k, w, i, end);
+        for (const int64_t to = end - i < STRIP ? end : i + STRIP; i < to; i += WIDTH) {
+            kick_and_move_some(order, x.k, x.t, x.v, x.moves, x.x, i);
+            kick_and_move_some(order, k, 0.0, w, 0, w, i);
         }
-        kick_and_move_some(order, x.k, x.t, x.v, x.moves, x.x, i);
-        kick_and_move_some(order, k, 0.0, w, 0, w, i);
     }
 }
 

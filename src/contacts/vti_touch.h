@@ -44,7 +44,7 @@ static inline int vti_touch_pair(struct vti_touch *at, const vti_contacts *p, co
     const double far = at->length + reach, r2 = vti_dot(d, d);
     if (!(r2 <= far * far))
         return 0;
-    vti_touch_between(at, d, di, dj);
+    vti_touch_between(at, d, di / (di + dj));
     at->stiffness = vti_contact_stiffness(p, at->i, at->j, at->length);
     return at->r > VTI_COINCIDENT;
 }

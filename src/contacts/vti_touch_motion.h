@@ -33,17 +33,17 @@ struct vti_touch {
     lanes per_m_i, per_m_j, per_j_i, per_j_j; /* 1/m and 1/J; 0 for a wall, and 1/J where nothing turns */
 };
 
-/** Of two bodies d apart, the diameters D_i and D_j of which say where between them they touch, and from which distance
- *  on, the length. */
-VTI_INLINE void vti_touch_between(struct vti_touch *at, const lanes d[3], lanes diameter_i, lanes diameter_j)
+/** Of two bodies d apart, and from which distance on they touch, the length; s_i = D_i/(D_i + D_j) says where between
+ *  them. */
+VTI_INLINE void vti_touch_between(struct vti_touch *at, const lanes d[3], lanes s_i)
 {
     at->r = lanes_sqrt(lanes_dot(d, d));
     const lanes per_r = 1.0 / at->r;
     for (int c = 0; c < 3; ++c)
         at->n[c] = d[c] * per_r;
     at->delta = at->length - at->r;
-    at->s_i = diameter_i / (diameter_i + diameter_j);
-    at->s_j = 1.0 - at->s_i;
+    at->s_i = s_i;
+    at->s_j = 1.0 - s_i;
 }
 
 /** Velocities of both sides, which flows change; of a wall they are its own and stay. */

@@ -14,9 +14,8 @@ struct vti_decay {
     lanes gone; /* 1 - exp(-z), small where z is */
 };
 
-/** Of n <= 4 of z >= 0 at once, so that none waits for the other's polynomial; both members are NaN where z is. Errors:
- *  2 eps of each. */
-VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
+/** P(r) of n <= 4 at once, so that none waits for the other's polynomial. */
+VTI_INLINE void vti_decay_series(int n, const lanes *r, lanes *p)
 {
     /* 1/n! with alternating signs, n = 14 ... 2: what is left out is below r^15/15! < 2^-62 r */
     static const double taylor[] = {1.0 / 87178291200.0,
@@ -32,17 +31,10 @@ VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
                                     1.0 / 24.0,
                                     -1.0 / 6.0,
                                     0.5};
-    static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
-    static const double most = 708.0; /* beyond, exp(-z) < 2^-1021 */
     enum { TERMS = sizeof taylor / sizeof taylor[0] };
-    lanes r[4], r2[4], power[4], p[4], odd[4]; /* even and odd powers apart: half as long a chain */
+    lanes r2[4], odd[4]; /* even and odd powers apart: half as long a chain */
     for (int i = 0; i < n; ++i) {
-        const lanes z_i = lanes_where(z[i] > most, lanes_of(most), z[i]);
-        const lanes x = z_i * per_ln2 + 0.5, near = (x + 0x1.8p52) - 0x1.8p52;
-        const lanes k = lanes_where(near > x, near - 1.0, near); /* the whole part of x */
-        r[i] = (z_i - k * ln2_high) - k * ln2_low;
         r2[i] = r[i] * r[i];
-        power[i] = lanes_half_to(k);
         p[i] = lanes_of(taylor[0]);
         odd[i] = lanes_of(taylor[1]);
     }
@@ -51,8 +43,37 @@ VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
             p[i] = p[i] * r2[i] + taylor[c];
             odd[i] = c + 1 < TERMS ? odd[i] * r2[i] + taylor[c + 1] : odd[i];
         }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i)
         p[i] = (p[i] + r[i] * odd[i]) * r2[i] - r[i];
+}
+
+/** Of n <= 4 of z >= 0; both members are NaN where z is. Errors: 2 eps of each. */
+VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
+{
+    static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
+    static const double most = 708.0;  /* beyond, exp(-z) < 2^-1021 */
+    static const double within = 0.34; /* k is 0 */
+    lanes r[4], power[4], p[4];
+    lanes_mask small = lanes_of(0.0) < within;
+    for (int i = 0; i < n; ++i)
+        small &= z[i] < within;
+    if (lanes_all(small)) { /* as mostly: the same with r = z */
+        vti_decay_series(n, z, p);
+        for (int i = 0; i < n; ++i) {
+            d[i].kept = 1.0 + p[i];
+            d[i].gone = 0.0 - p[i];
+        }
+        return;
+    }
+    for (int i = 0; i < n; ++i) {
+        const lanes z_i = lanes_where(z[i] > most, lanes_of(most), z[i]);
+        const lanes x = z_i * per_ln2 + 0.5, near = (x + 0x1.8p52) - 0x1.8p52;
+        const lanes k = lanes_where(near > x, near - 1.0, near); /* the whole part of x */
+        r[i] = (z_i - k * ln2_high) - k * ln2_low;
+        power[i] = lanes_half_to(k);
+    }
+    vti_decay_series(n, r, p);
+    for (int i = 0; i < n; ++i) {
         d[i].kept = lanes_where(z[i] > most, lanes_of(0.0), power[i] + power[i] * p[i]);
         d[i].gone = (1.0 - power[i]) - power[i] * p[i];
     }

@@ -140,7 +140,8 @@ VTI_INLINE void gather_touches(enum touch_layout layout, const vti_contacts *p, 
     const lanes diameter_i = scalars(&p->diameter, i), diameter_j = scalars(&p->diameter, j);
     at->length = gather_length(p, which, diameter_i, diameter_j);
     at->stiffness = gather_stiffness(p, i, j, at->length);
-    vti_touch_between(at, d, diameter_i, diameter_j);
+    /* of one diameter D/(D + D) is exact */
+    vti_touch_between(at, d, p->diameter.stride == 0 ? lanes_of(0.5) : diameter_i / (diameter_i + diameter_j));
 }
 
 /** K of bodies at wall w, as vti_face_stiffness has it. */
