@@ -117,27 +117,14 @@ void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i)
 
 /* ---- many -------------------------------------------------------------------------------------------------------- */
 
-/** The kernels for so many bodies and this machine's vector units, widest first, then NULL: what one leaves over, the
- *  next may take. None is for few bodies, or for such as carry residuals. */
+/** The kernels for so many bodies: none for few, or for such as carry residuals. */
 static inline const struct vti_move_kernels *const *kernels(int64_t bodies, int carry)
 {
-    static const struct vti_move_kernels *const all[] = {
-#ifdef VTI_HAS_AVX512
-        &vti_move_avx512,
-#endif
-#ifdef VTI_HAS_AVX2
-        &vti_move_avx2,
-#endif
-        &vti_move_baseline, NULL};
-    const struct vti_move_kernels *const *first = all;
-    if (carry || bodies <= VTI_FEW)
-        return all + sizeof all / sizeof all[0] - 1;
-#ifdef VTI_HAS_AVX512
-    first += bodies < vti_move_avx512.least || !vti_serves_avx512();
-#endif
-#ifdef VTI_HAS_AVX2
-    first += *first == &vti_move_avx2 && (bodies < vti_move_avx2.least || !vti_serves_avx2());
-#endif
+    static const struct vti_move_kernels *const none[] = {NULL};
+    const struct vti_move_kernels *const *first = none;
+    if (!carry && bodies > VTI_FEW)
+        for (first = vti_move_served(); first[1] != NULL && bodies < (*first)->least;)
+            ++first;
     return first;
 }
 

@@ -78,6 +78,27 @@ struct vti_move_kernels {
 };
 extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_avx512;
 
+/** Those of this machine's vector units, widest first, then NULL: what one leaves over, the next may take. */
+static inline const struct vti_move_kernels *const *vti_move_served(void)
+{
+    static const struct vti_move_kernels *const all[] = {
+#ifdef VTI_HAS_AVX512
+        &vti_move_avx512,
+#endif
+#ifdef VTI_HAS_AVX2
+        &vti_move_avx2,
+#endif
+        &vti_move_baseline, NULL};
+    const struct vti_move_kernels *const *first = all;
+#ifdef VTI_HAS_AVX512
+    first += !vti_serves_avx512();
+#endif
+#ifdef VTI_HAS_AVX2
+    first += *first == &vti_move_avx2 && !vti_serves_avx2();
+#endif
+    return first;
+}
+
 /** The increment dalpha = 2 f u/c of a body that turns by u = t Omega, of s^2 = u.u:
  *      closed, VTI-1     dalpha = 2 u/(1 + sqrt(1 - s^2))
  *      Cayley, VTI-2, 3  dalpha = u

@@ -52,12 +52,12 @@ VTI_INLINE void vti_decays(int n, const lanes *z, struct vti_decay *d)
 {
     static const double per_ln2 = 1.4426950408889634, ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
     static const double most = 708.0;  /* beyond, exp(-z) < 2^-1021 */
-    static const double within = 0.34; /* k is 0 */
+    static const double within = 0.34; /* < ln(2)/2, k is 0 */
     lanes r[4], power[4], p[4];
     lanes_mask small = lanes_of(0.0) < within;
     for (int i = 0; i < n; ++i)
         small &= z[i] < within;
-    if (lanes_all(small)) { /* as mostly: the same with r = z */
+    if (lanes_all(small)) { /* as mostly: the same bits, with k = 0, r = z */
         vti_decay_series(n, z, p);
         for (int i = 0; i < n; ++i) {
             d[i].kept = 1.0 + p[i];

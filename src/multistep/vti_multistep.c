@@ -98,25 +98,14 @@ static int check(const vti_multistep *method, double h, const vti_past *past, co
 /** Of so many bodies the past does not stay in the cache. */
 enum { MANY = 4096 };
 
-/** The kernels of this machine's vector units, widest first, then NULL: what one leaves over, the next takes. Two bodies at
- *  once are for the cache: from memory a past comes at half the speed where two places of it are read in turns. */
+/** The kernels for so many bodies. Two at once are for the cache: from memory a past comes at half the speed where two
+ *  places of it are read in turns. */
 static const struct vti_move_kernels *const *kernels(int64_t bodies)
 {
+    const struct vti_move_kernels *const *first = vti_move_served();
     (void)bodies;
-    static const struct vti_move_kernels *const all[] = {
 #ifdef VTI_HAS_AVX512
-        &vti_move_avx512,
-#endif
-#ifdef VTI_HAS_AVX2
-        &vti_move_avx2,
-#endif
-        &vti_move_baseline, NULL};
-    const struct vti_move_kernels *const *first = all;
-#ifdef VTI_HAS_AVX512
-    first += bodies >= MANY || !vti_serves_avx512();
-#endif
-#ifdef VTI_HAS_AVX2
-    first += *first == &vti_move_avx2 && !vti_serves_avx2();
+    first += bodies >= MANY && *first == &vti_move_avx512;
 #endif
     return first;
 }

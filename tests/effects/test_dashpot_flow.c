@@ -123,7 +123,7 @@ TEST(bodies_that_do_not_turn)
 
 /** Without springs of friction a tangential dashpot is held to mu F_n, which stops what is slow; where nothing presses
  *  yet, nothing is lost across the normal; a ratio of no normal coefficient is none; centres that coincide have no
- *  direction; and a velocity that is no number shows. */
+ *  direction; and a velocity that is NaN shows. */
 TEST(limits_of_dashpots)
 {
     const double t = 0.01, mu = 0.3, limit = t * mu * 1e4 * pow(0.01, 1.5);
