@@ -45,11 +45,43 @@ int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t
     return backwards && dissipates ? VTI_E_DISSIPATES : VTI_OK;
 }
 
+/* ---- rest -------------------------------------------------------------------------------------------------------- */
+
+/** So many numbers, from one to the next stride. */
+static void settle_numbers(double *p, int64_t stride, int64_t count)
+{
+    int64_t done = 0;
+    for (const struct vti_move_kernels *const *k = vti_move_served(); stride == 1 && *k != NULL; ++k)
+        done += (*k)->settle(p + done, count - done);
+    for (; done < count; ++done)
+        p[done * stride] *= fabs(p[done * stride]) < VTI_STILL ? 0.0 : 1.0;
+}
+
+static void settle_vectors(const vti_view *view, int64_t first, int64_t count)
+{
+    const int packed = vti_is_packed(view);
+    if (vti_has(view) && packed)
+        settle_numbers(view->c[0] + 3 * first, 1, 3 * count);
+    for (int k = 0; vti_has(view) && !packed && k < 3; ++k)
+        settle_numbers(view->c[k] + first * view->stride, view->stride, count);
+}
+
+/** What has decayed to nothing is 0. Else bodies at rest keep velocities of which the squares, and in the end they
+ *  themselves, are subnormal numbers, each of which takes many processors a hundred times as long as another. */
+static void settle(const vti_bodies *b)
+{
+    const vti_view *const all[] = {&b->v, &b->omega, &b->spin, &b->v_low, &b->omega_low, &b->spin_low};
+    for (int k = 0; k < 6; ++k)
+        settle_vectors(all[k], b->first, b->count);
+}
+
 /* ---- the calls of the effects ------------------------------------------------------------------------------------ */
 
 /** Of effects and bodies that have been checked. */
 static void flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *b)
 {
+    if (t > 0.0 && drift < 0.0 && any_flows(effects, n))
+        settle(b);
     for (int64_t k = 0; t > 0.0 && k < n; ++k) {
         const vti_effect *e = &effects[drift < 0.0 ? n - 1 - k : k];
         if (e->flow != NULL)

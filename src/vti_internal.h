@@ -75,6 +75,9 @@ static inline void vti_load_pair(const vti_bodies *b, int64_t i, double q[4])
 /** Centres nearer than this have no direction: the squares of their distance begin to vanish. 2^-500. */
 #define VTI_COINCIDENT 3.0549363634996047e-151
 
+/** What has decayed to less than this, in units of the caller's, is 0: the squares of it begin to vanish. 2^-500. */
+#define VTI_STILL VTI_COINCIDENT
+
 static inline double vti_scalar(const vti_scalars *s, int64_t i)
 {
     return s->p[i * s->stride];

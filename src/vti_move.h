@@ -75,6 +75,8 @@ struct vti_move_kernels {
     vti_half_step *predict, *correct;
     /** Turns bodies by the last three of by[][4], as vti_move_turn_by does (vti_adams_turns.h). */
     int64_t (*turn)(const double *by, const vti_bodies *b, int64_t begin, int64_t end);
+    /** Makes 0 of numbers below VTI_STILL, of which the squares begin to vanish. Returns how many it has looked at. */
+    int64_t (*settle)(double *p, int64_t count);
 };
 extern const struct vti_move_kernels vti_move_baseline, vti_move_avx2, vti_move_avx512;
 

@@ -10,6 +10,16 @@
 #include "inertia/vti_rotor_kernels.h"
 #include "multistep/vti_adams_turns.h"
 
+static int64_t settle(double *p, int64_t count)
+{
+    int64_t k = 0;
+    for (; k + WIDTH <= count; k += WIDTH) {
+        const lanes a = lanes_load(p + k);
+        lanes_store(p + k, lanes_where(lanes_abs(a) < VTI_STILL, 0.0 * a, a));
+    }
+    return k;
+}
+
 const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               translate,
                                               rotate,
@@ -19,7 +29,8 @@ const struct vti_move_kernels MOVE_KERNELS = {WIDTH < 8 ? 2 * WIDTH : 4 * WIDTH,
                                               reaches_general,
                                               adams_predict,
                                               adams_correct,
-                                              adams_turn};
+                                              adams_turn,
+                                              settle};
 
 #else
 
@@ -43,7 +54,14 @@ static int64_t turn_none(const double *by, const vti_bodies *b, int64_t begin, i
     return none(NULL, b, begin, end);
 }
 
-const struct vti_move_kernels MOVE_KERNELS = {0,    none,         none,          none,          reaches_none,
-                                              none, reaches_none, adams_predict, adams_correct, turn_none};
+static int64_t settle_none(double *p, int64_t count)
+{
+    (void)p;
+    (void)count;
+    return 0;
+}
+
+const struct vti_move_kernels MOVE_KERNELS = {
+    0, none, none, none, reaches_none, none, reaches_none, adams_predict, adams_correct, turn_none, settle_none};
 
 #endif

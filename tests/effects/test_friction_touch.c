@@ -123,6 +123,49 @@ TEST(sliding_alone)
     }
 }
 
+/* ---- rest -------------------------------------------------------------------------------------------------------- */
+
+/** A sphere on a plane, or two that turn against each other, with dashpots and springs of all motions come to rest to the
+ *  last bit: neither velocities nor loads go on as subnormal numbers. */
+TEST(rest)
+{
+    double other[8];
+    for (int which = 0; which < 4; ++which) {
+        const int plane = which % 3 != 0;
+        const vti_view packed = vti_view_packed(m.c.omega[0]),
+                       separate = vti_view_separate(other, other + 2, other + 4),
+                       strided = {{other, other + 1, other + 2}, 4, 0},
+                       omega = which < 2    ? packed
+                               : which == 2 ? separate
+                                            : strided;
+        vti_sum dissipated[VTI_DASHPOT_BOOKS] = {{0, 0}};
+        touch(plane, plane ? 0.3 : 0, 0.1, 0.1);
+        const vti_dashpots dashpots = {.contacts = plane ? NULL : &m.contacts,
+                                       .walls = plane ? &m.walls : NULL,
+                                       .tangential = plane ? 5 : 0,
+                                       .rolling = 2,
+                                       .twisting = 2,
+                                       .reach = INFINITY,
+                                       .friction = &friction,
+                                       .lost = dissipated};
+        for (int k = 0; k < 3; ++k) {
+            omega.c[k][0] = 1e-4 * (k + 1);
+            omega.c[k][omega.stride] = plane ? 0 : -omega.c[k][0];
+            m.c.v[0][k] = plane && k < 2 ? 1e-4 : 0;
+        }
+        m.b.omega = omega;
+        impact_add(&m, effect);
+        impact_add(&m, vti_dashpots_effect(&dashpots));
+        impact_go(&m, vti_stepper_find("vti2"), 0.02, 30000);
+        for (int k = 0; k < 3; ++k) {
+            assert_true(m.c.v[0][k] == 0 && m.c.v[1][k] == 0);
+            assert_true(omega.c[k][0] == 0 && omega.c[k][omega.stride] == 0);
+            assert_true(held()->sliding[k] == 0 && held()->rolling[k] == 0);
+        }
+        assert_true(held()->twisting == 0);
+    }
+}
+
 /* ---- touches ----------------------------------------------------------------------------------------------------- */
 
 /** A pair that comes from a wider gap than reach holds nothing yet, so that results do not depend on what else lists
@@ -329,6 +372,7 @@ TEST(a_length_of_no_pair)
 }
 
 RUN_TESTS(cmocka_unit_test(a_length_of_no_pair), cmocka_unit_test(held_but_apart),
-          cmocka_unit_test(rolling_or_twisting_alone), cmocka_unit_test(sliding_alone), cmocka_unit_test(reach),
-          cmocka_unit_test(touches_without_a_spring), cmocka_unit_test(no_direction), cmocka_unit_test(turned_over),
-          cmocka_unit_test(part_of_the_loads), cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))
+          cmocka_unit_test(rolling_or_twisting_alone), cmocka_unit_test(sliding_alone), cmocka_unit_test(rest),
+          cmocka_unit_test(reach), cmocka_unit_test(touches_without_a_spring), cmocka_unit_test(no_direction),
+          cmocka_unit_test(turned_over), cmocka_unit_test(part_of_the_loads), cmocka_unit_test(stable_steps),
+          cmocka_unit_test(any_may_touch))
