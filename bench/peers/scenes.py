@@ -119,8 +119,8 @@ class Agglomerate(Case):
         )
 
     def bond(self):
-        """k_r, k_s, k_t, k_b, four limits, and gamma_n, gamma_s, gamma_r, gamma_t, of which the last two are 2 c_r/L
-        and 2 c_w."""
+        """k_r, k_s, k_t, k_b, four limits, and four gammas. The last two are c_w and c_r since rates of angles are damped
+        (2026), 2 c_r/L and 2 c_w before."""
         length, mass, inertia = self.diameter, self.mass, 0.1 * self.mass * self.diameter**2
         radial, across = self.axial / length**2, self.shear / length**2
         reduced = {"n": mass / 2, "t": 1 / (2 / mass + length**2 / (2 * inertia)), "r": inertia / 2}
@@ -128,6 +128,7 @@ class Agglomerate(Case):
             2 * self.zeta * math.sqrt(m * k)
             for m, k in ((reduced["n"], radial), (reduced["t"], across), (reduced["r"], self.moment))
         ]
+        turning = [damping[2]] * 2 if self.lammps.year() > 2025 else [2 * damping[2] / length, 2 * damping[2]]
         numbers = [
             radial,
             across,
@@ -139,10 +140,8 @@ class Agglomerate(Case):
             self.limits["bending"],
             damping[0],
             damping[1],
-            2 * damping[2] / length,
-            2 * damping[2],
         ]
-        return " ".join(repr(number) for number in numbers)
+        return " ".join(repr(number) for number in numbers + turning)
 
     def laws(self):
         return {

@@ -76,6 +76,9 @@ def test_page(vti_plot, folder, rows):
                    "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
                    "nve/asphere,1000,three moments: vti2,widest,10,80,8,7.5,8.5\n"
                    "bpm/rotational,8000,bond,widest,20,240,12,11,13\n")
+    with open(os.path.join(folder, "built.csv"), "w", encoding="utf-8") as file:
+        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+                   "bpm/rotational,8000,bond,widest,20,400,20,19,21\n")
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run(*page, env=beside)
@@ -99,6 +102,8 @@ def test_page(vti_plot, folder, rows):
           "1.00 (0.90 to 1.10) |" in made, "LAMMPS beside two builds")
     check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made,
           "and beside one")
+    check("| bond, `bond_style bpm/rotational` | 8000 | 400 | `bond` | 20.00 (19.00 to 21.00) | - |" in made,
+          "and beside one that was built here")
     os.remove(os.path.join(folder, "lammps.csv"))
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:

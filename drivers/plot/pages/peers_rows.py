@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The files that bench/peers/peers.py and ring_time.py wrote, as rows, and curves of them."""
+"""The files that bench/peers/peers.py and built.py wrote, as rows, and curves of them."""
 
 import csv
 import os
@@ -21,7 +21,7 @@ COLUMNS = {
     "bonded": ("who", "h", "spins", "gain"),
     "torus": ("who", "h", "t", "kinetic"),
     "times": ("scene", "vti_s", "lammps_s", "ratio", "least", "most"),
-    "ring": ("program", "vti_s", "lammps_s", "ratio", "least", "most", "kinetic"),
+    "built": ("program", "scene", "vti_s", "lammps_s", "ratio", "least", "most", "kinetic"),
 }
 WORDS = {"program", "who", "what", "style", "cycle", "axis", "scene", "spins"}
 NAMES = {

