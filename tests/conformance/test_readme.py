@@ -93,9 +93,22 @@ def statuses():
     check(len(rows) > 15 and rows == fortran, f"vti_types.f90 has the statuses of vti_status.h {set(rows.items()) ^ set(fortran.items())}")
 
 
+def evaluations():
+    """The evaluations of multistep methods that the README tells are those of docs/accuracy.md."""
+    table = (project / "docs/accuracy.md").read_text(encoding="utf-8").split("| evaluations to |")[1]
+    said = " ".join((project / "README.md").read_text(encoding="utf-8").split())
+    for scene, place in (("pile", " of the evaluations of the best rival on `pile` (t = 1/2, errors of 1e-2 and 1e-4)"),
+                         ("torus-2", " on `torus` (t = 2, 1e-4, 1e-6 and 1e-8)"), ("block", " on `block` (t = 4, 1e-6 and 1e-8)")):
+        row = re.search(rf"^\| {scene} (.*)$", table, re.MULTILINE)[1]
+        shares = re.findall(r"\| (\d\.\d\d) \(AN", row)[-place.count("1e-"):]
+        told = ", ".join(shares[:-1]) + " and " + shares[-1] + place
+        check(told in said, f"README: multistep methods take {told}")
+
+
 versions()
 maps()
 statuses()
+evaluations()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")
