@@ -93,8 +93,8 @@ def statuses():
     check(len(rows) > 15 and rows == fortran, f"vti_types.f90 has the statuses of vti_status.h {set(rows.items()) ^ set(fortran.items())}")
 
 
-def evaluations():
-    """The evaluations of multistep methods that the README tells are those of docs/accuracy.md."""
+def claims():
+    """What the README tells of evaluations, steps and times is what docs/accuracy.md and docs/peers.md have."""
     table = (project / "docs/accuracy.md").read_text(encoding="utf-8").split("| evaluations to |")[1]
     said = " ".join((project / "README.md").read_text(encoding="utf-8").split())
     for scene, place in (("pile", " of the evaluations of the best rival on `pile` (t = 1/2, errors of 1e-2 and 1e-4)"),
@@ -103,12 +103,17 @@ def evaluations():
         shares = re.findall(r"\| (\d\.\d\d) \(AN", row)[-place.count("1e-"):]
         told = ", ".join(shares[:-1]) + " and " + shares[-1] + place
         check(told in said, f"README: multistep methods take {told}")
+    page = (project / "docs/peers.md").read_text(encoding="utf-8")
+    steps = [float(cell) for row in re.findall(r"^\| (?:pair|plane) \|((?: [\d.]+ \|)+)$", page, re.MULTILINE) for cell in row.split("|")[:-1]]
+    heap = min(re.findall(r"^\| heap .* (\d\.\d\d) \(", page, re.MULTILINE))
+    for told in (f"LAMMPS takes {min(steps):g} to {max(steps):g} times as many steps", f"takes it {heap} of the time of ours"):
+        check(told in said, f"README: {told}, as docs/peers.md has it")
 
 
 versions()
 maps()
 statuses()
-evaluations()
+claims()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")

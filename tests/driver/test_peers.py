@@ -87,6 +87,8 @@ def test_page(folder):
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
         "(kinetic energy at the end 28.3 of 40)",
         "| torus | 0.1 | 1 | 10.00 (9.50 to 10.50) |",
+        "| pair | 32 |",
+        "for an impact as accurate LAMMPS takes at least 32 times as many steps",
         "**LAMMPS is the faster one on heap and pile.**",
         "| 3.5 | 43.5 | 43.5 |",
         "| fast | 1.000 | 6.366 |",

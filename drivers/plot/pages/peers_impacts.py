@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two spheres, or one and a plane, in LAMMPS and by vti-run: parts of the page peers."""
 
+import math
+
 from .. import style
 from .peers_rows import NAMES, curves, in_order, of, read, slope, two
 
@@ -11,6 +13,53 @@ STEPS = (128, 1024, 8192)
 def order_and_errors(rows):
     errors = {row["steps"]: row["error"] for row in rows}
     return [f"{slope(rows):.2f}", *(two(errors[steps]) for steps in STEPS)]
+
+
+def steps_to(rows, error):
+    """The fewest steps from which on errors are at most that, between two runs by the power of the steps that joins them;
+    infinity if the finest run's is larger."""
+    above = [k for k, row in enumerate(rows) if row["error"] > error]
+    if not above:
+        return rows[0]["steps"]
+    if above[-1] + 1 == len(rows):
+        return math.inf
+    low, high = rows[above[-1]], rows[above[-1] + 1]
+    share = math.log(low["error"] / error) / math.log(low["error"] / high["error"])
+    return low["steps"] * (high["steps"] / low["steps"]) ** share
+
+
+def times_as_many(rows):
+    """How many times as many steps the best of LAMMPS' laws takes for the error of vti2 with the fewest, by plane and
+    angle."""
+    found = {}
+    for plane in (0.0, 1.0):
+        for angle in in_order(rows, "angle"):
+            here = of(rows, plane=plane, angle=angle)
+            if here:
+                first = of(here, who="vti2")[0]
+                laws = [of(here, who=who) for who in in_order(here, "who") if who != "vti2"]
+                found[plane, angle] = min(steps_to(law, first["error"]) for law in laws) / first["steps"]
+    return found
+
+
+def as_many(factor, most):
+    return f"{two(factor)}" if math.isfinite(factor) else f"more than {two(most)}"
+
+
+def same_errors(page, rows):
+    found, most = times_as_many(rows), rows[-1]["steps"] / rows[0]["steps"]
+    angles = in_order(rows, "angle")
+    page.text(
+        f"For the error that `vti2` has with {rows[0]['steps']:.0f} steps, the best of LAMMPS' laws takes so many times as "
+        "many:"
+    )
+    page.table(
+        ["", *(f"{angle:g} degrees" for angle in angles)],
+        [
+            [name, *(as_many(found[plane, angle], most) if (plane, angle) in found else "-" for angle in angles)]
+            for plane, name in ((0.0, "pair"), (1.0, "plane"))
+        ],
+    )
 
 
 def impacts_part(page, folder, image):
@@ -40,6 +89,7 @@ def impacts_part(page, folder, image):
                     ]
                 )
     page.table(["", "degrees", "", "order", "128 steps", "1024", "8192", "its limit is off ours by"], table)
+    same_errors(page, rows)
     page.text(
         "LAMMPS takes loads that depend on velocities at half steps and returns a spring that slides along "
         "its new direction: its result is of first order, however smooth the impact. The "
