@@ -55,7 +55,7 @@ sanitize() {
     configure build-sanitize -Dvectors=baseline -Db_sanitize=address,undefined -Db_lundef=false -Dbuildtype=debugoptimized \
         -Dc_args='-fsanitize=float-cast-overflow -fno-sanitize-recover=undefined,float-cast-overflow'
     # Open MPI and HDF5 keep memory to the end of the process: valgrind looks for leaks, in the core's tests, which use neither.
-    ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --no-suite slow --no-suite bits "$@"
+    ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --timeout-multiplier 4 --no-suite slow --no-suite bits "$@"
 }
 
 # memory: the core's tests as they are, under valgrind

@@ -115,11 +115,11 @@ static inline double vti_arc(double y, double x)
     return angle + (low + (y > x ? -rest : rest));
 }
 
-/** sin t and cos t of any finite t, within 1 ulp of 1; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with pi/2 in
- *  three parts, of which n times the first two is exact. */
+/** sin t and cos t, within 1 ulp of 1, NaN of what is not finite; beyond |t| = 2^20 they are libm's. t = n pi/2 + r with
+ *  pi/2 in three parts, of which n times the first two is exact. */
 static inline void vti_sin_cos(double t, double *sine, double *cosine)
 {
-    if (fabs(t) > 1048576.0) {
+    if (!(fabs(t) <= 1048576.0)) {
         *sine = sin(t);
         *cosine = cos(t);
         return;

@@ -54,7 +54,7 @@ static void settle_numbers(double *p, int64_t stride, int64_t count)
     for (const struct vti_move_kernels *const *k = vti_move_served(); stride == 1 && *k != NULL; ++k)
         done += (*k)->settle(p + done, count - done);
     for (; done < count; ++done)
-        p[done * stride] *= fabs(p[done * stride]) < VTI_STILL ? 0.0 : 1.0;
+        p[done * stride] = vti_settled(p[done * stride]);
 }
 
 static void settle_vectors(const vti_view *view, int64_t first, int64_t count)
@@ -64,6 +64,16 @@ static void settle_vectors(const vti_view *view, int64_t first, int64_t count)
         settle_numbers(view->c[0] + 3 * first, 1, 3 * count);
     for (int k = 0; vti_has(view) && !packed && k < 3; ++k)
         settle_numbers(view->c[k] + first * view->stride, view->stride, count);
+}
+
+/** Whether something flows that leaves it to others to let velocities end: not drag on spheres, nor dashpots of bonds,
+ *  whose bodies never come to rest to the last bit. */
+static int leaves_rests(const vti_effect *effects, int64_t n, const vti_bodies *b)
+{
+    int any = 0;
+    for (int64_t k = 0; k < n; ++k)
+        any |= effects[k].flow != NULL && (!effects[k].smooth || vti_has(&b->moments));
+    return any;
 }
 
 /** What has decayed to nothing is 0. Else bodies at rest keep velocities of which the squares, and in the end they
@@ -80,7 +90,7 @@ static void settle(const vti_bodies *b)
 /** Of effects and bodies that have been checked. */
 static void flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *b)
 {
-    if (t > 0.0 && drift < 0.0 && any_flows(effects, n))
+    if (t > 0.0 && drift < 0.0 && leaves_rests(effects, n, b))
         settle(b);
     for (int64_t k = 0; t > 0.0 && k < n; ++k) {
         const vti_effect *e = &effects[drift < 0.0 ? n - 1 - k : k];

@@ -78,6 +78,11 @@ static inline void vti_load_pair(const vti_bodies *b, int64_t i, double q[4])
 /** What has decayed to less than this, in units of the caller's, is 0: the squares of it begin to vanish. 2^-500. */
 #define VTI_STILL VTI_COINCIDENT
 
+static inline double vti_settled(double a)
+{
+    return fabs(a) < VTI_STILL ? 0.0 * a : a;
+}
+
 static inline double vti_scalar(const vti_scalars *s, int64_t i)
 {
     return s->p[i * s->stride];

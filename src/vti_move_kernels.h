@@ -13,10 +13,8 @@
 static int64_t settle(double *p, int64_t count)
 {
     int64_t k = 0;
-    for (; k + WIDTH <= count; k += WIDTH) {
-        const lanes a = lanes_load(p + k);
-        lanes_store(p + k, lanes_where(lanes_abs(a) < VTI_STILL, 0.0 * a, a));
-    }
+    for (; k + WIDTH <= count; k += WIDTH)
+        lanes_store(p + k, lanes_settled(lanes_load(p + k)));
     return k;
 }
 

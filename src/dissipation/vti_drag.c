@@ -32,7 +32,7 @@ static void store(const vti_view *view, const vti_view *low, int64_t i, const do
 {
     vti_store(view, i, a);
     for (int k = 0; k < 3 && vti_has(low); ++k)
-        low->c[k][i * low->stride] *= kept;
+        low->c[k][i * low->stride] = vti_settled(kept * low->c[k][i * low->stride]);
 }
 
 static void slow(const vti_drag *p, const vti_bodies *b, int64_t i, double t, vti_sum *lost)

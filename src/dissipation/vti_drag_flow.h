@@ -34,6 +34,7 @@ VTI_INLINE lanes vti_drag_slow(const struct vti_decay *e, const double toward[3]
         const lanes before = a[d], u = before - toward[d];
         change[d] = -e->gone * u;
         a[d] = lanes_where(e->gone < 0.5, before + change[d], toward[d] + e->kept * u); /* each where it rounds less */
+        a[d] = lanes_settled(a[d]);
         mean[d] = 0.5 * (before + a[d]);
     }
     return -m * lanes_dot(change, mean);

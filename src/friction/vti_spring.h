@@ -158,12 +158,6 @@ struct vti_carry_law {
     lanes a0, a1, k0, k1, k_m, kept;
 };
 
-/** A load that has decayed to nothing is 0, as velocities are (vti_flow.c). */
-VTI_INLINE lanes vti_carry_settled(lanes f)
-{
-    return lanes_where(lanes_abs(f) < VTI_STILL, lanes_of(0.0), f);
-}
-
 /** |y|^2/(2 k), nothing where there is no spring. */
 VTI_INLINE lanes vti_carry_energy(const lanes y[3], lanes k)
 {
@@ -198,7 +192,7 @@ VTI_INLINE lanes vti_carry_spring(const struct vti_carry *c, const struct vti_ca
     lost += vti_carry_energy(y, law->k0);
     vti_carry_swing(c->n_m, c->touch.n, f);
     for (int k = 0; k < 3; ++k)
-        f[k] = vti_carry_settled(f[k]);
+        f[k] = lanes_settled(f[k]);
     return lost;
 }
 
@@ -206,7 +200,7 @@ VTI_INLINE lanes vti_carry_spring(const struct vti_carry *c, const struct vti_ca
 VTI_INLINE lanes vti_carry_twist(lanes a1, double stiffness, lanes x, lanes *f, lanes *mean)
 {
     const lanes y = *f, z = y + stiffness * x, y1 = lanes_where(z > a1, a1, lanes_where(z < -a1, -a1, z));
-    *f = vti_carry_settled(y1);
+    *f = lanes_settled(y1);
     *mean = 0.5 * (y + y1);
     return *mean * x - 0.5 * (y1 * y1 - y * y) / stiffness;
 }

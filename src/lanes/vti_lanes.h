@@ -54,6 +54,12 @@ enum { WIDTH = VTI_WIDTH };
 #include "vti_lanes_eight.h"
 #endif
 
+/** a, 0 where it has decayed to nothing (VTI_STILL). */
+VTI_INLINE lanes lanes_settled(lanes a)
+{
+    return lanes_where(lanes_abs(a) < VTI_STILL, 0.0 * a, a);
+}
+
 /** at[] of what lies at a stride. */
 VTI_INLINE void lanes_strided(int64_t stride, int64_t at[WIDTH])
 {

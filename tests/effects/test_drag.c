@@ -4,6 +4,7 @@
  * through a medium tends to. */
 #include "crowd.h"
 
+static const double STILL = 0x1p-500; /* less than that is 0 */
 static vti_sum lost[VTI_DRAG_BOOKS];
 static crowd c;
 static vti_bodies b;
@@ -60,8 +61,8 @@ TEST(closed_forms)
                           phi = t / m * (z > 0 ? -expm1l(-z) / z : 1), x = coefficients[1] * sqrtl(w2) * phi,
                           gone = (-expm1l(-z) + x) / (1 + x);
         for (int k = 0; k < 3; ++k) { /* z and r round, which their exponentials magnify */
-            assert_close(c.v[0][k], f * v[k], DBL_MIN + fabsl(f * v[k]) * (16 + 2 * z) * EPS);
-            assert_close(c.omega[0][k], q * omega[k], DBL_MIN + fabsl(q * omega[k]) * (8 + 2 * r) * EPS);
+            assert_close(c.v[0][k], f * v[k], STILL + fabsl(f * v[k]) * (16 + 2 * z) * EPS);
+            assert_close(c.omega[0][k], q * omega[k], STILL + fabsl(q * omega[k]) * (8 + 2 * r) * EPS);
         }
         assert_close(vti_sum_value(&lost[0]), m * w2 / 2 * gone * (1 + f), m * w2 * gone * 24 * EPS);
         assert_close(vti_sum_value(&lost[1]), j * s2 / 2 * -expm1l(-2 * r), j * s2 * -expm1l(-2 * r) * 16 * EPS);
@@ -149,6 +150,40 @@ TEST(residuals)
     c.mass[0] = NAN;
     flow(&drag, 0.25);
     assert_true(isnan(c.v[0][0]) && isnan(lost[0].high) && c.omega[0][0] != 0);
+}
+
+/** Velocities that decay end at 0, and do not go on as subnormal numbers: of spheres, of their residuals, and of bodies
+ *  with moments. */
+TEST(rest)
+{
+    const double rate = 0.1, v[3] = {3, 0, -4}, omega[3] = {1, -2, 3}, moments[3] = {1, 2, 3},
+                 upright[4] = {0, 0, 0, 1};
+    const vti_drag drag = {.linear = vti_scalars_one(&rate), .angular = vti_scalars_one(&rate), .lost = lost};
+    const vti_effect effect = vti_drag_effect(&drag);
+    for (int which = 0; which < 3; ++which) {
+        double low[2][3] = {{1e-17, -1e-17, 0}, {0, 1e-17, 1e-17}}, spin[3] = {1, -4, 9}, m[3], q[4];
+        memcpy(m, moments, sizeof m);
+        memcpy(q, upright, sizeof q);
+        body(1, 1, v, omega);
+        if (which == 1) {
+            b.v_low = vti_view_packed(low[0]);
+            b.omega_low = vti_view_packed(low[1]);
+        } else if (which == 2) {
+            b.inertia.p = NULL;
+            b.moments = vti_view_packed(m);
+            b.principal = quats_packed(q);
+            b.spin = vti_view_packed(spin);
+        }
+        for (int k = 0; k < 12000; ++k) {
+            assert_true(k > 3000 || vti_norm(c.v[0]) > 0);
+            assert_int_equal(vti_effects_flow(&effect, 1, 1, -1, &b), VTI_OK);
+        }
+        for (int k = 0; k < 3; ++k) {
+            assert_true(c.v[0][k] == 0 && c.omega[0][k] == 0);
+            assert_true(which != 1 || (low[0][k] == 0 && low[1][k] == 0));
+            assert_true(which != 2 || spin[k] == 0);
+        }
+    }
 }
 
 /** A body with moments: L about each principal axis decays by its own moment, with Omega shown or alone. */
@@ -292,5 +327,5 @@ TEST(what_it_needs_and_refuses)
 }
 
 RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
-          cmocka_unit_test(residuals), cmocka_unit_test(three_moments), cmocka_unit_test(many),
+          cmocka_unit_test(residuals), cmocka_unit_test(rest), cmocka_unit_test(three_moments), cmocka_unit_test(many),
           cmocka_unit_test(what_it_needs_and_refuses))

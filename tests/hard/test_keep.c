@@ -56,7 +56,8 @@ TEST(test_million)
     }
     tasks_end(&tasks, 1);
     getrusage(RUSAGE_SELF, &after);
-    assert_true(after.ru_maxrss - before.ru_maxrss < most);
+    if (getenv("ASAN_OPTIONS") == NULL) /* the sanitizer of addresses takes memory of its own */
+        assert_true(after.ru_maxrss - before.ru_maxrss < most);
     assert_int_equal(access(path, F_OK), -1);
 }
 

@@ -162,6 +162,11 @@ TEST(sine_and_cosine)
         if (!(fabsl(s - sinl(t)) <= EPS) || !(fabsl(c - cosl(t)) <= EPS))
             fail_with("sine or cosine", &t, 1, (double)(s - sinl(t)));
     }
+    for (int i = 0; i < 3; ++i) {
+        double s, c;
+        vti_sin_cos(i == 0 ? NAN : i == 1 ? INFINITY : -INFINITY, &s, &c);
+        assert_true(isnan(s) && isnan(c));
+    }
 }
 
 TEST(norm_and_angle)
