@@ -180,8 +180,9 @@ def refused(base):
 
 
 def interrupted(base):
-    """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed."""
-    arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/64", "--h", "2^-9:2^-11", "--t-end", "20", "--steppers", "vti2"]
+    """Killed on the way, on other ranks again, and once more by a signal: the bytes of one that nobody disturbed. What is done
+    is kept every half second: it takes longer than that."""
+    arguments = [PENDULUM, "--sweep", "pendulum.weight=1:2:1/64", "--h", "2^-9:2^-11", "--t-end", "60", "--steppers", "vti2"]
     study(2, *arguments, folder=f"{base}/whole")
     for ending in (signal.SIGKILL, signal.SIGTERM):
         child = subprocess.Popen([STUDY, "--no-plot", *arguments, "--resume", "-o", f"{base}/legs"], env=ENVIRONMENT,
