@@ -160,9 +160,10 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  *
  * The flows last as long as the kicks. That of the first kick comes before it, that of the last one after it; of a kick
  * between two drifts one half comes before and one half after. All go through the effects forwards before a drift, and
- * backwards after it, so that drag, which stands first, is outermost. Before these, velocities that have decayed below
- * 2^-500 become 0, as loads of springs do in carry: what rests does not compute with subnormal numbers. Hosts who write
- * their own steps of vti_kick and vti_drift call vti_effects_flow and vti_effects_carry in these places. */
+ * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows is not
+ * smooth, velocities that have decayed below 2^-500 become 0, as loads of springs do in carry and what drag slows: what
+ * rests does not compute with subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
+ * vti_effects_flow and vti_effects_carry in these places. */
 
 /** vti_step_begin with the effects' flows and carries: stage 0. On VTI_E_TOO_LARGE the flow before the kick has been
  *  done, and nothing else; on all other failures nothing. VTI_E_FRAME if an effect carries and the method is of the
@@ -181,7 +182,7 @@ VTI_API int vti_effects_finish(const vti_stepper *method, double h, const vti_ef
 VTI_API int vti_effects_rupture(const vti_effect *effects, int64_t n, const vti_bodies *bodies, int64_t *broken);
 
 /** The flows of all effects for the time t >= 0, beside a drift as vti_effect.flow has it: in order, for drift < 0
- *  backwards; before those velocities below 2^-500 become 0. */
+ *  backwards, before which velocities below 2^-500 become 0 as said above. */
 VTI_API int vti_effects_flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *bodies);
 /** Tells all effects that carry of a drift that has been done; VTI_E_FRAME if one does and the frame is the body's. */
 VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted,
