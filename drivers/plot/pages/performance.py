@@ -210,7 +210,7 @@ def lammps_part(page, folder, benches):
                   "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest.")
         lammps_table(page, os.path.join(folder, "lammps.csv"), benches)
     if os.path.isfile(os.path.join(folder, "built.csv")):
-        page.text("The same beside LAMMPS of 4 July 2026, built for this machine (`-O3 -march=native`, as "
+        page.text("The same beside a LAMMPS of 4 July 2026 or later, built for this machine (`-O3 -march=native`, as "
                   "bench/peers/built.py says; `VTI_LAMMPS=FOLDER ./dev bench`):")
         lammps_table(page, os.path.join(folder, "built.csv"), benches)
 
