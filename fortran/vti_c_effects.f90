@@ -223,6 +223,14 @@ module vti_c_effects
             real(c_double) :: stiffness
         end function
 
+        function c_walls_check(walls, n, fault) result(status) bind(c, name='vti_walls_check')
+            import :: c_int, c_int64_t, vti_walls, vti_fault
+            type(vti_walls), intent(in) :: walls
+            integer(c_int64_t), value :: n
+            type(vti_fault), intent(out) :: fault
+            integer(c_int) :: status
+        end function
+
         function c_walls_effect(walls) result(effect) bind(c, name='vti_walls_effect')
             import :: c_ptr, vti_effect
             type(c_ptr), value :: walls

@@ -12,7 +12,7 @@ module vti_effects_contacts
     implicit none
     private
     public :: vti_contacts_between, vti_contacts_check, vti_contacts_effect, vti_contacts_stiffness
-    public :: vti_walls_at, vti_walls_effect, vti_walls_gap, vti_walls_stiffness
+    public :: vti_walls_at, vti_walls_check, vti_walls_effect, vti_walls_gap, vti_walls_stiffness
     public :: vti_dashpots_effect, vti_dashpots_zeta, vti_friction_effect, vti_history_add
     public :: vti_clumps_of, vti_clumps_check, vti_clumps_spheres, vti_clumps_spread, vti_clumps_gather
     public :: vti_clumped_effect, vti_clump_solid
@@ -68,6 +68,19 @@ contains
         type(vti_effect) :: effect
         if (.not. associated(contacts)) return
         if (contacts%count >= 0 .and. c_associated(contacts%diameter%p)) effect = c_contacts_effect(c_loc(contacts))
+    end function
+
+    !> Whether they may be walls of n bodies: of unit normals and axes, finite numbers, stiffnesses >= 0 of one source,
+    !> diameters and moduli > 0. VTI_E_CONTACT, with fault%body the number of the wall, from 1; 0 for a body, from 0 in
+    !> fault%value, or for a stiffness beside a modulus.
+    function vti_walls_check(walls, n, fault) result(status)
+        type(vti_walls), intent(in) :: walls
+        integer(c_int64_t), intent(in) :: n
+        type(vti_fault), intent(out), optional :: fault
+        integer(c_int) :: status
+        type(vti_fault) :: found
+        status = c_walls_check(walls, n, found)
+        if (present(fault)) fault = from_one(found)
     end function
 
     !> Planes with the unit normal plane(1:3,k), towards the bodies, and the offset plane(4,k).

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: BSD-3-Clause
 !
-!> vti_sums -- sums that carry their rounding error along, and integrals over time (inline in vti_measure.h, so that
+!> vti_sums -- sums that carry their rounding error along, and integrals over time (inline in vti_sum.h, so that
 !> this is the one place with formulas of its own: the same, with the same bits). Part of module vti.
 module vti_sums
     use, intrinsic :: iso_c_binding, only: c_double
@@ -28,7 +28,8 @@ contains
     pure function vti_sum_value(s) result(value)
         type(vti_sum), intent(in) :: s
         real(c_double) :: value
-        value = s%high + s%low
+        value = s%high
+        if (abs(s%high) <= huge(s%high)) value = s%high + s%low
     end function
 
     !> The value at the next step, h after the one before (h is not used for the first).

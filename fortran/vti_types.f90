@@ -233,7 +233,7 @@ module vti_types
 
     !> Dashpots of contacts and planes. contacts, walls and friction are the addresses of such types, or null; lost is
     !> that of an array of four type(vti_sum), zeros at the start: what the normal, tangential, rolling and twisting
-    !> motions have lost. reach is what gap the lists go up to; huge(1d0) where they have all pairs.
+    !> motions have lost. reach, which has to be given, is what gap the lists go up to; huge(1d0) where they have all pairs.
     type, bind(c) :: vti_dashpots
         type(c_ptr) :: contacts = c_null_ptr, walls = c_null_ptr, friction = c_null_ptr
         real(c_double) :: zeta = 0, normal = 0, tangential = 0, ratio = 0, rolling = 0, twisting = 0

@@ -47,12 +47,12 @@ VTI_API int vti_bonds_rest(int64_t count, const int64_t *pair, int64_t base, con
 /** rest[count][4] and turn[count][4] of pairs that are to be at rest where the bodies are now, turned as they are:
  *  those bonds have neither force nor moment nor energy, to rounding. Bodies without attitudes have not turned. Errors
  *  as those of vti_bonds_rest, VTI_E_NEEDS without positions, VTI_E_BOND also for a body that does not exist and for an
- *  attitude that is none, or what is wrong with the bodies; nothing has been written then. */
+ *  attitude that is a zero quaternion or not finite, or a status of vti_bodies_check; then nothing has been written. */
 VTI_API int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
                                double *turn, vti_fault *fault);
 /** Once before use: every pair names two different bodies of the n that exist, L0 > 0, |n0| = |Q0| = 1, stiffnesses
- *  finite and >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong: of a
- *  Q0 its length, and of a form of shear that is none or that does not go with turn, the form, of bond -1. */
+ *  finite and >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong: the
+ *  length of Q0, say; with bond -1 it is a shear_form that does not exist or cannot be used with turn. */
 VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault);
 /** Numbers of one bond between vti_bonds_loads and vti_bonds_sum. */
 #define VTI_BOND_LOADS 9

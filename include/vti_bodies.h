@@ -176,7 +176,7 @@ static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
     return s;
 }
 
-/** n bodies of which nothing is known yet. */
+/** n bodies, all views absent. */
 static inline vti_bodies vti_bodies_none(int64_t n)
 {
     const vti_view no_vti_view = {{0, 0, 0}, 0, 0};
@@ -211,7 +211,7 @@ VTI_API int vti_bodies_check(const vti_bodies *bodies);
  *  it is sealed itself. Seal again after changing a view. A library that is built with -Dchecked=true heeds no seal:
  *  every call looks at all that vti_bodies_check_values looks at, and vti_apply at the lists of its effects, whose
  *  bodies are those that x (or the attitude) has by its count, or, where that is 0, those up to the end of the slice.
- *  For the day when a fault is hunted; otherwise it costs no instruction. */
+ *  Meant for debugging; a library without the option spends no instruction on it. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 
 /** All of vti_bodies_check, and of the slice every mass, inertia and moment finite and > 0, no moment more than the sum

@@ -76,9 +76,9 @@ typedef struct vti_clumped {
 
 /** The effect on the bodies that *clumped is, which must outlive it with all that it points to: spreads, does what the
  *  effect does on the spheres, and gathers. Name, energies, booked energies and rupture are those of the effect;
- *  springs have the lever of their sphere (vti_spring), and what it pulls with now turns it as well. Where it is told
- *  of a drift, spheres have the velocity of their chord, (x_s - x_s before)/t. It conserves what the effect does, but
- *  for the sum of J Omega.
+ *  springs have the lever of their sphere (vti_spring), and the present force on a sphere counts as a stiffness against
+ *  turning. Where it is told of a drift, spheres have the velocity of their chord, (x_s - x_s before)/t. It conserves
+ *  what the effect does, but for the sum of J Omega.
  *
  *  As it writes all spheres, slices of bodies may be done one after another, but not at once. Flows (dashpots) change
  *  the velocities of the bodies at once, from touch to touch, by mass and inertia of the whole body; the spheres' own

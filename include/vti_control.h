@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * Steps of variable length: chosen by an estimate of their error, or by a wish that leaves no drift. */
+ * Steps of variable length: chosen by an estimate of their error, or by a function of the state, without drift. */
 #ifndef VTI_CONTROL_H
 #define VTI_CONTROL_H
 
@@ -16,7 +16,7 @@ extern "C" {
  *
  *     h min(4, max(0.2, 0.85 (tolerance/err)^(1/(q+1)))),   err = max(velocity/speed, spin/turning)
  *
- * where err is above the tolerance, or no number, the bodies are put back and the step is made again. The loop of a
+ * where err is above the tolerance, or NaN, the bodies are put back and the step is made again. The loop of a
  * host with a method that has estimates, "srkn6", "srkn11" or "srkn14":
  *
  *      vti_control_start(method, tolerance, h, &control);
@@ -38,8 +38,8 @@ extern "C" {
  * far above its true error; errors at the end go with about tolerance^0.9, by a factor that the motion decides. What is
  * put back is bodies and forces: effects that remember (friction, rupture) are the host's to put back. */
 
-/** What step control goes by, and its state: plain data, to be copied with a checkpoint. vti_control_start sets all of
- *  it; what stands up to least may then be changed. */
+/** Parameters and state of step control: plain data, to be copied with a checkpoint. vti_control_start sets all
+ *  members; those up to least may then be changed. */
 typedef struct vti_control {
     double tolerance; /**< of the error of one step, > 0 */
     double speed;     /**< the error of v is taken in units of it: 1, or a speed of the scene */
@@ -48,7 +48,7 @@ typedef struct vti_control {
     double least;     /**< steps are not made shorter than that, vti_control_judge fails instead; 0 at first */
     double power;     /**< q + 1, with which h the estimate goes: a whole number, 2 to 16 */
     double h;         /**< the step to be tried next; a shorter one may be, such as the last */
-    double error;     /**< of the step judged last, as above; NaN where it was no number */
+    double error;     /**< of the step judged last, as above; may be NaN */
     int64_t held;     /**< 1 after a step that was not accepted: the next one that is may not lengthen h */
     int64_t accepted; /**< steps so far */
     int64_t rejected; /**< steps that were undone */
@@ -60,8 +60,8 @@ VTI_API int vti_control_start(const vti_stepper *method, double tolerance, doubl
 
 /** Whether the step of h with these errors (vti_step_error; NaN if it could not be made at all) is accepted, 1 or 0 in
  *  *accepted, and what to try next, in control->h. An accepted step that was shorter than control->h leaves that as it
- *  was. VTI_E_CONTROL, and nothing changes, if a step of control->least is not short enough, or if a number of the
- *  control is none that it may be; the bodies are still to be put back then. VTI_E_TIME for an h that is not positive
+ *  was. VTI_E_CONTROL, and nothing changes, if a step of control->least is not short enough, or if a member of
+ *  *control is out of range; the bodies are still to be put back then. VTI_E_TIME for an h that is not positive
  *  and finite. */
 VTI_API int vti_control_judge(vti_control *control, double h, double velocity, double spin, int64_t *accepted);
 

@@ -21,16 +21,16 @@ enum { VTI_DASHPOT_BOOKS = 4 };
  *  and the stable step stays what it was. Total momentum and angular momentum are kept to rounding. A coefficient that
  *  depends on the overlap is its mean over the drift beside it.
  *
- *  Of the pairs within reach 256 at a time, in the order of the list, are given colours, each the smallest that neither
- *  of its bodies has yet, and are worked colour by colour (6.4), many at once, as no two of a colour share a body.
+ *  Pairs within reach are coloured 256 at a time, in the order of the list, each with the smallest colour that neither
+ *  of its bodies has yet. Pairs of one colour share no body, and are processed many at once (EQUATIONS 6.4).
  *
  *  The normal coefficient is normal + 2 zeta sqrt((5/6) m_n k_n), m_n the reduced mass and k_n the stiffness of the
  *  contact where it is: with zeta alone restitution is the same at every speed, as vti_dashpots_zeta has it. The
  *  tangential one is tangential + ratio times the normal one.
  *
- *  Bodies with moments, and clumps by their spheres, lose by the tensor that says how the place of the touch gives way
- *  to impulses, in which the whole body counts: m_n is 1/(n.K n), and what moves across the normal decays along two
- *  directions, each by its own mass. */
+ *  Of bodies with moments, and of clumps, the inverse reduced mass is a tensor K: the velocity that the contact point
+ *  gains by an impulse there, the whole body moving. m_n is 1/(n.K n), and the tangential velocity decays along two
+ *  directions, each with its own mass. */
 typedef struct vti_dashpots {
     const vti_contacts *contacts; /**< pairs, diameters and stiffness, or NULL; its list may change between steps, and
                                        holds the pairs that touch at either end of a drift */
@@ -43,10 +43,12 @@ typedef struct vti_dashpots {
     double ratio;                 /**< of the tangential to the normal coefficient */
     double rolling;               /**< against rolling over each other, energy times time; needs omega */
     double twisting;              /**< against turning about the normal; needs omega */
-    int64_t pull;                 /**< 0: contacts do not hold together what parts, as a normal dashpot pulls no harder
-                                       than they push; 1: it does */
-    double reach;                 /**< pairs with a wider gap than this are not looked at: as lists hold all with a
-                                       narrower one, results do not depend on what else they hold. INFINITY: all */
+    int64_t pull;                 /**< 0: the normal force never attracts, as the dashpot's pull is limited to the
+                                       contact's push; 1: it may */
+    double reach;                 /**< length, to be given, > 0: pairs with a wider gap are skipped. Lists must hold all
+                                       pairs with a narrower one; what else they hold does not matter. More than two
+                                       bodies come nearer in one drift, or touches that begin and end within one are
+                                       missed, at the cost of the order. INFINITY: skip none */
     vti_sum *lost;                /**< [VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        the motions have lost so far, normal, tangential, rolling, twisting */
     const double *wall_zeta;      /**< [planes], zeta of each plane in place of zeta; NULL: of all the same */
@@ -62,8 +64,8 @@ VTI_API double vti_dashpots_zeta(double e, int64_t pull);
 
 /** The effect of *dashpots, which must outlive it, as must the lists, of effects of their own. Needs x, v and mass, and
  *  inertia or moments where bodies turn. Entries of booked energy: "lost_dashpot_normal", "lost_dashpot_tangential",
- *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient or the reach is negative
- *  or not a number, a coefficient is infinite. */
+ *  "lost_dashpot_rolling", "lost_dashpot_twisting". VTI_E_DAMPING of its calls: a coefficient is negative or not
+ *  finite, or the reach is not positive. */
 VTI_API vti_effect vti_dashpots_effect(const vti_dashpots *dashpots);
 
 #ifdef __cplusplus

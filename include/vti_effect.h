@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
  *  The interface of an effect: a line of physics with its forces, moments and energies, and what it says of itself. The
- *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h,
- *  vti_drag.h); a host's is served alike. */
+ *  library's own have a header each (vti_binder.h, vti_contact.h, vti_wall.h, vti_gravity.h, vti_pendulum.h; what
+ *  loses energy: vti_drag.h, vti_dashpot.h, vti_bond_dashpot.h, vti_friction.h, vti_rupture.h; on the spheres of clumps:
+ *  vti_clump.h); a host's is served alike. */
 #ifndef VTI_EFFECT_H
 #define VTI_EFFECT_H
 
@@ -14,7 +15,7 @@
 extern "C" {
 #endif
 
-/** An effect has at most so many terms, and at most so many entries of booked energy. */
+/** The most energy terms, and the most entries of booked energy, that an effect may have. */
 #define VTI_TERMS 8
 
 /* ---- springs, for the stable step (EQUATIONS 5, 6.10) ------------------------------------------------------------ */
@@ -83,10 +84,10 @@ typedef struct vti_effect {
     /** VTI_OK if the lists and numbers of self may be used with the bodies, which have what needs says; may be NULL.
      *  Asked before each of the others. */
     int (*check)(const void *self, const vti_bodies *bodies);
-    /** Shows visit every spring of the effect, always in the same order: each as stiff as it can be while nothing is
+    /** Calls visit with every spring of the effect, always in one order: each as stiff as it can be while nothing is
      *  deformed by more than *at says, or, if at is NULL, as it is where the bodies are. Returns VTI_OK, or why it
-     *  cannot. NULL: it does not say, and there is no bound (VTI_E_SPRINGS); a force that does not change with position
-     *  has vti_springs_none. */
+     *  cannot. NULL: it does not say, and there is no bound (VTI_E_SPRINGS), unless there is no apply either; a force
+     *  that does not change with position has vti_springs_none. */
     int (*springs)(const void *self, const vti_bodies *bodies, const vti_deformation *at, vti_spring_visit *visit,
                    void *context);
     /** Moves the velocities by the exact flow of its dashpots for the time t, at fixed positions (EQUATIONS 6.3). drift
@@ -120,7 +121,7 @@ typedef struct vti_effect {
     int64_t of_body;        /**< entries of a body there, at least books */
 } vti_effect;
 
-/** The springs of an effect that has none: it calls visit for nothing. */
+/** The springs callback of an effect without springs: it never calls visit. */
 VTI_API int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_deformation *at,
                              vti_spring_visit *visit, void *context);
 
@@ -158,11 +159,14 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  *          vti_effects_rupture(effects, n, &bodies, &broken);                if broken > 0: vti_apply again
  *      }
  *
+ * Methods of more stages take vti_effects_stage for k = 1 ... stages - 1 before the end, each followed by vti_apply, and
+ * probes as in vti_step.h.
+ *
  * The flows last as long as the kicks. That of the first kick comes before it, that of the last one after it; of a kick
  * between two drifts one half comes before and one half after. All go through the effects forwards before a drift, and
  * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows is not
- * smooth, velocities that have decayed below 2^-500 become 0, as loads of springs do in carry and what drag slows: what
- * rests does not compute with subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
+ * smooth, velocities below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at
+ * rest then cost no arithmetic on subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
  * vti_effects_flow and vti_effects_carry in these places. */
 
 /** vti_step_begin with the effects' flows and carries: stage 0. On VTI_E_TOO_LARGE the flow before the kick has been

@@ -28,8 +28,8 @@ typedef struct vti_held {
 /** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
  *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
  *  pairs may change while it stays, but each pair always names its two bodies in the same order. A body that the host
- *  itself puts elsewhere, at an inlet say, keeps its entries until a drift brings it near what they are of: a host that
- *  does so copies all others into another table by vti_history_add, and goes on with that one. */
+ *  itself moves elsewhere, to an inlet say, keeps its old entries until it comes near the same body or wall again. To
+ *  drop them, copy all other entries into a second table by vti_history_add, and go on with that one. */
 typedef struct vti_history {
     int64_t slots;  /**< a power of 2, above the number of touches; twice as many are fast */
     int64_t used;   /**< touches that hold something */
@@ -77,7 +77,7 @@ typedef struct vti_friction {
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs
- *  x, v, an attitude, omega, mass and inertia. Energy terms, of the springs: "friction_sliding", "friction_rolling",
+ *  x, v, an attitude, omega, mass, and inertia or moments. Energy terms, of the springs: "friction_sliding", "friction_rolling",
  *  "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
  *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
  *  stiffness. */

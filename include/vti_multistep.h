@@ -18,15 +18,16 @@ extern "C" {
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
- *  the rate of damping or gyration stays below 0.16, 0.024 and 0.0045 for an4, an7 and an10, and 0.0033 for the other two of K = 10:
- *  little of it, then, or steps that it sets. The first K - 1 steps are up to the host, since lists of kicks lose their order on such
- *  forces, and effects that flow (vti_drag, vti_dashpots ...) are not forces: nobody adds them. */
+ *  the rate of damping or gyration stays below 0.16, 0.024 and 0.0045 for an4, an7 and an10, and 0.0033 for the other
+ *  two of K = 10: so either weak damping, or steps as short as it demands. The first K - 1 steps are up to the host,
+ *  since lists of kicks lose their order on such forces. Effects that flow (vti_drag, vti_dashpots ...) are not forces,
+ *  and these calls do not apply them. */
 typedef struct vti_multistep {
-    const char *name; /**< what vti_multistep_find knows it by */
-    int64_t depth;    /**< K, accelerations that it remembers, 1 to 10 */
-    double c;         /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative */
-    double u;         /**< added to g_K, the weight by which v is corrected; 0, or the order is K and the step larger */
-    double reach;     /**< oscillations of frequency f are stable while h f < reach */
+    const char *name;  /**< what vti_multistep_find knows it by */
+    int64_t depth;     /**< K, accelerations that it remembers, 1 to 10 */
+    double c;          /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative */
+    double u;          /**< added to g_K, the weight of v's correction; if not 0, the order is K and the reach larger */
+    double reach;      /**< oscillations of frequency f are stable while h f < reach */
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 
@@ -38,7 +39,7 @@ VTI_API int64_t vti_multistep_count(void);
 /** Each of them by number; NULL outside 0 <= index < vti_multistep_count(). */
 VTI_API const vti_multistep *vti_multistep_at(int64_t index);
 
-/** What bodies have felt, in memory of the caller's: backward differences of F/m and RM/J. Copied with the bodies, a
+/** Past accelerations, in memory of the caller's: backward differences of F/m and RM/J. Copied with the bodies, a
  *  run goes on with its bits. Slices that are stepped apart each have one of their own, on the same memory. */
 typedef struct vti_past {
     double *memory; /**< [count of bodies][depth][6], from body 0 of the views, not of the slice */
@@ -71,12 +72,12 @@ VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const v
  *  a touch or a jump. Changes nothing. */
 VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                 double *velocity, double *spin);
-/** Corrects by the difference D of the new accelerations from those that were foreseen, and records them. */
+/** Corrects by the difference D of the new accelerations from the predicted ones, and records the new ones. */
 VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *bodies);
 
-/** After vti_multistep_correct, where there are Hertzian contacts or walls: takes off v and x what the step's sums miss
- *  where one begins or ends within it. For a force that grows as the power 3/2 of the overlap that is of order h^{5/2},
- *  whatever K; what is left is of order h^{9/2}. No force is evaluated.
+/** After vti_multistep_correct, where there are Hertzian contacts or walls: corrects v and x for the error that the
+ *  step's sums make where a contact begins or ends within it. For a force that grows as the power 3/2 of the overlap it
+ *  is of order h^{5/2}, whatever K; what is left is of order h^{9/2}. No force is evaluated.
  *
  *  before is x at the start of the step, [n][3] in any layout; contacts and walls are those that the forces are of, the
  *  list of contacts that of the new positions; NULL where there are none. Linear momentum is kept. One call for all

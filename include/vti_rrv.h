@@ -8,14 +8,14 @@
  *
  *  which is the unit quaternion (w, v) in projective coordinates: alpha = 2 v/w. R(alpha) takes body to space.
  *
- *  Contracts that hold for every function here: - vectors are double[3]; matrices double[9], row by row; quaternions
- *  double[4] in the order x, y, z, w; - inputs must be finite; then so are the results, half turns and |alpha| up to
- *  DBL_MAX included. One thing is excepted:
- *    a quaternion of four zeros, as cleared memory holds, is no attitude, and what is made of it is NaN;
- *  - an attitude that is computed has |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which
- *    costs at most 3.5e-18 rad;
- *  - bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns; - the output may
- *  be the same array as an input, never a part of one.
+ *  Contracts that hold for every function here:
+ *  1. Vectors are double[3], matrices double[9], row by row, quaternions double[4] in the order x, y, z, w.
+ *  2. Inputs must be finite; then so are the results, at half turns and for |alpha| up to DBL_MAX too. The exception is
+ *     a quaternion of four zeros, as cleared memory holds: its results are NaN.
+ *  3. Computed attitudes have |alpha_i| <= VTI_RRV_LARGE (to rounding): a half turn is cut off there, which costs at
+ *     most 3.5e-18 rad.
+ *  4. Bits do not depend on libm, but for vti_sin_cos and vti_rrv_from_rotvec of more than 1e5 turns.
+ *  5. The output may be the same array as an input, never a part of one.
  *
  *  The header stands alone (C99 and C++; libm and nothing else). */
 #ifndef VTI_RRV_H

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/** A bound on the step, and what sets it: the stiffest spring at the bodies that allow no more. */
+/** A bound on the step, and what sets it: the stiffest spring at the bodies that limit it. */
 typedef struct vti_stable {
     double h;        /**< 2/omega; infinite if nothing oscillates */
     int64_t effect;  /**< number of the effect in the array, from 0; -1 if nothing oscillates */

@@ -70,7 +70,8 @@ extern "C" {
         "give the bodies that view, or leave the effect out")                                                          \
     ROW(VTI_E_DAMPING, -20,                                                                                            \
         "a coefficient of drag, damping or friction is negative or not finite, or the velocity of a medium is not "    \
-        "finite, or friction has no stiffness, or two; give finite numbers >= 0, one stiffness for each motion")      \
+        "finite, or friction has no stiffness, or two, or a reach is not positive; give finite numbers >= 0, one "     \
+        "stiffness for each motion, and a reach: INFINITY where lists have all pairs")                                 \
     ROW(VTI_E_HISTORY, -21,                                                                                            \
         "the table of what touches hold is full, or its slots are no power of 2; give it twice as many slots as "      \
         "bodies touch, and begin anew or from a restart")                                                              \

@@ -89,7 +89,7 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  * 0. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
- *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is not a number) and that value. */
+ *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is NaN) and that value. */
 VTI_API int vti_step_begin(const vti_stepper *method, double h, const vti_bodies *bodies, vti_fault *fault);
 /** Stage k; vti_step_begin is stage 0. */
 VTI_API int vti_step_stage(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies, vti_fault *fault);
@@ -121,7 +121,7 @@ VTI_API int vti_step_sync(const vti_stepper *method, double h, const vti_bodies 
  *
  * A host that wants to know calls vti_step_watch once before each kick, when its forces are there: with k = 0 before
  * vti_step_begin, with k before vti_step_stage, with k = stages before vti_step_finish, and vti_step_error after that.
- * Nothing of a step changes by it, and without these calls it costs nothing.
+ * These calls do not change the step, and without them nothing is spent.
  *
  * What comes out is the difference of two formulas, of which the step is the better one: it tells steps that are too
  * long from steps that are not, and falls by 2^(q+1) when h is halved. It is of one step: how the errors of a run add up
@@ -138,7 +138,7 @@ typedef struct vti_errors {
 VTI_API int vti_step_watch(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,
                            const vti_errors *errors);
 /** The largest (sum_k |e_k|^2)^(1/2) of a body of the slice: that of v, in *velocity, and of Omega, in *spin; 0 where
- *  nothing pushes or turns them. NaN if one is not a number. */
+ *  nothing pushes or turns them. NaN if any of them is. */
 VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, const vti_errors *errors,
                            double *velocity, double *spin);
 

@@ -13,7 +13,7 @@ VTI_APART int refuse_all(int status, int64_t quantity, vti_fault *fault)
     return vti_refuse(status, -1, 0.0, quantity, fault);
 }
 
-/** A view of which the end is known shows all bodies. */
+/** VTI_E_COUNT if the view says how many it has, and these are too few. */
 VTI_INLINE int count_check(int64_t count, int64_t end, int64_t quantity, vti_fault *fault)
 {
     return count != 0 && end > count ? vti_refuse(VTI_E_COUNT, -1, (double)count, quantity, fault) : VTI_OK;
@@ -57,9 +57,10 @@ static int quat_check(const vti_bodies *b, const vti_quat_view *quat, int64_t en
     return count_check(quat->count, end, quantity, fault);
 }
 
-static int is_positive(double value)
+/** Whether a kick may divide by it. */
+static int divides(double a)
 {
-    return isfinite(value) && value > 0.0;
+    return vti_is_positive(a) && isfinite(1.0 / a);
 }
 
 /** A kick needs what it divides by; one value for all is looked at here, arrays in vti_bodies_check_values. */
@@ -67,7 +68,7 @@ static int scalars_check(const vti_scalars *s, int64_t end, int needed, int erro
 {
     if (s->p == NULL)
         return needed ? vti_refuse(error, -1, 0.0, quantity, fault) : VTI_OK;
-    if (s->stride == 0 && !is_positive(*s->p))
+    if (s->stride == 0 && !divides(*s->p))
         return vti_refuse(error, -1, *s->p, quantity, fault);
     return count_check(s->count, end, quantity, fault);
 }
@@ -79,7 +80,7 @@ static int moments_check(const vti_view *moments, int64_t i, int64_t named, vti_
     double m[3];
     vti_load(moments, i, m);
     for (int k = 0; k < 3; ++k)
-        if (!is_positive(m[k]) || !isfinite(1.0 / m[k]))
+        if (!divides(m[k]))
             return vti_refuse(VTI_E_MOMENTS, named, m[k], VTI_QUANTITY_MOMENTS, fault);
     for (int k = 0; k < 3; ++k)
         if (m[k] - m[(k + 1) % 3] > m[(k + 2) % 3] + 0x1p-20 * m[k])
@@ -152,7 +153,7 @@ int vti_bodies_seal(vti_bodies *b)
 static int values_check(const vti_scalars *s, const vti_bodies *b, int error, int64_t quantity, vti_fault *fault)
 {
     for (int64_t i = b->first; s->p != NULL && i < b->first + b->count; ++i)
-        if (!is_positive(vti_scalar(s, i)))
+        if (!divides(vti_scalar(s, i)))
             return vti_refuse(error, i, vti_scalar(s, i), quantity, fault);
     return VTI_OK;
 }

@@ -71,6 +71,10 @@ VTI_INLINE int effect_check(const vti_effect *e, const vti_bodies *b, int64_t *q
     *quantity = VTI_QUANTITY_NONE;
     if (e->apply == NULL && e->flow == NULL && e->rupture == NULL)
         return VTI_E_NULL;
+    if (e->books > 0 && (e->booked == NULL || (e->by_body != NULL && e->of_body < e->books)))
+        return VTI_E_NULL;
+    if (b->count == 0) /* nothing is called, and arrays of no bodies may be absent */
+        return VTI_OK;
     if (e->needs != 0)
         *quantity = lacking(e->needs, b);
     if (*quantity != VTI_QUANTITY_NONE)
@@ -113,7 +117,7 @@ int vti_apply(const vti_effect *effects, int64_t n, const vti_bodies *b)
     if (status != VTI_OK)
         return status;
     clear_loads(b);
-    for (int64_t k = 0; k < n; ++k)
+    for (int64_t k = 0; b->count > 0 && k < n; ++k)
         if (effects[k].apply != NULL)
             effects[k].apply(effects[k].self, b);
     return VTI_OK;

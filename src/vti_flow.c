@@ -26,14 +26,13 @@ static int any_carries(const vti_effect *effects, int64_t n)
 
 int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
 {
-    if (method == NULL || method->kick == NULL || method->drift == NULL)
-        return VTI_E_STEPPER;
+    const int status = vti_stepper_check(method);
+    if (status != VTI_OK)
+        return status;
     if (effects == NULL && n > 0)
         return VTI_E_NULL;
     if (n < 0)
         return VTI_E_COUNT;
-    if (method->stages < 1)
-        return VTI_E_STAGE;
     int backwards = 0, dissipates = any_flows(effects, n) || any_carries(effects, n);
     for (int64_t k = 0; k <= method->stages; ++k)
         backwards |= method->kick[k] < 0.0 || method->drift[k] < 0.0;
@@ -66,8 +65,8 @@ static void settle_vectors(const vti_view *view, int64_t first, int64_t count)
         settle_numbers(view->c[k] + first * view->stride, view->stride, count);
 }
 
-/** Whether something flows that leaves it to others to let velocities end: not drag on spheres, nor dashpots of bonds,
- *  whose bodies never come to rest to the last bit. */
+/** Whether some flow lets velocities decay and does not set them to 0 itself. Drag on spheres does so itself, and under
+ *  dashpots of bonds bodies never come to rest to the last bit. */
 static int needs_settling(const vti_effect *effects, int64_t n, const vti_bodies *b)
 {
     int any = 0;
@@ -92,7 +91,7 @@ static void flow(const vti_effect *effects, int64_t n, double t, double drift, c
 {
     if (t > 0.0 && drift < 0.0 && needs_settling(effects, n, b))
         settle(b);
-    for (int64_t k = 0; t > 0.0 && k < n; ++k) {
+    for (int64_t k = 0; t > 0.0 && b->count > 0 && k < n; ++k) {
         const vti_effect *e = &effects[drift < 0.0 ? n - 1 - k : k];
         if (e->flow != NULL)
             e->flow(e->self, b, t, drift);
@@ -101,7 +100,7 @@ static void flow(const vti_effect *effects, int64_t n, double t, double drift, c
 
 static void carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted, const vti_bodies *b)
 {
-    for (int64_t k = 0; k < n; ++k)
+    for (int64_t k = 0; b->count > 0 && k < n; ++k)
         if (effects[k].carry != NULL)
             effects[k].carry(effects[k].self, b, drifted);
 }
@@ -143,7 +142,7 @@ int vti_effects_rupture(const vti_effect *effects, int64_t n, const vti_bodies *
     if (status != VTI_OK)
         return status;
     *broken = 0;
-    for (int64_t k = 0; k < n; ++k)
+    for (int64_t k = 0; b->count > 0 && k < n; ++k)
         if (effects[k].rupture != NULL)
             *broken += effects[k].rupture(effects[k].self, b);
     return VTI_OK;
@@ -188,7 +187,7 @@ static int check(const vti_stepper *method, double h, const vti_effect *effects,
         status = vti_effects_fault(effects, n, b, fault);
     if (status == VTI_OK)
         status = vti_law_check((int)method->law, (int)method->frame);
-    if (status == VTI_OK && !(isfinite(h) && h > 0.0))
+    if (status == VTI_OK && !vti_is_positive(h))
         status = vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
     if (status == VTI_OK && method->frame != VTI_FRAME_SPACE && any_carries(effects, n))
         status = VTI_E_FRAME;

@@ -47,6 +47,17 @@ static inline void vti_load(const vti_view *view, int64_t i, double r[3])
         r[k] = view->c[k][i * view->stride];
 }
 
+/** r = a_i - a_j. Returns its square. */
+static inline double vti_difference(const vti_view *view, int64_t i, int64_t j, double r[3])
+{
+    double of_j[3];
+    vti_load(view, i, r);
+    vti_load(view, j, of_j);
+    for (int k = 0; k < 3; ++k)
+        r[k] -= of_j[k];
+    return vti_dot(r, r);
+}
+
 static inline void vti_store(const vti_view *view, int64_t i, const double r[3])
 {
     for (int k = 0; k < 3; ++k)
@@ -83,13 +94,18 @@ static inline double vti_settled(double a)
     return fabs(a) < VTI_STILL ? 0.0 * a : a;
 }
 
+static inline int vti_is_positive(double a)
+{
+    return isfinite(a) && a > 0.0;
+}
+
 static inline double vti_scalar(const vti_scalars *s, int64_t i)
 {
     return s->p[i * s->stride];
 }
 
-/** Whether bodies have moments and turn. */
-static inline int vti_turns_by_spin(const vti_bodies *b)
+/** Whether bodies have moments and their angular momentum is known, from spin or, with an attitude, from omega. */
+static inline int vti_spins_generally(const vti_bodies *b)
 {
     return vti_has(&b->moments) && (vti_has(&b->spin) || vti_has(&b->omega));
 }
@@ -135,20 +151,20 @@ static inline void vti_clump_lever(const vti_clumps *clumps, const vti_bodies *b
     vti_pair_rotate(q, 1.0, clumps->offset + 3 * s, r);
 }
 
-/** F/m and RM/J of body i, 0 where there is no load. */
+/** F/m and RM/J of body i; 0 where there is no load, or nothing that it changes. */
 static inline void vti_accelerations(const vti_bodies *b, int64_t i, double f[6])
 {
     double load[3] = {0.0, 0.0, 0.0};
     for (int k = 0; k < 6; ++k)
         f[k] = 0.0;
-    if (vti_has(&b->force)) {
+    if (vti_has(&b->force) && vti_has(&b->v)) {
         vti_load(&b->force, i, load);
         for (int k = 0; k < 3; ++k)
             f[k] = load[k] / vti_scalar(&b->mass, i);
     }
-    if (vti_has(&b->moment) && vti_has(&b->moments))
+    if (vti_has(&b->moment) && vti_spins_generally(b) && vti_has_attitude(b))
         vti_rotor_over(b, i, &b->moment, f + 3);
-    else if (vti_has(&b->moment)) {
+    else if (vti_has(&b->moment) && vti_has(&b->omega) && !vti_has(&b->moments)) {
         vti_load(&b->moment, i, load);
         for (int k = 0; k < 3; ++k)
             f[3 + k] = load[k] / vti_scalar(&b->inertia, i);
@@ -164,14 +180,13 @@ static inline double vti_larger(double most, double x)
 /** Whether the slice has body i: loads are added to its own bodies only, so that slices may be done at once. */
 static inline int vti_owns(const vti_bodies *b, int64_t i)
 {
-    return i >= b->first && i < b->first + b->count;
+    return (uint64_t)i - (uint64_t)b->first < (uint64_t)b->count;
 }
 
 /** VTI_OK if both bodies of a pair are in the slice. */
 static inline int vti_pair_check(const vti_bodies *b, int64_t i, int64_t j)
 {
-    const int64_t first = b->first, end = first + b->count;
-    return i >= first && i < end && j >= first && j < end ? VTI_OK : VTI_E_BOND;
+    return vti_owns(b, i) && vti_owns(b, j) ? VTI_OK : VTI_E_BOND;
 }
 
 /** Marks sealed bodies: a number that memory does not hold by chance, and that is another one for a copy. */
@@ -229,6 +244,20 @@ static inline vti_effect vti_effect_none(void)
 {
     const vti_effect none = {.name = NULL};
     return none;
+}
+
+/** VTI_E_INERTIA where spheres turn and their inertia is not known. */
+static inline int vti_inertia_check(const vti_bodies *b)
+{
+    return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+}
+
+/** Whether it is a list of kicks and drifts. */
+static inline int vti_stepper_check(const vti_stepper *method)
+{
+    if (method == NULL || method->kick == NULL || method->drift == NULL)
+        return VTI_E_STEPPER;
+    return method->stages < 1 ? VTI_E_STAGE : VTI_OK;
 }
 
 /** vti_effects_check, but where nothing is wrong fault stays as it was. */

@@ -4,7 +4,7 @@
  * conservation law is the integrator's rounding, not their own. */
 #include "vti_internal.h"
 
-/** Where to write is there; if the bodies are not sound, or what else is needed is not there, r is three times NaN. */
+/** Whether r can be measured. If the bodies are refused, or needed is NULL, r is set to NaN. */
 static int can_measure(const vti_bodies *b, const void *needed, double r[3])
 {
     if (r == NULL)
@@ -15,15 +15,10 @@ static int can_measure(const vti_bodies *b, const void *needed, double r[3])
     return 0;
 }
 
-/** Whether the spins of bodies with moments are known, and with an attitude their angular velocities. */
-static int spins_generally(const vti_bodies *b)
-{
-    return vti_has(&b->moments) && (vti_has(&b->spin) || vti_has(&b->omega));
-}
-
+/** Whether their angular velocities are known too. */
 static int turns_generally(const vti_bodies *b)
 {
-    return spins_generally(b) && vti_has_attitude(b);
+    return vti_spins_generally(b) && vti_has_attitude(b);
 }
 
 static double sum_of_squares(const vti_view *view, const vti_scalars *weight, const vti_bodies *b)
@@ -68,7 +63,7 @@ double vti_energy(const vti_effect *effects, int64_t n, const vti_bodies *b)
         double energies[VTI_TERMS] = {0.0};
         if (effects[k].terms > VTI_TERMS || (effects[k].energy == NULL && effects[k].apply != NULL))
             return NAN;
-        if (effects[k].energy != NULL)
+        if (effects[k].energy != NULL && b->count > 0)
             effects[k].energy(effects[k].self, b, energies);
         for (int64_t j = 0; j < effects[k].terms; ++j)
             vti_sum_add(&sum, energies[j]);
@@ -81,7 +76,7 @@ void vti_angular_momentum(const vti_bodies *b, const double about[3], double l[3
     if (!can_measure(b, about, l))
         return;
     const int orbits = vti_has(&b->x) && vti_has(&b->v) && b->mass.p != NULL;
-    const int general = spins_generally(b), spins = vti_has(&b->omega) && b->inertia.p != NULL;
+    const int general = vti_spins_generally(b), spins = vti_has(&b->omega) && b->inertia.p != NULL;
     vti_sum sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double x[3], v[3], w[3], c[3];
@@ -139,24 +134,18 @@ void vti_spin(const vti_bodies *b, double s[3])
     vti_angular_momentum(&still, about, s);
 }
 
-/** The larger of the two; a NaN wins and stays. */
-static double larger(double most, double x)
-{
-    return isnan(most) || x <= most ? most : x;
-}
-
 double vti_max_turn(double h, const vti_bodies *b)
 {
     double most = 0.0;
     if (vti_bodies_ready(b) != VTI_OK)
         return NAN;
     for (int64_t i = b->first; turns_generally(b) && i < b->first + b->count; ++i)
-        most = larger(most, fabs(h) * vti_rotor_rates_of(b, i).most);
+        most = vti_larger(most, fabs(h) * vti_rotor_rates_of(b, i).most);
     for (int64_t i = b->first; !vti_has(&b->moments) && vti_has(&b->omega) && i < b->first + b->count; ++i) {
         double w[3];
         vti_load(&b->omega, i, w);
         const double turn = fabs(h) * vti_norm(w);
-        most = larger(most, turn);
+        most = vti_larger(most, turn);
     }
     return most;
 }
@@ -237,7 +226,7 @@ double vti_attitude_distance(const vti_bodies *b, const vti_bodies *r)
         return NAN;
     for (int64_t n = 0; vti_has_attitude(b) && n < b->count; ++n) {
         const double d = attitude_distance(b, b->first + n, r, r->first + n);
-        most = larger(most, d);
+        most = vti_larger(most, d);
     }
     return most;
 }

@@ -117,7 +117,7 @@ void vti_move_turn_by(const double u[3], const vti_bodies *b, int64_t i)
 
 /* ---- many -------------------------------------------------------------------------------------------------------- */
 
-/** The kernels for so many bodies: none for few, or for such as carry residuals. */
+/** The kernels for this many bodies: none for few, or where residuals are carried along. */
 static inline const struct vti_move_kernels *const *kernels(int64_t bodies, int carry)
 {
     static const struct vti_move_kernels *const none[] = {NULL};

@@ -101,6 +101,20 @@ static inline const struct vti_move_kernels *const *vti_move_served(void)
     return first;
 }
 
+/** q <- normalise((u, c) q), in space, or, side = -1, q (u, c) in the body's frame. V is double, or a vector of them. */
+#define VTI_MOVE_QUAT(NAME, V, DOT, CROSS, SQRT)                                                                       \
+    VTI_INLINE void NAME(V c, const V u[3], double side, V q[4])                                                       \
+    {                                                                                                                  \
+        V r[4], x[3];                                                                                                  \
+        CROSS(u, q, x);                                                                                                \
+        for (int k = 0; k < 3; ++k)                                                                                    \
+            r[k] = c * q[k] + q[3] * u[k] + side * x[k];                                                               \
+        r[3] = c * q[3] - DOT(u, q);                                                                                   \
+        const V scale = 1.0 / SQRT(DOT(r, r) + r[3] * r[3]);                                                           \
+        for (int k = 0; k < 4; ++k)                                                                                    \
+            q[k] = r[k] * scale;                                                                                       \
+    }
+
 /** The increment dalpha = 2 f u/c of a body that turns by u = t Omega, of s^2 = u.u:
  *      closed, VTI-1     dalpha = 2 u/(1 + sqrt(1 - s^2))
  *      Cayley, VTI-2, 3  dalpha = u

@@ -27,6 +27,7 @@ VTI_INLINE void add_by(double t, const double by[3], const vti_view *low, int64_
 /* ---- turn -------------------------------------------------------------------------------------------------------- */
 
 VTI_MOVE_LAW(law_of, double, (double), sqrt)
+VTI_MOVE_QUAT(quat_by, double, vti_dot, vti_cross, sqrt)
 
 /** The increment dalpha = 2 f u/c. small: as in vti_rrv_increment. */
 struct increment {
@@ -78,20 +79,16 @@ VTI_INLINE void turn_compensated(struct increment d, double side, const double u
 /** q <- normalise((u, c) q), or q (u, c) in the body's frame: the same increment on a host's quaternion. */
 VTI_INLINE void turn_quat(struct increment d, double side, const double turn[3], const vti_quat_view *quat, int64_t i)
 {
-    double u[3], q[4], r[4], x[3];
+    double u[3], q[4];
     for (int k = 0; k < 4; ++k)
         q[k] = quat->xyzw[k][i * quat->stride];
     /* scaled, lest the square of a huge u overflow */
     const double s = vti_max3(turn) > VTI_RRV_LARGE ? VTI_RRV_DOWN : 1.0, c = s * d.cf[0];
     for (int k = 0; k < 3; ++k)
         u[k] = s * d.cf[1] * turn[k];
-    vti_cross(u, q, x);
-    for (int k = 0; k < 3; ++k)
-        r[k] = c * q[k] + q[3] * u[k] + side * x[k];
-    r[3] = c * q[3] - vti_dot(u, q);
-    const double scale = 1.0 / sqrt(vti_dot(r, r) + r[3] * r[3]);
+    quat_by(c, u, side, q);
     for (int k = 0; k < 4; ++k)
-        quat->xyzw[k][i * quat->stride] = r[k] * scale;
+        quat->xyzw[k][i * quat->stride] = q[k];
 }
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "vti_internal.h"
 
-/** Of entry k of so many: what bodies i and j have lost; body i alone, where j is -1. */
+/** Books a loss in entry k of the books entries of a body: half to i, half to j; all to i where j is -1. */
 static inline void vti_share(vti_sum *by_body, int64_t books, int64_t k, int64_t i, int64_t j, double lost)
 {
     const double share = j >= 0 ? 0.5 * lost : lost;

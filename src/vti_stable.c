@@ -232,7 +232,7 @@ static int each_spring(const vti_effect *effects, int64_t n, const vti_deformati
 {
     for (t->effect = 0; t->effect < n && t->status == VTI_OK; ++t->effect) {
         const vti_effect *e = effects + t->effect;
-        const int status = e->springs(e->self, t->b, at, visit, t);
+        const int status = e->springs != NULL ? e->springs(e->self, t->b, at, visit, t) : VTI_OK;
         if (t->status == VTI_OK)
             t->status = status;
     }
@@ -266,7 +266,7 @@ int vti_springs_none(const void *self, const vti_bodies *bodies, const vti_defor
 static int springs_check(const vti_effect *effects, int64_t n, vti_stable *stable)
 {
     for (int64_t k = 0; k < n; ++k)
-        if (effects[k].springs == NULL) {
+        if (effects[k].springs == NULL && effects[k].apply != NULL) {
             const vti_stable unknown = {NAN, k, -1, -1, -1};
             *stable = unknown;
             return VTI_E_SPRINGS;

@@ -43,14 +43,12 @@ const vti_stepper *vti_stepper_find(const char *name)
 
 static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_fault *fault)
 {
-    if (method == NULL || method->kick == NULL || method->drift == NULL)
-        return VTI_E_STEPPER;
-    if (method->stages < 1)
-        return VTI_E_STAGE;
-    const int status = vti_bodies_ready_or(b, fault);
+    int status = vti_stepper_check(method);
+    if (status == VTI_OK)
+        status = vti_bodies_ready_or(b, fault);
     if (status != VTI_OK)
         return status;
-    return h > 0.0 && h <= DBL_MAX ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
+    return vti_is_positive(h) ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
 }
 
 /** kick(before h), kick(kick[k] h), drift(drift[k] h); a kick of 0 does not look at the forces. */

@@ -10,6 +10,7 @@
 
 VTI_RRV_INCREMENTAL(incremental, lanes)
 VTI_MOVE_LAW(law_of, lanes, lanes_of, lanes_sqrt)
+VTI_MOVE_QUAT(turn_quat_by, lanes, lanes_dot, lanes_cross, lanes_sqrt)
 
 static int quat_is_adjacent(const vti_quat_view *q)
 {
@@ -130,13 +131,9 @@ VTI_INLINE void turn_quats(int law, double side, lanes s2, const lanes u[3], con
     law_of(law, s2, cf);
     for (int n = 0; n < 3; ++n)
         f[n] = cf[1] * u[n];
-    const lanes y[3] = {f[1] * q[2] - f[2] * q[1], f[2] * q[0] - f[0] * q[2], f[0] * q[1] - f[1] * q[0]};
-    for (int n = 0; n < 3; ++n)
-        r[n] = cf[0] * q[n] + q[3] * f[n] + side * y[n];
-    r[3] = cf[0] * q[3] - (f[0] * q[0] + f[1] * q[1] + f[2] * q[2]);
-    const lanes scale = 1.0 / lanes_sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) + r[3] * r[3]);
     for (int n = 0; n < 4; ++n)
-        r[n] *= scale;
+        r[n] = q[n];
+    turn_quat_by(cf[0], f, side, r);
 }
 
 /** alpha <- alpha (+) dalpha(t Omega), of bodies that are translated too where `with` says so. */

@@ -22,11 +22,6 @@ static inline int calls_for(const struct scene *scene, const char *key)
     return scene->has[kinds_find(key)->number];
 }
 
-static inline void drop_effect(struct scene *scene, const char *key)
-{
-    scene->has[kinds_find(key)->number] = 0;
-}
-
 /** What the library's effect of that name acts with (vti_bonds and so on); NULL if the model has none. */
 static inline const void *acting(const struct model *model, const char *name)
 {

@@ -140,14 +140,13 @@ void say_ratios(struct kit *kit, const struct constants *c);
 
 /** The paper's pendulum: m g = J = 1, turned by 3 pi/4, spinning slowly. */
 struct bodies scene_pendulum(struct field *field);
-/** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning. */
-struct bodies scene_pair(struct field *field);
-/** The same bond turning steadily like a rigid body, stretched as its centripetal force demands. *r is the distance. */
+/** Two bonded bodies that turn steadily like a rigid one, the bond stretched as the centripetal force demands. *r is the
+ *  distance. */
 struct bodies scene_rigid(struct field *field, double *r);
-/** The pair of scene_pair held by the axial spring alone, at a distance of 1.3 and going round each other: nothing
- *  turns. */
+/** Two unlike bodies held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
 struct bodies scene_spring(struct field *field);
-/** scene_pair, or scene_spring where only translation is looked at. */
+/** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning; where only translation is looked at,
+ *  scene_spring. */
 struct bodies scene_bonded(const struct kit *kit, struct field *field);
 /** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
 struct bodies scene_stretch(struct field *field);

@@ -52,7 +52,8 @@ struct bodies scene_pendulum(struct field *field)
     return b;
 }
 
-struct bodies scene_pair(struct field *field)
+/** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning. */
+static struct bodies scene_pair(struct field *field)
 {
     struct bodies b = bodies_none(2);
     bond(field, 0);

@@ -21,8 +21,6 @@ struct purse {
 
 /** Seconds that pass on the wall. */
 double purse_clock(void);
-/** Whether so much more work, on its way, leaves nothing. */
-int purse_is_empty(const struct purse *purse, double more);
 
 /* ---- pilot runs -------------------------------------------------------------------------------------------------- */
 

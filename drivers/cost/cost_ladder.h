@@ -29,9 +29,6 @@ struct race_result {
 
 enum { RACE_LOOKS = 64 };
 
-/** Steps of h to t_end, of which h must be a whole fraction (to rounding). */
-int64_t race_steps(double t_end, double h);
-
 /** A run on a fresh model of scene, and its errors against the reference, which must know t_end. A step that is
  *  refused or a state that is not finite is a failed run. Fills in all but the times. */
 void race_measure(const struct scene *scene, const vti_stepper *stepper, double h, double t_end,
@@ -76,8 +73,8 @@ extern const char *const cost_measures[COST_MEASURES];
 double cost_error(const struct race_result *run, int measure);
 
 /** Goes down the plan's steps. Without any: the first step is four times the stable step (half of t_end at most), each
- *  next one has sqrt(2) times as many. It ends when - the error is below 3e-11, - the next run would take more force
- *  evaluations than allowed, - the error, below 1e-6 already, is rounding: over the last factor of four in steps it has
+ *  next one has sqrt(2) times as many. It ends when the error is below 3e-11, the next run would take more force
+ *  evaluations than allowed, or the error, below 1e-6, is rounding: over the last factor of four in steps it has
  *  not even halved, twice in a row. Runs at the start whose error is above 1 say nothing and are left out. model is of
  *  the case, at t = 0. poll (may be NULL) is called between runs and ends the ladder if it returns non-zero. */
 void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,

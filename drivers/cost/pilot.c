@@ -20,7 +20,8 @@ double purse_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-int purse_is_empty(const struct purse *purse, double more)
+/** Whether so much more work, on its way, leaves nothing. */
+static int purse_is_empty(const struct purse *purse, double more)
 {
     return purse->work + more >= purse->most || (isfinite(purse->until) && purse_clock() >= purse->until);
 }

@@ -7,7 +7,8 @@
 
 #include "number.h"
 
-int64_t race_steps(double t_end, double h)
+/** Steps of h to t_end, of which h must be a whole fraction (to rounding). */
+static int64_t race_steps(double t_end, double h)
 {
     const int64_t steps = llrint(t_end / h);
     return steps > 0 ? steps : 1;

@@ -56,8 +56,8 @@ struct effect_term {
 
 enum { EFFECT_QUANTITIES = 8 };
 
-/** Pairs of bodies that it holds: lines in pictures, cells of trajectories, and nothing that pairs in contact are
- *  searched in. */
+/** Pairs of bodies that it holds together: lines in pictures, cells of trajectories, and left out of the search for
+ *  pairs in contact. */
 struct effect_lines {
     const char *name;                    /* of one; with an s, of all */
     const char *const *quantity;         /* names of the numbers of each line in files */

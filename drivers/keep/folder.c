@@ -100,7 +100,9 @@ static int fail(const char *path, struct message *message)
     return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
 }
 
-FILE *folder_new(const char *path)
+/** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with
+ *  errno. */
+static FILE *folder_new(const char *path)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
     int fd = open(path, flags, 0666);
@@ -141,6 +143,17 @@ int folder_write(const char *folder, const char *name, folder_writer *write, con
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
+
+/** To the disk, the file or folder at path: its content, or which files are in it. */
+static int sync_path(const char *path)
+{
+    const int fd = open(path, O_RDONLY);
+    if (fd < 0)
+        return -1;
+    /* some file systems cannot sync a folder and need not */
+    const int failed = fsync(fd) != 0 && errno != EINVAL;
+    return close(fd) != 0 || failed ? -1 : 0;
+}
 
 static int sync_part(const char *folder, const char *name, struct message *message)
 {
@@ -189,19 +202,4 @@ int sync_end(FILE *file, int (*end)(FILE *file))
     const int before = ferror(file);
     errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
     return end(file) != 0 || before ? -1 : 0;
-}
-
-int sync_file(FILE *file)
-{
-    return fflush(file) != 0 || fsync(fileno(file)) != 0 ? -1 : 0;
-}
-
-int sync_path(const char *path)
-{
-    const int fd = open(path, O_RDONLY);
-    if (fd < 0)
-        return -1;
-    /* some file systems cannot sync a folder and need not */
-    const int failed = fsync(fd) != 0 && errno != EINVAL;
-    return close(fd) != 0 || failed ? -1 : 0;
 }

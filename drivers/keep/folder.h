@@ -23,10 +23,6 @@ int folder_output(const char *folder, const char *name, int part, char path[FOLD
 /** What to do about an error with a file that is written while a run or a study goes. */
 const char *folder_remedy(int error);
 
-/** Opens a new file for writing, in the place of one that a killed program has left; never through a link. NULL with
- *  errno. */
-FILE *folder_new(const char *path);
-
 /** Opens folder/name.part for writing; NULL with *message if that cannot be. */
 FILE *folder_open(const char *folder, const char *name, struct message *message);
 /** Closes it. Returns 0, or -1 with *message if not all that was written to it has got there. */
@@ -44,13 +40,8 @@ int folder_finish(const char *folder, const char *const *names, int count, int f
 
 /* ---- to the disk ------------------------------------------------------------------------------------------------- */
 
-/* What has been written to a file: all of it, and on the disk. Each returns 0, or -1 with errno. */
-
-/** Whether all that was ever written to the stream has been taken, now that it is ended by fclose or fflush. */
+/** Whether all that was ever written to the stream has been taken, now that it is ended by fclose or fflush: 0, or -1
+ *  with errno. */
 int sync_end(FILE *file, int (*end)(FILE *file));
-/** To the disk, what has been written to the file. */
-int sync_file(FILE *file);
-/** To the disk, the file or folder at path: its content, or which files are in it. */
-int sync_path(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Who looks on while something long is worked out. */
+ * Progress reports and cancellation of long computations. */
 #ifndef VTI_WATCH_H
 #define VTI_WATCH_H
 
@@ -17,7 +17,7 @@ static inline int watch_see(const struct watch *watch, double share)
     return watch != NULL && watch->see(watch->self, share);
 }
 
-/** What functions return that ended because they were asked to. */
+/** Returned by functions that were asked to stop. */
 enum { WATCH_ASKED = -2 };
 
 /** The person at the terminal of a study, who may be NULL too. */

@@ -49,7 +49,7 @@ const struct rival *rival_at(int64_t i);
 const struct rival *rival_unlisted(int64_t i);
 /** Those of bodies of three moments, which are in a list of their own; NULL after the last. */
 const struct rival *rival_general(int64_t i);
-/** No rivals, but the library's own multistep methods, which go their way as rivals do; NULL outside 0 <= i <
+/** Not rivals: the library's own multistep methods, which run as rivals do; NULL outside 0 <= i <
  *  vti_multistep_count(). The first call for an i is not for two threads. */
 const struct rival *multistep_at(int64_t i);
 
@@ -76,7 +76,7 @@ struct course {
     double *number; /* [COURSE_NUMBERS], of the tool; they begin the memory, which with x, v, w is all that goes on */
     void *tool;     /* whatever a rival needs that is not numbers, or can be made anew */
     int begun;      /* forces are those of the bodies as they stand */
-    int ends;       /* the next go ends where nobody looks but at the end of the run: if that moves, none does */
+    int ends;       /* 1: the next go ends where observers look only because the run ends there */
     int64_t cut_at_end; /* steps that were tried for that, of those by a tolerance */
     vti_fault fault;
 };

@@ -30,7 +30,7 @@ const struct rival *method_rival(const vti_stepper *stepper);
 const vti_stepper *method_controlled(const vti_stepper *stepper);
 /** What the scene runs the stepper as: itself, or with steps by its tolerance or its control; NULL if it cannot be. */
 const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper);
-/** What takes a model along by it, where that is no list of kicks and drifts; else NULL. */
+/** The rival that runs it, where it is not a list of kicks and drifts; else NULL. */
 const struct rival *method_way(const vti_stepper *stepper);
 /** Whether its steps follow how fast bodies turn. */
 int method_is_varied(const vti_stepper *stepper);

@@ -43,7 +43,7 @@ struct scene_lattice {
 };
 
 /** Added to the velocities and the attitude vectors of all bodies, uniform in [-v, v), [-omega, omega) and [-alpha,
- *  alpha) per component (sim/random.h); 0 is none. */
+ *  alpha) per component (random.h); 0 is none. */
 struct scene_random {
     int64_t seed;
     double v, omega, alpha;
@@ -82,7 +82,7 @@ struct scene_clumps {
     double density; /* 0: bodies have a mass */
 };
 
-struct tables; /* sim/table.h */
+struct tables; /* tables/table.h */
 
 struct scene {
     char name[64]; /* letters, digits, _ and -; of the file, up to its last dot, if the scene has none */

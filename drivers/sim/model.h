@@ -42,13 +42,13 @@ struct model {
     double moments[3], principal[4]; /* of all bodies, where they are no spheres */
     double *memory;                  /* of the bodies */
     const int64_t *number;           /* [bodies] as people know them, the tables'; NULL: as they are */
-    double owed; /* time of the kick that v and Omega are still to take by the loads, 0 for none: a loop's (loop.h) */
+    double owed;                     /* time of the kick that v and Omega still lack (loop.h, looks); 0: none */
     struct message trouble;
     struct slices *slices;      /* of the bodies, for threads; NULL: all in one piece */
     struct step_errors *errors; /* of its steps, the model's own; NULL: nobody asks for them */
 };
 
-/** What people call body i. */
+/** The number of body i in the scene's tables. */
 static inline int64_t model_number(const struct model *model, int64_t i)
 {
     return model->number != NULL && i >= 0 ? model->number[i] : i;
@@ -83,7 +83,7 @@ const vti_effect *model_dissipates(const struct model *model);
 /** Whether something in it may break. */
 int model_breaks(const struct model *model);
 
-/** Returns 0 if the bodies are spheres, which is all that what knows; else -1 with one line in *message. */
+/** Returns 0 if the bodies are spheres, as the method named what requires; else -1 with one line in *message. */
 int model_of_spheres(const struct model *model, const char *what, struct message *message);
 
 /** What breaks at the end of the step, at t, and what bonds are made then; where something is, forces are evaluated anew.

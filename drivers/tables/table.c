@@ -57,7 +57,7 @@ const struct table_kind *tables_kind(int k)
     return k == 0 ? &table_bodies : kinds_at(k - 1)->table;
 }
 
-struct table *tables_at(struct tables *tables, int k)
+static struct table *tables_at(struct tables *tables, int k)
 {
     return k == 0 ? &tables->bodies : &tables->effect[k - 1];
 }

@@ -73,7 +73,6 @@ enum { TABLES = 1 + EFFECT_COUNT };
 const char *tables_path(const struct scene *scene, int k);
 /** What it is of; NULL for an effect that has no table. */
 const struct table_kind *tables_kind(int k);
-struct table *tables_at(struct tables *tables, int k);
 
 /** Reads one table from a file: table_csv_read and the like. */
 typedef int table_reader(const char *path, const struct table_kind *kind, struct table *table, struct message *message);

@@ -9,10 +9,11 @@ static const double rounding = 1e-12; /* of all energies: sqrt(1e7) steps of eps
 
 /* ---- what the scene is ------------------------------------------------------------------------------------------- */
 
-/** Somebody outside the scene takes up momentum. */
-static int is_outer(const vti_effect *effect)
+/** Whether its energy is that of a field from outside, as gravity's, of which only differences mean anything. Walls take
+ *  up momentum too, but theirs is elastic. */
+static int is_of_field(const vti_effect *effect)
 {
-    return (effect->breaks & 7) != 0;
+    return effect->smooth && (effect->breaks & 7) != 0;
 }
 
 static double smallest_diameter(const struct model *model)
@@ -104,7 +105,7 @@ static double inner_energy(const struct verdict *v, const vti_bodies *bodies, co
         if (c >= v->columns->held)
             continue;
         kinetic += effect < 0 ? row[c] : 0.0;
-        elastic += effect >= 0 && !is_outer(&model->effects[effect]) ? row[c] : 0.0;
+        elastic += effect >= 0 && !is_of_field(&model->effects[effect]) ? row[c] : 0.0;
     }
     return fmax(kinetic - 0.5 * v->mass * vti_dot(u, u), 0.0) + elastic;
 }

@@ -4,7 +4,7 @@
 
 /* ---- the kernels ------------------------------------------------------------------------------------------------- */
 
-/** The kernels for this machine's vector units; none that so many bonds do not fill. */
+/** The widest kernels of this machine whose lanes so many bonds fill. */
 static const struct bond_kernels *kernels(int64_t count)
 {
     (void)count;
@@ -19,7 +19,7 @@ static const struct bond_kernels *kernels(int64_t count)
     return &vti_binder_baseline;
 }
 
-/** 0 without shear. Any form will do for one that is none: check refuses it. */
+/** 0 without shear. An unknown form counts as the objective one here; check refuses it. */
 static int form_of(const vti_bonds *bonds)
 {
     return bonds->shear.p == NULL ? 0 : vti_bonds_form_is_known(bonds) ? (int)bonds->shear_form : VTI_SHEAR_OBJECTIVE;
@@ -106,13 +106,10 @@ static int check(const void *self, const vti_bodies *b)
 /** r of bond k over L0 where the bodies are; 1 if it does not matter. */
 static double ratio_now(const vti_bonds *p, int64_t k, const vti_bodies *b)
 {
-    double d[3], xj[3];
+    double d[3];
     if (p->axial.p == NULL && p->shear.p == NULL)
         return 1.0;
-    vti_load(&b->x, p->pair[2 * k] - p->base, d);
-    vti_load(&b->x, p->pair[2 * k + 1] - p->base, xj);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= xj[c];
+    (void)vti_difference(&b->x, p->pair[2 * k] - p->base, p->pair[2 * k + 1] - p->base, d);
     return vti_norm(d) / p->rest[4 * k + 3];
 }
 

@@ -9,11 +9,6 @@
 
 #include "vti_binder_gather.h"
 
-VTI_INLINE int is_of_slice(const vti_bodies *b, int64_t body)
-{
-    return (uint64_t)body - (uint64_t)b->first < (uint64_t)b->count;
-}
-
 /** Whether some alpha of WIDTH bonds is so large that it has to be scaled. No |alpha_k| > VTI_RRV_LARGE gets past the
  *  square of its pair. */
 VTI_INLINE int is_large(const struct bond_state *s)
@@ -26,9 +21,7 @@ VTI_INLINE int is_large(const struct bond_state *s)
 VTI_INLINE int64_t chain_begin(const vti_bonds *block, const vti_bodies *b)
 {
     const int64_t i = block->pair[0] - block->base, last = block->pair[2 * WIDTH - 1] - block->base;
-    return lanes_are_row(block->pair) && is_of_slice(b, i) && is_of_slice(b, i + WIDTH - 1) && is_of_slice(b, last)
-               ? i
-               : -1;
+    return lanes_are_row(block->pair) && vti_owns(b, i) && vti_owns(b, i + WIDTH - 1) && vti_owns(b, last) ? i : -1;
 }
 
 /** Adds to the loads of bodies i ... i + WIDTH - 1 what bonds have for their second bodies, the one before the block

@@ -198,10 +198,10 @@ VTI_INLINE void sum_all(enum layout layout, int forces, int moments, const vti_b
         const int64_t i = ends[2 * k] - base, j = ends[2 * k + 1] - base;
         const struct triple force = triple_of(rows[0], rows[1], rows[6]);
         if (i != s.body)
-            sums_turn(layout, forces, moments, &b, is_of_slice(&b, i) ? i : -1, &s);
+            sums_turn(layout, forces, moments, &b, vti_owns(&b, i) ? i : -1, &s);
         s.force = triple_plus(s.force, force);
         s.moment = triple_plus(s.moment, triple_of(rows[2], rows[3], rows[7]));
-        if (!is_of_slice(&b, j))
+        if (!vti_owns(&b, j))
             continue;
         if (forces)
             store(layout, &b.force, j, triple_minus(load(layout, &b.force, j), force));

@@ -7,11 +7,7 @@
 /** d = x_i - x_j of one pair; returns |d|. */
 static double separation(const int64_t pair[2], int64_t base, const vti_view *x, double d[3])
 {
-    double xj[3];
-    vti_load(x, pair[0] - base, d);
-    vti_load(x, pair[1] - base, xj);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= xj[c];
+    (void)vti_difference(x, pair[0] - base, pair[1] - base, d);
     return vti_norm(d);
 }
 

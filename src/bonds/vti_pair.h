@@ -12,7 +12,7 @@
 #include "vti_binder_table.h"
 #include "../lanes/vti_lanes.h"
 
-/** Bonds: what is known of them, */
+/** WIDTH bonds: what their formulas take. */
 struct bond_state {
     lanes d[3]; /* x_i - x_j */
     lanes qi[4], qj[4];
@@ -20,7 +20,7 @@ struct bond_state {
     lanes moment, axial, shear; /* stiffnesses */
 };
 
-/** and what follows. */
+/** Their loads and energies. */
 struct bond_loads {
     lanes force[3]; /* F_i = -F_j */
     lanes moment_i[3], moment_j[3];

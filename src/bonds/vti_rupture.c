@@ -4,7 +4,7 @@
  *
  *     N/N_c + V/V_c + M_b/M_bc + M_t/M_tc >= 1   or   r/L0 - 1 >= e_c   or   U >= U_c:   Lost += U, bond off
  *
- * Off is out of the list, which nobody who goes through it has to know. */
+ * A bond that breaks leaves the list, so that no loop over the list has to test for it. */
 #include "../vti_shares.h"
 
 enum { LIMITS = 6, TERMS = 3 };
@@ -90,7 +90,7 @@ static void book(const vti_rupture *p, int64_t k, double energy)
         vti_share(p->by_body, VTI_RUPTURE_BOOKS, 0, pair[0] - base, pair[1] - base, energy);
 }
 
-/** Bonds whose measures are taken before they are tested; those that then move have all been measured. */
+/** Bonds are measured so many at a time, before one of them is tested or moved. */
 enum { TILE = 64 };
 
 static int64_t rupture_of_bonds(const void *self, const vti_bodies *b)

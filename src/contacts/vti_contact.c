@@ -9,28 +9,15 @@
 static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, double d[3], double *length, double *r2)
 {
     const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
-    double xj[3];
-    vti_load(&b->x, i, d);
-    vti_load(&b->x, j, xj);
-    for (int c = 0; c < 3; ++c)
-        d[c] -= xj[c];
     *length = vti_contact_length(p, k, i, j);
-    *r2 = vti_dot(d, d);
+    *r2 = vti_difference(&b->x, i, j, d);
     return !(*r2 >= *length * *length);
-}
-
-/** Whether there is a list, and diameters. */
-static int list_check(const vti_contacts *p)
-{
-    if (p->diameter.p == NULL || (p->count > 0 && p->pair == NULL))
-        return VTI_E_NULL;
-    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
 }
 
 /** The list may be another one than when the effect was made. */
 static int check(const void *self, const vti_bodies *b)
 {
-    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : list_check(self);
+    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : vti_contacts_list_check(self);
 }
 
 /** F_i = (K/L) o^{3/2} n = -F_j */
@@ -121,7 +108,7 @@ static int has(const vti_scalars *s, int64_t k, double none, double *value)
 {
     const int ends = s->count != 0 && k >= s->count;
     *value = ends ? none : vti_scalar(s, k);
-    return !ends && isfinite(*value) && *value > 0.0;
+    return !ends && vti_is_positive(*value);
 }
 
 /** Whether pair k is one of n bodies that have what they need; else *value is what is wrong. */
@@ -144,7 +131,7 @@ static int pair_is_good(const vti_contacts *p, int64_t k, int64_t n, double *val
 int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault)
 {
     vti_refuse_none(VTI_OK, fault);
-    const int status = contacts == NULL ? VTI_E_NULL : list_check(contacts);
+    const int status = contacts == NULL ? VTI_E_NULL : vti_contacts_list_check(contacts);
     if (status != VTI_OK)
         return status;
     if (n < 0)
@@ -162,7 +149,7 @@ int vti_contacts_check(const vti_contacts *contacts, int64_t n, vti_fault *fault
 
 double vti_contacts_stiffness(const vti_contacts *contacts, int64_t k)
 {
-    if (contacts == NULL || list_check(contacts) != VTI_OK || k < 0 || k >= contacts->count)
+    if (contacts == NULL || vti_contacts_list_check(contacts) != VTI_OK || k < 0 || k >= contacts->count)
         return NAN;
     const int64_t i = contacts->pair[2 * k] - contacts->base, j = contacts->pair[2 * k + 1] - contacts->base;
     return vti_contact_stiffness(contacts, i, j, vti_contact_length(contacts, k, i, j));
@@ -171,7 +158,7 @@ double vti_contacts_stiffness(const vti_contacts *contacts, int64_t k)
 vti_effect vti_contacts_effect(const vti_contacts *contacts)
 {
     static const char *const term[] = {"contact"};
-    if (contacts == NULL || list_check(contacts) != VTI_OK)
+    if (contacts == NULL || vti_contacts_list_check(contacts) != VTI_OK)
         return vti_effect_none();
     const vti_effect effect = {.name = "contact",
                                .apply = apply,

@@ -12,11 +12,13 @@
 
 #include "../vti_internal.h"
 
-/** |F| of the overlap o > 0 on the length L. */
-static inline double vti_hertz_force(double stiffness, double length, double o)
-{
-    return stiffness / length * o * sqrt(o);
-}
+/** |F| of the overlap o > 0 on the length L. V is double, or a vector of them. */
+#define VTI_HERTZ_FORCE(NAME, V, SQRT)                                                                                 \
+    VTI_INLINE V NAME(V stiffness, V length, V o)                                                                      \
+    {                                                                                                                  \
+        return stiffness / length * o * SQRT(o);                                                                       \
+    }
+VTI_HERTZ_FORCE(vti_hertz_force, double, sqrt)
 
 static inline double vti_hertz_energy(double stiffness, double o)
 {
@@ -42,6 +44,14 @@ static inline double vti_hertz_reduced(double a, double b)
 }
 
 /* ---- pairs of a list --------------------------------------------------------------------------------------------- */
+
+/** Whether there is a list, and diameters. */
+static inline int vti_contacts_list_check(const vti_contacts *p)
+{
+    if (p->diameter.p == NULL || (p->count > 0 && p->pair == NULL))
+        return VTI_E_NULL;
+    return p->count < 0 ? VTI_E_COUNT : VTI_OK;
+}
 
 /** L: at which distance pair k begins to touch, which is that of bodies i and j. */
 static inline double vti_contact_length(const vti_contacts *p, int64_t k, int64_t i, int64_t j)

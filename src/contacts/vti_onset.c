@@ -70,17 +70,6 @@ static void take(const vti_bodies *b, int64_t i, double sign, const double impul
     }
 }
 
-/** From j to i. Returns its square. */
-static double between(const vti_view *view, int64_t i, int64_t j, double d[3])
-{
-    double of_j[3];
-    vti_load(view, i, d);
-    vti_load(view, j, of_j);
-    for (int k = 0; k < 3; ++k)
-        d[k] -= of_j[k];
-    return vti_dot(d, d);
-}
-
 static void of_pairs(const vti_contacts *p, double h, const vti_view *before, const vti_bodies *b)
 {
     for (int64_t k = 0; k < p->count; ++k) {
@@ -88,7 +77,7 @@ static void of_pairs(const vti_contacts *p, double h, const vti_view *before, co
         const double length = vti_contact_length(p, k, i, j), touching = length * nearly;
         struct crossing at;
         double d[2][3], u[3], impulse[3], shift[3];
-        const double square[2] = {between(before, i, j, d[0]), between(&b->x, i, j, d[1])};
+        const double square[2] = {vti_difference(before, i, j, d[0]), vti_difference(&b->x, i, j, d[1])};
         if (square[0] >= length * length && square[1] >= length * length)
             continue;
         for (int end = 0; end < 2; ++end) {
@@ -99,7 +88,7 @@ static void of_pairs(const vti_contacts *p, double h, const vti_view *before, co
         }
         if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
             continue;
-        between(&b->v, i, j, u);
+        vti_difference(&b->v, i, j, u);
         at.rate = -vti_dot(at.n[1], u);
         at.k = vti_contact_stiffness(p, i, j, length) / (length * length * sqrt(length));
         missed(&at, h, impulse, shift);
@@ -167,16 +156,23 @@ static int check(double h, const vti_view *before, const vti_contacts *contacts,
 {
     vti_effect effects[2];
     int64_t n = 0;
-    const int status = vti_bodies_ready(b);
+    int status = vti_bodies_ready(b);
     if (status != VTI_OK)
         return status;
     if (before == NULL)
         return VTI_E_NULL;
-    if (!(isfinite(h) && h > 0.0))
+    if (!vti_is_positive(h))
         return VTI_E_TIME;
     for (int k = 0; k < 3; ++k)
         if (before->c[k] == NULL)
             return VTI_E_VIEW;
+        else if (before->c[k] == b->x.c[k])
+            return VTI_E_ALIAS;
+    vti_bodies earlier = *b; /* whose positions they are */
+    earlier.x = *before;
+    status = vti_bodies_fault(&earlier, NULL);
+    if (status != VTI_OK)
+        return status;
     if (contacts != NULL)
         effects[n++] = vti_contacts_effect(contacts);
     if (walls != NULL)

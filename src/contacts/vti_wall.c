@@ -29,36 +29,61 @@ static int is_list(const vti_walls *p)
            (vti_faces(p) <= 0 || p->diameter.p != NULL) && (p->motion == NULL || p->work != NULL);
 }
 
-/** Axes are of length 1, radii positive, and all else finite. */
-static int are_good(const vti_walls *p)
+/** Whether wall w has an axis of length 1, a positive radius, K and modulus that may be, and all else finite. */
+static int is_good(const vti_walls *p, int64_t w)
 {
-    int good = 1;
-    for (int64_t w = 0; w < vti_faces(p); ++w) {
-        const double stiffness = p->each != NULL ? p->each[w] : p->stiffness;
-        const double modulus = p->moduli != NULL ? p->moduli[w] : 1.0;
-        const vti_wall_motion *const m = vti_face_motion(p, w);
-        const int is_plane = w < p->count;
-        good &= isfinite(stiffness) && stiffness >= 0.0 && isfinite(modulus) && modulus > 0.0;
-        good &= is_unit(vti_face_axis(p, w)) && are_finite(vti_face_axis(p, w), is_plane ? 4 : 7);
-        good &= is_plane || vti_face_axis(p, w)[6] > 0.0;
-        good &= m == NULL || (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) &&
-                              isfinite(m->spin));
-    }
-    return good;
+    const double stiffness = p->each != NULL ? p->each[w] : p->stiffness;
+    const double modulus = p->moduli != NULL ? p->moduli[w] : 1.0;
+    const vti_wall_motion *const m = vti_face_motion(p, w);
+    const int is_plane = w < p->count;
+    return isfinite(stiffness) && stiffness >= 0.0 && vti_is_positive(modulus) && is_unit(vti_face_axis(p, w)) &&
+           are_finite(vti_face_axis(p, w), is_plane ? 4 : 7) && (is_plane || vti_face_axis(p, w)[6] > 0.0) &&
+           (m == NULL ||
+            (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) && isfinite(m->spin)));
 }
 
-/** VTI_E_CONTACT unless walls are good, diameters and moduli positive, and K has one source. */
+/** The first wall that is not good; -1 if all are. *one: whether K has one source. */
+static int64_t first_bad(const vti_walls *p, int *one)
+{
+    *one = p->modulus.p == NULL || (p->each == NULL && p->stiffness == 0.0);
+    for (int64_t w = 0; w < vti_faces(p); ++w)
+        if (!is_good(p, w))
+            return w;
+    return -1;
+}
+
+static int ends_or_is_bad(const vti_scalars *s, int64_t i)
+{
+    return (s->count != 0 && i >= s->count) || !vti_is_positive(vti_scalar(s, i));
+}
+
+int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
+{
+    int one;
+    vti_refuse_none(VTI_OK, fault);
+    if (walls == NULL || !is_list(walls))
+        return VTI_E_NULL;
+    if (walls->count < 0 || walls->cylinders < 0 || n < 0)
+        return VTI_E_COUNT;
+    const int64_t bad = first_bad(walls, &one);
+    if (bad >= 0 || !one)
+        return vti_refuse(VTI_E_CONTACT, bad, one ? NAN : walls->stiffness, VTI_QUANTITY_NONE, fault);
+    for (int64_t i = 0; vti_faces(walls) > 0 && i < n; ++i)
+        if (ends_or_is_bad(&walls->diameter, i) || (walls->modulus.p != NULL && ends_or_is_bad(&walls->modulus, i)))
+            return vti_refuse(VTI_E_CONTACT, -1, (double)i, VTI_QUANTITY_NONE, fault);
+    return VTI_OK;
+}
+
+/** Walls are few, and looked at always. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
+    int one;
+    if (VTI_LOOKS)
+        return vti_walls_check(p, vti_bodies_named(b), NULL);
     if (!is_list(p))
         return VTI_E_NULL;
-    const int material = p->modulus.p != NULL;
-    int good = are_good(p) && !(material && (p->each != NULL || p->stiffness != 0.0));
-    for (int64_t i = b->first; vti_faces(p) > 0 && i < b->first + b->count; ++i)
-        good &= isfinite(vti_scalar(&p->diameter, i)) && vti_scalar(&p->diameter, i) > 0.0 &&
-                (!material || (isfinite(vti_scalar(&p->modulus, i)) && vti_scalar(&p->modulus, i) > 0.0));
-    return good ? VTI_OK : VTI_E_CONTACT;
+    return first_bad(p, &one) < 0 && one ? VTI_OK : VTI_E_CONTACT;
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
@@ -245,7 +270,7 @@ vti_effect vti_walls_effect(const vti_walls *walls)
     const vti_effect effect = {.name = "wall",
                                .apply = apply,
                                .energy = energy,
-                               .check = VTI_LOOKS ? check : NULL,
+                               .check = check,
                                .springs = springs,
                                .carry = moves ? carry : NULL,
                                .self = walls,

@@ -9,6 +9,7 @@
 #include "vti_decay.h"
 #include "vti_joint.h"
 #include "../vti_shares.h"
+#include "../bonds/vti_binder_table.h"
 #include "../contacts/vti_touch.h"
 
 enum { MOTIONS = VTI_BOND_DASHPOT_BOOKS };
@@ -166,9 +167,9 @@ static int check(const void *self, const vti_bodies *b)
     for (int k = 0; k < 5; ++k)
         if (!(isfinite(all[k]) && all[k] >= 0.0))
             return VTI_E_DAMPING;
-    if (p->bonds->count > 0 && (p->bonds->pair == NULL || p->bonds->rest == NULL))
+    if (!vti_bonds_has_list(p->bonds))
         return VTI_E_NULL;
-    return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+    return vti_inertia_check(b);
 }
 
 vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)

@@ -6,16 +6,20 @@
 #define VTI_DAMPING_H
 
 #include "vti_decay.h"
+#include "../contacts/vti_face.h"
 #include "../contacts/vti_history.h"
 #include "../contacts/vti_touch_motion.h"
 
 /** The four motions that are damped, in the order of vti_dashpots.lost. */
 enum vti_damped { VTI_NORMAL, VTI_TANGENTIAL, VTI_ROLLING, VTI_TWISTING };
 
-/** Of which the coefficients are not all 0. */
+/** Of which the coefficients are not all 0, at pairs and at all walls. */
 static inline void vti_damping_all(const vti_dashpots *p, int damped[VTI_DASHPOT_BOOKS])
 {
-    damped[VTI_NORMAL] = p->zeta > 0.0 || p->normal > 0.0;
+    int any = p->zeta > 0.0;
+    for (int64_t w = 0; p->wall_zeta != NULL && w < vti_faces(p->walls); ++w)
+        any |= p->wall_zeta[w] > 0.0;
+    damped[VTI_NORMAL] = any || p->normal > 0.0;
     damped[VTI_TANGENTIAL] = p->tangential > 0.0 || (p->ratio > 0.0 && damped[VTI_NORMAL]);
     damped[VTI_ROLLING] = p->rolling > 0.0;
     damped[VTI_TWISTING] = p->twisting > 0.0;
@@ -114,15 +118,18 @@ static inline const vti_held *vti_damping_held(const vti_dashpots *p, const stru
     return held != NULL ? held : &none;
 }
 
-/** How much of F_n the load of a motion may be; 0: there is no limit. */
+/** How much of F_n the load of a motion may be, 0 at a wall without friction; negative where friction does not limit it.
+ */
 static inline double vti_damping_share_of_force(const vti_dashpots *p, const struct vti_touch *touch, int motion)
 {
-    const vti_friction *const friction = p->friction;
-    if (friction == NULL)
-        return 0.0;
-    if (motion == VTI_TANGENTIAL)
-        return touch->j < 0 ? vti_friction_of_wall(friction, touch->wall) : friction->sliding;
-    return motion == VTI_ROLLING ? friction->rolling : friction->twisting;
+    static const vti_friction none;
+    const vti_friction *const friction = p->friction != NULL ? p->friction : &none;
+    const double own = motion == VTI_TANGENTIAL ? friction->sliding
+                       : motion == VTI_ROLLING  ? friction->rolling
+                                                : friction->twisting;
+    if (!(own > 0.0))
+        return -1.0;
+    return motion == VTI_TANGENTIAL && touch->j < 0 ? vti_friction_of_wall(friction, touch->wall) : own;
 }
 
 /** Spring and dashpot together obey the limit: g = p - t f, f being what the spring holds, goes to the nearest place of

@@ -267,17 +267,15 @@ static int check(const void *self, const vti_bodies *b)
 {
     const vti_dashpots *p = self;
     const double all[] = {p->zeta, p->normal, p->tangential, p->ratio, p->rolling, p->twisting};
-    int good = p->reach >= 0.0;
+    int good = p->reach > 0.0;
     for (int k = 0; k < 6; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
     for (int64_t w = 0; p->wall_zeta != NULL && w < vti_faces(p->walls); ++w)
         good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    if (p->contacts != NULL &&
-        (p->contacts->diameter.p == NULL || (p->contacts->count > 0 && p->contacts->pair == NULL)))
-        return VTI_E_NULL;
-    return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
+    const int status = p->contacts != NULL ? vti_contacts_list_check(p->contacts) : VTI_OK;
+    return status != VTI_OK ? status : vti_inertia_check(b);
 }
 
 vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)

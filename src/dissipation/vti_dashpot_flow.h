@@ -103,7 +103,7 @@ VTI_INLINE lanes decay(const vti_dashpots *p, const struct place *at, int motion
 {
     const lanes mass = at->mass[motion], gone = at->gone[motion];
     const double share = vti_damping_share_of_force(p, &at->touch, motion);
-    if (!(share > 0.0))
+    if (share < 0.0)
         return vti_touch_decay(mass, gone, a);
     lanes impulse[3] = {-mass * gone * a[0], -mass * gone * a[1], -mass * gone * a[2]};
     vti_damping_limit(impulse, f, t, vti_damping_force(&at->damping, share));

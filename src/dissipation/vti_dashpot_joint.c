@@ -43,7 +43,7 @@ static void limit(const struct sweep *s, const struct place *at, int motion, dou
         load[k] = motion == VTI_TANGENTIAL ? at->held->sliding[k]
                   : motion == VTI_ROLLING  ? at->held->rolling[k]
                                            : at->held->twisting * at->touch.n[k];
-    if (share > 0.0)
+    if (share >= 0.0)
         vti_damping_limit(p, load, s->t, vti_damping_force(&at->damping, share));
 }
 

@@ -23,6 +23,8 @@ int vti_history_add(vti_history *history, const vti_held *held)
         return VTI_E_NULL;
     if (!is_power_of_2(history->slots))
         return VTI_E_HISTORY;
+    if (held->i == 0) /* an empty slot */
+        return VTI_OK;
     vti_held *const at = history->used < history->slots ? vti_history_at(history, held->i, held->j) : NULL;
     if (at == NULL || (at->i == 0 && history->used + 1 >= history->slots))
         return VTI_E_HISTORY;
@@ -215,7 +217,7 @@ static int check(const void *self, const vti_bodies *b)
     (void)b;
     const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
                           p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
-    int good = p->reach >= 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
+    int good = p->reach > 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
     for (int k = 0; k < 7; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
     for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(p->walls); ++w)
@@ -224,9 +226,11 @@ static int check(const void *self, const vti_bodies *b)
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    if (p->history->slot == NULL || (p->contacts != NULL && (p->contacts->diameter.p == NULL ||
-                                                             (p->contacts->count > 0 && p->contacts->pair == NULL))))
+    if (p->history->slot == NULL)
         return VTI_E_NULL;
+    const int status = p->contacts != NULL ? vti_contacts_list_check(p->contacts) : VTI_OK;
+    if (status != VTI_OK)
+        return status;
     return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
 }
 

@@ -112,7 +112,7 @@ static void carry_waiting(struct carrying *c)
 {
     const int64_t count = c->waiting.count;
     const vti_bodies *const turning = vti_drifted_bodies(c->drifted, c->b);
-    if (count > 0 && vti_turns_by_spin(turning))
+    if (count > 0 && vti_spins_generally(turning))
         find_turns(c, turning);
     for (int64_t n = 0; tells(c) && n < count; ++n)
         carry_one(c, n);

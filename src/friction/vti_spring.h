@@ -7,6 +7,7 @@
 #ifndef VTI_SPRING_H
 #define VTI_SPRING_H
 
+#include "../contacts/vti_hertz.h"
 #include "../contacts/vti_touch_motion.h"
 
 /** Of the drift that has been done; touch is where it ends. */
@@ -100,11 +101,13 @@ VTI_INLINE lanes vti_carry_mean(lanes k0, lanes k1)
     return lanes_where(k0 + k1 > 0.0, mean, lanes_of(0.0));
 }
 
-/** F_n = (K/length) o^{3/2} (vti_hertz_force) */
+VTI_HERTZ_FORCE(vti_carry_hertz, lanes, lanes_sqrt)
+
+/** F_n of that overlap; 0 where nothing touches. */
 VTI_INLINE lanes vti_carry_normal(const struct vti_touch *at, lanes delta)
 {
     const lanes o = lanes_where(delta > 0.0, delta / at->length, lanes_of(0.0));
-    return at->stiffness / at->length * o * lanes_sqrt(o);
+    return vti_carry_hertz(at->stiffness, at->length, o);
 }
 
 /* ---- turns of loads ---------------------------------------------------------------------------------------------- */
@@ -117,7 +120,7 @@ VTI_INLINE void vti_carry_swing(const lanes a[3], const lanes b[3], lanes f[3])
         f[k] -= share * (a[k] + b[k]);
 }
 
-/** W z, the turn by 4 atan(tau)/2 about n_m. */
+/** W z: z turned by 2 atan(tau) about n_m. */
 VTI_INLINE void vti_carry_twirl(const struct vti_carry *c, const lanes z[3], lanes turned[3])
 {
     lanes side[3];

@@ -13,8 +13,10 @@ static int check(const void *self, const vti_bodies *b)
         return VTI_E_CLUMP;
     if (p->effect->flow != NULL && vti_has(&b->v) && b->mass.p == NULL)
         return VTI_E_MASS;
-    if (p->effect->flow != NULL && vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL)
+    if (p->effect->flow != NULL && vti_inertia_check(b) != VTI_OK)
         return VTI_E_INERTIA;
+    if (VTI_LOOKS) /* at where the spheres will be */
+        vti_clump_spread(p->clumps, b, 0, p->clumps->count);
     return vti_effects_fault(p->effect, 1, &p->clumps->spheres, NULL);
 }
 
@@ -60,7 +62,7 @@ static void put_chord(const vti_clumps *c, const vti_bodies *b, const vti_drifte
     const int64_t i = c->body[s] - c->base;
     double r[3], before[3], omega[3], turn[3], v[3];
     vti_clump_lever(c, b, s, i, r);
-    if (vti_turns_by_spin(b))
+    if (vti_spins_generally(b))
         vti_rotor_turned(b, i, drifted, 0, turn);
     else {
         vti_load_or_zero(&b->omega, i, omega);

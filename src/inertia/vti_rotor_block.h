@@ -181,19 +181,6 @@ VTI_INLINE lanes_mask turn_alpha_by(const struct rotor_increment *d, double side
     return 4.0 * lanes_abs(dot) + (0x1p-6 + 0x1p-31 * square) < d->c;
 }
 
-/** q <- normalise(q (u, c)), or (u, c) q in space. */
-VTI_INLINE void turn_quat_by(lanes c, const lanes u[3], double side, lanes q[4])
-{
-    lanes r[4], x[3];
-    lanes_cross(u, q, x);
-    for (int k = 0; k < 3; ++k)
-        r[k] = c * q[k] + q[3] * u[k] + side * x[k];
-    r[3] = c * q[3] - lanes_dot(u, q);
-    const lanes scale = 1.0 / lanes_sqrt(lanes_dot(r, r) + r[3] * r[3]);
-    for (int k = 0; k < 4; ++k)
-        q[k] = r[k] * scale;
-}
-
 /** A sphere's attitude after its own drift; as for one that shows Omega, but the size of the increment is found out:
  *  |f u| < 2^15 c, |alpha| < 2^29, c < 2^34 and 2 |d| < c. */
 VTI_INLINE lanes_mask turn_spheres(int law, double t, int by_alpha, const lanes m[3], const lanes L[3], lanes q[4])

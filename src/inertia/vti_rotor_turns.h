@@ -41,7 +41,7 @@ struct rotor_list {
     int divides;   /* over is 1 */
 };
 
-/** Beyond so many radians in a step, phi is whatever is finite. */
+/** Turns are cut off at so many radians; beyond, rounding has lost their fraction of a full turn. */
 #define ROTOR_MOST 64.0
 
 /** phi/2 */

@@ -218,7 +218,7 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
         return VTI_E_COUNT;
     if (centre == NULL || diameter == NULL || solid == NULL)
         return VTI_E_NULL;
-    if (!(isfinite(density) && density > 0.0))
+    if (!vti_is_positive(density))
         return vti_refuse(VTI_E_MASS, -1, density, VTI_QUANTITY_MASS, fault);
     const int status = spheres_check(n, centre, diameter, fault);
     if (status != VTI_OK)

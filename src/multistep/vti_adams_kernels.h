@@ -144,7 +144,7 @@ static inline int64_t adams_predict(const vti_multistep *m, double h, const vti_
     return i;
 }
 
-/** What a load does, a = by/over: (x, y, z, 0), or (0, x, y, z) with first = 1; 0 where there is none. */
+/** The acceleration by a load, a = by/over: (x, y, z, 0), or (0, x, y, z) with first = 1; 0 where there is none. */
 VTI_INLINE void adams_acceleration(const vti_view *by, const vti_scalars *over, int first, int64_t i, part a[PARTS])
 {
     quad_zero(a);
@@ -165,6 +165,12 @@ struct adams_felt {
     part low[PARTS], high[PARTS];
 };
 
+/** A load, where there is something that it changes. */
+static inline vti_view adams_load(const vti_view *load, const vti_view *changes)
+{
+    return vti_has(changes) ? *load : *changes;
+}
+
 VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const vti_view *moment,
                            const vti_scalars *inertia, int64_t i, struct adams_felt *f)
 {
@@ -175,7 +181,7 @@ VTI_INLINE void adams_feel(const vti_view *force, const vti_scalars *mass, const
     quad_and_three(a, b, f->high);
 }
 
-/** off = f - sum N^j, j < depth, in this order: how far off those are that were foreseen. writes: the levels
+/** off = f - sum N^j, j < depth, in this order: the difference from the predicted ones. writes: the levels
  *  differences of the last f, at least depth, become those of this one. */
 VTI_INLINE void adams_compare(int writes, int64_t depth, int64_t levels, double *n, int64_t apart, struct adams_felt f,
                               struct adams_felt *off)
@@ -234,7 +240,8 @@ static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_
                                     int64_t begin, int64_t end, double *turn)
 {
     const double g = h * adams_corrector(m), d = m->c * h * h * adams_d[m->depth];
-    const vti_view v = bodies->v, omega = bodies->omega, force = bodies->force, moment = bodies->moment;
+    const vti_view v = bodies->v, omega = bodies->omega, force = adams_load(&bodies->force, &v),
+                   moment = adams_load(&bodies->moment, &omega);
     const vti_view x = vti_has(&v) ? bodies->x : v;
     const vti_scalars mass = bodies->mass, inertia = bodies->inertia;
     const int64_t depth = m->depth, levels = adams_levels(past), apart = 6 * past->depth;

@@ -8,20 +8,15 @@ static const double safety = 0.85, shrink = 0.2, grow = 4.0, again = 0.9;
 
 enum { LEAST_POWER = 2, MOST_POWER = 16 };
 
-static int is_positive(double x)
-{
-    return isfinite(x) && x > 0.0;
-}
-
 int vti_control_start(const vti_stepper *method, double tolerance, double h, vti_control *control)
 {
     if (control == NULL)
         return VTI_E_NULL;
     if (method == NULL || method->estimate == NULL)
         return VTI_E_STEPPER;
-    if (!is_positive(tolerance))
+    if (!vti_is_positive(tolerance))
         return VTI_E_CONTROL;
-    if (!is_positive(h))
+    if (!vti_is_positive(h))
         return VTI_E_TIME;
     const vti_control start = {.tolerance = tolerance,
                                .speed = 1.0,
@@ -35,8 +30,8 @@ int vti_control_start(const vti_stepper *method, double tolerance, double h, vti
 
 static int is_sound(const vti_control *c)
 {
-    const int scales = is_positive(c->tolerance) && is_positive(c->speed) && is_positive(c->turning);
-    const int limits = c->least >= 0.0 && c->most > c->least && is_positive(c->h);
+    const int scales = vti_is_positive(c->tolerance) && vti_is_positive(c->speed) && vti_is_positive(c->turning);
+    const int limits = c->least >= 0.0 && c->most > c->least && vti_is_positive(c->h);
     return scales && limits && c->power >= LEAST_POWER && c->power <= MOST_POWER && floor(c->power) == c->power;
 }
 
@@ -61,7 +56,7 @@ int vti_control_judge(vti_control *control, double h, double velocity, double sp
 {
     if (control == NULL || accepted == NULL)
         return VTI_E_NULL;
-    if (!is_positive(h))
+    if (!vti_is_positive(h))
         return VTI_E_TIME;
     if (!is_sound(control))
         return VTI_E_CONTROL;
@@ -159,9 +154,9 @@ int vti_step_undo(const vti_bodies *b, const vti_kept *kept)
 
 static int set_density(vti_density *density, double epsilon, double rho)
 {
-    const double h = is_positive(rho) ? epsilon / rho : 0.0;
+    const double h = vti_is_positive(rho) ? epsilon / rho : 0.0;
     const vti_density next = {epsilon, rho, h};
-    if (!is_positive(h))
+    if (!vti_is_positive(h))
         return VTI_E_TIME;
     *density = next;
     return VTI_OK;
@@ -171,8 +166,9 @@ int vti_density_start(double epsilon, double wish, double rate, vti_density *den
 {
     if (density == NULL)
         return VTI_E_NULL;
-    return is_positive(epsilon) && is_positive(wish) ? set_density(density, epsilon, 1.0 / wish + 0.5 * epsilon * rate)
-                                                     : VTI_E_TIME;
+    return vti_is_positive(epsilon) && vti_is_positive(wish)
+               ? set_density(density, epsilon, 1.0 / wish + 0.5 * epsilon * rate)
+               : VTI_E_TIME;
 }
 
 int vti_density_next(vti_density *density, double rate)

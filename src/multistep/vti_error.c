@@ -21,7 +21,7 @@ int vti_step_watch(const vti_stepper *method, int64_t k, double h, const vti_bod
         return status;
     if (k < 0 || k > method->stages)
         return VTI_E_STAGE;
-    if (!(isfinite(h) && h > 0.0))
+    if (!vti_is_positive(h))
         return VTI_E_TIME;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         double f[6], *sum = errors->memory + 6 * errors->rows * i;

@@ -15,8 +15,8 @@
 #include "vti_adams_kernels.h"
 #include "../vti_move.h"
 
-/* c is of the widest reach for 7; of 10 c and u make an10's error small and its reach wide, c = 4/5 has the smallest error,
- * and c = -1/2 twice its reach */
+/* an7 has the c of the widest reach. Of K = 10: an10 has c and u of a small error at a wide reach, an10-fine (c = 4/5)
+ * the smallest error, an10-mid (c = -1/2) twice its reach */
 static const vti_multistep methods[] = {
     {"an4", 4, 1.0, 0.0, 0.565, "Adams-Nystroem, order 5, one force evaluation a step; not symplectic"},
     {"an7", 7, -0.75, 0.0, 0.825, "the same of order 8"},
@@ -70,9 +70,10 @@ int vti_multistep_record(vti_past *past, const vti_bodies *b)
     const int status = check_past(past, b, NULL);
     if (status != VTI_OK)
         return status;
+    const vti_view force = adams_load(&b->force, &b->v), moment = adams_load(&b->moment, &b->omega);
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         struct adams_felt f, off;
-        adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
+        adams_feel(&force, &b->mass, &moment, &b->inertia, i, &f);
         adams_compare(1, 0, adams_levels(past), adams_differences(past, i), 0, f, &off);
     }
     past->known += past->known < past->depth;
@@ -89,7 +90,7 @@ static int check(const vti_multistep *method, double h, const vti_past *past, co
     const int status = check_past(past, b, fault);
     if (status != VTI_OK)
         return status;
-    if (!(isfinite(h) && h > 0.0))
+    if (!vti_is_positive(h))
         return vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
     return past->known >= method->depth ? VTI_OK
                                         : vti_refuse(VTI_E_PAST, -1, (double)past->known, VTI_QUANTITY_NONE, fault);
@@ -167,11 +168,12 @@ int vti_multistep_error(const vti_multistep *method, double h, const vti_past *p
     if (velocity == NULL || spin == NULL)
         return VTI_E_NULL;
     *velocity = *spin = 0.0;
+    const vti_view force = adams_load(&b->force, &b->v), moment = adams_load(&b->moment, &b->omega);
     const double g = h * fabs(adams_corrector(method));
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         struct adams_felt f, off;
         double a[3], w[3];
-        adams_feel(&b->force, &b->mass, &b->moment, &b->inertia, i, &f);
+        adams_feel(&force, &b->mass, &moment, &b->inertia, i, &f);
         adams_compare(0, method->depth, method->depth, adams_differences(past, i), 0, f, &off);
         for (int k = 0; k < 3; ++k) {
             a[k] = quad_get(off.low, 0, k);

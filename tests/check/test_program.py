@@ -13,7 +13,7 @@ OLD_SPIN = "rotation is pushed with the old spin: energy grows"
 
 
 def run(*arguments):
-    result = subprocess.run([program, *arguments], check=False, capture_output=True, text=True, timeout=120)
+    result = subprocess.run([program, *arguments], check=False, capture_output=True, text=True, timeout=600)
     return result.returncode, result.stdout, result.stderr
 
 
@@ -62,6 +62,6 @@ for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--
     check(code == 2 and why in err and err.count("\n") == 1 and out == "", f"refused: {' '.join(arguments)}: {err.strip()}")
 
 for example in examples:
-    result = subprocess.run([example], check=False, capture_output=True, text=True, timeout=120)
+    result = subprocess.run([example], check=False, capture_output=True, text=True, timeout=600)
     check(result.returncode == 0 and "no fault found" in result.stdout and "FAIL" not in result.stdout, example)
 conclude()

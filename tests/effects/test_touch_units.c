@@ -177,8 +177,8 @@ static void expect_flow(const struct vti_sweep *s)
         struct place at = {.damping = {.zeta = s->p->zeta}};
         if (!vti_touch_pair(&at.touch, s->p->contacts, s->b, k, INFINITY))
             continue;
-        vti_touch_load(&at.touch, s->b, &at.motion);
-        vti_touch_masses(&at.touch, s->b);
+        touch_load(&at.touch, s->b, &at.motion);
+        touch_masses(&at.touch, s->b);
         const vti_held *held = vti_damping_held(s->p, &at.touch);
         for (int c = 0; c < 3; ++c) {
             at.held.sliding[c] = held->sliding[c];
@@ -187,7 +187,7 @@ static void expect_flow(const struct vti_sweep *s)
         at.held.twisting = held->twisting;
         if (!flow_touch(s, &at))
             continue;
-        vti_touch_store(&at.touch, s->b, &at.motion);
+        touch_store(&at.touch, s->b, &at.motion);
         for (int m = 0; m < MOTIONS; ++m)
             if (s->damped[m])
                 vti_sum_add(&s->p->lost[m], at.lost[m]);

@@ -9,6 +9,40 @@
 #include "../../src/contacts/vti_touch.h"
 #include "../../src/friction/vti_carry.h"
 
+/** What the bodies of a pair have: 1/m and, where bodies turn, 1/J. */
+static inline void touch_masses(struct vti_touch *at, const vti_bodies *b)
+{
+    const int turns = vti_has(&b->omega);
+    at->per_m_i = 1.0 / vti_scalar(&b->mass, at->i);
+    at->per_m_j = 1.0 / vti_scalar(&b->mass, at->j);
+    at->per_j_i = turns ? 1.0 / vti_scalar(&b->inertia, at->i) : 0.0;
+    at->per_j_j = turns ? 1.0 / vti_scalar(&b->inertia, at->j) : 0.0;
+}
+
+/** The velocities of a pair. */
+static inline void touch_load(const struct vti_touch *at, const vti_bodies *b, struct vti_touch_motion *m)
+{
+    static const struct vti_touch_motion still;
+    *m = still;
+    m->turns = vti_has(&b->omega);
+    vti_load(&b->v, at->i, m->v_i);
+    vti_load(&b->v, at->j, m->v_j);
+    if (!m->turns)
+        return;
+    vti_load(&b->omega, at->i, m->w_i);
+    vti_load(&b->omega, at->j, m->w_j);
+}
+
+static inline void touch_store(const struct vti_touch *at, const vti_bodies *b, const struct vti_touch_motion *m)
+{
+    vti_store(&b->v, at->i, m->v_i);
+    vti_store(&b->v, at->j, m->v_j);
+    if (!m->turns)
+        return;
+    vti_store(&b->omega, at->i, m->w_i);
+    vti_store(&b->omega, at->j, m->w_j);
+}
+
 /** All springs of one touch, and what they take. */
 static inline void hold_on(const vti_friction *p, const struct vti_carry *c, double mu, vti_held *held)
 {
@@ -42,7 +76,7 @@ static inline void go_along(struct vti_carry *c, const vti_bodies *b, const vti_
 {
     struct vti_touch_motion m;
     double d0[3], a_i[3], a_j[3];
-    vti_touch_load(&c->touch, b, &m);
+    touch_load(&c->touch, b, &m);
     for (int k = 0; k < 3; ++k)
         c->slid[k] = drifted->t * (m.v_i[k] - m.v_j[k]);
     turn_both(drifted, m.w_i, m.w_j, a_i, a_j);

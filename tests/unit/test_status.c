@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Status codes: each has a text of its own, each is returned by some call, and a call that fails changes nothing. */
+ * Status codes: each has a text of its own, and a call that fails changes nothing. */
 #include "bodies.h"
 #include "every_call.h"
 #include "support.h"
