@@ -246,6 +246,11 @@ static inline vti_effect vti_effect_none(void)
     return none;
 }
 
+VTI_INLINE int vti_bonds_has_list(const vti_bonds *bonds)
+{
+    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
+}
+
 /** VTI_E_INERTIA where spheres turn and their inertia is not known. */
 static inline int vti_inertia_check(const vti_bodies *b)
 {

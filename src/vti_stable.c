@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * A rigorous bound of the stable step (EQUATIONS 5 and 6.10, with a tighter element and better shares). The system is
+ * A rigorous bound of the stable step (EQUATIONS 5 and 6.10). The system is
  * split into elements, one for each spring that an effect reports, and every body into shares for the elements at it: K
  * = sum K_e, M = sum M_e. If no element is faster than omega, x.Kx = sum x.K_e x <= omega^2 sum x.M_e x = omega^2 x.Mx,
  * nor is the whole. */

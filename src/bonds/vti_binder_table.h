@@ -44,9 +44,4 @@ VTI_INLINE int vti_bonds_form_is_known(const vti_bonds *bonds)
            bonds->shear_form <= (bonds->turn != NULL ? VTI_SHEAR_QUARTIC : VTI_SHEAR_PRINTED);
 }
 
-VTI_INLINE int vti_bonds_has_list(const vti_bonds *bonds)
-{
-    return bonds->count <= 0 || (bonds->pair != NULL && bonds->rest != NULL);
-}
-
 #endif

@@ -9,7 +9,6 @@
 #include "vti_decay.h"
 #include "vti_joint.h"
 #include "../vti_shares.h"
-#include "../bonds/vti_binder_table.h"
 #include "../contacts/vti_touch.h"
 
 enum { MOTIONS = VTI_BOND_DASHPOT_BOOKS };

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """An effect is one room: outside drivers/effects nobody in drivers/ names one, by an identifier, a key or a column. Left out are
 drivers/check, which is a host with scenes of its own, and the pages about the shipped scenes among the pictures. No room holds
-more files than can be overseen.
+more files than can be overseen. Sections of docs/equations.md that the sources cite are there, as are the files that it names.
 test_rooms.py ROOT VTI_RUN"""
 import glob
 import io
@@ -71,4 +71,26 @@ with open(os.path.join(root, "drivers", "effects", "kinds.h"), encoding="utf-8")
     kinds = re.findall(r"KIND\((\w+)\)", re.search(r"#define EFFECT_KINDS\(KIND\)((?:.*\\\n)*.*)", file.read()).group(1))
 check(sorted(rooms) == sorted(kinds), f"kinds.h lists the effects that have a room: {sorted(rooms)}, {sorted(kinds)}")
 check(len(kinds) == len(listed), f"... and vti-run knows them: {listed}")
+
+# Comments cite sections of docs/equations.md as "EQUATIONS 3 and 6.10", which names files in turn.
+with open(os.path.join(root, "docs", "equations.md"), encoding="utf-8") as file:
+    equations = file.read()
+sections = set(re.findall(r"^##+ (\d+(?:\.\d+)?)", equations, flags=re.M))
+cited = {}
+for top in ("include", "src", "fortran", "drivers", "tests", "bench", "examples"):
+    for path in glob.glob(os.path.join(root, top, "**", "*.*"), recursive=True):
+        if path.endswith((".c", ".h", ".py", ".f90", ".inc")):
+            with open(path, encoding="utf-8") as file:
+                text = re.sub(r"\s*\n\s*[*!#]+>?\s*", " ", file.read())     # comments that go on in the next line
+            for numbers in re.findall(r"EQUATIONS(?:,? (?:section )?(?:and )?\d+(?:\.\d+)?(?=[^\d.]|\.\D))+", text):
+                cited.update({number: path for number in re.findall(r"\d+(?:\.\d+)?", numbers)})
+check(len(cited) > 20, f"{len(cited)} sections of docs/equations.md are cited")
+for number, path in sorted(cited.items()):
+    check(number in sections, f"docs/equations.md has the section {number} that {os.path.relpath(path, root)} cites")
+for line in re.findall(r"^In the code: (.*?)\n\n", equations + "\n\n", flags=re.M | re.S):
+    folder = ""
+    for name in re.findall(r"`([^`]+)`", line):
+        folder = os.path.dirname(name) + "/" if "/" in name and os.path.isdir(os.path.join(root, os.path.dirname(name))) else folder
+        where = name if os.path.exists(os.path.join(root, name)) else folder + os.path.basename(name)
+        check(os.path.exists(os.path.join(root, where)), f"{name}, in which docs/equations.md sees a formula, is there")
 conclude()

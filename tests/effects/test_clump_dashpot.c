@@ -41,7 +41,7 @@ TEST(each_flow)
         vti_dashpots dashpots = {.contacts = plane ? NULL : &m.t.contacts,
                                  .walls = plane ? &m.walls : NULL,
                                  .pull = 1,
-                                 .reach = 0,
+                                 .reach = INFINITY,
                                  .lost = m.lost};
         double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
         *coefficient[which] = c;
@@ -72,7 +72,7 @@ TEST(limits)
             m.spin[k / 3][k % 3] *= 0.05;
         }
         vti_friction friction = {.sliding = mu, .rolling = mu, .twisting = mu, .history = &m.history};
-        vti_dashpots dashpots = {.contacts = &m.t.contacts, .friction = &friction, .reach = 0, .lost = m.lost};
+        vti_dashpots dashpots = {.contacts = &m.t.contacts, .friction = &friction, .reach = INFINITY, .lost = m.lost};
         double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
         *coefficient[which] = c;
         const double length = 0.5 * (m.t.diameter[0] + m.t.diameter[1]),
@@ -163,22 +163,50 @@ TEST(many_touches)
     }
 }
 
-/** A plane's own zeta stands in the place of that of all. */
+/** A plane's own zeta stands in the place of that of all, which may be none. */
 TEST(zeta_of_a_plane)
 {
     rng g = rng_seed(5108);
-    for (int kind = 0; kind < UNEVEN_KINDS; ++kind) {
+    for (int trial = 0; trial < 2 * UNEVEN_KINDS; ++trial) {
+        const int kind = trial / 2;
         struct linear at;
         double zeta = 0;
         linear_bodies(&m, &g, kind, UNEVEN_BOTH, 2, 1);
         press(&g, 1, 0.05, &at);
-        const vti_dashpots dashpots = {.walls = &m.walls, .zeta = 0.5, .pull = 1, .lost = m.lost, .wall_zeta = &zeta};
+        const vti_dashpots dashpots = {.walls = &m.walls,
+                                       .zeta = trial % 2 ? 0.5 : 0,
+                                       .pull = 1,
+                                       .reach = INFINITY,
+                                       .lost = m.lost,
+                                       .wall_zeta = &zeta};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
         assert_true(m.lost[0].high == 0);
         zeta = 0.5;
         assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
         assert_true(m.lost[0].high > 0);
+    }
+}
+
+/** Without friction of its own a plane lets slide what damps along it. */
+TEST(no_friction_at_a_plane)
+{
+    rng g = rng_seed(5109);
+    for (int kind = 0; kind < UNEVEN_KINDS; ++kind) {
+        static vti_history nothing;
+        struct linear at;
+        double mu = 0;
+        linear_bodies(&m, &g, kind, UNEVEN_BOTH, 2, 1);
+        press(&g, 1, 0.05, &at);
+        const vti_friction friction = {.sliding = 0.5, .wall_sliding = &mu, .history = &nothing};
+        const vti_dashpots dashpots = {
+            .walls = &m.walls, .friction = &friction, .tangential = 1, .reach = INFINITY, .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
+        assert_true(m.lost[1].high == 0);
+        mu = 0.5;
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.01, 0, &m.b), VTI_OK);
+        assert_true(m.lost[1].high > 0);
     }
 }
 
@@ -191,7 +219,8 @@ TEST(backwards_is_the_other_order)
         vec once[4], again[4];
         linear_bodies(&m, &g, trial % 2 ? UNEVEN_CLUMPS : UNEVEN_SPHERICAL, UNEVEN_BOTH, 2, 4);
         crowd_scatter(&m.t.c, &g, 0.2, 0.1);
-        const vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 3, .pull = 1, .lost = m.lost};
+        const vti_dashpots dashpots = {
+            .contacts = &m.t.contacts, .normal = 3, .pull = 1, .reach = INFINITY, .lost = m.lost};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         start = m.t.c;
         double spin[2][3];
@@ -314,6 +343,7 @@ TEST(extreme_moments)
                                        .rolling = c,
                                        .twisting = c,
                                        .pull = 1,
+                                       .reach = INFINITY,
                                        .lost = m.lost};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         const double energy = vti_energy(m.effects, 1, &m.b);
@@ -332,7 +362,8 @@ TEST(absent_motions)
     for (int kind = UNEVEN_CLUMPS; kind < UNEVEN_KINDS; ++kind) {
         linear_bodies(&m, &g, kind, UNEVEN_SPIN, 2, 1);
         press(&g, 0, 0.05, &at);
-        vti_dashpots dashpots = {.contacts = &m.t.contacts, .normal = 1e9, .pull = 1, .lost = m.lost};
+        vti_dashpots dashpots = {
+            .contacts = &m.t.contacts, .normal = 1e9, .pull = 1, .reach = INFINITY, .lost = m.lost};
         uneven_add(&m, vti_dashpots_effect(&dashpots));
         const crowd start = m.t.c;
         double spin[3], u[3];
@@ -374,6 +405,6 @@ TEST(absent_motions)
 }
 
 RUN_TESTS(cmocka_unit_test(each_flow), cmocka_unit_test(limits), cmocka_unit_test(many_touches),
-          cmocka_unit_test(zeta_of_a_plane), cmocka_unit_test(backwards_is_the_other_order),
-          cmocka_unit_test(equal_moments_are_spheres), cmocka_unit_test(extreme_moments),
-          cmocka_unit_test(absent_motions))
+          cmocka_unit_test(zeta_of_a_plane), cmocka_unit_test(no_friction_at_a_plane),
+          cmocka_unit_test(backwards_is_the_other_order), cmocka_unit_test(equal_moments_are_spheres),
+          cmocka_unit_test(extreme_moments), cmocka_unit_test(absent_motions))

@@ -68,6 +68,7 @@ TEST(stuck_pairs_turn)
                                   .rolling_stiffness = 100,
                                   .twisting_stiffness = 100,
                                   .history = &m.history,
+                                  .reach = INFINITY,
                                   .lost = m.rubbed};
         uneven_add(&m, vti_friction_effect(&friction));
         const int first = m.t.pair[0][0] == 0; /* n is from body 1 to body 0 */

@@ -99,7 +99,7 @@ TEST(effects_are_refused)
     contact.apply = NULL;
     effect = vti_clumped_effect(&clumped);
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_CLUMP);
-    const vti_dashpots dashpots = {.contacts = &t.contacts, .normal = 1, .lost = &lost};
+    const vti_dashpots dashpots = {.contacts = &t.contacts, .normal = 1, .reach = INFINITY, .lost = &lost};
     contact = vti_dashpots_effect(&dashpots);
     effect = vti_clumped_effect(&clumped);
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_OK);

@@ -224,6 +224,9 @@ TEST(springs_that_are_not_there)
     assert_int_equal(vti_stable_step(&effect, 1, &b, &rest, scratch, &stable), VTI_E_CONTACT);
     inner.springs = NULL;
     effect = vti_clumped_effect(&clumped);
+    assert_int_equal(vti_stable_step(&effect, 1, &b, &rest, scratch, &stable), VTI_OK);
+    inner.apply = nothing;
+    effect = vti_clumped_effect(&clumped);
     assert_int_equal(vti_stable_step(&effect, 1, &b, &rest, scratch, &stable), VTI_E_SPRINGS);
 }
 

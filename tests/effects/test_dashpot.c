@@ -151,6 +151,7 @@ static void crowd_flow(int halves, double v[40][3])
                                    .rolling = 0.05,
                                    .twisting = 0.02,
                                    .pull = 1,
+                                   .reach = INFINITY,
                                    .lost = m.lost};
     impact_add(&m, vti_dashpots_effect(&dashpots));
     vti_momentum(&m.b, p);

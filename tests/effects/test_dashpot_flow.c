@@ -19,7 +19,7 @@ TEST(each_flow)
         vti_dashpots dashpots = {.contacts = plane ? NULL : &m.contacts,
                                  .walls = plane ? &m.walls : NULL,
                                  .pull = 1,
-                                 .reach = 0,
+                                 .reach = INFINITY,
                                  .lost = m.lost};
         double *const coefficient[] = {&dashpots.normal, &dashpots.tangential, &dashpots.rolling, &dashpots.twisting};
         *coefficient[which] = c;
@@ -98,6 +98,7 @@ TEST(bodies_that_do_not_turn)
                                        .normal = c,
                                        .tangential = 2 * c,
                                        .pull = 1,
+                                       .reach = INFINITY,
                                        .lost = m.lost};
         const vti_effect effect = vti_dashpots_effect(&dashpots);
         const double mass = 1 / (1 / m.c.mass[0] + (plane ? 0 : 1 / m.c.mass[1])),
@@ -200,8 +201,10 @@ TEST(limits_beside_springs)
             (rolls ? held.rolling : held.sliding)[k] = load[k] *= factor;
         assert_int_equal(vti_history_add(&history, &held), VTI_OK);
         const vti_friction friction = {.sliding = mu, .rolling = mu, .history = &history};
-        vti_dashpots dashpots = {
-            .contacts = plane ? NULL : &m.contacts, .walls = plane ? &m.walls : NULL, .reach = 0, .lost = m.lost};
+        vti_dashpots dashpots = {.contacts = plane ? NULL : &m.contacts,
+                                 .walls = plane ? &m.walls : NULL,
+                                 .reach = INFINITY,
+                                 .lost = m.lost};
         *(rolls ? &dashpots.rolling : &dashpots.tangential) = pow(10, uniform(&g, -1, 3));
         memcpy(&start.c, &m.c, sizeof m.c);
         impulse_of(&start, &dashpots, rolls, t, whole);

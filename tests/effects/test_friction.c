@@ -390,6 +390,9 @@ TEST(table)
         assert_int_equal(found, used);
     }
     assert_int_equal(most, ROOM - 1);
+    const vti_held empty = {0, 0, {0, 0, 0}, {0, 0, 0}, 0}; /* as a copy of a whole table meets them */
+    assert_int_equal(vti_history_add(&history, &empty), VTI_OK);
+    assert_int_equal(history.used, used);
 }
 
 /** What is refused, and a table without room, which the next call says. */

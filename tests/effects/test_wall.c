@@ -143,6 +143,7 @@ TEST(friction_and_restitution_of_each)
         dashpots.friction = NULL;
         dashpots.ratio = dashpots.rolling = dashpots.twisting = 0;
         dashpots.wall_zeta = zetas;
+        dashpots.zeta *= w; /* with and without one for all */
         impact_add(&m, vti_walls_effect(&m.walls));
         impact_add(&m, vti_dashpots_effect(&dashpots));
         impact_go(&m, vti2(), 1.0 / 4096, 3 * 4096);
@@ -309,6 +310,69 @@ TEST(refused)
     assert_int_equal(vti_stable_step(&none, 1, &m.b, NULL, scratch, &stable), VTI_E_COUNT);
 }
 
+/** A plane without friction lets slide what damps along it: neither spring nor dashpot has a hold there. */
+TEST(no_friction_at_a_plane)
+{
+    for (int k = 0; k < 2; ++k) {
+        each[0] = 0.1 * k;
+        begin(1, 1, 1e4);
+        m.plane[0][2] = 1;
+        m.c.x[0][2] = 0.49;
+        m.c.v[0][0] = 1;
+        rub();
+        friction.wall_sliding = each;
+        friction.rolling = friction.twisting = 0;
+        dashpots.ratio = 1;
+        dashpots.tangential = 1e3;
+        impact_add(&m, vti_walls_effect(&m.walls));
+        impact_add(&m, vti_friction_effect(&friction));
+        impact_add(&m, vti_dashpots_effect(&dashpots));
+        impact_go(&m, vti2(), 1e-3, 10);
+        assert_true((m.c.v[0][0] == 1 && m.c.omega[0][1] == 0) == (k == 0));
+    }
+}
+
+/** Numbers of walls and of the bodies at them; walls themselves are looked at before every call. */
+TEST(checked)
+{
+    static double modulus[2] = {1, 1};
+    vti_fault fault;
+    begin(2, 2, 10);
+    m.plane[0][2] = m.plane[1][2] = 1;
+    const vti_walls good = m.walls;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_OK);
+    assert_int_equal(vti_walls_check(NULL, 2, NULL), VTI_E_NULL);
+    assert_int_equal(vti_walls_check(&m.walls, -1, NULL), VTI_E_COUNT);
+    m.walls.diameter.count = 1;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1 && fault.value == 1);
+    m.walls = good;
+    m.diameter[1] = -1;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1 && fault.value == 1);
+    assert_int_equal(vti_walls_check(&m.walls, 1, &fault), VTI_OK);
+    m.diameter[1] = 1;
+    m.walls.modulus = vti_scalars_array(modulus);
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1 && fault.value == 10);
+    m.walls.stiffness = 0;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_OK);
+    modulus[0] = 0;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1 && fault.value == 0);
+    m.walls = good;
+    const vti_effect effect = vti_walls_effect(&m.walls);
+    m.plane[1][2] = 2;
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_int_equal(fault.body, 1);
+    assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_E_CONTACT);
+    m.plane[1][2] = 1;
+    m.walls.stiffness = -10;
+    assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_E_CONTACT);
+    m.walls.stiffness = 10;
+    assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_OK);
+}
+
 /** Coefficients of walls are finite and not negative. */
 TEST(coefficients_of_walls)
 {
@@ -348,4 +412,5 @@ TEST(what_cylinders_break)
 RUN_TESTS(cmocka_unit_test(materials), cmocka_unit_test(each_its_own),
           cmocka_unit_test(friction_and_restitution_of_each), cmocka_unit_test(begins_within_a_drift),
           cmocka_unit_test(cylinders), cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(backward_is_reversed),
-          cmocka_unit_test(refused), cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))
+          cmocka_unit_test(refused), cmocka_unit_test(no_friction_at_a_plane), cmocka_unit_test(checked),
+          cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))

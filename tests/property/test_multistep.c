@@ -158,11 +158,13 @@ static void linear_momentum(void **state)
 static void steady_spin(void **state)
 {
     (void)state;
-    double alpha[3] = {0.0, 0.0, 0.0}, omega[3] = {0.3, -0.2, 0.6}, memory[4][6] = {{0.0}};
+    double alpha[3] = {0.0, 0.0, 0.0}, omega[3] = {0.3, -0.2, 0.6}, force[3] = {1.0, 2.0, 3.0}, memory[4][6] = {{0.0}};
     vti_bodies b = vti_bodies_none(1);
     vti_past past = {memory[0], 4, 4};
     b.alpha = vti_view_packed(alpha);
     b.omega = vti_view_packed(omega);
+    b.force = vti_view_packed(force); /* on what does not translate, and has no mass */
+    assert_int_equal(vti_multistep_record(&past, &b), VTI_OK);
     for (int k = 0; k < 100; ++k) {
         assert_int_equal(vti_multistep_predict(vti_multistep_find("an4"), 0.1, &past, &b, NULL), VTI_OK);
         assert_int_equal(vti_multistep_correct(vti_multistep_find("an4"), 0.1, &past, &b), VTI_OK);

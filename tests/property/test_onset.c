@@ -289,6 +289,14 @@ TEST(refusals)
     assert_int_equal(vti_multistep_touch(0.1, &before, NULL, &s.walls, NULL), VTI_E_NULL);
     assert_int_equal(vti_multistep_touch(0.1, NULL, NULL, &s.walls, &s.b), VTI_E_NULL);
     assert_int_equal(vti_multistep_touch(0.1, &part, NULL, &s.walls, &s.b), VTI_E_VIEW);
+    vti_view few = before, one = before;
+    vti_bodies two = s.b;
+    two.count = 2;
+    few.count = 1;
+    one.stride = 0;
+    assert_int_equal(vti_multistep_touch(0.1, &few, NULL, &s.walls, &two), VTI_E_COUNT);
+    assert_int_equal(vti_multistep_touch(0.1, &one, NULL, &s.walls, &two), VTI_E_STRIDE);
+    assert_int_equal(vti_multistep_touch(0.1, &s.b.x, NULL, &s.walls, &s.b), VTI_E_ALIAS);
     assert_int_equal(vti_multistep_touch(0.0, &before, NULL, &s.walls, &s.b), VTI_E_TIME);
     assert_int_equal(vti_multistep_touch(INFINITY, &before, NULL, &s.walls, &s.b), VTI_E_TIME);
     assert_int_equal(vti_multistep_touch(0.1, &before, &no_list, NULL, &s.b), VTI_E_NULL);

@@ -104,6 +104,38 @@ TEST(of_nothing)
     assert_int_equal(fault.quantity, VTI_QUANTITY_X);
 }
 
+/** A slice without bodies may have no arrays: nothing is called, and energies are 0. */
+TEST(no_bodies)
+{
+    static const double plane[4] = {0, 0, 1, 0};
+    const vti_walls walls = {.count = 1, .plane = plane, .stiffness = 1, .diameter = vti_scalars_one(mass)};
+    const vti_gravity gravity = {{0, 0, -1}};
+    const vti_effect all[] = {vti_walls_effect(&walls),
+                              vti_gravity_effect(&gravity),
+                              {.name = "magnet", .apply = count, .needs = 1 << VTI_QUANTITY_OMEGA}};
+    const vti_bodies none = vti_bodies_none(0);
+    applied = 0;
+    assert_int_equal(vti_apply(all, 3, &none), VTI_OK);
+    assert_int_equal(applied, 0);
+    assert_true(vti_energy(all, 2, &none) == 0.0);
+    assert_int_equal(vti_effects_begin(vti_stepper_find("vti2"), 0.1, all, 3, &none, NULL), VTI_OK);
+    assert_int_equal(vti_effects_finish(vti_stepper_find("vti2"), 0.1, all, 3, &none), VTI_OK);
+}
+
+/** Who books has memory for it, of all bodies if of each. */
+TEST(books)
+{
+    vti_sum lost = {0, 0};
+    vti_effect own = {.name = "magnet", .apply = count, .books = 1};
+    assert_int_equal(vti_effects_check(&own, 1, &b, NULL), VTI_E_NULL);
+    own.booked = &lost;
+    assert_int_equal(vti_effects_check(&own, 1, &b, NULL), VTI_OK);
+    own.by_body = &lost;
+    assert_int_equal(vti_effects_check(&own, 1, &b, NULL), VTI_E_NULL);
+    own.of_body = 1;
+    assert_int_equal(vti_effects_check(&own, 1, &b, NULL), VTI_OK);
+}
+
 /** The library's effects write forces if they say force, moments if they say moment, and nothing else. */
 TEST(gives)
 {
@@ -140,4 +172,5 @@ TEST(gives)
 }
 
 RUN_TESTS(cmocka_unit_test_setup(refused_by_one_place, sound), cmocka_unit_test_setup(attitudes, sound),
-          cmocka_unit_test_setup(of_nothing, sound), cmocka_unit_test_setup(gives, sound))
+          cmocka_unit_test_setup(of_nothing, sound), cmocka_unit_test_setup(no_bodies, sound),
+          cmocka_unit_test_setup(books, sound), cmocka_unit_test_setup(gives, sound))

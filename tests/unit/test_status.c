@@ -281,8 +281,8 @@ TEST(quaternion_views)
 
 TEST(masses)
 {
-    const double wrong[] = {0.0, -0.0, -1.0, NAN, INFINITY, -INFINITY};
-    for (int k = 0; k < 6; ++k) {
+    const double wrong[] = {0.0, -0.0, -1.0, NAN, INFINITY, -INFINITY, 1e-310}; /* the last of no finite inverse */
+    for (int k = 0; k < 7; ++k) {
         vti_bodies bad = b;
         bad.mass = vti_scalars_one(&wrong[k]);
         refused(bad, VTI_E_MASS, VTI_QUANTITY_MASS);
