@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Code in the documents is quoted from programs that the tests run, and their commands exist.      test_readme.py PROJECT"""
+"""Code in the documents is quoted from programs that the tests run, their commands and links exist, and numbers that they tell of
+measurements are those measured.      test_readme.py PROJECT"""
 import difflib
 import pathlib
 import re
@@ -9,6 +10,7 @@ import sys
 from tally import check, conclude
 
 project = pathlib.Path(sys.argv[1])
+AWAITED = {"docs/equations.md"} # the next page to come; the README links to it already
 SUFFIXES = {"c": (".c",), "cpp": (".cpp",), "fortran": (".f90", ".f")}
 sources = {language: "\n".join(path.read_text(encoding="utf-8") for path in sorted((project / "examples").rglob("*"))
                                if path.suffix in suffixes) for language, suffixes in SUFFIXES.items()}
@@ -30,15 +32,47 @@ def blocks(page, text):
     return [language for language, _ in found], found
 
 
+def shown(page):
+    """Commands of ./dev exist. Meson's are run by test_plain.py, those that compile by test_installed.py."""
+    text = (project / page).read_text(encoding="utf-8")
+    languages, found = blocks(page, text)
+    for line in "".join(block for language, block in found if language == "sh").splitlines():
+        if re.match(r"(meson|export|cc|gfortran) ", line) and page == "README.md":
+            continue
+        name = re.match(r"\./dev (\w+)", line)
+        check(name is not None and re.search(rf"^{name[1]}\)$", commands, re.MULTILINE) is not None, f"{page}: '{line}' exists")
+    return text, languages
+
+
 def readme():
-    text = (project / "README.md").read_text(encoding="utf-8")
-    languages, found = blocks("README.md", text)
-    for language, block in found:
-        for line in block.strip().splitlines() if language == "sh" and not block.startswith("meson ") else []:
-            name = re.match(r"\./dev (\w+)", line)
-            check(name is not None and re.search(rf"^{name[1]}\)$", commands, re.MULTILINE) is not None, f"'{line}' exists")
+    text, languages = shown("README.md")
     check(languages.count("c") >= 2 and languages.count("fortran") >= 1, "there is C and Fortran in the README")
+    long = [line for line in text.splitlines() if len(line) > 130]
+    check(not long, f"its lines have at most 130 columns {long}")
     return text
+
+
+def anchors(page):
+    """What GitHub calls the headings of a page."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL),
+                          re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def links():
+    """What pages link to is there, sections too."""
+    for page in (project / "README.md", project / "CONTRIBUTING.md", *sorted((project / "docs").glob("*.md"))):
+        text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+        found = [link for link in re.findall(r"\]\(([^()\s]+)\)", text) if "://" not in link]
+        lost = []
+        for link in found:
+            name, _, section = link.partition("#")
+            target = page.parent / name if name else page
+            if link in AWAITED and not target.exists():
+                continue
+            if not target.exists() or (section and section not in anchors(target)):
+                lost.append(link)
+        check(not lost, f"{page.name}: its {len(found)} links lead somewhere {lost}")
 
 
 def pictures(page):
@@ -93,30 +127,57 @@ def statuses():
     check(len(rows) > 15 and rows == fortran, f"vti_types.f90 has the statuses of vti_status.h {set(rows.items()) ^ set(fortran.items())}")
 
 
+def prices(text):
+    """Of docs/accuracy.md: the least time of ours as a share of the best rival's, by error and scene."""
+    table = text.split("The cheapest of ours in time;")[1].split("\n\n")[1].splitlines()
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
+    return {error: {row[0]: float(share[1]) for row in rows[2:] if (share := re.search(r", ([\d.]+) / ", row[column]))}
+            for column, error in enumerate(rows[0]) if column > 0}
+
+
 def claims():
-    """What the README tells of evaluations, steps and times is what docs/accuracy.md and docs/peers.md have."""
-    table = (project / "docs/accuracy.md").read_text(encoding="utf-8").split("| evaluations to |")[1]
-    said = " ".join((project / "README.md").read_text(encoding="utf-8").split())
+    """What README and steppers.md tell of evaluations, steps, times and instructions is what the pages have that measurements write."""
+    said = {name: " ".join((project / name).read_text(encoding="utf-8").split()) for name in ("README.md", "docs/steppers.md")}
+    accuracy = (project / "docs/accuracy.md").read_text(encoding="utf-8")
     for scene, place in (("pile", " of the evaluations of the best rival on `pile` (t = 1/2, errors of 1e-2 and 1e-4)"),
                          ("torus-2", " on `torus` (t = 2, 1e-4, 1e-6 and 1e-8)"), ("block", " on `block` (t = 4, 1e-6 and 1e-8)")):
-        row = re.search(rf"^\| {scene} (.*)$", table, re.MULTILINE)[1]
+        row = re.search(rf"^\| {scene} (.*)$", accuracy.split("| evaluations to |")[1], re.MULTILINE)[1]
         shares = re.findall(r"\| (\d\.\d\d) \(AN", row)[-place.count("1e-"):]
         told = ", ".join(shares[:-1]) + " and " + shares[-1] + place
-        check(told in said, f"README: multistep methods take {told}")
-    page = (project / "docs/peers.md").read_text(encoding="utf-8")
-    steps = [float(cell) for row in re.findall(r"^\| (?:pair|plane) \|((?: [\d.]+ \|)+)$", page, re.MULTILINE) for cell in row.split("|")[:-1]]
-    heap = min(re.findall(r"^\| heap .* (\d\.\d\d) \(", page, re.MULTILINE))
-    for told in (f"LAMMPS takes {min(steps):g} to {max(steps):g} times as many steps", f"takes it {heap} of the time of ours"):
-        check(told in said, f"README: {told}, as docs/peers.md has it")
+        check(told in said["docs/steppers.md"], f"steppers.md: multistep methods take {told}")
+    of = prices(accuracy)
+    fine = [share for error in ("1e-4", "1e-6", "1e-8") for share in of[error].values()]
+    coarse = of["1e-2"].values()
+    slower = "A rival takes less time than all of ours, by more than the 5 % that are a tie, on chain at 1e-2 (Takahashi-Imada); " \
+             "torus-2 at 1e-10 (RK8(7) adaptive, GSL)."
+    check(slower in accuracy and "there Takahashi-Imada is the faster one on the chain, as adaptive Runge-Kutta is to 1e-10 on the torus"
+          in said["README.md"], "README: where a rival is the faster one is where docs/accuracy.md says so")
+    peers = (project / "docs/peers.md").read_text(encoding="utf-8")
+    steps = [float(cell) for row in re.findall(r"^\| (?:pair|plane) \|((?: [\d.]+ \|)+)$", peers, re.MULTILINE) for cell in row.split("|")[:-1]]
+    heap = min(re.findall(r"^\| heap .* (\d\.\d\d) \(", peers, re.MULTILINE))
+    others = [float(ratio) for ratio in re.findall(r"^\| (?:pile|agglomerate|torus) .* (\d+\.\d\d) \(", peers, re.MULTILINE)]
+    table = dict(re.findall(r"^\| ([^|]+) \| (\d+) \|$", (project / "docs/steppers.md").read_text(encoding="utf-8"), re.MULTILINE))
+    bond, touch, loss = (int(table[row]) for row in ("binder: moment, axial, shear", "contact (touching pair)", "friction and dashpot together"))
+    pendulum = re.search(r"A step of 512 pendulums takes \d+ instructions per pendulum", said["docs/steppers.md"])[0]
+    for told in (f"On {'nine' if len(coarse) == 9 else len(coarse)} scenes the best of ours takes {min(fine):g} to {max(fine):g} of the best rival's time to errors of 1e-4 to 1e-8",
+                 f"To 1e-2 it takes {min(coarse):g} to {max(coarse):g}",
+                 f"LAMMPS takes {min(steps):g} to {max(steps):g} times as many steps", f"and takes {heap} of it",
+                 f"it takes {min(others):g} to {max(others):g} times our time on pile, agglomerate and torus", pendulum,
+                 f"stretches and shears takes {bond} a step, an elastic touching pair {touch}",
+                 f"with friction and dashpots a touching pair takes {(touch + loss) / touch:.1f} times as many"):
+        check(told in said["README.md"], f"README: {told}, as docs/ has it")
+    check(f"takes {(touch + loss) / touch:.1f} times the instructions of an elastic one" in said["docs/steppers.md"], "steppers.md: the same")
 
 
 versions()
 maps()
 statuses()
 claims()
+links()
 first = pictures(project / "README.md")
 check(len(first) > 0, "the README has a picture")
 check(len(pictures(project / "docs" / "accuracy.md")) > 0, "accuracy.md has pictures")
-for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src|fortran)/[\w./-]+)`", readme() + linking()):
+texts = readme() + linking() + shown("docs/programs.md")[0] + shown("docs/steppers.md")[0]
+for path in re.findall(r"`((?:scenes|examples|include|docs|drivers|src|fortran)/[\w./-]+)`", texts):
     check((project / path).exists() or path.startswith("include/vti/"), f"{path} exists")
 conclude()

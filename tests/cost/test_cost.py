@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What each effect costs, in instructions counted by callgrind, and that what is not named costs nothing. Counts do not depend
-on what else the machine does. Prints the table of the README.      test_cost.py COST VALGRIND [README]
-README: of builds with kernels for AVX2, whose counts it has."""
+on what else the machine does. Prints the table of docs/steppers.md.      test_cost.py COST VALGRIND [PAGE]
+PAGE: that page, of builds with kernels for AVX2, whose counts it has."""
 import functools
 import os
 import re
@@ -13,7 +13,7 @@ import tempfile
 from tally import check, conclude
 
 COST, VALGRIND = sys.argv[1:3]
-README = sys.argv[3] if len(sys.argv) > 3 else None
+PAGE = sys.argv[3] if len(sys.argv) > 3 else None
 BODIES, STEPS = 512, 40
 
 
@@ -62,12 +62,17 @@ for name, value in cost.items():
     print(f"| {name} | {value:.0f} |")
 print(f"| pendulum, whole step | {pendulum:.0f} |\n| the same by hand in one loop | {hand:.0f} |\n")
 
-if README is not None and "avx2" in open("/proc/cpuinfo", encoding="ascii").read():
-    with open(README, encoding="utf-8") as page:
-        told = dict(re.findall(r"^\| ([^|]+) \| (\d+) \|$", page.read(), re.MULTILINE))
+if PAGE is not None and "avx2" in open("/proc/cpuinfo", encoding="ascii").read():
+    with open(PAGE, encoding="utf-8") as page:
+        text = page.read()
+    told = dict(re.findall(r"^\| ([^|]+) \| (\d+) \|$", text, re.MULTILINE))
+    sentence = re.search(r"takes (\d+) instructions per pendulum;.*? takes (\d+)\.", " ".join(text.split()))
+    off = {word: (number, round(value)) for word, number, value in zip(("pendulum", "by hand"), sentence.groups(), (pendulum, hand))
+           if abs(int(number) - value) > 0.05 * value + 2}
+    check(not off, f"what a pendulum's step takes is as told within 5 %: {off}")
     off = {name: (told.get(name), round(value)) for name, value in cost.items()
            if name not in told or abs(int(told[name]) - value) > 0.05 * value + 2}
-    check(not off, f"the README's table is this one within 5 %, which compilers may differ by: {off}")
+    check(not off, f"the page's table is this one within 5 %, which compilers may differ by: {off}")
 
 # One body: a step is three calls, each of which looks at the bodies unless they are sealed.
 (sealed_start, _, _), (sealed, _, sealed_checks) = callgrind("rlp1", 0), callgrind("rlp1", STEPS)

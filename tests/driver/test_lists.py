@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a sentence each.
+"""--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a sentence each. The scene
+that README.md shows does what it says.
 test_lists.py ROOT VTI_RUN PROGRAM..."""
+import csv
 import os
 import re
 import shutil
 import sys
+import tempfile
 
 from programs import run
 from scenes_page import page
@@ -38,7 +41,7 @@ def listed(what):
 with open(os.path.join(root, "src", "vti_steppers.h"), encoding="utf-8") as file:
     steppers = re.findall(r'ROW\("([^"]+)"', file.read())
 check({"vti1", "exact"} <= set(steppers) and set(steppers) - {"vti1-body"} <= set(listed("steppers")), "the library's steppers are there")
-for page_of_all, quotes in ((os.path.join("include", "vti_step.h"), '""'), ("README.md", "``")):
+for page_of_all, quotes in ((os.path.join("include", "vti_step.h"), '""'), (os.path.join("docs", "steppers.md"), "``")):
     with open(os.path.join(root, page_of_all), encoding="utf-8") as file:
         text = file.read()
     unnamed = [name for name in steppers if quotes[0] + name + quotes[1] not in text]
@@ -58,6 +61,18 @@ for section in ("", *sorted(sections)):
     known = refused.rsplit(": ", 1)[1].strip().split(", ")
     mine = [key[len(section):].lstrip(".") for key in keys if key.startswith(section + "." if section else "")]
     check(known == [key for key in mine if "." not in key], f"'{section}' holds what messages say it holds")
+with open(os.path.join(root, "README.md"), encoding="utf-8") as file:
+    shown = re.findall(r"^```yaml\n(.*?)^```$", file.read(), re.MULTILINE | re.DOTALL)
+check(len(shown) == 1, "README.md shows a scene")
+with tempfile.TemporaryDirectory() as scratch:
+    with open(os.path.join(scratch, "chain.yaml"), "w", encoding="utf-8") as file:
+        file.write(shown[0])
+    said = run(vti_run, os.path.join(scratch, "chain.yaml"), "-o", os.path.join(scratch, "out.h5"))
+    check(said.returncode == 0 and said.stdout.splitlines()[-1].startswith("verdict: good"), f"... that runs well: {said.stderr}")
+    with open(os.path.join(scratch, "out.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    most = {name: max(float(row[name]) for row in rows) for name in ("wall", "lost_friction_sliding", "lost_dashpot_normal")}
+    check(all(value > 0 for value in most.values()), f"... and in which it meets the wall, slides and loses energy: {most}")
 wrong = run(vti_run, "--list", "colours")
 check(wrong.returncode != 0 and "steppers, effects or keys" in wrong.stderr, "anything else is refused")
 conclude()

@@ -114,7 +114,7 @@ def ends(program, path=None):
 
 
 def by_the_page():
-    """The commands of docs/linking.md, as they stand there."""
+    """The commands of docs/linking.md and README.md, as they stand there."""
     examples = use / "examples"
     for line in block(project, "sh").splitlines():
         if ("gfortran" in line and not package.fortran) or not have(line.split()[0]):
@@ -125,6 +125,14 @@ def by_the_page():
         loaded = run("ldd", examples / name) or ""
         check(str(package.prefix) in loaded, f"linking.md: {name} finds this copy by itself")
         check(len(end) == 120 and end == ends(examples / "host_structs"), f"linking.md: {line}")
+    commands = re.findall(r"^```sh\n(.*?)^```$", (project / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    for line in next(block for block in commands if "pkg-config" in block).splitlines():
+        if line.startswith("cc ") or (line.startswith("gfortran ") and package.fortran):
+            name = line.split()[-1]
+            run("sh", "-c", line, folder=use, PKG_CONFIG_LIBDIR=str(package.prefix / package.lib / "pkgconfig"),
+                LD_RUN_PATH=str(package.prefix / package.lib))
+            check(str(package.prefix) in (run("ldd", use / name) or ""), f"README.md: {name} finds this copy by itself")
+            ran(use / name, f"README.md: {line}", {})
     if have("cmake", "ninja"):
         (examples / "CMakeLists.txt").write_text(block(project, "cmake"), encoding="utf-8")
         run("cmake", "-G", "Ninja", "-S", examples, "-B", use / "page", f"-DCMAKE_PREFIX_PATH={package.prefix}")
