@@ -197,6 +197,23 @@ static int make(struct effect *e, const struct model *model, const struct table 
     return 0;
 }
 
+/** The largest c/m, of clumps by the sum over their spheres. */
+static double slowing(const struct effect *e, const struct model *model)
+{
+    const struct drag_self *self = e->self;
+    const vti_scalars *c = &self->drag.linear, *mass = &model->bodies.mass;
+    const int by_spheres = on_spheres(&model->scene->settings);
+    const int64_t count = c->p == NULL ? 0 : by_spheres ? model_spheres(model)->count : model->bodies.count;
+    double most = 0.0, sum = 0.0;
+    for (int64_t s = 0, last = -1; s < count; ++s) {
+        const int64_t i = by_spheres ? model->clumps.list.body[s] : s; /* spheres of a body stand together */
+        sum = (i == last ? sum : 0.0) + c->p[s * c->stride] / mass->p[i * mass->stride];
+        most = fmax(most, sum);
+        last = i;
+    }
+    return most;
+}
+
 static void destroy(struct effect *e)
 {
     free(((struct drag_self *)e->self)->memory);
@@ -216,4 +233,5 @@ const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         .on_spheres = on_spheres,
                                         .make = make,
                                         .destroy = destroy,
+                                        .slowing = slowing,
                                         EFFECT_TERMS(terms)};

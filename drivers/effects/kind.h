@@ -206,6 +206,8 @@ struct effect_kind {
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
+    /** The largest rate, 1/time, at which it slows a body, whatever pushes that. */
+    double (*slowing)(const struct effect *e, const struct model *model);
     /** effect_touch; NULL: no pairs, because of it. */
     int (*touching)(const struct effect *e);
     /** Where body i is drawn, which does not translate. */

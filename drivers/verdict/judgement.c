@@ -18,6 +18,7 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
 static const double cut_travel = 0.5;   /* the same where a tolerance takes steps anew that have met one too deep */
+static const double much_slowing = 0.8; /* z of a drift: bodies settle by 5 % too fast */
 static const double most_travel = 1.0;  /* two bodies may pass through each other unseen */
 
 const char *verdict_word(int64_t grade)
@@ -46,7 +47,8 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
     if (broken || f->broken != 0.0 || !(f->gain <= VERDICT_MOST_GAIN) || passes(v))
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
-                         j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step || j->bonds_turned > 0;
+                         j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step ||
+                         j->bonds_turned > 0 || v->slowing > much_slowing;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -96,6 +98,9 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (isfinite(j->stable_step))
         SAY("; h is %.3g of the least stable step %.4g (t = %.6g)", v->h / j->stable_step, j->stable_step,
             v->found.stable_t);
+    if (v->slowing > much_slowing)
+        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles %.3g times too fast",
+            v->slowing, 0.5 * v->slowing / tanh(0.5 * v->slowing));
     if (j->bonds_turned > 0)
         SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
 }

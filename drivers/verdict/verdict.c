@@ -44,6 +44,22 @@ static int start_watches(struct model *model, int *watches)
     return 0;
 }
 
+/** The largest rate at which something slows bodies that others push, times the longest drift: steps see such a push in
+ *  whole kicks, and what comes to a steady speed moves (z/2) coth(z/2) times as fast (EQUATIONS 6.3). */
+static double slowing_of(const struct model *model, const vti_stepper *stepper, double h)
+{
+    double most = 0.0, drift = stepper->drift == NULL ? 1.0 : 0.0;
+    int pushes = 0;
+    for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k)
+        drift = fmax(drift, fabs(stepper->drift[k]));
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
+        pushes |= model->effects[k].apply != NULL;
+        most = e->kind->slowing != NULL ? fmax(most, e->kind->slowing(e, model)) : most;
+    }
+    return pushes ? most * drift * h : 0.0;
+}
+
 int verdict_create(struct verdict *v, struct model *model, const vti_stepper *stepper, double h,
                    const struct columns *columns, struct message *message)
 {
@@ -53,6 +69,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->columns = columns;
     v->h = h;
     v->diameter = smallest_diameter(model);
+    v->slowing = slowing_of(model, stepper, h);
     v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;
     v->found.stable = INFINITY;
     for (int64_t e = 0; e < model->effects_count; ++e)

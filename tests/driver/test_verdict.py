@@ -40,6 +40,14 @@ t_end: 0.01
 SPIN = "bodies: {inertia: 1, alpha: [0, 0, 0], omega: [10, 0, 0]}\nh: 1\nt_end: 20\n"
 
 
+SETTLE = "bodies: {x: [0, 0, 0], v: [0, 0, 0], mass: 1}\ndrag: {linear: 100}\ngravity: [0, 0, -1]\nh: 0.001\nt_end: 1\n"
+PRESS = """bodies: {x: [0, 0, 0], v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0], mass: 1, diameter: 1}
+wall: {stiffness: 1e4, planes: [[0, 0, 1, -0.5], [0, 0, -1, -0.5]], velocities: [[0, 0, 0], [0, 0, -0.002]]}
+h: 6e-3
+t_end: 60
+"""
+
+
 def attributes(path):
     with h5py.File(path) as file:
         return dict(file.attrs)
@@ -54,6 +62,18 @@ def verdict(base, scene, *options):
     check(found["verdict"].decode() == lines[-1].split()[1].rstrip(":"), "the attribute says the same")
     check(all(name in found for name in NUMBERS), "and the numbers are there")
     return result, lines, found
+
+
+def pushed(base):
+    """What drag slows within a step settles too fast; what walls press together holds the energy that they have put in."""
+    scene = f"{base}/settle.yaml"
+    for h, word in (("0.001", "good"), ("0.01", "doubtful"), ("0.1", "doubtful")):
+        _, lines, found = verdict(base, scene, "--h", h)
+        check(found["verdict"].decode() == word, f"drag and gravity at h = {h}: {lines[-1]}")
+        check(("settles" in lines[-1]) == (word != "good"), "... and why")
+    _, lines, found = verdict(base, f"{base}/press.yaml")
+    check(found["verdict"].decode() == "good", f"pressed slowly between two planes: {lines[-1]}")
+    check(found["energy_scale"] > 1.0, "the walls' energy counts")
 
 
 def runs(base):
@@ -112,10 +132,12 @@ def study(base):
 
 with tempfile.TemporaryDirectory() as root:
     for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
+                       ("settle.yaml", SETTLE), ("press.yaml", PRESS),
                        ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
         with open(f"{root}/{name}", "w", encoding="ascii") as out:
             out.write(text)
     runs(root)
+    pushed(root)
     resumed(root)
     study(root)
 conclude()
