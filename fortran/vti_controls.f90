@@ -22,10 +22,10 @@ module vti_controls
 
         !> Whether the step of h with these errors is accepted, 1 or 0; control%h is what to try next. Where it is 0,
         !> and where the status is not VTI_OK, vti_step_undo is due.
-        function vti_control_judge(control, h, velocity, spin, accepted) result(status) bind(c)
+        function vti_control_judge(control, h, velocity, omega, accepted) result(status) bind(c)
             import :: c_double, c_int, c_int64_t, vti_control
             type(vti_control), intent(inout) :: control
-            real(c_double), value :: h, velocity, spin
+            real(c_double), value :: h, velocity, omega
             integer(c_int64_t), intent(inout) :: accepted
             integer(c_int) :: status
         end function

@@ -39,13 +39,13 @@ module vti_multisteps
         end function
 
         !> Between the forces and vti_multistep_correct: by how much v and Omega are about to be corrected, at most.
-        function vti_multistep_error(method, h, past, bodies, velocity, spin) result(status) bind(c)
+        function vti_multistep_error(method, h, past, bodies, velocity, omega) result(status) bind(c)
             import :: c_double, c_int, vti_bodies, vti_multistep, vti_past
             type(vti_multistep), intent(in) :: method
             real(c_double), value :: h
             type(vti_past), intent(in) :: past
             type(vti_bodies), intent(in) :: bodies
-            real(c_double), intent(out) :: velocity, spin
+            real(c_double), intent(out) :: velocity, omega
             integer(c_int) :: status
         end function
 

@@ -26,12 +26,12 @@ module vti_steps
         end function
 
         !> After that: the largest estimate of a body, of its velocity and of its spin.
-        function vti_step_error(method, bodies, errors, velocity, spin) result(status) bind(c)
+        function vti_step_error(method, bodies, errors, velocity, omega) result(status) bind(c)
             import :: c_double, c_int, vti_bodies, vti_errors, vti_stepper
             type(vti_stepper), intent(in) :: method
             type(vti_bodies), intent(in) :: bodies
             type(vti_errors), intent(in) :: errors
-            real(c_double), intent(out) :: velocity, spin
+            real(c_double), intent(out) :: velocity, omega
             integer(c_int) :: status
         end function
     end interface

@@ -148,7 +148,7 @@ module vti_types
             springs = c_null_funptr, flow = c_null_funptr, flow_clumps = c_null_funptr, carry = c_null_funptr, &
             rupture = c_null_funptr
         type(c_ptr) :: self = c_null_ptr
-        integer(c_int64_t) :: needs = 0, gives = 0, smooth = 0, breaks = 0, dissipates = 0, terms = 0
+        integer(c_int64_t) :: needs = 0, gives = 0, smooth = 0, settles = 0, breaks = 0, dissipates = 0, terms = 0
         type(c_ptr) :: term = c_null_ptr
         integer(c_int64_t) :: books = 0
         type(c_ptr) :: book = c_null_ptr, booked = c_null_ptr, by_body = c_null_ptr

@@ -17,7 +17,7 @@ enum vti_shear {
     VTI_SHEAR_PRINTED = 3    /**< K/2 (1 - c)^2 with c = (R_i n0).(R_j n): as printed, not objective (E11) */
 };
 
-/** Bonds between bodies, in the caller's memory. With d = x_i - x_j, r = |d|, n = d/r and b = R n0:
+/** Bonds between bodies, in the caller's memory (EQUATIONS 3). With d = x_i - x_j, r = |d|, n = d/r and b = R n0:
  *      moment  K/2 |theta_ij|^2, exp S(theta_ij) = R_i R_j^T
  *      axial   K/2 (r/L0 - 1)^2
  *      shear   as vti_shear says
@@ -32,9 +32,9 @@ typedef struct vti_bonds {
     const int64_t *pair; /**< [count][2]: i, j */
     int64_t base;        /**< index of the first body in pair: 0, or 1 in Fortran */
     const double *rest;  /**< [count][4]: n0, L0 with x_i0 - x_j0 = L0 n0; see vti_bonds_rest */
-    vti_scalars moment;  /**< K^m, energy */
-    vti_scalars axial;   /**< K^a, energy; the axial stiffness is K^a/L0^2 */
-    vti_scalars shear;   /**< K^s, energy */
+    vti_scalars moment;  /**< K^m, energy: one for all, or [count] */
+    vti_scalars axial;   /**< K^a, likewise; the axial stiffness is K^a/L0^2 */
+    vti_scalars shear;   /**< K^s, likewise */
     int64_t shear_form;  /**< vti_shear; ignored without shear */
     const double *turn; /**< [count][4]: Q0 as a unit quaternion (x, y, z, w). NULL: I for all, which costs nothing. Not
                               with the printed shear, which knows one frame only */
@@ -54,7 +54,7 @@ VTI_API int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base,
  *  finite and >= 0. On failure VTI_E_BOND, with fault->body the number of the bond and fault->value what is wrong: the
  *  length of Q0, say; with bond -1 it is a shear_form that does not exist or cannot be used with turn. */
 VTI_API int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault);
-/** Numbers of one bond between vti_bonds_loads and vti_bonds_sum. */
+/** Numbers of one bond between vti_bonds_loads and vti_bonds_sum, for nobody else to read. */
 #define VTI_BOND_LOADS 9
 
 /** The effect of the bonds in two passes that threads can share: first loads of bonds, each thread those of its own

@@ -203,7 +203,8 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
  *  or not positive. Every call that moves bodies checks this first. Views share memory if one number of the slice
  *  belongs to both: members of structs lie between each other and do not. That is decided exactly from addresses,
  *  strides and count, in a time that does not depend on count; but for views of different strides of which one is 2^31
- *  doubles or more, which pass. */
+ *  doubles or more, which pass. VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT (negative, or a view is too short), VTI_E_VIEW (half
+ *  given), VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_MOMENTS. */
 VTI_API int vti_bodies_check(const vti_bodies *bodies);
 
 /** vti_bodies_check once and for all: if it passes, this object is marked, and later calls with it do not check again.

@@ -34,7 +34,7 @@ typedef struct vti_clumps {
     int64_t count;        /**< spheres */
     const int64_t *body;  /**< [count] the body of each, ascending */
     int64_t base;         /**< 0, or 1 in Fortran */
-    const double *offset; /**< [count][3] rho: from the body's centre of mass, in the body's frame */
+    const double *offset; /**< [count][3] rho: from the body's centre of mass, in the body's frame, a length */
     /** All spheres, from 0 to count - 1, in views that share no memory with those of the bodies. A view that is absent
      *  is not made. Nothing kicks or moves them: mass and inertia are there for those who read them, as gravity does,
      *  and because views of v and force go with a mass, of omega and moment with an inertia. */
@@ -51,12 +51,14 @@ VTI_API vti_bodies vti_clumps_spheres(const vti_clumps *clumps, const vti_bodies
 
 /** Puts the spheres of the slice's bodies where they are (EQUATIONS 7.5), of the views that they have:
  *      r = R rho,   x_s = x + r,   v_s = v + Omega x r,   attitude and Omega those of the body.
- *  The bodies need an attitude; x, v and Omega that they do not have are 0. Threads may do slices of bodies at once. */
+ *  The bodies need an attitude (VTI_E_NEEDS); x, v and Omega that they do not have are 0. VTI_E_CLUMP and VTI_E_NULL for
+ *  lists that are not there, or a status of vti_bodies_check of bodies or spheres. Threads may do slices of bodies at
+ *  once. */
 VTI_API int vti_clumps_spread(const vti_clumps *clumps, const vti_bodies *bodies);
 
 /** Adds the loads of the spheres to those of the slice's bodies, s ascending (a load that is absent is left out):
  *      F += F_s,   RM += RM_s + r x F_s,
- *  the transpose of spread: what was a gradient stays one, and momenta are kept. Threads may do slices of bodies at
+ *  the transpose of spread: what was a gradient stays one, and momenta are kept. Errors are those of spread. Threads may do slices of bodies at
  *  once. A step with its own loop over the spheres' effects, which gives a clump of one sphere at its centre the bits
  *  of that sphere:
  *

@@ -19,7 +19,7 @@ typedef struct vti_contacts {
     int64_t count;        /**< pairs in the list */
     const int64_t *pair;  /**< [count][2] */
     int64_t base;         /**< 0, or 1 in Fortran */
-    vti_scalars diameter; /**< D of the bodies */
+    vti_scalars diameter; /**< D: one for all, or [bodies] */
     double stiffness;     /**< K^pp of all pairs, energy; 0 where there is a modulus */
     vti_scalars modulus;  /**< E/(1 - nu^2) of the bodies, force/area, of Young's modulus E and Poisson's ratio nu */
     vti_scalars length;   /**< [count] L, the distance at which each pair begins to touch: that of a pair whose bond has

@@ -14,7 +14,7 @@ extern "C" {
 
 /* The estimate of a step (vti_step_error) goes with h^(q+1), so that of a step with the error err the next one is
  *
- *     h min(4, max(0.2, 0.85 (tolerance/err)^(1/(q+1)))),   err = max(velocity/speed, spin/turning)
+ *     h min(4, max(0.2, 0.85 (tolerance/err)^(1/(q+1)))),   err = max(velocity/speed, omega/turning)
  *
  * where err is above the tolerance, or NaN, the bodies are put back and the step is made again. The loop of a
  * host with a method that has estimates, "srkn6", "srkn11" or "srkn14":
@@ -25,8 +25,8 @@ extern "C" {
  *          const double step = control.h < t_end - t ? control.h : t_end - t;
  *          vti_step_keep(&bodies, &kept);
  *          vti_step_watch(method, 0, step, &bodies, &errors), vti_step_begin, forces, ..., vti_step_finish
- *          vti_step_error(method, &bodies, &errors, &velocity, &spin);
- *          vti_control_judge(&control, step, velocity, spin, &accepted);
+ *          vti_step_error(method, &bodies, &errors, &velocity, &omega);
+ *          vti_control_judge(&control, step, velocity, omega, &accepted);
  *          if (accepted)
  *              t += step;
  *          else
@@ -63,7 +63,7 @@ VTI_API int vti_control_start(const vti_stepper *method, double tolerance, doubl
  *  was. VTI_E_CONTROL, and nothing changes, if a step of control->least is not short enough, or if a member of
  *  *control is out of range; the bodies are still to be put back then. VTI_E_TIME for an h that is not positive
  *  and finite. */
-VTI_API int vti_control_judge(vti_control *control, double h, double velocity, double spin, int64_t *accepted);
+VTI_API int vti_control_judge(vti_control *control, double h, double velocity, double omega, int64_t *accepted);
 
 /** Bodies as they stood, in memory of the caller's. Slices that are stepped apart may share it. */
 typedef struct vti_kept {
@@ -76,13 +76,14 @@ typedef struct vti_kept {
 VTI_API int64_t vti_step_keeps(const vti_bodies *bodies);
 /** Copies the slice. VTI_E_COUNT where the memory is too narrow. */
 VTI_API int vti_step_keep(const vti_bodies *bodies, const vti_kept *kept);
-/** Puts the slice back as it was at vti_step_keep, bit by bit, forces too, so that no evaluation is made again. */
+/** Puts the slice back as it was at vti_step_keep, bit by bit, forces too, so that no evaluation is made again.
+ *  VTI_E_COUNT where the memory is too narrow for these bodies; VTI_E_NULL without any. */
 VTI_API int vti_step_undo(const vti_bodies *bodies, const vti_kept *kept);
 
 /* ---- variable steps without drift (EQUATIONS 8.4) ---------------------------------------------------------------- */
 
 /** The integrating controller of E. Hairer and G. Soederlind, Explicit, time reversible, adaptive step size control,
- *  SIAM J. Sci. Comput. 26, 1838 (2005). A wish s(y) > 0 for the step depends on the state y alone; with its rate along
+ *  SIAM J. Sci. Comput. 26, 1838 (2005). The step that is wished for, s(y) > 0, depends on the state y alone; with its rate along
  *  the motion G = -(1/s) ds/dt, which an even s of the velocities makes odd,
  *
  *      rho_1/2 = 1/s(y_0) + epsilon G(y_0)/2,   rho_n+1/2 = rho_n-1/2 + epsilon G(y_n),   h_n = epsilon/rho_n+1/2

@@ -56,6 +56,13 @@ typedef struct vti_deformation {
 
 /* ---- an effect --------------------------------------------------------------------------------------------------- */
 
+/** Momenta that an effect may not conserve, three components each: x, y, z from the lowest bit on. */
+enum vti_momenta {
+    VTI_MOMENTUM = 07, /**< sum of m v */
+    VTI_ANGULAR = 070, /**< sum of x x m v + J Omega, about the origin */
+    VTI_SPINS = 0700   /**< sum of J Omega */
+};
+
 struct vti_clumps;
 
 /** A drift that has been done, as effects are told of it. */
@@ -106,9 +113,11 @@ typedef struct vti_effect {
     const void *self; /**< first argument of all of them */
     int64_t
         needs; /**< bits 1 << vti_quantity of what it cannot do without; alpha or quat: an attitude in either form */
-    int64_t gives;  /**< what apply adds to: 1 << VTI_QUANTITY_FORCE, 1 << VTI_QUANTITY_MOMENT */
-    int64_t smooth; /**< 1 if its force has all derivatives; 0 if it has kinks, as where a contact begins */
-    int64_t breaks; /**< momenta that it does not conserve, bits: 0-2 linear, 3-5 angular about 0, 6-8 sum of J Omega */
+    int64_t gives;   /**< what apply adds to: 1 << VTI_QUANTITY_FORCE, 1 << VTI_QUANTITY_MOMENT */
+    int64_t smooth;  /**< 1 if its force has all derivatives; 0 if it has kinks, as where a contact begins */
+    int64_t settles; /**< 1 if its flow leaves nothing to set to 0 of spheres' velocities (below); bodies at rest then
+                         cost a pass less over them */
+    int64_t breaks;  /**< momenta that it does not conserve: components of vti_momenta */
     int64_t
         dissipates; /**< 1 if it takes energy out of the motion: steppers with negative coefficients would put it in */
     int64_t terms;  /**< at most VTI_TERMS */
@@ -164,8 +173,8 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  *
  * The flows last as long as the kicks. That of the first kick comes before it, that of the last one after it; of a kick
  * between two drifts one half comes before and one half after. All go through the effects forwards before a drift, and
- * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows is not
- * smooth, velocities below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at
+ * backwards after it, so that drag, which stands first, is outermost. Before these, where some effect that flows does not
+ * settle, velocities below 2^-500 are set to 0, as carry does with spring loads and drag with what it slows: bodies at
  * rest then cost no arithmetic on subnormal numbers. Hosts who write their own steps of vti_kick and vti_drift call
  * vti_effects_flow and vti_effects_carry in these places. */
 

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/** Uniform field: F = m g, U = -m g.x. Needs x for the energy and mass. */
+/** Uniform field: F = m g, U = -m g.x. Needs mass and, for the energy, x. */
 typedef struct vti_gravity {
     double g[3]; /**< acceleration */
 } vti_gravity;

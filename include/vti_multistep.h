@@ -60,18 +60,23 @@ VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
  *      vti_multistep_correct(method, h, past, &bodies);
  *
  * Between the two nothing but force and moment may be written. After the second the forces stay as they are: they are
- * those of the predicted state. */
+ * those of the predicted state.
+ *
+ * All calls return VTI_OK or, and then nothing has been written, a status of vti_bodies_check; VTI_E_STEPPER for a
+ * method that is NULL or of no order; VTI_E_TIME for an h that is not positive and finite; VTI_E_PAST where past has no
+ * memory, or knows less than the method's K; VTI_E_VIEW for views of rounding errors; VTI_E_MOMENTS for bodies of three
+ * moments; VTI_E_NULL where a result has no place. */
 
 /** Moves the bodies to where they will be but for the correction. VTI_E_PAST, and nothing is written, while known is
  *  less than K, or where there is no memory. Views of rounding errors (x_low ...) are refused with VTI_E_VIEW. */
 VTI_API int vti_multistep_predict(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
                                   vti_fault *fault);
 /** Between the forces and vti_multistep_correct, for hosts that want to know: the largest |h g D| of a body of the
- *  slice, by which v (*velocity) and Omega (*spin) are about to be corrected; 0 where there are none, NaN if one is not
- *  a number. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
+ *  slice, by which v (*velocity) and Omega (*omega) are about to be corrected; 0 where there are none, NaN if any of them
+ *  is. That is an estimate of the step's error, of order h^(K+1), on the safe side. A growth by ten in a step is
  *  a touch or a jump. Changes nothing. */
 VTI_API int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *bodies,
-                                double *velocity, double *spin);
+                                double *velocity, double *omega);
 /** Corrects by the difference D of the new accelerations from the predicted ones, and records the new ones. */
 VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past, const vti_bodies *bodies);
 
@@ -83,7 +88,8 @@ VTI_API int vti_multistep_correct(const vti_multistep *method, double h, vti_pas
  *  list of contacts that of the new positions; NULL where there are none. Linear momentum is kept. One call for all
  *  bodies, by one thread: it reads of others what it moves. A past that is recorded while something begins or ends to
  *  touch does not know of it: a run that starts so takes its K - 1 steps back in time (v and Omega turned round, forces
- *  recorded from the last to the first, the bodies put back). VTI_E_NEEDS without x, v or mass. */
+ *  recorded from the last to the first, the bodies put back). VTI_E_NEEDS without x, v or mass;
+ *  what before is refused for is what a view of these bodies would be, VTI_E_ALIAS for x itself. */
 VTI_API int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *contacts, const vti_walls *walls,
                                 const vti_bodies *bodies);
 

@@ -11,13 +11,13 @@ extern "C" {
 #endif
 
 /** Three-dimensional pendulum: bodies hang by their body-fixed arm rho0 from pivots in a field g along +e3 (E2).
- *  U = -m g e3 . R rho0, RM = m g (R rho0) x e3 (E1). Rotation only. */
+ *  U = -m g e3 . R rho0, RM = m g (R rho0) x e3 (E1; EQUATIONS 3). Rotation only. */
 typedef struct vti_pendulum {
-    double weight;  /**< m g */
-    double rho0[3]; /**< arm in the body's frame */
+    double weight;  /**< m g, a force */
+    double rho0[3]; /**< arm in the body's frame, a length */
 } vti_pendulum;
 
-/** The effect of *pendulum, which must outlive it. Energy term: "pendulum". */
+/** The effect of *pendulum, which must outlive it. Needs an attitude. Energy term: "pendulum". */
 VTI_API vti_effect vti_pendulum_effect(const vti_pendulum *pendulum);
 /** U of a body whose arm R rho0 is arm. */
 static inline double vti_pendulum_potential(const vti_pendulum *pendulum, const double arm[3])

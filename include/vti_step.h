@@ -85,8 +85,13 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  *
  * Between begin and finish nothing but force and moment may be written. Methods with more than one stage call
  * vti_step_stage for stages 1 ... stages-1, each followed by forces, before finish; where method->probe is not NULL,
- * each kick k with probe[k] != 0 comes after vti_step_probe and the forces at what it has filled in. h is finite and >
- * 0. */
+ * each kick k with probe[k] != 0 comes after vti_step_probe and the forces at what it has filled in.
+ *
+ * All calls of this file return VTI_OK or, and then nothing has been written, a status of vti_bodies_check;
+ * VTI_E_STEPPER for a method that is NULL or no list; VTI_E_STAGE for a stage that it does not have; VTI_E_TIME for an h
+ * that is not positive and finite; VTI_E_FRAME for a law or frame that there is not, or the body's frame with moments;
+ * and those that move bodies by the closed law VTI_E_TOO_LARGE if h|Omega| >= 1. What a call returns besides is said at
+ * it. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
  *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is NaN) and that value. */
@@ -137,16 +142,16 @@ typedef struct vti_errors {
  *  without estimates, VTI_E_COUNT where there are too few rows. */
 VTI_API int vti_step_watch(const vti_stepper *method, int64_t k, double h, const vti_bodies *bodies,
                            const vti_errors *errors);
-/** The largest (sum_k |e_k|^2)^(1/2) of a body of the slice: that of v, in *velocity, and of Omega, in *spin; 0 where
- *  nothing pushes or turns them. NaN if any of them is. */
+/** The largest (sum_k |e_k|^2)^(1/2) of a body of the slice: that of v, in *velocity, and of Omega, in *omega; 0 where
+ *  nothing pushes or turns them. NaN if any of them is. VTI_E_NULL where a result has no place. */
 VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, const vti_errors *errors,
-                           double *velocity, double *spin);
+                           double *velocity, double *omega);
 
 /* ---- packed arrays ------------------------------------------------------------------------------------------- */
 
 /** For codes whose arrays are x[n][3] (Fortran x(3,n)) and that want no structs. stepper is an index for
  *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. Steppers of more than one stage need more calls than these two and are
- *  refused with VTI_E_STEPPER; "exact" is of one. NULL arrays are absent physics as above. masses and inertias: 1 (one
+ *  refused with VTI_E_STEPPER; "exact" is of one. VTI_E_COUNT for masses or inertias that are neither. NULL arrays are absent physics as above. masses and inertias: 1 (one
  *  value for all) or n; or inertias = 3n for bodies that are not spheres: then inertia[n][3] are the three moments of
  *  each, about axes that are the body's own, and omega[n][3] is its angular momentum L (EQUATIONS 7.1). Same
  *  arithmetic, same bits as through views. On failure body receives the number of the body, from 0 (or -1), and value

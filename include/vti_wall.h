@@ -26,7 +26,7 @@ typedef struct vti_wall_motion {
 typedef struct vti_walls {
     int64_t count;           /**< planes */
     const double *plane;     /**< [count][4]: n (unit), offset; where it was at first, if it moves */
-    vti_scalars diameter;    /**< D of the bodies */
+    vti_scalars diameter;    /**< D: one for all, or [bodies] */
     double stiffness;        /**< K^pw, energy, of all walls */
     const double *each;      /**< [count + cylinders], K^pw of each wall in place of it; NULL: of all the same */
     int64_t cylinders;       /**< how many */
@@ -57,7 +57,8 @@ VTI_API double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3
 /** K of body i at wall w, both from 0; NaN if there is no such wall. */
 VTI_API double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i);
 
-/** The effect of *walls, which must outlive it. Energy term: "wall". Where walls move it needs v, carries them along
+/** The effect of *walls, which must outlive it. Needs x; VTI_E_CONTACT of its calls as vti_walls_check says. Energy
+ *  term: "wall". Where walls move it needs v, carries them along
  *  with each drift, so that its steps are those of vti_effects_begin, and books their work: "work_wall". It stands
  *  before the friction of its walls. */
 VTI_API vti_effect vti_walls_effect(const vti_walls *walls);

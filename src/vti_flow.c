@@ -71,7 +71,7 @@ static int needs_settling(const vti_effect *effects, int64_t n, const vti_bodies
 {
     int any = 0;
     for (int64_t k = 0; k < n; ++k)
-        any |= effects[k].flow != NULL && (!effects[k].smooth || vti_has(&b->moments));
+        any |= effects[k].flow != NULL && (!effects[k].settles || vti_has(&b->moments));
     return any;
 }
 

@@ -240,14 +240,15 @@ static int64_t broken_by_plane(const double n[3])
 /** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z. */
 static int64_t broken_by_cylinder(const double cylinder[7], const double velocity[3])
 {
+    const int64_t all = VTI_MOMENTUM | VTI_ANGULAR;
     for (int k = 0; k < 3; ++k) {
         const int other = (k + 1) % 3, last = (k + 2) % 3, is_axis = cylinder[other] == 0.0 && cylinder[last] == 0.0;
         const int stays =
             cylinder[3 + other] == 0.0 && cylinder[3 + last] == 0.0 && velocity[other] == 0.0 && velocity[last] == 0.0;
         if (is_axis)
-            return (077 & ~(1 << k)) & ~(stays ? 8 << k : 0);
+            return all & ~(INT64_C(1) << k) & ~(stays ? INT64_C(8) << k : 0);
     }
-    return 077;
+    return all;
 }
 
 static int64_t broken_by(const vti_walls *p)

@@ -189,7 +189,8 @@ vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)
                                .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
                                         (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
                                .smooth = 1,
-                               .breaks = spins ? 0700 : 0,
+                               .settles = 1,
+                               .breaks = spins ? VTI_SPINS : 0,
                                .dissipates = 1,
                                .books = VTI_BOND_DASHPOT_BOOKS,
                                .book = book,

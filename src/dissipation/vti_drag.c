@@ -250,7 +250,9 @@ vti_effect vti_drag_effect(const vti_drag *drag)
                                .self = drag,
                                .needs = (slows ? force : 0) | (turns ? moment : 0),
                                .smooth = 1,
-                               .breaks = (slows ? 077 : 0) | (turns ? 0770 : 0),
+                               .settles = 1,
+                               .breaks =
+                                   (slows ? VTI_MOMENTUM | VTI_ANGULAR : 0) | (turns ? VTI_ANGULAR | VTI_SPINS : 0),
                                .dissipates = 1,
                                .books = slows + turns,
                                .book = book + !slows,

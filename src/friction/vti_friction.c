@@ -252,7 +252,7 @@ vti_effect vti_friction_effect(const vti_friction *friction)
                                .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA |
                                         1 << VTI_QUANTITY_OMEGA,
                                .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
-                               .breaks = p->walls != NULL ? 0777 : 0700,
+                               .breaks = p->walls != NULL ? VTI_MOMENTUM | VTI_ANGULAR | VTI_SPINS : VTI_SPINS,
                                .dissipates = 1,
                                .terms = terms_of(p),
                                .term = term,

@@ -52,7 +52,7 @@ static double factor_of(double r, int n)
     return next <= lowest ? grow : safety / y;
 }
 
-int vti_control_judge(vti_control *control, double h, double velocity, double spin, int64_t *accepted)
+int vti_control_judge(vti_control *control, double h, double velocity, double omega, int64_t *accepted)
 {
     if (control == NULL || accepted == NULL)
         return VTI_E_NULL;
@@ -60,7 +60,8 @@ int vti_control_judge(vti_control *control, double h, double velocity, double sp
         return VTI_E_TIME;
     if (!is_sound(control))
         return VTI_E_CONTROL;
-    const double error = vti_larger(velocity / control->speed, spin / control->turning), r = error / control->tolerance;
+    const double error = vti_larger(velocity / control->speed, omega / control->turning),
+                 r = error / control->tolerance;
     const int good = r <= 1.0;
     double factor = factor_of(r, (int)control->power);
     if (!good && h <= control->least)

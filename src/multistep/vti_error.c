@@ -36,14 +36,14 @@ int vti_step_watch(const vti_stepper *method, int64_t k, double h, const vti_bod
 }
 
 int vti_step_error(const vti_stepper *method, const vti_bodies *b, const vti_errors *errors, double *velocity,
-                   double *spin)
+                   double *omega)
 {
     const int status = check(method, b, errors);
     if (status != VTI_OK)
         return status;
-    if (velocity == NULL || spin == NULL)
+    if (velocity == NULL || omega == NULL)
         return VTI_E_NULL;
-    *velocity = *spin = 0.0;
+    *velocity = *omega = 0.0;
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
         const double *e = errors->memory + 6 * errors->rows * i;
         double squares[2] = {0.0, 0.0};
@@ -52,7 +52,7 @@ int vti_step_error(const vti_stepper *method, const vti_bodies *b, const vti_err
             squares[1] += vti_dot(e + 3, e + 3);
         }
         *velocity = vti_larger(*velocity, sqrt(squares[0]));
-        *spin = vti_larger(*spin, sqrt(squares[1]));
+        *omega = vti_larger(*omega, sqrt(squares[1]));
     }
     return VTI_OK;
 }

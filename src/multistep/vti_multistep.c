@@ -160,14 +160,14 @@ int vti_multistep_correct(const vti_multistep *method, double h, vti_past *past,
 }
 
 int vti_multistep_error(const vti_multistep *method, double h, const vti_past *past, const vti_bodies *b,
-                        double *velocity, double *spin)
+                        double *velocity, double *omega)
 {
     const int status = check(method, h, past, b, NULL);
     if (status != VTI_OK)
         return status;
-    if (velocity == NULL || spin == NULL)
+    if (velocity == NULL || omega == NULL)
         return VTI_E_NULL;
-    *velocity = *spin = 0.0;
+    *velocity = *omega = 0.0;
     const vti_view force = adams_load(&b->force, &b->v), moment = adams_load(&b->moment, &b->omega);
     const double g = h * fabs(adams_corrector(method));
     for (int64_t i = b->first; i < b->first + b->count; ++i) {
@@ -180,7 +180,7 @@ int vti_multistep_error(const vti_multistep *method, double h, const vti_past *p
             w[k] = quad_get(off.high, 0, 1 + k);
         }
         *velocity = vti_larger(*velocity, g * vti_norm(a));
-        *spin = vti_larger(*spin, g * vti_norm(w));
+        *omega = vti_larger(*omega, g * vti_norm(w));
     }
     return VTI_OK;
 }
