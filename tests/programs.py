@@ -2,6 +2,7 @@
 """What the tests of programs share: how one is run, under mpirun too, how it refuses, and what it leaves in a folder."""
 import os
 import subprocess
+import time
 
 PATIENCE = 120  # seconds; what takes longer hangs
 # Open MPI refuses root, which is who one is in a container, and more ranks than cores (said in one way up to 4 and in
@@ -20,6 +21,28 @@ def run(*command, **options):
     """To its end, whatever that is."""
     usual = {"env": ENVIRONMENT, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": PATIENCE}
     return subprocess.run(command, check=False, **{**usual, **options})
+
+
+def run_without_place(kept, blocked, *command):
+    """To its end, where the folder `blocked` is in the way, which was not there at the start: what it says first waits in a full pipe
+    until it has made the file `kept`."""
+    out, into = os.pipe()
+    os.set_blocking(into, False)
+    try:
+        while True:
+            os.write(into, 4096 * b"\n")
+    except BlockingIOError:
+        os.set_blocking(into, True)
+    with subprocess.Popen(command, env=ENVIRONMENT, stdout=into, stderr=subprocess.PIPE, text=True) as process:
+        os.close(into)
+        while process.poll() is None and not os.path.exists(kept):
+            time.sleep(0.001)
+        os.makedirs(blocked)
+        with os.fdopen(out, encoding="utf-8") as told:
+            output = told.read().lstrip("\n")
+        result = subprocess.CompletedProcess(command, process.wait(PATIENCE), output, process.stderr.read())
+    os.rmdir(blocked)
+    return result
 
 
 def one_line(result, *words):

@@ -30,6 +30,7 @@ int run_files_name(struct run_files *files, const char *output, int dump, struct
         files->folder[0] = slash != NULL ? '/' : '.';
     memcpy(files->stem, name, stem);
     snprintf(files->hdf5, sizeof files->hdf5, "%s", name);
+    snprintf(files->run, sizeof files->run, "%s.run", files->stem);
     files->dump = dump;
     return 0;
 }
@@ -68,7 +69,9 @@ int run_files_check(const struct run_files *files, struct message *message)
         if (wanted[kind])
             outputs[count++] = (struct output){name[kind], marks[kind]};
     }
-    return overwrite_check(files->folder, outputs, count, files->inputs, files->inputs_count, files->force, message);
+    const struct kept kept = {files->run, files->left};
+    return overwrite_check(files->folder, outputs, count, files->inputs, files->inputs_count, &kept, files->force,
+                           message);
 }
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */

@@ -15,6 +15,8 @@ struct run_files {
     int spheres;    /* whether there are clumps, and so OUT-spheres.h5 */
     int xdmf;       /* whether OUT.xdmf is wanted of however many frames */
     int force;      /* replace files that are not ours */
+    char run[264];  /* OUT.run, where what is done is kept */
+    int left;       /* whether it is this run's, or one that was interrupted (overwrite.h) */
     const struct input *inputs;
     int inputs_count;
 };

@@ -183,6 +183,79 @@ int keep_settle(struct keep *keep, struct message *message)
     return keep->waits && keep_now() >= keep->due ? keep_commit(keep, message) : 0;
 }
 
+/* ---- what is there ----------------------------------------------------------------------------------------------- */
+
+/** The first bytes of a regular file that is open, as many as there are, then zeros. Returns 1 if they can be read. */
+static int read_start(int fd, unsigned char *start, size_t size)
+{
+    struct stat info;
+    memset(start, 0, size);
+    return fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && pread(fd, start, size, 0) >= 0;
+}
+
+/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for. */
+static int begins(const unsigned char *start, const void *as, size_t size)
+{
+    size_t zeros = 0;
+    while (zeros < size && start[zeros] == 0)
+        ++zeros;
+    return zeros == size || memcmp(start, as, size) == 0;
+}
+
+/** Whether the open file may be one that a program of ours has made. */
+static int is_ours(int fd)
+{
+    enum { ID = 68 };
+    unsigned char start[ID + 4];
+    if (!read_start(fd, start, sizeof start) || !begins(start, "SQLite format 3", 16))
+        return 0;
+    const unsigned id = (unsigned)start[ID] << 24 | (unsigned)start[ID + 1] << 16 | (unsigned)start[ID + 2] << 8 |
+                        (unsigned)start[ID + 3];
+    return start[0] == 0 || id == VERSION;
+}
+
+/** The same of a journal of SQLite's. */
+static int is_journal(int fd)
+{
+    static const unsigned char magic[] = {0xd9, 0xd5, 0x05, 0xf9, 0x20, 0xa1, 0x63, 0xd7};
+    unsigned char start[sizeof magic];
+    return read_start(fd, start, sizeof start) && begins(start, magic, sizeof magic);
+}
+
+/** Asks one of them about what is at path; otherwise if there is nothing, and 0 if that is a link. */
+static int look_at(const char *path, int (*ask)(int fd), int otherwise)
+{
+    const int fd = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    if (fd < 0)
+        return errno == ENOENT ? otherwise : 0;
+    const int answer = ask(fd);
+    close(fd);
+    return answer;
+}
+
+int keep_is_left(const char *path)
+{
+    return look_at(path, is_ours, 0);
+}
+
+/** SQLite takes files of these names for its own, and removes them: -journal, which a killed program of ours leaves, and
+ *  two of a kind that none of ours writes. Another program may begin or end in the meantime. */
+static int check_beside(const struct keep *keep, struct message *message)
+{
+    static const char *const endings[] = {"-journal", "-wal", "-shm"};
+    char path[FOLDER_PATH + 16];
+    struct stat info;
+    for (int k = 0; k < 3; ++k) {
+        snprintf(path, sizeof path, "%s%s", keep->path, endings[k]);
+        if (k == 0 ? !look_at(path, is_journal, 1) : lstat(path, &info) == 0)
+            return message_set(message,
+                               "%.600s: is there already and belongs to no %s that was interrupted; move it away, or "
+                               "choose another place with -o",
+                               path, keep->what);
+    }
+    return 0;
+}
+
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
 /** Makes the file if need be, and finds out whether its file system knows locks. */
@@ -197,12 +270,16 @@ static int probe(struct keep *keep, const char **vfs, struct message *message)
     if (keep->there && !S_ISREG(info.st_mode))
         return message_set(message, "%.600s: is there already and is no file; choose another place with -o",
                            keep->path);
+    if (check_beside(keep, message) != 0)
+        return -1;
     const int fd = open(keep->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (fd < 0)
         return fail_as(keep, errno, message);
     *vfs = fcntl(fd, F_GETLK, &lock) == 0 ? "unix" : "unix-none";
+    const int ours = is_ours(fd);
     close(fd);
-    return 0;
+    /* before SQLite writes to a file that is somebody's */
+    return ours ? 0 : keep_damaged(keep, "is none of vti's, or is damaged", message);
 }
 
 static int lock(struct keep *keep, const char *vfs, struct message *message)

@@ -45,6 +45,24 @@ static int is_text(const char *path, const struct mark *mark)
            (mark->holds == NULL || strstr(start, mark->holds) != NULL);
 }
 
+/** Whether the regular file at path may be a file of ours that was half written when its program was killed. HDF5 writes
+ *  the first bytes last, and so may the system. */
+static int is_half(const char *path, const struct mark *mark)
+{
+    static const char zeros[8], hdf5[] = "\x89HDF\r\n\x1a\n";
+    char start[64] = "";
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return 0;
+    const size_t size = fread(start, 1, sizeof start, file);
+    fclose(file);
+    if (memcmp(start, zeros, sizeof zeros) == 0)
+        return 1;
+    if (mark->begins == NULL)
+        return memcmp(start, hdf5, sizeof zeros) == 0;
+    return strncmp(start, mark->begins, size < strlen(mark->begins) ? size : strlen(mark->begins)) == 0;
+}
+
 int mark_is_ours(const char *path, const struct mark *mark)
 {
     struct stat info;
@@ -77,6 +95,27 @@ static int check_inputs(const char *folder, const char *name, const struct input
                 return message_set(message,
                                    "%.300s/%s: would replace %.300s, which is %s; choose another place with -o", folder,
                                    name, inputs[k].path, inputs[k].what);
+    }
+    return 0;
+}
+
+/** Where the program keeps what it has done, and the files that SQLite makes beside it. */
+static int check_kept(const char *folder, const char *name, const struct input *inputs, int count,
+                      struct message *message)
+{
+    static const char *const endings[] = {"", "-journal", "-wal", "-shm"};
+    char path[FOLDER_PATH + 16];
+    if (folder_path(folder, name, 0, path, message) != 0)
+        return -1;
+    char *const end = path + strlen(path);
+    for (int k = 0; k < 4; ++k) {
+        memcpy(end, endings[k], strlen(endings[k]) + 1);
+        for (int n = 0; n < count; ++n)
+            if (inputs[n].path[0] != '\0' && is_same(path, inputs[n].path))
+                return message_set(message,
+                                   "%.300s: what is done so far would be kept there, in the place of %.300s, which is "
+                                   "%s; choose another place with -o",
+                                   path, inputs[n].path, inputs[n].what);
     }
     return 0;
 }
@@ -133,6 +172,31 @@ static int check_there(const char *folder, const struct output *o, int force, st
                        path);
 }
 
+/** The name under which it is written at first. */
+static int check_part(const char *folder, const struct output *o, int left, int force, struct message *message)
+{
+    char path[FOLDER_PATH];
+    struct stat info;
+    if (folder_output(folder, o->name, 1, path, message) != 0)
+        return -1;
+    if (lstat(path, &info) != 0)
+        return errno == ENOENT ? 0
+                               : message_set(message, "%.600s: cannot be looked at: %s; choose another place with -o",
+                                             path, strerror(errno));
+    if (!S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode))
+        return message_set(
+            message,
+            "%.600s: is there already and is no file; %.200s is written under that name at first: choose "
+            "another place with -o",
+            path, o->name);
+    if (force || (S_ISREG(info.st_mode) && (info.st_size == 0 || (left && is_half(path, &o->mark)))))
+        return 0;
+    return message_set(message,
+                       "%.500s: is there already and belongs to nothing that was interrupted; %.200s is written under "
+                       "that name at first: move it away, replace it with --force, or choose another place with -o",
+                       path, o->name);
+}
+
 int inputs_of(const char *path, const struct scene *scene, struct input *list)
 {
     const struct input file = {path, "the scene"};
@@ -147,11 +211,14 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list)
 }
 
 int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, int force, struct message *message)
+                    int inputs_count, const struct kept *kept, int force, struct message *message)
 {
+    if (check_kept(folder, kept->name, inputs, inputs_count, message) != 0)
+        return -1;
     for (int k = 0; k < outputs_count; ++k)
         if (check_inputs(folder, outputs[k].name, inputs, inputs_count, message) != 0 ||
-            check_others(folder, outputs, k, message) != 0 || check_there(folder, &outputs[k], force, message) != 0)
+            check_others(folder, outputs, k, message) != 0 || check_there(folder, &outputs[k], force, message) != 0 ||
+            check_part(folder, &outputs[k], kept->left, force, message) != 0)
             return -1;
     return 0;
 }

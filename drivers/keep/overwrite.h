@@ -25,6 +25,12 @@ struct input {
 
 /** The file of a scene, and the tables that it names. */
 enum { INPUTS_OF_SCENE = 1 + TABLES };
+/** Where in the folder of the outputs a program keeps what it has done (keep.h). */
+struct kept {
+    const char *name;
+    int left; /* it is this program's, or a killed one has left it, which may have left outputs half written too */
+};
+
 /** Writes them to list[INPUTS_OF_SCENE] and returns how many there are. */
 int inputs_of(const char *path, const struct scene *scene, struct input *list);
 
@@ -32,9 +38,10 @@ int inputs_of(const char *path, const struct scene *scene, struct input *list);
 int mark_is_ours(const char *path, const struct mark *mark);
 
 /** Refuses outputs that are inputs or each other, whatever their names (device and inode count, links are followed),
- *  outputs whose folder is not there, and, but with force, files that are there and not ours. Returns 0, or -1 with one
- *  line in *message. */
+ *  outputs whose folder is not there, and, but with force, files that are there and not ours, under the names that
+ *  outputs have while they are written too. So it does where *kept, or what SQLite puts beside it, would be an input.
+ *  Returns 0, or -1 with one line in *message. */
 int overwrite_check(const char *folder, const struct output *outputs, int outputs_count, const struct input *inputs,
-                    int inputs_count, int force, struct message *message);
+                    int inputs_count, const struct kept *kept, int force, struct message *message);
 
 #endif

@@ -35,10 +35,24 @@ int study_agree(int failed, int rank, const struct message *message)
 /* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
 
 static struct tasks tasks;
+static const char study_journal[] = "study.journal", cost_journal[] = "cost.journal";
 
-static int check_files(const struct study_place *place, const struct output *files, int count, struct message *message)
+/** name is where results are kept, and left says whether it is ours (overwrite.h). */
+static int check_files(const struct study_place *place, const char *name, int left, const struct output *files,
+                       int count, struct message *message)
 {
-    return overwrite_check(place->folder, files, count, place->inputs, place->inputs_count, place->force, message);
+    const struct kept kept = {name, left};
+    return overwrite_check(place->folder, files, count, place->inputs, place->inputs_count, &kept, place->force,
+                           message);
+}
+
+static int check_start(const struct study_place *place, const char *name, const struct output *files, int count,
+                       struct message *message)
+{
+    char path[FOLDER_PATH];
+    if (folder_path(place->folder, name, 0, path, message) != 0)
+        return -1;
+    return check_files(place, name, keep_is_left(path), files, count, message);
 }
 
 /** On rank 0; identify writes what the study is. */
@@ -56,8 +70,9 @@ static int open_here(const struct study_place *place, const char *name, const st
         fprintf(text, "bytes of a result: %zu\n", bytes);
         failed = fclose(text) != 0 ? -1 : 0;
     }
-    if (failed == 0 && (check_files(place, files, count, message) != 0 || folder_create(place->folder, message) != 0 ||
-                        tasks_open(&tasks, place->folder, name, place->resume, identity, bytes, message) != 0))
+    if (failed == 0 &&
+        (check_start(place, name, files, count, message) != 0 || folder_create(place->folder, message) != 0 ||
+         tasks_open(&tasks, place->folder, name, place->resume, identity, bytes, message) != 0))
         failed = -1;
     free(identity);
     return failed;
@@ -197,8 +212,8 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     struct message message = {""}, problem = {""};
     const int64_t all = plan->steppers_count * plan->h_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    if (open_tasks(place, "study.journal", study_outputs, STUDY_FILES, study_identify, plan, all,
-                   sizeof(struct outcome), rank) != 0)
+    if (open_tasks(place, study_journal, study_outputs, STUDY_FILES, study_identify, plan, all, sizeof(struct outcome),
+                   rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
     if (rank == 0)
@@ -206,7 +221,7 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
     int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, study_outputs, STUDY_FILES, &problem) != 0 ||
+        (check_files(place, study_journal, 1, study_outputs, STUDY_FILES, &problem) != 0 ||
          study_files_write(&study, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
     /* a run that is refused would be refused again */
@@ -255,7 +270,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     struct survey_counts counts = {{0}, 0};
     struct message message = {""}, problem = {""};
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    if (open_tasks(place, "study.journal", study_outputs, STUDY_FILES, survey_identify, plan, survey_points(plan),
+    if (open_tasks(place, study_journal, study_outputs, STUDY_FILES, survey_identify, plan, survey_points(plan),
                    (size_t)survey_bytes(plan), rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
@@ -264,7 +279,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, study_outputs, STUDY_FILES, &problem) != 0 ||
+        (check_files(place, study_journal, 1, study_outputs, STUDY_FILES, &problem) != 0 ||
          survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
          say_survey(&survey, &counts, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
@@ -300,8 +315,8 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     struct message message = {""}, problem = {""};
     const int64_t all = plan->cases_count * plan->methods_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    if (open_tasks(place, "cost.journal", cost_outputs, COST_FILES, cost_identify, plan, all,
-                   sizeof(struct cost_ladder), rank) != 0)
+    if (open_tasks(place, cost_journal, cost_outputs, COST_FILES, cost_identify, plan, all, sizeof(struct cost_ladder),
+                   rank) != 0)
         return -1;
     const struct store store = tasks_store(&tasks);
     if (rank == 0)
@@ -309,7 +324,7 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, cost_outputs, COST_FILES, &problem) != 0 ||
+        (check_files(place, cost_journal, 1, cost_outputs, COST_FILES, &problem) != 0 ||
          cost_files_write(&cost, place->folder, &problem) != 0))
         failed = not_written(&problem, &message);
     failed = end_study(failed, all, failed == 0, rank, &message);

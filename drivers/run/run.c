@@ -118,22 +118,21 @@ static int identify(struct run *run, struct message *message)
     return fclose(text) != 0 ? message_set(message, "%s: out of memory; use fewer bodies", run->scene.name) : 0;
 }
 
-static int open_journal(struct run *run, struct message *message)
+static int open_journal(struct run *run, const char *path, struct message *message)
 {
-    char path[FOLDER_PATH];
-    const int stem = (int)(strlen(run->output) - strlen(run->files.hdf5) + strlen(run->files.stem));
-    snprintf(path, sizeof path, "%.*s.run", stem, run->output);
     if (identify(run, message) != 0)
         return -1;
     run_signals_catch(); /* until here a signal ends the program, and nothing has to be cleared away */
     if (keep_open(&run->journal.keep, path, "run", run->record.identity, run->request->resume, message) != 0)
         return -1;
     run->kept = run->journal.keep.there;
+    run->files.left = 1;
     return 0;
 }
 
 static int open_files(struct run *run, struct message *message)
 {
+    char path[FOLDER_PATH];
     const int asked = run->request->output != NULL;
     snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
              asked ? "" : ".h5");
@@ -144,10 +143,13 @@ static int open_files(struct run *run, struct message *message)
     run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;
     run->files.inputs_count = inputs_of(run->request->scene, &run->scene, run->inputs);
+    const int stem = (int)(strlen(run->output) - strlen(run->files.hdf5) + strlen(run->files.stem));
+    snprintf(path, sizeof path, "%.*s.run", stem, run->output);
+    run->files.left = keep_is_left(path);
     if (run_files_check(&run->files, message) != 0)
         return -1;
     /* before hours of computing, not after */
-    return folder_create(run->files.folder, message) != 0 ? -1 : open_journal(run, message);
+    return folder_create(run->files.folder, message) != 0 ? -1 : open_journal(run, path, message);
 }
 
 /** Steps between records: as asked for, as in the run that is resumed, or so that there are about so many. */

@@ -3,12 +3,14 @@
 """What vti-run and vti-study replace: results of theirs, and nothing else of anybody's; links are followed, names that a program
 writes under in the meantime are not.      test_overwrite.py VTI_RUN VTI_STUDY SCENES"""
 import os
+import subprocess
 import sys
 import tempfile
+import time
 
 import h5py
 
-from programs import contents, one_line, run
+from programs import contents, holds, one_line, run
 from tally import check, conclude
 
 RUN, STUDY, SCENES = map(os.path.abspath, sys.argv[1:4])
@@ -36,7 +38,8 @@ def refused(what, folder, words, *command):
 
 
 def own_inputs(base):
-    """The table that a run reads, under the names of its outputs, by links and hard links too; --force is no help."""
+    """The table that a run reads, under the names of its outputs, by links and hard links too, and of what is kept while it runs; --force is no
+    help."""
     write(f"{base}/chain.csv", BODIES)
     write(f"{base}/chain.yaml", "name: chain\n" + TABLE % "chain.csv")
     for force in ([], ["--force"]):
@@ -56,6 +59,18 @@ def own_inputs(base):
     write(f"{base}/p.csv.part", BODIES)
     write(f"{base}/p.yaml", TABLE % "p.csv.part")
     refused("under the name that is written meanwhile", base, ["table of bodies"], RUN, "p.yaml", "-o", "p.h5")
+    for ending in ("run", "run-journal", "run-wal", "run-shm"):
+        write(f"{base}/w.{ending}", TABLE % "tw.csv")
+        refused(f"the scene as w.{ending}", base, [f"w.{ending}", "the scene", "kept", "-o"], RUN, f"w.{ending}", "-o", "w.h5", "--force")
+        os.remove(f"{base}/w.{ending}")
+        write(f"{base}/w.{ending}", BODIES)
+        write(f"{base}/w.yaml", TABLE % f"w.{ending}")
+        refused(f"a table as w.{ending}", base, ["table of bodies", "kept"], RUN, "w.yaml", "-o", "w.h5")
+        os.remove(f"{base}/w.{ending}")
+    write(f"{base}/study/study.journal-journal", BODIES)
+    write(f"{base}/sj.yaml", TABLE % "study/study.journal-journal")
+    refused("vti-study", f"{base}/study", ["study.journal-journal", "table of bodies", "kept"], STUDY, "../sj.yaml", "-o", ".",
+            "--h", "1/64")
     write(f"{base}/study/study.csv", BODIES)
     write(f"{base}/st.yaml", TABLE % "study/study.csv")
     refused("vti-study", f"{base}/study", ["study.csv", "table of bodies"], STUDY, "../st.yaml", "-o", ".", "--h", "1/64", "--force")
@@ -108,6 +123,47 @@ def foreign(base):
             check(run(*arguments).returncode == 0, "... and what is ours is replaced")
 
 
+def meanwhile(base):
+    """Names that files have for a while are somebody's too, unless a run that was interrupted has left them."""
+    for name in ("o.h5.part", "o.csv.part", "o.xdmf.part", "o.dump.part", "o.run-journal", "o.run-wal", "o.run-shm"):
+        folder = f"{base}/{name}"
+        write(f"{folder}/{name}", "precious\n")
+        refused(f"somebody's {name}", folder, [name, "move it away", "-o"], RUN, *SPIN, "-o", "o.h5")
+        os.mkdir(f"{folder}/sub")
+        os.mkdir(f"{folder}/sub/{name}")
+        refused("... a folder", f"{folder}/sub", [name, "-o"], RUN, *SPIN, "-o", "o.h5", *["--force"] * name.endswith("part"))
+        if name.endswith("part"):
+            result = run(RUN, *SPIN, "-o", f"{folder}/o.h5", "--force")
+            check(result.returncode == 0 and name not in contents(folder), "... --force replaces it")
+    for name in ("study.csv.part", "study.journal-journal", "study.journal-wal"):
+        write(f"{base}/study{name}/{name}", "precious\n")
+        refused(f"somebody's {name}", f"{base}/study{name}", [name, "move it away"], STUDY, "--no-plot", "--h", "1/64", "--steppers",
+                "vti2", "-o", ".", f"{SCENES}/pendulum.yaml")
+    long = [RUN, SPIN[0], "--t-end", "1e5", "--checkpoint", "0.01", "-o", "o.h5"]
+    os.mkdir(f"{base}/killed")
+    with subprocess.Popen(long, cwd=f"{base}/killed", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        while process.poll() is None and not holds(f"{base}/killed/o.run"):
+            time.sleep(0.001)
+        process.kill()
+    resume = [*long, "--resume"]
+    write(f"{base}/killed/o.csv.part", "precious\n")
+    refused("beside a run that was interrupted", f"{base}/killed", ["o.csv.part", "move it away"], *resume)
+    write(f"{base}/killed/o.csv.part", "t,kin")
+    write(f"{base}/killed/o.h5.part", 4096 * "\0")
+    write(f"{base}/killed/o.run-wal", "precious\n")
+    refused("... and what it never writes", f"{base}/killed", ["o.run-wal", "move it away"], *resume)
+    os.remove(f"{base}/killed/o.run-wal")
+    journal = f"{base}/killed/o.run-journal"
+    if not os.path.exists(journal) or os.path.getsize(journal) == 0:
+        write(journal, "precious\n")
+        refused("... and a journal that is none", f"{base}/killed", ["o.run-journal", "move it away"], *resume)
+        os.remove(journal)
+    with subprocess.Popen(resume, cwd=f"{base}/killed", stdout=subprocess.PIPE, text=True) as process:
+        line = next((line for line in process.stdout if "goes on from" in line), "")
+        process.kill()
+    check(line != "", "what was half written when it was killed is no hindrance")
+
+
 def spheres(base):
     """A run whose own output is called as another's file of spheres is no such file: neither replaced, nor taken away."""
     write(f"{base}/c.yaml", "bodies: {clumps: {spheres: [[0, 0, 0, 1], [1, 0, 0, 1]]}, mass: 1, x: [0, 0, 0], v: [1, 0, 0]}\n"
@@ -128,8 +184,11 @@ def links(base):
         os.symlink(f"far/real.{ending}", f"{base}/out.{ending}")
         write(f"{base}/victim.{ending}", "mine\n")
         os.symlink(f"victim.{ending}", f"{base}/far/real.{ending}.part")
+    result = run(RUN, *SPIN, "-o", f"{base}/out.h5")
+    check(one_line(result, "real.h5.part", "move it away", "--force") and os.path.islink(f"{base}/far/real.h5.part"),
+          f"planted links are somebody's: {result.stderr.strip()}")
     for inertia in (1, 2):
-        result = run(RUN, *SPIN, "--set", f"bodies.inertia={inertia}", "-o", f"{base}/out.h5")
+        result = run(RUN, *SPIN, "--set", f"bodies.inertia={inertia}", "-o", f"{base}/out.h5", "--force")
         run(RUN, *SPIN, "--set", f"bodies.inertia={inertia}", "-o", f"{base}/plain/out.h5")
         far, plain = contents(f"{base}/far"), contents(f"{base}/plain")
         check(result.returncode == 0 and all(os.path.islink(f"{base}/{name}") for name in plain) and
@@ -151,14 +210,14 @@ def planted(base):
     write(f"{base}/one", "mine\n")
     for ending in ("h5", "csv"):
         os.symlink("one", f"{base}/out.{ending}.part")
-    result = run(RUN, *SPIN, "-o", f"{base}/out.h5")
+    result = run(RUN, *SPIN, "-o", f"{base}/out.h5", "--force")
     run(RUN, *SPIN, "-o", f"{base}/plain/out.h5")
     there = contents(base)
     check(result.returncode == 0 and there.pop("one") == b"mine\n" and there.pop("plain") is None and
           there == contents(f"{base}/plain"), "two planted links: each output is a file of its own, and the links' is untouched")
 
 
-for topic in (own_inputs, foreign, spheres, links, planted):
+for topic in (own_inputs, foreign, meanwhile, spheres, links, planted):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()

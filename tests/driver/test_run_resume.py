@@ -202,10 +202,8 @@ def full_disk(base):
 def interrupted(folder):
     """The journal of a run that got to its end and found no place for its files."""
     arguments = [scene("torus"), "--t-end", "0.25", "--record", "7", "--frames", "4", "-o", f"{folder}/out.h5"]
-    os.makedirs(f"{folder}/out.csv.part")
-    result = run(RUN, *arguments)
+    result = programs.run_without_place(f"{folder}/out.run", f"{folder}/out.csv.part", RUN, *arguments)
     assert result.returncode == 1 and size_of(f"{folder}/out.run") > 0, result.stderr
-    os.rmdir(f"{folder}/out.csv.part")
     return arguments
 
 
@@ -392,10 +390,9 @@ def changed_tables(base):
             file.write(f"bodies: {{table: bodies.{ending}}}\nbinder: {{table: bonds.{ending}}}\nh: 1/1024\nt_end: 1\n")
         arguments = [f"{base}/{ending}.yaml", "-o", f"{base}/{ending}/out.h5", "--record", "8", "--frames", "8"]
         write(ending, {"bodies": bodies, "bonds": bonds})
-        os.makedirs(f"{base}/{ending}/out.csv.part")
-        result = run(RUN, *arguments)
+        folder = f"{base}/{ending}"
+        result = programs.run_without_place(f"{folder}/out.run", f"{folder}/out.csv.part", RUN, *arguments)
         check(result.returncode == 1 and one_line(result, "out.run"), f"{ending}, no place for a file: {result.stderr.strip()}")
-        os.rmdir(f"{base}/{ending}/out.csv.part")
         for group, name in [("bodies", name) for name in bodies] + [("bonds", name) for name in bonds]:
             tables = {"bodies": bodies, "bonds": bonds}
             write(ending, {**tables, group: changed(tables[group], name)})

@@ -7,7 +7,7 @@ import random
 import sys
 import tempfile
 
-from programs import contents, one_line, run
+from programs import contents, one_line, run, run_without_place
 from tally import check, conclude
 
 RUN, STUDY, SCENES = map(os.path.abspath, sys.argv[1:4])
@@ -31,10 +31,8 @@ def damaged(base, name, blocks, command):
     whole = contents(f"{base}/whole", ("timing.csv",))
     folder = f"{base}/kept"
     command = [*command, "-o", f"{folder}/out.h5" if "run" in name else folder]
-    os.makedirs(f"{folder}/{blocks}.part")
-    result = run(*command)
+    result = run_without_place(f"{folder}/{name}", f"{folder}/{blocks}.part", *command)
     check(ready.returncode == 0 and one_line(result, name, "--resume"), f"no place for a file: {result.stderr.strip()}")
-    os.rmdir(f"{folder}/{blocks}.part")
     with open(f"{folder}/{name}", "rb") as file:
         kept = file.read()
     refused = ended = 0
