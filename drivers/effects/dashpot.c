@@ -62,11 +62,20 @@ static const struct scene_field fields[] = {
 };
 #undef NUMBER_AT
 
+/** Whether there is a coefficient; a restitution of 1 and a zeta of 0 are what somebody may want to see. */
+static int has_coefficient(const struct scene_reader *reader, const struct dashpot_settings *d)
+{
+    return scene_reader_has(reader, "dashpot.restitution") || scene_reader_has(reader, "dashpot.zeta") ||
+           d->walls.count > 0 || d->normal > 0.0 || d->tangential > 0.0 || d->rolling > 0.0 || d->twisting > 0.0;
+}
+
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct dashpot_settings *d = settings;
     if (scene_first_with(scene, EFFECT_SURFACES) == NULL)
         return scene_reader_fail(reader, "dashpot", "nothing touches; give contact or wall");
+    if (!has_coefficient(reader, d))
+        return scene_reader_fail(reader, "dashpot", "no coefficient above 0; give restitution, zeta or normal");
     if (scene_reader_has(reader, "dashpot.restitution") && scene_reader_has(reader, "dashpot.zeta"))
         return scene_reader_fail(reader, "dashpot.restitution", "given with dashpot.zeta; keep one of them");
     if (d->restitution > 1.0)
