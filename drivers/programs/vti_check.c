@@ -41,6 +41,12 @@ static int find_method(const char *name, const vti_stepper **method, struct mess
     if (m == NULL || (rival != NULL) != (method_rival(m) != NULL))
         return message_set(message, "%s: there is no %s of that name; see vti-check --list", name,
                            rival != NULL ? "rival" : "stepper");
+    if (!method_moves(m, inertia))
+        return message_set(message,
+                           inertia       ? "%s: moves spheres; leave out --inertia"
+                           : translation ? "%s: moves bodies of three moments; give --inertia in place of --translation"
+                                         : "%s: moves bodies of three moments; add --inertia",
+                           name);
     *method = m;
     return 0;
 }

@@ -57,16 +57,20 @@ const vti_stepper *method_at(int64_t i)
     return i >= 0 && i < method_count() ? methods[i] : NULL;
 }
 
+int method_moves(const vti_stepper *method, int moments)
+{
+    const struct rival *rival = method_rival(method);
+    if (rival == NULL)
+        return !moments || vti_stepper_find(method->name) != NULL;
+    return rival->general == RIVAL_OF_BOTH || moments == (rival->general == RIVAL_OF_MOMENTS);
+}
+
 const vti_stepper *method_general_at(int64_t i)
 {
     int64_t left = i;
-    for (int64_t k = 0; k < method_count(); ++k) {
-        const struct rival *rival = method_rival(method_at(k));
-        const int knows =
-            rival != NULL ? rival->general != RIVAL_OF_SPHERES : vti_stepper_find(method_at(k)->name) != NULL;
-        if (knows && left-- == 0)
+    for (int64_t k = 0; k < method_count(); ++k)
+        if (method_moves(method_at(k), 1) && left-- == 0)
             return method_at(k);
-    }
     return rival_general(left) != NULL ? &rival_general(left)->stepper : NULL;
 }
 

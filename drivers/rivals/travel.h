@@ -21,6 +21,8 @@ const vti_stepper *method_at(int64_t i);
 /** The same of bodies of three moments: the steppers of the core, and the rivals that know such bodies, which
  *  method_at does not list. NULL after the last. */
 const vti_stepper *method_general_at(int64_t i);
+/** Whether it moves bodies of three moments, or spheres if moments is 0. */
+int method_moves(const vti_stepper *method, int moments);
 /** Also those that are not listed. NULL if there is none. */
 const vti_stepper *method_find(const char *name);
 /** NULL for a method of the core. */

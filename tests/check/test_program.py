@@ -54,6 +54,9 @@ code, out, err = run("--list")
 check(code == 0 and "--stepper vti2" in " ".join(out.split()) and "--rival lgvi" in " ".join(out.split()), "--list names both kinds")
 check(run("--help")[0] == 0 and "Usage" in run("--help")[1], "--help helps")
 for arguments, why in ((("--stepper", "lgvi"), "no stepper of that name"), (("--rival", "vti2"), "no rival of that name"),
+                       (("--rival", "no-squish"), "no-squish: moves bodies of three moments; add --inertia"),
+                       (("--rival", "no-squish", "--translation"), "give --inertia in place of --translation"),
+                       (("--rival", "lgvi", "--inertia"), "lgvi: moves spheres; leave out --inertia"),
                        (("--stepper",), "needs a value"), (("--nonsense",), "is not an option"), (("vti2",), "is not an option"),
                        (("--inertia", "--translation"), "leave out one"), (("--json",), "needs the name"), (("--stepper", "vti1", "--rival", "lgvi"), "only one stepper"),
                        (("--plugin", plugin), "is not FILE.so:SYMBOL"), (("--plugin", plugin + ":none"), "has no symbol none"),
