@@ -17,6 +17,8 @@ GROUPS = {SWEEP: ("ensemble", "sweep"), STUDY: ("runs", "orders", "series"), RUN
 def kind(path):
     """SWEEP, STUDY or RUN, by what the file holds: a file may be called anything."""
     with opened(path) as file:
+        if "spheres_of" in file.attrs:
+            raise Trouble(path, "holds the spheres of a run", "give OUT.h5")
         found = [kind for kind, groups in GROUPS.items() if any(group in file for group in groups)]
     if not found:
         raise Trouble(path, "holds neither a study nor a run", "give the study.h5 of vti-study or the out.h5 of vti-run")

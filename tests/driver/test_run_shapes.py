@@ -115,6 +115,13 @@ def clumps(folder):
     check(near(bounds[:, 0], low) and near(bounds[:, 1], high), "the box holds all spheres of all frames")
 
 
+def spheres_alone(folder):
+    """Their file is none that pictures are made of, and it says which is."""
+    done = plot(PLOT, os.path.join(folder, "clumps-spheres.h5"))
+    check(done.returncode == 1 and done.stderr.count("\n") == 1 and "holds the spheres of a run; give OUT.h5" in done.stderr,
+          f"pictures of OUT-spheres.h5: {done.stderr.strip()}")
+
+
 def bonded_spheres(folder):
     """Four dumbbells, of which two are bonded by the spheres that face each other. One of these turns against the other, about their
     line, by more than half a turn: lines join the bodies, energies are those of the rows, and the bond that has turned is counted."""
@@ -173,6 +180,7 @@ with tempfile.TemporaryDirectory() as root:
     clumps(root)
     outline(root)
     spheres_seen(root)
+    spheres_alone(root)
     bonded_spheres(root)
     for scene in ("ellipsoids", "clumps"):
         done = plot(PLOT, os.path.join(root, scene + ".h5"), "-o", os.path.join(root, scene), only=("shapes.png",))
