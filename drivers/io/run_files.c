@@ -5,11 +5,34 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "quote.h"
 #include "run_formats.h"
 
 enum { HDF5, CSV, XDMF, DUMP, SPHERES, KINDS };
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
+
+/** OUT.xdmf, which is XML, names files that stand beside it: whether it can. Returns 0, or -1 with one line in *message. */
+static int check_characters(const char *name, struct message *message)
+{
+    char shown[QUOTE_SIZE];
+    for (size_t k = 0, n, all = strlen(name); k < all; k += n) {
+        n = quote_character(name + k, all - k);
+        if (n == 0)
+            return message_set(
+                message,
+                "-o: byte %zu of the file's name, \\x%02x, is no character of UTF-8, and OUT.xdmf could not "
+                "name the file; choose another name with -o",
+                k + 1, (unsigned)(unsigned char)name[k]);
+        if ((unsigned char)name[k] < 0x20 || strncmp(name + k, "\xef\xbf\xbe", 3) == 0 ||
+            strncmp(name + k, "\xef\xbf\xbf", 3) == 0)
+            return message_set(message,
+                               "-o: '%s' has a control character at byte %zu, and OUT.xdmf could not name the file; "
+                               "choose another name with -o",
+                               quote(shown, sizeof shown, name), k + 1);
+    }
+    return 0;
+}
 
 int run_files_name(struct run_files *files, const char *output, int dump, struct message *message)
 {
@@ -23,6 +46,8 @@ int run_files_name(struct run_files *files, const char *output, int dump, struct
     const size_t folder = slash != NULL ? (size_t)(slash - output) : 0, stem = (size_t)(dot - name);
     if (folder >= sizeof files->folder - sizeof files->hdf5 - 8 || stem >= sizeof files->stem - 16)
         return message_set(message, "-o: '%.200s...' is too long; use a shorter path", output);
+    if (check_characters(name, message) != 0)
+        return -1;
     memset(files, 0, sizeof *files);
     if (folder > 0)
         memcpy(files->folder, output, folder);

@@ -29,6 +29,8 @@ static void escaped(FILE *file, const char *text)
             fputs("&amp;", file);
         else if (*text == '<')
             fputs("&lt;", file);
+        else if (*text == '>') /* of ]]> */
+            fputs("&gt;", file);
         else
             fputc(*text, file);
     }

@@ -6,6 +6,22 @@
 static const char dots[] = "...";
 enum { DOTS = sizeof dots - 1 };
 
+size_t quote_character(const char *text, size_t left)
+{
+    const unsigned char *const p = (const unsigned char *)text;
+    const unsigned char c = p[0];
+    const size_t n = c < 0x80 ? 1 : c < 0xc2 ? 0 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : c < 0xf5 ? 4 : 0;
+    if (n > left)
+        return 0;
+    for (size_t k = 1; k < n; ++k)
+        if ((p[k] & 0xc0) != 0x80)
+            return 0;
+    if ((c == 0xe0 && p[1] < 0xa0) || (c == 0xed && p[1] > 0x9f) || (c == 0xf0 && p[1] < 0x90) ||
+        (c == 0xf4 && p[1] > 0x8f))
+        return 0;
+    return n;
+}
+
 /** Inside a UTF-8 character, not at its start. */
 static int continues(char c)
 {

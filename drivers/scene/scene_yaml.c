@@ -12,22 +12,6 @@
 
 enum { RUN_MAX = 1000 };
 
-/** How many bytes the UTF-8 character at p takes (RFC 3629: no surrogates, nothing overlong); 0 if it is none. */
-static size_t character_size(const unsigned char *p, size_t left)
-{
-    const unsigned char c = p[0];
-    const size_t n = c < 0x80 ? 1 : c < 0xc2 ? 0 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : c < 0xf5 ? 4 : 0;
-    if (n > left)
-        return 0;
-    for (size_t k = 1; k < n; ++k)
-        if ((p[k] & 0xc0) != 0x80)
-            return 0;
-    if ((c == 0xe0 && p[1] < 0xa0) || (c == 0xed && p[1] > 0x9f) || (c == 0xf0 && p[1] < 0x90) ||
-        (c == 0xf4 && p[1] > 0x8f))
-        return 0;
-    return n;
-}
-
 static int is_break(char c)
 {
     return c == '\n' || c == '\r';
@@ -71,7 +55,7 @@ static const char *wrong_bytes(const char *text, size_t size, struct place *plac
     struct scan scan = {{1, 1}, 0, 0, 0};
     const char *problem = NULL;
     for (size_t k = 0, n; k < size && problem == NULL; k += n) {
-        n = character_size((const unsigned char *)text + k, size - k);
+        n = quote_character(text + k, size - k);
         if (n == 0)
             problem = "bytes that are no characters; give a text file in UTF-8";
         else if (is_control(text[k]) && !is_break(text[k]))

@@ -6,6 +6,7 @@ import os
 import shutil
 import sys
 import tempfile
+from xml.etree import ElementTree
 
 import h5py
 import numpy
@@ -334,6 +335,15 @@ def moving_walls(base):
     check([frame["t"] for frame in grid] == times and len(times) == 5 and max(far) < 1e-14, "XDMF: planes where they are")
 
 
+def odd_name(base):
+    """Whatever stands in the name of OUT.h5, OUT.xdmf is XML that says it."""
+    name = "a]]> & <b>\u00e9.h5"
+    result = run(RUN, f"{SCENES}/spin.yaml", "--t-end", "1", "-o", f"{base}/{name}")
+    with open(f"{base}/{name[:-3]}.xdmf", "rb") as file:
+        items = [item.text for item in ElementTree.fromstring(file.read()).iter("DataItem") if item.get("Format") == "HDF"]
+    check(result.returncode == 0 and items and all(item.startswith(f"{name}:/VTKHDF/") for item in items), f"XDMF names {name}")
+
+
 def contact_flag(base):
     """Whether bonded bodies touch stands in the file, if the scene has contact at all."""
     def flag(scene, *options):
@@ -356,5 +366,6 @@ with tempfile.TemporaryDirectory() as root:
     many_frames(root)
     moving_walls(root)
     contact_flag(root)
+    odd_name(root)
     loads(root)
 conclude()
