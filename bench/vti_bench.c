@@ -185,8 +185,6 @@ int main(int argc, char **argv)
     const char *const *none;
     int count, result = 0;
     const enum options_end asked = options_read(&options, argc, argv, 1, &none, &count, &message);
-    if (asked == OPTIONS_TOLD)
-        return 0;
     if (asked == OPTIONS_GO) {
         printf("what,layout,n,items,bytes,median_ns,least_ns\n");
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes && only == 0 && result == 0; ++k)
@@ -195,7 +193,9 @@ int main(int argc, char **argv)
         if (only > 0)
             result = bench(only, &message);
     }
+    if (asked != OPTIONS_WRONG && result == 0)
+        result = output_end(&message);
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-bench: %s\n", message.text);
-    return asked != OPTIONS_GO || result != 0;
+    return asked == OPTIONS_WRONG || result != 0;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "options.h"
 
+#include <errno.h>
 #include <math.h>
 #include <popt.h>
 #include <stdio.h>
@@ -189,4 +190,13 @@ enum options_end options_read(const struct options *options, int argc, char **ar
                    : (message_set(message, "%s: only one scene at a time; remove it", more), OPTIONS_WRONG);
     }
     return OPTIONS_GO;
+}
+
+int output_end(struct message *message)
+{
+    const int before = ferror(stdout);
+    errno = ENOSPC; /* the reason of an earlier failure is not kept, and this is the likely one */
+    if (fflush(stdout) == 0 && !before)
+        return 0;
+    return message_set(message, "standard output: cannot be written: %s; send it to another place", strerror(errno));
 }

@@ -2,7 +2,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "terminal.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <signal.h>
@@ -12,15 +11,6 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-#include "folder.h"
-
-int output_end(struct message *message)
-{
-    if (sync_end(stdout, fflush) == 0)
-        return 0;
-    return message_set(message, "standard output: cannot be written: %s; send it to another place", strerror(errno));
-}
 
 static void say_bound(const vti_stable *stable, const char *by, const vti_stepper *stepper, double h, FILE *file)
 {

@@ -33,9 +33,4 @@ void stable_say(const struct model_limits *limits, const vti_stepper *stepper, d
 /** The smaller bound for a stepper, whose reach may be other than 2. */
 double stable_least(const struct model_limits *limits, const vti_stepper *stepper);
 
-/* ---- the end ---------------------------------------------------------------------------------------------------- */
-
-/** At the end of a program: whether all that it said has got there. Returns 0, or -1 with one line in *message. */
-int output_end(struct message *message);
-
 #endif

@@ -313,9 +313,9 @@ int main(int argc, char **argv)
     int count;
     method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
-    if (asked == OPTIONS_TOLD)
+    int failed = asked == OPTIONS_WRONG ? -1 : asked == OPTIONS_TOLD ? output_end(&message) : 0;
+    if (asked == OPTIONS_TOLD && failed == 0)
         return 0;
-    int failed = asked == OPTIONS_WRONG ? -1 : 0;
     if (failed == 0 && count == 0)
         failed = message_set(&message, "no scene is named; see vti-advise --help");
     if (failed == 0)

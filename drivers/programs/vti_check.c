@@ -127,10 +127,10 @@ int main(int argc, char **argv)
     const char *const *none;
     int count, result = 2;
     const enum options_end asked = options_read(&options, argc, argv, 1, &none, &count, &message);
-    if (asked == OPTIONS_TOLD)
-        return 0;
     const char *const name = stepper != NULL ? stepper : rival != NULL ? rival : plugin;
-    if (asked == OPTIONS_GO && inertia && translation)
+    if (asked == OPTIONS_TOLD)
+        result = 0;
+    else if (asked == OPTIONS_GO && inertia && translation)
         message_set(&message, "--inertia: looks at turning bodies, --translation at others; leave out one of them");
     else if (asked == OPTIONS_GO && (stepper != NULL) + (rival != NULL) + (plugin != NULL) > 1)
         message_set(&message, "%s: only one stepper at a time; remove it", plugin != NULL ? plugin : rival);
@@ -138,6 +138,8 @@ int main(int argc, char **argv)
         message_set(&message, "--json: needs the name of one stepper; see vti-check --help");
     else if (asked == OPTIONS_GO)
         result = list ? print_names() : name == NULL ? check_all() : check_one(name, &message);
+    if (message.text[0] == '\0' && output_end(&message) != 0)
+        result = 2;
     if (message.text[0] != '\0')
         fprintf(stderr, "vti-check: %s\n", message.text);
     return result;

@@ -287,9 +287,11 @@ int main(int argc, char **argv)
     int count, code = EXIT_FAILURE;
     method_admit();
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
-    if (asked == OPTIONS_TOLD)
-        return EXIT_SUCCESS;
-    if (asked == OPTIONS_GO && list != NULL) {
+    if (asked == OPTIONS_TOLD) {
+        code = output_end(&message) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    } else if (asked == OPTIONS_GO && list != NULL && count > 0) {
+        message_set(&message, "%.300s: --list lists, and runs no scene; leave one of them out", scenes[0]);
+    } else if (asked == OPTIONS_GO && list != NULL) {
         if (scene_list(list, stdout, &message) == 0 && output_end(&message) == 0)
             code = EXIT_SUCCESS;
     } else if (asked == OPTIONS_GO && count == 0)

@@ -49,7 +49,13 @@ static int next_line(struct csv *csv, FILE *file)
     ++csv->number;
     if (strlen(csv->line) != (size_t)n)
         return fail(csv, csv->line + strlen(csv->line), "a byte 0; give a text file");
-    csv->line[strcspn(csv->line, "\r\n")] = '\0';
+    char *const end = csv->line + strcspn(csv->line, "\r\n");
+    if (end[strspn(end, "\r\n")] != '\0') {
+        *end = '\0'; /* what precedes it */
+        return fail(csv, end,
+                    "a line that ends with a carriage return alone; let lines end with newlines (tr '\\r' '\\n')");
+    }
+    *end = '\0';
     return 1;
 }
 

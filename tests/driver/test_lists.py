@@ -30,6 +30,15 @@ for program in (vti_run, *others):
     check("-ffp-contract=off" in lines[3] and (commit in lines[1] or "unknown" in lines[1]), f"... {lines[1]}")
 
 
+plot = [sys.executable, os.path.join(root, "drivers", "vti-plot")]
+for program in ([vti_run], *([other] for other in others), plot):
+    for option in ("--help", "--version"):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            said = run(*program, option, stdout=full)
+        check(said.returncode in (1, 2) and said.stderr.count("\n") == 1 and "standard output: cannot be written" in said.stderr,
+              f"what cannot be said of {option} is missed: {said.stderr.strip()}")
+
+
 def listed(what):
     said = run(vti_run, "--list", what)
     check(said.returncode == 0 and said.stderr == "", f"--list {what}")

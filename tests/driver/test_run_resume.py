@@ -431,6 +431,7 @@ def refused(base):
         ("estimates of steps that go by turning", [scene("spin"), "--stepper", "srkn6", "--control", "naive", "--errors"],
          ["--errors", "srkn6-naive"]),
         ("unknown path", [scene("spin"), "--set", "bodies.inertai=1"], ["bodies.inertai"]),
+        ("a scene beside a list", ["--list", "keys", scene("spin")], ["spin.yaml", "--list"]),
         ("a name that is no text", [scene("spin"), "-o", os.fsdecode(f"{base}/".encode() + b"a\xe9.h5")], ["-o", "\\xe9", "UTF-8"]),
         ("a name of half a character", [scene("spin"), "-o", os.fsdecode(f"{base}/".encode() + b"a\xc3.h5")], ["\\xc3", "UTF-8"]),
         ("a name that XML has no letter for", [scene("spin"), "-o", f"{base}/a\x02.h5"], ["-o", "'a?.h5'", "byte 2"]),
