@@ -28,6 +28,7 @@ struct contact_self {
     double *length;           /* of the list, of room for so many; while some pair has one of its own */
     int64_t room;
     int64_t age;          /* how often pairs or lengths have changed */
+    int begun;            /* pairs have been found before */
     struct chunks chunks; /* of the list; all zeros where nobody asks for them */
     double modulus;       /* of the material */
     double stiffness;     /* K of the softest pair that there may be */
@@ -206,12 +207,46 @@ static int take_list(struct contact_self *self, struct message *message)
     return 0;
 }
 
+/** The bodies of pair k as people number them; of clumps those whose spheres they are. */
+static void name_pair(const struct neighbours *list, int64_t k, int64_t body[2])
+{
+    for (int n = 0; n < 2; ++n) {
+        const int64_t i = list->pair[2 * k + n], of = list->owner != NULL ? list->owner[i] : i;
+        body[n] = list->number != NULL ? list->number[of] : of;
+    }
+}
+
+/** At the start: of centres that are one there is no direction in which they could part. The core takes those for one
+ *  that are nearer than 3.1e-151. */
+static int check_directions(const struct contact_self *self, const vti_view *x, struct message *message)
+{
+    static const double one = 1e-301; /* the square of that, rounded up */
+    const struct neighbours *list = &self->neighbours;
+    for (int64_t k = 0; k < list->count; ++k) {
+        const int64_t i = list->pair[2 * k] * x->stride, j = list->pair[2 * k + 1] * x->stride;
+        double square = 0.0;
+        for (int c = 0; c < 3; ++c)
+            square += (x->c[c][i] - x->c[c][j]) * (x->c[c][i] - x->c[c][j]);
+        if (square > one)
+            continue;
+        int64_t body[2];
+        name_pair(list, k, body);
+        return message_set(
+            message, "the centres of %s %lld and %lld give no direction to their contact; move one of them",
+            list->owner != NULL ? "spheres of bodies" : "bodies", (long long)body[0], (long long)body[1]);
+    }
+    return 0;
+}
+
 static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
 {
     struct contact_self *self = e->self;
     const int result = neighbours_update(&self->neighbours, &bodies->x, message);
     self->contacts.count = self->neighbours.count;
     self->contacts.pair = self->neighbours.pair;
+    if (result == 1 && !self->begun && check_directions(self, &bodies->x, message) != 0)
+        return -1;
+    self->begun = 1;
     return result == 1 ? take_list(self, message) : result;
 }
 
@@ -294,6 +329,42 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 
 /* ---- what it tells ----------------------------------------------------------------------------------------------- */
 
+/** How deep the pair is, as a share of the distance at which it begins to touch. */
+static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t k)
+{
+    const int64_t i = contacts->pair[2 * k], j = contacts->pair[2 * k + 1];
+    const vti_scalars *D = &contacts->diameter;
+    double apart[3];
+    for (int c = 0; c < 3; ++c)
+        apart[c] = x->c[c][i * x->stride] - x->c[c][j * x->stride];
+    return 1.0 - vti_norm(apart) / (0.5 * (D->p[i * D->stride] + D->p[j * D->stride]));
+}
+
+/** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. */
+static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
+{
+    const struct contact_self *self = e->self;
+    const vti_contacts *contacts = &self->contacts;
+    const vti_view *x = &model_spheres(model)->x;
+    const double most = 0.1;
+    double deepest = most;
+    int64_t at = -1, body[2];
+    for (int64_t k = 0; k < contacts->count; ++k)
+        if (share_of(contacts, x, k) > deepest) {
+            deepest = share_of(contacts, x, k);
+            at = k;
+        }
+    text[0] = '\0';
+    if (at < 0)
+        return;
+    name_pair(&self->neighbours, at, body);
+    snprintf(
+        text, size_of_text,
+        "bodies %lld and %lld overlap by %.3g of the length of their contact at t = 0, and no others by more; move "
+        "them apart if that is not meant",
+        (long long)body[0], (long long)body[1], deepest);
+}
+
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t size)
 {
     (void)e;
@@ -331,6 +402,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .release = release,
                                            .take_part = take_part,
                                            EFFECT_TERMS(terms),
+                                           .note = note,
                                            .limit = limit,
                                            .deform = deform,
                                            .surfaces = surfaces,

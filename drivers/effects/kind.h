@@ -199,6 +199,8 @@ struct effect_kind {
     /* What it tells of itself. */
     /** What stands behind the list of effects at the start of a run: "80 bonds". */
     void (*say)(const struct effect *e, char *text, size_t size);
+    /** A line of its own there, of the model at t = 0, where scene or tables may not say what is meant; "" if it has none. */
+    void (*note)(const struct effect *e, const struct model *model, char *text, size_t size);
     /** What limits the step (vti_stable_step), where "KEY at body 3" says too little. */
     void (*limit)(const struct effect *e, const struct vti_deformation *at, const vti_stable *stable, char *text,
                   size_t size);

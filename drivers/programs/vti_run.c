@@ -170,6 +170,19 @@ static void say_warnings(const struct run *run, FILE *file)
         fprintf(file, "warning: %s\n", lines[k].text);
 }
 
+/** What effects want to have said of the start. */
+static void say_notes(const struct run *run, FILE *file)
+{
+    const struct model *m = run->shown;
+    for (int64_t e = 0; run->from == 0 && e < m->rooms_count; ++e) {
+        char text[256] = "";
+        if (m->rooms[e].kind->note != NULL)
+            m->rooms[e].kind->note(&m->rooms[e], m, text, sizeof text);
+        if (text[0] != '\0')
+            fprintf(file, "note: %s\n", text);
+    }
+}
+
 /** What will be computed, from where, and h against the bound of the stable step. */
 static void say_start(struct run *run, FILE *file)
 {
@@ -178,6 +191,7 @@ static void say_start(struct run *run, FILE *file)
     say_effects(run, file);
     say_step(run, file);
     say_warnings(run, file);
+    say_notes(run, file);
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);

@@ -355,6 +355,27 @@ def contact_flag(base):
           "contact.bonded is in the file as in the scene")
 
 
+def notes(base):
+    """What a table may have got wrong is said at the start: the deepest overlap."""
+    def lines(name, table, scene):
+        with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
+            file.write(table)
+        with open(f"{base}/{name}.yaml", "w", encoding="ascii") as file:
+            file.write(f"bodies: {{table: {name}.csv, mass: 1, inertia: 1}}\n{scene}h: 1/1024\nt_end: 1/256\n")
+        told = []
+        for options in ([], ["--renumber"]):
+            result = run(RUN, f"{base}/{name}.yaml", "-o", f"{base}/{name}-out.h5", *options)
+            told.append([line for line in result.stdout.splitlines() if line.startswith("note: ")])
+        check(result.returncode == 0 and told[0] == told[1], f"{name}: {told[0]} {result.stderr.strip()}")
+        return told[0]
+
+    start = "x,y,z,diameter\n9,0,0,1\n"
+    deep = lines("deep", start + "0,0,0,1\n5,0,0,1\n1.25,0,0,2\n5.75,0,0,1\n", "contact: {stiffness: 1}\n")
+    check(len(deep) == 1 and "bodies 2 and 4 overlap by 0.25 of the length" in deep[0], "... the deepest overlap")
+    check(not lines("flat", start + "0,0,0,1\n0.95,0,0,1\n", "contact: {stiffness: 1}\n"), "... none below a tenth")
+    check(len(lines("wide", start + "0,0,0,3\n1.5,0,0,1\n", "contact: {stiffness: 1}\n")) == 1, "... of spheres that differ, too")
+
+
 with tempfile.TemporaryDirectory() as root:
     with open(f"{root}/gravity.yaml", "w", encoding="ascii") as out:
         out.write(GRAVITY)
@@ -367,5 +388,6 @@ with tempfile.TemporaryDirectory() as root:
     moving_walls(root)
     contact_flag(root)
     odd_name(root)
+    notes(root)
     loads(root)
 conclude()

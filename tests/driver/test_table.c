@@ -191,6 +191,8 @@ static const struct {
     /* without a table too: so close that they fall on one number */
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1e-9, start: [1e9, 0, 0]}}\nbinder: {axial: 1}\n", "", "",
      "t: the centres of bodies 0 and 1 give no direction to their bond; move one of them"},
+    {BODIES "contact: {stiffness: 1}\n", "x,y,z,diameter\n5,0,0,1\n0,2,3,1\n0,0,0,1\n1e-152,2,3,2\n", "",
+     "t: the centres of bodies 1 and 3 give no direction to their contact; move one of them"},
 };
 
 TEST(mismatches)
