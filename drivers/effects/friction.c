@@ -2,11 +2,14 @@
  * Friction where spheres touch each other and walls: sliding, rolling, twisting (EQUATIONS 6.5). */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "friction.h"
 #include "hertz.h"
 #include "model.h"
+#include "number.h"
 #include "scene_reader.h"
+#include "table.h"
 
 struct friction_settings {
     double sliding, stiffness, poisson, rolling, rolling_stiffness, twisting, twisting_stiffness;
@@ -28,7 +31,7 @@ static const struct scene_field fields[] = {
     NUMBER_AT(stiffness, SCENE_POSITIVE, "tangential stiffness", "Force per length of the sliding spring, a constant."),
     NUMBER_AT(poisson, SCENE_NOT_NEGATIVE, "Poisson's ratio nu",
               "In place of stiffness: 2 (1 - nu)/(2 - nu) times the normal stiffness, which changes with the overlap "
-              "(Mindlin)."),
+              "(Mindlin); one number for all pairs and walls, whatever materials these are of."),
     NUMBER_AT(rolling, SCENE_NOT_NEGATIVE, "length mu_r",
               "The moment against rolling is at most mu_r times the force."),
     NUMBER_AT(rolling_stiffness, SCENE_POSITIVE, "rolling stiffness", "Moment per angle."),
@@ -142,6 +145,47 @@ static const vti_friction *friction_of(const struct effect *e, int64_t k)
     return self->chunks != NULL ? &self->chunk[k].friction : &self->friction;
 }
 
+/* ---- what it tells ----------------------------------------------------------------------------------------------- */
+
+/** The number at a path of another effect's keys. */
+static double number_of(const struct scene *scene, const struct effect_kind *kind, const char *path)
+{
+    double number = 0.0;
+    for (int f = 0; f < kind->fields_count; ++f)
+        if (strcmp(kind->fields[f].path, path) == 0)
+            memcpy(&number, (const char *)kinds_settings_of(kind, &scene->settings) + kind->fields[f].offset,
+                   sizeof number);
+    return number;
+}
+
+/** Where materials have another ratio of Poisson's than this one, which is that of all pairs. */
+static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
+{
+    const struct friction_settings *f = e->settings;
+    const struct scene *scene = model->scene;
+    const struct table *bodies = scene->tables != NULL ? &scene->tables->bodies : NULL;
+    char other[96] = "";
+    text[0] = '\0';
+    if (!(f->sliding > 0.0) || f->stiffness > 0.0)
+        return;
+    const double of_contact = number_of(scene, &effect_contact, "contact.poisson"),
+                 of_wall = number_of(scene, &effect_wall, "wall.poisson");
+    if (number_of(scene, &effect_wall, "wall.young") > 0.0 && of_wall != f->poisson)
+        snprintf(other, sizeof other, "wall.poisson = %s", NUMBER(of_wall));
+    if (number_of(scene, &effect_contact, "contact.young") > 0.0 && of_contact != f->poisson)
+        snprintf(other, sizeof other, "contact.poisson = %s", NUMBER(of_contact));
+    for (int64_t i = 0; bodies != NULL && table_has(bodies, BODY_POISSON) && i < bodies->rows; ++i)
+        if (bodies->column[BODY_POISSON][i] != f->poisson) {
+            snprintf(other, sizeof other, "poisson = %s of body %lld in the table",
+                     NUMBER(bodies->column[BODY_POISSON][i]), (long long)model_number(model, i));
+            break;
+        }
+    if (other[0] != '\0')
+        snprintf(text, size_of_text,
+                 "friction.poisson = %s is used for all pairs and walls; %s is for normal forces alone",
+                 NUMBER(f->poisson), other);
+}
+
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text,
                   size_t size_of_text)
 {
@@ -175,6 +219,7 @@ const struct effect_kind effect_friction = {.number = EFFECT_friction,
                                             .find_pairs = friction_find_pairs,
                                             .take_part = friction_take_part,
                                             EFFECT_TERMS(terms),
+                                            .note = note,
                                             .limit = limit,
                                             .friction = friction_of,
                                             .memory = &friction_memory};

@@ -356,7 +356,7 @@ def contact_flag(base):
 
 
 def notes(base):
-    """What a table may have got wrong is said at the start: the deepest overlap."""
+    """What a table may have got wrong is said at the start: the deepest overlap, and materials that friction does not ask for."""
     def lines(name, table, scene):
         with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
             file.write(table)
@@ -374,6 +374,17 @@ def notes(base):
     check(len(deep) == 1 and "bodies 2 and 4 overlap by 0.25 of the length" in deep[0], "... the deepest overlap")
     check(not lines("flat", start + "0,0,0,1\n0.95,0,0,1\n", "contact: {stiffness: 1}\n"), "... none below a tenth")
     check(len(lines("wide", start + "0,0,0,3\n1.5,0,0,1\n", "contact: {stiffness: 1}\n")) == 1, "... of spheres that differ, too")
+    rub = "friction: {sliding: 0.5, poisson: 0.3}\n"
+    one = "contact: {young: 1, poisson: %s}\n" + rub
+    check(not lines("same", start, one % "0.3"), "one ratio of Poisson's needs no word")
+    other = lines("other", start, one % "0.2")
+    check(len(other) == 1 and "friction.poisson = 0.3" in other[0] and "contact.poisson = 0.2 " in other[0], "... another one does")
+    wall = lines("wall", start, one % "0.3" + "wall: {young: 1, poisson: 0.25, planes: [[0, 0, 1, -9]]}\n")
+    check(len(wall) == 1 and "wall.poisson = 0.25 " in wall[0], "... of a wall")
+    each = "x,y,z,diameter,young,poisson\n0,0,0,1,1,0.3\n9,0,0,1,1,0.4\n"
+    check(len(lines("each", each, "contact: {}\n" + rub)) == 1 and "poisson = 0.4 of body 1 in the table" in
+          lines("each", each, "contact: {}\n" + rub)[0], "... and of a body")
+    check(not lines("spring", each, "contact: {}\nfriction: {sliding: 0.5, stiffness: 1}\n"), "... of friction that asks for none")
 
 
 with tempfile.TemporaryDirectory() as root:
