@@ -91,6 +91,4 @@ def _draw_legend(axes, group, measure, looks):
 
 
 def _order_text(mean, spread):
-    if not np.isfinite(mean):
-        return "no fit"
-    return f"{mean:.3f} ± {spread:.1g}" if np.isfinite(spread) else f"{mean:.3f}"
+    return words.with_interval(mean, spread) if np.isfinite(mean) else "no fit"

@@ -76,16 +76,27 @@ def resolved(fit):
     return fit is not None and not fit["interval"] > min(RESOLVED, fit["order"])
 
 
+PLACES = 5          # decimals of an order, at most
+
+
+def with_interval(value, interval):
+    """2.003 ± 0.001, as vti-study prints it: the interval is rounded up to one digit, so that no figure claims more than the
+    fit, and the value has as many decimals; five at most, of which the interval is one at the least."""
+    if not math.isfinite(interval):
+        return f"{value:.2f}"
+    def units(places):
+        return math.ceil((1 - 1e-9) * interval * 10**places)    # what was rounded to a digit already stays
+    places = 0
+    while places < PLACES and units(places + 1) <= 9:
+        places += 1
+    return f"{value:.{places}f} ± {max(1, units(places)) / 10**places:.{places}f}"
+
+
 def order_text(fit):
-    """2.003 ± 0.001. The interval is rounded up, so that no figure claims more than the fit."""
     if fit is None:
         return "no fit"
-    order, interval = fit["order"], fit["interval"]
-    if not math.isfinite(interval):
-        return f"{order:.2f}"
-    digits = 3 if interval < 0.01 else 2 if interval < RESOLVED else 1
-    text = f"{order:.{digits}f} ± {math.ceil(interval * 10**digits) / 10**digits:.{digits}f}"
-    return text if resolved(fit) else f"not resolved ({text})"
+    text = with_interval(fit["order"], fit["interval"])
+    return text if resolved(fit) or not math.isfinite(fit["interval"]) else f"not resolved ({text})"
 
 
 def nearest_order(fit):

@@ -19,12 +19,33 @@ void study_print_h(double h, FILE *file)
     fprintf(file, "%9s", text);
 }
 
-static void print_order(const struct order *order, FILE *file)
+static double ten_to(int places)
 {
-    if (isnan(order->order))
-        fprintf(file, "  %18s", "-");
-    else
-        fprintf(file, "  %8.5f +- %.0e", order->order, order->interval);
+    double power = 1.0;
+    for (int k = 0; k < places; ++k)
+        power *= 10.0;
+    return power;
+}
+
+/** An interval in units of its last decimal, rounded up; what was rounded to a digit already stays. */
+static double units(double interval, int places)
+{
+    return ceil((1.0 - 1e-9) * interval * ten_to(places));
+}
+
+void study_print_order(double order, double interval, FILE *file)
+{
+    enum { PLACES = 5, LARGEST = 9 };
+    char text[64] = "-";
+    int places = 0;
+    while (places < PLACES && units(interval, places + 1) <= LARGEST)
+        ++places;
+    if (!isnan(order) && isfinite(interval))
+        snprintf(text, sizeof text, "%.*f +- %.*f", places, order, places,
+                 fmax(1.0, units(interval, places)) / ten_to(places));
+    else if (!isnan(order))
+        snprintf(text, sizeof text, "%.2f", order);
+    fprintf(file, "  %18s", text);
 }
 
 /** How many runs can be believed, and what is said against each of the others. */
@@ -82,7 +103,7 @@ void study_table_write(const struct study *study, FILE *file)
     for (int64_t s = 0; s < plan->steppers_count; ++s) {
         fprintf(file, "%-*s", width, plan->steppers[s]->name);
         for (int m = 0; m < STUDY_MEASURES; ++m)
-            print_order(&study->orders[s][m], file);
+            study_print_order(study->orders[s][m].order, study->orders[s][m].interval, file);
         fputc('\n', file);
     }
     write_why_no_order(study, file);

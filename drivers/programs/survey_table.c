@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "study_go.h"
 
-#include <math.h>
-
 enum { GROUPS = 8 }; /* that are printed */
 
 struct printer {
@@ -61,12 +59,7 @@ static void say_orders(const struct printer *p, const struct plan *plan)
         fprintf(p->file, "%-*s", p->width, plan->steppers[s]->name);
         for (int m = 0; m < STUDY_MEASURES; ++m) {
             const struct ensemble *e = &p->group.order[s][m];
-            if (e->count == 0)
-                fprintf(p->file, "  %18s", "-");
-            else if (e->count == 1)
-                fprintf(p->file, "  %8.5f %9s", ensemble_mean(e), "");
-            else
-                fprintf(p->file, "  %8.5f +- %.0e", ensemble_mean(e), ensemble_spread(e));
+            study_print_order(ensemble_mean(e), ensemble_spread(e), p->file);
         }
         fputc('\n', p->file);
     }

@@ -34,7 +34,8 @@ static const struct option_row rows[] = {
         "Runs a scene (default: the paper's pendulum) with several steppers and steps, measures every run\n"
         "against a reference solution and fits the orders of convergence. Writes study.h5, study.csv,\n"
         "timing.csv and pictures.\n"),
-    {"-o", "FOLDER", OPTION_TEXT, &output, OPTION_ANY, "output folder (default study-SCENE, or cost)"},
+    {"-o", "FOLDER", OPTION_TEXT, &output, OPTION_ANY,
+     "output folder (default study-SCENE; sweep-SCENE with --sweep or several scenes, cost with --cost)"},
     {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY,
      "steppers (default vti1,vti2,vti3); rivals, what others use, by their names too: vti-run --list steppers"},
     {"--h", "STEPS", OPTION_TEXT, &steps, OPTION_ANY,

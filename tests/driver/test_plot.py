@@ -203,6 +203,16 @@ def test_refusals(program, folder):
                     ("series/000005/angular_z", np.zeros(3), "/series/000005/angular_z has 3 values")])
 
 
+def test_intervals(_program, _folder):
+    """An interval is rounded up to one digit, and the value to the same place: no figure claims more than the fit."""
+    words = importlib.import_module("plot.words")
+    for value, interval, text in ((1.9912, 0.0312, "1.99 ± 0.04"), (1.9912, 0.0951, "2.0 ± 0.1"), (2.00000123, 3e-8, "2.00000 ± 0.00001"),
+                                  (2.0, 0.0, "2.00000 ± 0.00001"), (0.9985, 0.00011, "0.9985 ± 0.0002"), (2.1, 0.3, "2.1 ± 0.3"),
+                                  (0.07, 0.07, "0.07 ± 0.07"), (4.319, 0.92, "4 ± 1"), (1.5, 3.2, "2 ± 4"), (1.5, np.inf, "1.50")):
+        assert words.with_interval(value, interval) == text, (value, interval, words.with_interval(value, interval))
+    assert words.order_text({"order": 2.04, "interval": 0.61}) == "not resolved (2.0 ± 0.7)" and words.order_text(None) == "no fit"
+
+
 def test_help(program, _folder):
     done = apart(program, "-h")
     assert done.returncode == 0 and "study.h5" in done.stdout and "convergence.png" in done.stdout, done.stdout
@@ -211,4 +221,4 @@ def test_help(program, _folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_help, test_pictures, test_fitted_lines, test_edges, test_refusals)
+    plot_support.main(test_help, test_intervals, test_pictures, test_fitted_lines, test_edges, test_refusals)

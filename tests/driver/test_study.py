@@ -4,6 +4,7 @@
 bad input.      test_study.py VTI_STUDY MPIRUN"""
 import csv
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -49,6 +50,19 @@ def orders(folder, what):
         stepper, measure = stepper.decode(), measure.decode()
         want = expected[stepper][measures.index(measure)]
         check(abs(order - want) <= interval < 0.2, f"{what} {stepper} {measure}: {order:.6f} +- {interval:.6f}, not {want}")
+
+
+def as_in_pictures(said, folder):
+    """Orders on the terminal are rounded as in pictures: the interval up to one digit."""
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "drivers"))
+    from plot import words  # pylint: disable=import-outside-toplevel
+    with h5py.File(os.path.join(folder, "study.h5")) as file:
+        table = {name: file["orders"][name][...] for name in file["orders"]}
+    expected = {}
+    for stepper, order, interval in zip(table["stepper"], table["order"], table["interval"]):
+        expected.setdefault(stepper.decode(), []).append(words.with_interval(order, interval).replace("±", "+-"))
+    printed = {line.split()[0]: re.findall(r"[\d.]+ \+- [\d.]+", line) for line in said.split("fitted order")[1].splitlines()[1:5]}
+    check(printed == expected, f"orders on the terminal: {printed}, {expected}")
 
 
 def same_bytes(base):
@@ -221,6 +235,7 @@ with tempfile.TemporaryDirectory() as base:
     check(full.returncode == 0 and "vti-study:" not in full.stderr, f"the default study runs {full.stderr}")
     paper_numbers(f"{base}/full")
     orders(f"{base}/full", "t = 10")
+    as_in_pictures(full.stdout, f"{base}/full")
     study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", "--t-end", "100", folder=f"{base}/hundred")
     orders(f"{base}/hundred", "t = 100")
     same_bytes(base)

@@ -12,15 +12,15 @@ import numpy as np
 from .. import methods, style, words
 from ..trouble import Trouble
 from .cost_file import read_cost
-from .page import Page, write_page
+from .page import ALONE, Page, write_page
 from .price_list import count_text, errors, in_words, power, price, table, three
 from .work_precision import AXES, COSTS, name_ends
 
 SCENES = {"free-body": "free (1, 1.7, 2.3)", "slender-body": "free (1.7231, 0.0658, 1.7243)",
           "heavy-top": "heavy top (0.6, 1, 1.5)", "bonded-pair": "bonded pair (0.06, 0.1, 0.15)"}
 OUR_COLOURS = ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F")
-THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#777777", "#C03030", "#B8860B",
-                 "#555555", "#2F4F4F", "#FF7F50", "#8B4513", "#6A5ACD")
+THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#D16BA5", "#C03030", "#B8860B",
+                 "#E0457B", "#5B2333", "#FF7F50", "#8B4513", "#6A5ACD")
 HEIGHT = 8.4
 LEFT_OUT = ("pd8", "rk8pd", "vti1", "vti3", "vti3-leapfrog", "kl6", "srkn6", "srkn14",
             "moser-veselov-newton")     # of the picture: near to others
@@ -62,10 +62,21 @@ def prices_figure(cost):
         for column, quantity in enumerate(COSTS):
             axes = figure.add_subplot(len(cost.scenes()), 2, 2 * row + column + 1)
             _panel(axes, cost.prices[scene], quantity)
-            axes.set_title(f"{words.plain(scene)}, to t = {cost.ends(scene)[0]:g}")
+            axes.set_title(" ".join([words.plain(scene), moments(scene)]).strip() + f", to t = {cost.ends(scene)[0]:g}")
             axes.set_xlabel(AXES["attitude"])
             axes.set_ylabel(COSTS[quantity])
+    drawn = {method for scene in cost.scenes() for method in cost.prices[scene]}
+    left_out = [methods.name(method) for method in LEFT_OUT if method in drawn]
+    figure.supxlabel("Solid, and bold names: ours and the paper's; dashed: what others use. Behind the names of scenes: principal moments of "
+                     "inertia. Errors become smaller\nto the right." + (f" Left out, as near to others that are drawn: "
+                     f"{'; '.join(left_out)}." if left_out else ""), fontsize=8.5, color=style.GREY)
     return figure
+
+
+def moments(scene):
+    """(1, 1.7, 2.3), as SCENES says them."""
+    said = SCENES.get(scene, "")
+    return said[said.find("("):] if "(" in said else ""
 
 
 def _panel(axes, ladders, quantity):
@@ -148,7 +159,7 @@ def orders_part(page, orders):
 
 
 def _order(order, interval):
-    return f"{order:.3f} ± {interval:.1g}" if np.isfinite(order) else "-"
+    return words.with_interval(order, interval) if np.isfinite(order) else "-"
 
 
 def prices_part(page, cost, picture):
@@ -158,12 +169,12 @@ def prices_part(page, cost, picture):
               "times are of one run on one core, the least of several. Steppers of ours run through the library's "
               "calls, which check the "
               "bodies and choose kernels by the processor; rivals are one loop each."
-              + (f" The machine: {cost.machine}." if cost.machine else ""))
+              + (f" The machine: {cost.machine}." if cost.machine else "") + f" {ALONE}")
     page.picture(picture)
     page.text(against_text())
     for scene in cost.scenes():
         page.heading(f"Prices: {words.plain(scene)}")
-        page.text("Time / force evaluations.")
+        page.text((f"Principal moments of inertia: {moments(scene)}. " if moments(scene) else "") + "Time / force evaluations.")
         page.table(*table(cost, scene))
         page.text(in_words(cost, scene))
         page.text(against(cost, scene))

@@ -22,6 +22,10 @@ def machine_of(folder):
         return "; ".join(line.strip() for line in file if line.strip())
 
 
+ALONE = ("Times of this page may be compared with each other, but not with those of a page that was measured on another machine or "
+         "another day.")
+
+
 class Page:
     def __init__(self, folder, title):
         self.folder, self.title, self.blocks = folder, title, []
