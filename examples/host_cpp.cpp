@@ -41,6 +41,8 @@ class Chain
     explicit Chain(const std::string &path)
     {
         std::ifstream file(path);
+        if (!file)
+            throw std::runtime_error(path + ": cannot be opened; call this in the folder examples, or with the path of the table");
         std::string line;
         for (std::getline(file, line); std::getline(file, line);) { // behind the line of names
             const std::array<double, 14> row = numbers(line);

@@ -30,13 +30,19 @@ static void must(int status)
 static int read_spheres(const char *path)
 {
     FILE *file = fopen(path, "r");
-    int fields = file == NULL ? EOF : fscanf(file, "%*[^\n]");
+    if (file == NULL) {
+        fprintf(stderr, "%s: cannot be opened; call this in the folder examples, or with the path of the table\n",
+                path);
+        return 0;
+    }
+    int fields = fscanf(file, "%*[^\n]");
     for (struct sphere *s = spheres; s < spheres + N && fields != EOF; ++s)
         fields = fscanf(file, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &s->x[0], &s->x[1], &s->x[2],
                         &s->v[0], &s->v[1], &s->v[2], &s->alpha[0], &s->alpha[1], &s->alpha[2], &s->omega[0],
                         &s->omega[1], &s->omega[2], &s->mass, &s->inertia);
-    if (file != NULL)
-        fclose(file);
+    fclose(file);
+    if (fields != 14)
+        fprintf(stderr, "%s: not %d spheres\n", path, N);
     return fields == 14;
 }
 
@@ -107,8 +113,9 @@ int main(int argc, char **argv)
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    if (ranks > N)
+        fprintf(stderr, "host_ranks: no more ranks than spheres, %d\n", N);
     if (ranks > N || !read_spheres(argc > 1 ? argv[1] : "chain/bodies.csv")) {
-        fprintf(stderr, "host_ranks: needs a table of %d spheres, and no more ranks than that\n", N);
         MPI_Finalize();
         return EXIT_FAILURE;
     }

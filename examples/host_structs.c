@@ -27,7 +27,12 @@ static void must(int status, const vti_fault *fault)
 static void read_spheres(const char *path)
 {
     FILE *file = fopen(path, "r");
-    int fields = file == NULL ? EOF : fscanf(file, "%*[^\n]");
+    if (file == NULL) {
+        fprintf(stderr, "%s: cannot be opened; call this in the folder examples, or with the path of the table\n",
+                path);
+        exit(EXIT_FAILURE);
+    }
+    int fields = fscanf(file, "%*[^\n]");
     for (int i = 0; i < N && fields != EOF; ++i) {
         struct sphere *s = &spheres[i];
         s->id = i;

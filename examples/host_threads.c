@@ -21,7 +21,12 @@ static void must(int status)
 static void read_spheres(const char *path)
 {
     FILE *file = fopen(path, "r");
-    int fields = file == NULL ? EOF : fscanf(file, "%*[^\n]");
+    if (file == NULL) {
+        fprintf(stderr, "%s: cannot be opened; call this in the folder examples, or with the path of the table\n",
+                path);
+        exit(EXIT_FAILURE);
+    }
+    int fields = fscanf(file, "%*[^\n]");
     for (int i = 0; i < N && fields != EOF; ++i)
         fields = fscanf(file, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &x[i][0], &x[i][1], &x[i][2],
                         &v[i][0], &v[i][1], &v[i][2], &alpha[i][0], &alpha[i][1], &alpha[i][2], &omega[i][0],

@@ -62,10 +62,15 @@ program host_threads
 contains
     subroutine read_spheres()
         character(len=256) :: path
-        integer :: unit
+        integer :: unit, failed
         path = 'chain/bodies.csv'
         if (command_argument_count() > 0) call get_command_argument(1, path)
-        open (newunit=unit, file=trim(path), status='old', action='read')
+        open (newunit=unit, file=trim(path), status='old', action='read', iostat=failed)
+        if (failed /= 0) then
+            write (error_unit, '(2a)') trim(path), &
+                ': cannot be opened; call this in the folder examples, or with the path of the table'
+            stop 1
+        end if
         read (unit, *)
         do i = 1, n
             read (unit, *) x(:, i), v(:, i), alpha(:, i), omega(:, i), mass(i), inertia(i)

@@ -15,7 +15,10 @@ static const char *relation_text(int relation)
 
 void vti_check_print(const vti_check_report *report, FILE *file)
 {
-    fprintf(file, "%s: %s\n", report->name, report->faults == 0 ? "no fault found" : "faults found");
+    fprintf(file, "%s: %s\n", report->name,
+            report->faults > 0  ? "faults found"
+            : report->words > 0 ? "no fault found, but:"
+                                : "no fault found");
     for (int k = 0; k < report->words; ++k)
         fprintf(file, "  %s %s\n", report->word[k].is_fault ? "FAULT " : "remark", report->word[k].text);
     for (int k = 0; k < report->lines; ++k) {

@@ -104,7 +104,10 @@ static int check_all(void)
         vti_check_report report;
         look_at(m->name, inertia ? method_check_advance_inertia : method_check_advance, m, &report);
         faults += report.faults;
-        printf("%-24s %s\n", m->name, report.faults == 0 ? "no fault found" : report.word[0].text);
+        printf("%-24s %s\n", m->name,
+               report.faults > 0  ? report.word[0].text
+               : report.words > 0 ? "no fault found, but:"
+                                  : "no fault found");
         for (int k = report.faults == 0 ? 0 : 1; k < report.words; ++k)
             printf("%-24s %s\n", "", report.word[k].text);
         fflush(stdout);

@@ -13,7 +13,12 @@ C     Reads the particles and bonds each to the next.
       DT = 1.0D0/512.0D0
       PATH = 'chain/bodies.csv'
       IF (IARGC() .GT. 0) CALL GETARG(1, PATH)
-      OPEN (10, FILE=PATH, STATUS='OLD')
+      OPEN (10, FILE=PATH, STATUS='OLD', IOSTAT=IER)
+      IF (IER .NE. 0) THEN
+         WRITE (0,'(3A)') TRIM(PATH), ': cannot be opened; call ',
+     &      'this in the folder examples, or with the path of the table'
+         STOP 1
+      END IF
       READ (10, *)
       DO 10 L = 1, NP
          READ (10, *) (POS(L,K), K=1,3), (VEL(L,K), K=1,3),

@@ -56,6 +56,8 @@ for name, path in hosts.items():
     if name == "legacy_after":
         check(abs(energies[1] - energy) < 1e-9 * energy, "legacy_after has the same energy")
     check(by_host(path, "bonds.csv")[2] != 0 and by_host(path, "nothing")[2] != 0, f"{name} refuses what are no spheres")
+    said = subprocess.run([path, "nothing.csv"], check=False, capture_output=True, text=True, timeout=120, env=ENVIRONMENT).stderr
+    check("nothing.csv: cannot be opened; call this in the folder examples" in said, f"{name} says why: {said}")
 for threads in ("1", "2", "3", "7", "16"):
     for name in {"host_threads", "host_threads_fortran"} & set(hosts):
         rows = by_host(hosts[name], OMP_NUM_THREADS=threads)[0]
