@@ -56,7 +56,7 @@ def _draw_single(axes, t, energies, looks):
     for name, values in energies.items():
         times, peaks = curves.sliced(t, values, np.max, STACK_SLICES)
         axes.plot(times, np.maximum(peaks, 0.01 * bottom), color=looks[name].colour, linewidth=1.0)
-    axes.set(yscale="log", ylim=(bottom, 2.5 * top), ylabel="each by itself")
+    axes.set(yscale="log", ylim=(bottom, 2.5 * top), ylabel="energy, each by itself")
     axes.yaxis.set_major_locator(FixedLocator(10.0 ** np.arange(np.ceil(np.log10(bottom)), np.log10(2.5 * top))))
     axes.yaxis.set_major_formatter(LogFormatterMathtext())
     axes.yaxis.set_minor_locator(FixedLocator([]))

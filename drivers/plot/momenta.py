@@ -77,7 +77,7 @@ def draw(run):
         _draw_panel(axes, run, run.vector(panel.vector))
         axes.set_title(f"{panel.name} ${panel.symbol}$\n{_verdict(fates[panel])}")
         if column == 0:
-            axes.set_ylabel("absolute deviation")
+            axes.set_ylabel("absolute deviation (units of the scene)")
     _draw_legend(style.bare(figure.add_subplot(grid[1, :])), scale(run))
     figure.supxlabel("\n".join([f"{MEANING};  " r"$\varepsilon=2^{-52}$.  " f"vti {words.plain(run.version)}", *notes]),
                      fontsize=8.5, color=style.GREY)

@@ -10,8 +10,9 @@ MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contac
 SMALL = 1 / 100         # of the window: smaller bodies have thin rims and no marks, which would hide their colours
 FAR = 3                 # times their own size: bodies that get further are followed, or they would be dots
 BODY, RIM, MARK, CONTACT = "#CFE6F5", "#0072B2", "#000000", "#E69F00"
-# Fragments that are left when bonds break, by their first body; those of one body are pale.
-FRAGMENTS, SINGLE = (BODY, "#F4D9A8", "#CDE8C4", "#F2C6CB", "#DCCDEB", "#D8D2A0"), "#F2F2F2"
+# Fragments that are left when bonds break, from the first frame on by their size; those of one body are pale.
+FRAGMENTS, SINGLE = (BODY, "#F4D9A8", "#CDE8C4", "#F2C6CB", "#DCCDEB", "#D8D2A0", "#A8DAD5", "#EBCBB0", "#B3B9EE", "#EFEF9E"), "#F2F2F2"
+CLUMPS = FRAGMENTS[:6]
 # Of which a picture is made, and between which its edges are smoothed.
 COLOURS = ("#FFFFFF", RIM, MARK, CONTACT, walls.WALL, walls.BEHIND, SINGLE, *FRAGMENTS)
 EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTACT, RIM), (CONTACT, MARK), (walls.WALL, "#FFFFFF"),
@@ -26,7 +27,7 @@ class Scenery:
         self.level = level.axes_of(run.walls)
         self.walls = run.walls if self.level is None else level.of_walls(self.level, run.walls)
         frames = [self._seen(frame) for frame in frames]
-        self.plane = _plane(frames, 3 if self.level is None else 2)
+        self.plane = _plane(frames, 3 if self.level is None else 2, self.walls)
         self.radius = outlines.radius(run, frames[0])
         extents = [self._extent(frame) for frame in frames]
         largest = max(np.max(high - low) for low, high in extents)
@@ -43,6 +44,7 @@ class Scenery:
         self.outward = _outward(frames[0], self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
+        self.fragment_colours = {frame.t: colours for frame, colours in zip(frames, fragment_colours(frames))}
 
     def _seen(self, frame):
         return frame if self.level is None else level.of_frame(self.level, frame)
@@ -85,7 +87,7 @@ class Scenery:
         behind_first = np.argsort(seen.x[:, 3 - sum(self.plane)], kind="stable")
         touching = np.zeros(len(seen.x), bool) if run.breaks else self._touching(frame)
         walls.draw(axes, self.plane, self.walls, frame.t, window)
-        fills = np.where(touching, CONTACT, _fills(run, frame, seen))[behind_first]
+        fills = np.where(touching, CONTACT, self._fills(frame, seen))[behind_first]
         ellipses = [part[behind_first] for part in seen.ellipses(self.plane)]
         axes.add_collection(_ellipses(axes, seen.x[behind_first][:, self.plane], *ellipses, fills, 0.15 if self.small else 0.5))
         if self.detailed:
@@ -98,6 +100,12 @@ class Scenery:
         axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
         axes.grid(False)
         return bool(np.any(touching))
+
+    def _fills(self, frame, seen):
+        """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its own."""
+        if self.run.clumps is not None:
+            return np.array(CLUMPS)[(seen.body + seen.body // len(CLUMPS)) % len(CLUMPS)]
+        return self.fragment_colours[frame.t] if frame.t in self.fragment_colours else fragment_colours([frame])[0]
 
     def _touching(self, frame):
         """Bodies that overlap a plane, or another body which the scene lets them touch; of clumps the colours say more."""
@@ -114,12 +122,22 @@ class Scenery:
         return touching
 
 
-def _plane(frames, some):
+def _plane(frames, some, walls_of):
     """The two coordinates to draw; left out is the one, of some from the first on, in which bodies move least, the last of them
-    if that does not tell."""
+    if that does not tell. Cylinders that turn are seen along their axes, floors from the side: what a plane without another one opposite
+    is normal to is not left out, but where such planes are normal to all."""
     moved = np.max([np.max(np.abs(frame.x - frames[0].x), axis=0) for frame in frames], axis=0)
-    least = max(axis for axis in range(some) if moved[axis] <= np.min(moved[:some]) + 1e-9 * np.max(moved))
+    turning, sides = _signs(walls_of.cylinders[walls_of.cylinder_spin != 0, :3]), _signs(walls_of.planes[:, :3])
+    free = ([axis for axis in range(some) if np.any(turning[:, axis])]
+            or [axis for axis in range(some) if len(set(sides[:, axis]) - {0.0}) != 1] or list(range(some)))
+    least = max(axis for axis in free if moved[axis] <= np.min(moved[free]) + 1e-9 * np.max(moved))
     return [axis for axis in range(3) if axis != least]
+
+
+def _signs(vectors):
+    """1 or -1 in the place of the coordinate that a vector is along, of those that are along one."""
+    signs = np.sign(np.where(np.abs(vectors) > level.ALONG, vectors, 0.0))
+    return signs[np.sum(np.abs(signs), axis=1) == 1]
 
 
 def _outward(frame, plane):
@@ -135,15 +153,38 @@ def _outward(frame, plane):
     return outlines.turned(frame.attitude * (-1, -1, -1, 1), marks)
 
 
-def _fills(run, frame, seen):
-    """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its own."""
-    if run.clumps is not None:
-        return np.array(FRAGMENTS)[(seen.body + seen.body // len(FRAGMENTS)) % len(FRAGMENTS)]
-    if frame.fragment is None:
-        return np.full(len(frame.x), BODY)
-    first = np.maximum(frame.fragment.astype(int), 0)
-    alone = np.bincount(first, minlength=len(frame.x))[first] == 1
-    return np.where(alone, SINGLE, np.array(FRAGMENTS)[first % len(FRAGMENTS)])
+def fragment_colours(frames):
+    """Of each frame the colours of all bodies. A fragment keeps its colour: of the pieces that one has broken into the one with most of
+    its bodies does, and each other one gets a colour that no fragment has, while there is one, else that of the fewest bodies."""
+    found, before = [], None
+    for frame in frames:
+        if frame.fragment is None:
+            found.append(np.full(len(frame.x), BODY))
+            continue
+        fragment = np.where(frame.fragment < 0, np.arange(len(frame.x)), frame.fragment).astype(int)
+        sizes = np.bincount(fragment, minlength=len(frame.x))
+        colour = _inherited(fragment, sizes, *before) if before else {}
+        for piece in sorted(np.flatnonzero(sizes > 1), key=lambda piece: -sizes[piece]):
+            if piece not in colour:
+                held = np.zeros(len(FRAGMENTS), int)
+                for other, index in colour.items():
+                    held[index] += sizes[other]
+                colour[piece] = int(np.argmin(held))
+        before = fragment, colour
+        found.append(np.array([FRAGMENTS[colour[piece]] if piece in colour else SINGLE for piece in fragment]))
+    return found
+
+
+def _inherited(fragment, sizes, fragment_before, colour_before):
+    """fragment -> colour of those that are the largest part of one that had it."""
+    pairs, shared = np.unique(np.stack([fragment, fragment_before]), axis=1, return_counts=True)
+    colour, passed_on = {}, set()
+    for k in np.argsort(-shared, kind="stable"):
+        piece, whole = map(int, pairs[:, k])
+        if sizes[piece] > 1 and whole in colour_before and piece not in colour and whole not in passed_on:
+            colour[piece] = colour_before[whole]
+            passed_on.add(whole)
+    return colour
 
 
 def _ellipses(axes, centres, widths, heights, angles, colours, rim):

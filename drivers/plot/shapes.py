@@ -2,6 +2,7 @@
 """shapes.png: the bodies at equally spaced times, until they rest, one scale and one window for all, as in the paper's figure of
 the deformed torus."""
 import numpy as np
+from matplotlib.ticker import FuncFormatter
 
 from . import scenery, style, words
 
@@ -30,17 +31,29 @@ def draw(run):
     figure.suptitle(f"{words.plain(run.scene)}: shapes over time, {words.stepper_name(run.stepper)}, "
                     rf"$h$ = {words.step_text(run.h)}")
     grid = figure.subplots(rows, columns, sharex=not scene.follows, sharey=not scene.follows, squeeze=False)
-    touched = False
+    touched, power = False, _power([scene.window(frame) for frame in frames])
+    unit = (rf"$10^{{{power}}}$ " if power else "") + "units of the scene"
+    in_units = FuncFormatter(lambda value, _: f"{value / 10.0**power:g}".replace("-", "\N{MINUS SIGN}"))
     for place, (axes, frame) in enumerate(zip(grid.flat, frames)):
         touched |= scene.draw(axes, frame)
-        axes.ticklabel_format(style="sci", scilimits=(-2, 4), useMathText=True)  # millimetres in metres, say
+        if power:
+            axes.xaxis.set_major_formatter(in_units)
+            axes.yaxis.set_major_formatter(in_units)
+        else:
+            axes.ticklabel_format(style="plain")
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
-            axes.set_xlabel(f"{scene.axis_names()[0]} (lengths)", labelpad=1)
+            axes.set_xlabel(f"{scene.axis_names()[0]} ({unit})", labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(f"{scene.axis_names()[1]} (lengths)", labelpad=1)
+            axes.set_ylabel(f"{scene.axis_names()[1]} ({unit})", labelpad=1)
     figure.supxlabel("\n".join([_facts(run, scene, touched, until), *run.notes()]), fontsize=8.5, color=style.GREY)
     return figure, run.notes()
+
+
+def _power(windows):
+    """That of ten in which both coordinates, whose scales are one, are written: millimetres in metres, say; 0 near 1."""
+    power = int(np.floor(np.log10(np.max(np.abs(windows)) / 2)))
+    return 0 if -2 < power < 4 else power
 
 
 def until_rest(run, scene):

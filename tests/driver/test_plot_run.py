@@ -3,6 +3,7 @@
 hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
 import importlib
 import os
+import types
 
 import plot_support
 from plot_support import EPS, FINE, apart, left_alone, plot, refuses, refuses_damage
@@ -208,6 +209,49 @@ def test_level(program, folder):
         assert np.allclose(outlines.turned(there.attitude, vectors), outlines.turned(frame.attitude, vectors) @ axes.T, 0, 50 * EPS)
 
 
+def test_plane(_program, folder):
+    """A floor is seen from the side, whichever way bodies move most; planes opposite each other are glass before them."""
+    run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("run_file", "scenery"))
+    path = os.path.join(folder, "out.h5")
+    x, y, z = np.eye(3)
+    for normals, seen in (((), [0, 1]), ((z,), [0, 2]), ((y, -y), [0, 1]), ((z, -z), [0, 1]), ((z, y, -y), [0, 2]), ((x, y, z), [0, 1]),
+                          ((z, x), [0, 2]), ((0.6 * x + 0.8 * z,), [0, 1])):
+        write_run(path, count=5, frames=2, rows=2, walls=False)
+        if normals:
+            with h5py.File(path, "a") as file:
+                file.attrs["planes"] = "wall"
+                file["walls"] = np.column_stack([normals, np.full(len(normals), -9.0)])
+        run = run_file.read_run(path)
+        found = scenery.Scenery(run, [run.frame(0), run.frame(1)]).plane
+        assert found == seen, (normals, found)
+
+
+def test_fragments(_program, _folder):
+    """A fragment keeps its colour through all frames, its largest part after a break; no two have one while others are free."""
+    scenery = importlib.import_module("plot.scenery")
+
+    def frames(*fragments):
+        return [types.SimpleNamespace(x=np.zeros((len(one), 3)), fragment=np.array(one)) for one in fragments]
+    first, broken, apart = scenery.fragment_colours(frames([0] * 9, [0, 0, 0, 3, 3, 3, 3, 3, 3], [0, 1, 1, 3, 3, 5, 5, 5, 5]))
+    whole = first[0]
+    assert list(first) == [whole] * 9 and whole != scenery.SINGLE
+    assert set(broken[3:]) == {whole} and set(broken[:3]) != {whole}, broken
+    assert set(apart[5:]) == {whole} and set(apart[1:3]) == {broken[0]} and apart[0] == scenery.SINGLE, apart
+    assert apart[3] == apart[4] not in (whole, broken[0], scenery.SINGLE), apart
+    many = len(scenery.FRAGMENTS)
+    pairs = scenery.fragment_colours(frames(np.repeat(2 * np.arange(many), 2), np.repeat(2 * np.arange(many + 1), 2)[:2 * many]))
+    assert len(set(pairs[0])) == many and list(pairs[1]) == list(pairs[0]), pairs
+    assert set(scenery.fragment_colours(frames([-1, -1, 2, 2]))[0][:2]) == {scenery.SINGLE}, "bodies without bonds"
+
+
+def test_scale(_program, _folder):
+    """Both coordinates are written in one power of ten, near 1 in none."""
+    power = importlib.import_module("plot.shapes")._power
+    for low, high, expected in (((-3, 0), (3, 1), 0), ((0, 0), (0.03, 0.3), 0), ((0, 0), (0.03, 0.01), -2), ((-0.0103, 0), (0, 0.009), -3),
+                                ((0, 0), (3e4, 1), 4)):
+        assert power([(low, high)]) == expected, (low, high, power([(low, high)]))
+
+
 def test_film(program, folder):
     run = os.path.join(folder, "out.h5")
     write_run(run, frames=15)
@@ -261,4 +305,4 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_film, test_refusals)
+    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_scale, test_film, test_refusals)
