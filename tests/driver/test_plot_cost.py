@@ -221,6 +221,23 @@ def test_stored_page(program, folder):
         assert row[2] == ("met" if found <= most else "**not met**"), row
 
 
+def test_colours(_program, _folder):
+    """What the caption says: no family has grey or another's colours. The band takes at each error the prices at that error."""
+    pictures = importlib.import_module("plot.pages.work_precision")
+    families = {kind: [tuple(int(colour[k:k + 2], 16) for k in (1, 3, 5)) for colour in colours]
+                for kind, colours in pictures.COLOURS.items()}
+    for kind, colours in families.items():
+        for red, green, blue in colours:
+            assert (red, green, blue) == (0, 0, 0) or max(red, green, blue) - min(red, green, blue) > 40, f"{kind}: a grey"
+            orange = red > green > 1.5 * blue
+            assert orange == (kind == "paper"), f"{kind}: {red} {green} {blue}"
+            assert (max(green, blue) > red and not red > green) == (kind == "ours") or (kind == "rival" and red > green), f"{kind}: {red} {green} {blue}"
+    axes, errors = plot_support.matplotlib.figure.Figure().add_subplot(), np.array([1e-7, 1e-8, 1e-9, 1e-10])
+    [(error, height, *_)] = pictures._band(axes, [pictures.Line(errors, np.array([1.0, 2.0, 3.0, 4.0])),
+                                                      pictures.Line(errors, np.array([1.0, 2.0, 3.0, 9.0]))])
+    assert error == 1e-10 and math.isclose(height, 6.0), (error, height)
+
+
 def test_edges(program, folder):
     docs = os.path.join(folder, "docs")
     cost_support.write_cost(folder, scenes=("torus",), methods=cost_support.FEW)
@@ -297,5 +314,5 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_goals, test_first_part, test_stored_page, test_edges,
+    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_goals, test_first_part, test_stored_page, test_colours, test_edges,
                       test_steady_spin, test_refusals)

@@ -10,7 +10,7 @@ import numpy as np
 from .. import methods, style
 from . import advice, claims, price_list, steady_spin, work_precision
 from .cost_file import read_cost
-from .page import Page, write_page
+from .page import ALONE, Page, write_page
 from .price_list import power, three
 
 NOISY = 0.1             # of a time: a spread that no quiet machine shows
@@ -43,8 +43,7 @@ def measured_part(page, cost):
               "steps: the cheapest one from which on the errors stay below, interpolated to the error itself; nothing is "
               "extrapolated. Prices within 5 % of each other are a tie. Times are of the run alone, without observers, one run per "
               "core, the least of several.")
-    if cost.machine:
-        page.text(f"The machine: {cost.machine}.")
+    page.text((f"The machine: {cost.machine}. " if cost.machine else "") + ALONE)
     spread = np.concatenate([ladder["seconds_spread"] for found in cost.runs.values() for ladder in found.values()])
     spread = np.median(spread[np.isfinite(spread)]) if np.any(np.isfinite(spread)) else 0.0
     page.text(f"The median of the repeated times lies {three(100 * spread)} % above the least, typically."

@@ -36,7 +36,7 @@ def _known(scene):
 
 # In the order in which one asks: scene and wish, what to take, why
 WHEN = (
-    ("Something is lost: drag, dashpots, friction", "`exact`, `vti2`; to fewer errors `chin4`",
+    ("Something is lost: drag, dashpots, friction", "`exact`, `vti2`; for smaller errors `chin4`",
      "Their coefficients are positive. The other lists step backwards in time, which turns damping into pumping, and multistep methods "
      "take forces of positions alone: the programs refuse them."),
     ("Contacts or walls: long times, or errors of 1e-2", "`exact` or `vti2`",

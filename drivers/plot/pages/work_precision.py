@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Price lists drawn: what an error costs, in force evaluations and in time, over the error. The methods of order 2 are one band;
-those that are the cheapest of their family somewhere have a name beside the panel, the others are thin and grey."""
+those that are the cheapest of their family somewhere have a name beside the panel, the others are thin and grey. No family has grey."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,11 +14,14 @@ APART = 0.042           # of names from each other, as a share of the height
 AXES = {"attitude": "attitude error at the end (rad)", "position": "position error at the end",
         "velocity": "relative velocity error at the end", "energy": r"largest energy error, $|E_h-E_0|\,/\,|E_0|$"}
 COLOURS = {"ours": ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F"), "paper": ("#D55E00", "#E69F00"),
-           "rival": ("#000000", "#882255", "#777777", "#AA4499", "#7B5EA7", "#9C5A3C")}
+           "rival": ("#000000", "#882255", "#CC79C4", "#C2185B", "#7B3FA7", "#4A1942")}
+OTHER = "#c4c4c4"       # of methods without a name
+BAND, RIM, BAND_NAME = "#F3ECC0", "#B9A955", "#857520"
 COSTS = {"force_evals": "force evaluations", "seconds": "time (s)"}
-CAPTION = ("Blue to green: ours; orange: the paper's; black to purple: rivals; colours that are needed twice are dashed. Thick: of ours "
-           "and of the rivals\nthe one that is the cheapest, in time, at most errors. Grey: methods that are nowhere the cheapest of "
-           "their family.")
+CAPTION = ("Blue to green: ours; orange: the paper's; black, red and purple: rivals; colours that are needed twice are dashed. Thin and "
+           "grey: methods that are nowhere\nthe cheapest of their family. Thick: of ours and of the rivals the one that is the cheapest, in "
+           "time, at most errors. The pale yellow band goes from the cheapest\nto the dearest of all methods of order 2 with one "
+           "evaluation a step, the paper's, ours and rivals. Errors become smaller to the right.")
 
 
 @dataclass
@@ -101,7 +104,7 @@ def _panel(axes, lines, looks, best):
     for method, line in sorted(lines.items(), key=lambda item: (item[0] in best, item[0] in looks)):
         if method in methods.SECOND_ORDER or not len(line.errors):
             continue
-        colour, dashes = looks.get(method, ("#c4c4c4", "-"))
+        colour, dashes = looks.get(method, (OTHER, "-"))
         width = 2.6 if method in best else 1.2 if method in looks else 0.7
         axes.plot(line.errors, line.costs, dashes, color=colour, linewidth=width, marker="o" if method in looks else None,
                   markersize=3.5, zorder=3 if method in looks else 2)
@@ -117,13 +120,13 @@ def _panel(axes, lines, looks, best):
 
 
 def _band(axes, lines):
-    """All methods of order 2: from the cheapest to the dearest at each error that most of them reach."""
+    """All methods of order 2: from the cheapest to the dearest at each error that one of them reaches."""
     errors = sorted({float(error) for line in lines for error in line.errors}, reverse=True)
-    costs = [[float(line.costs[np.isclose(line.errors, error)][0]) for line in lines if np.any(np.isclose(line.errors, error))]
+    costs = [[float(cost) for line in lines for cost in line.costs[np.isclose(line.errors, error, rtol=1e-6, atol=0)][:1]]
              for error in errors]
-    axes.fill_between(errors, [min(each) for each in costs], [max(each) for each in costs], color="#F2C48D", linewidth=1.5,
-                      edgecolor="#D99A4E", zorder=1)
-    return [(errors[-1], float(np.sqrt(min(costs[-1]) * max(costs[-1]))), "all of order 2", "#A8641A", False)]
+    axes.fill_between(errors, [min(each) for each in costs], [max(each) for each in costs], color=BAND, linewidth=1.5, edgecolor=RIM,
+                      zorder=1)
+    return [(errors[-1], float(np.sqrt(min(costs[-1]) * max(costs[-1]))), "all of order 2", BAND_NAME, False)]
 
 
 def name_ends(axes, ends):
