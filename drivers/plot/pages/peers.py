@@ -6,7 +6,7 @@ bench/peers/peers.py wrote."""
 import os
 
 from .. import style
-from .page import Page, machine_of, write_page
+from .page import ALONE, Page, machine_of, write_page
 from .peers_impacts import impact_picture, impacts_part, laws_part, ledger_part, times_as_many
 from .peers_rows import read, two
 from .peers_scenes import (
@@ -44,7 +44,7 @@ def times_part(page, folder):
         "tables and `gran/hertz/history` for the pile give nothing more."
     )
     if machine_of(folder):
-        page.text(f"The machine: {machine_of(folder)}.")
+        page.text(f"The machine: {machine_of(folder)}. {ALONE}")
     if any(row["scene"] == "torus" for row in rows):
         page.text(
             "The torus of this table flies away from the plane, to t = 35: where it meets it, this LAMMPS bursts it."

@@ -69,9 +69,9 @@ def slope(rows):
     return -np.polyfit(np.log(column(rows, "steps")[good]), np.log(errors[good]), 1)[0]
 
 
-def curves(axes, rows, x, y, first, draw="plot", floor=0.0, marked=False):
-    """y over x of each who, that of first above the others in the legend."""
-    for who, look in zip(sorted(in_order(rows, "who"), key=lambda name: name != first), style.LOOKS):
+def curves(axes, rows, x, y, first, draw="plot", floor=0.0, marked=False, others=1):
+    """y over x of each who, that of first above the others in the legend; others: the first look of these."""
+    for who, look in zip(sorted(in_order(rows, "who"), key=lambda name: name != first), (style.LOOKS[0], *style.LOOKS[others:])):
         mine = of(rows, who=who)
         getattr(axes, draw)(
             column(mine, x),

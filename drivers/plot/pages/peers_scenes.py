@@ -48,7 +48,7 @@ def heap_part(page, folder, image):
                 ]
             )
     page.table(
-        ["h", "", "largest kinetic energy", "at t = 3", "6", "9", "12", "height of the centre of mass at 12"], table
+        ["h", "by", "largest kinetic energy", "at t = 3", "6", "9", "12", "height of the centre of mass at 12"], table
     )
 
 
@@ -76,7 +76,7 @@ def agglomerate_part(page, folder, image):
                     *(f"{mine[int((len(mine) - 1) * share)]['kinetic'] / start:.3f}" for share in (0.2, 0.4, 1)),
                 ]
             )
-    page.table(["h", "", "bonds at 0.3 ms", "0.6", "1.5", "kinetic energy at 0.3 ms", "0.6", "1.5"], table)
+    page.table(["h", "by", "bonds at 0.3 ms", "0.6", "1.5", "kinetic energy at 0.3 ms", "0.6", "1.5"], table)
 
 
 def places(folder, name):
@@ -87,7 +87,7 @@ def side_view(axes, folder, scene, title):
     for who, look in zip(("vti", "LAMMPS"), style.LOOKS):
         x = places(folder, f"{scene}-{who}")
         axes.plot(x[:, 0], x[:, 2], look.marker, color=look.colour, markersize=4, fillstyle="none", label=who)
-    axes.set(title=title, xlabel="x", ylabel="z", aspect="equal", ylim=(0, None))
+    axes.set(title=title, xlabel="x (units of the scene)", ylabel="z", aspect="equal", ylim=(0, None))
     axes.legend(loc="upper right")
 
 
@@ -95,23 +95,30 @@ def finest(rows):
     return of(rows, h=min(in_order(rows, "h")))
 
 
+def say_step(figure, step):
+    figure.supxlabel(f"{step} for both codes.", fontsize=8.5, color=style.GREY)
+
+
 def heap_picture(folder, path):
-    figure = style.new_figure(6.4)
+    figure = style.new_figure(6.6)
     above, below = figure.subplots(2, 1, height_ratios=[3, 1])
-    curves(above, finest(read(folder, "heap")), "t", "kinetic", "vti", "semilogy", floor=1e-300)
-    above.set(title="Kinetic energy", xlabel="t", ylabel="energy", xlim=(0, 12))
+    rows = finest(read(folder, "heap"))
+    curves(above, rows, "t", "kinetic", "vti", "semilogy", floor=1e-300)
+    above.set(title="Kinetic energy", xlabel="t (units of the scene)", ylabel="energy (units of the scene)", xlim=(0, 12))
+    say_step(figure, f"h = 1/{round(1 / rows[0]['h'])}")
     side_view(below, folder, "heap", "At rest, from the side")
     style.save(figure, path)
 
 
 def agglomerate_picture(folder, path):
-    figure = style.new_figure(4.2)
+    figure = style.new_figure(4.4)
     left, right = figure.subplots(1, 2)
     rows = finest(read(folder, "agglomerate"))
     curves(left, rows, "t", "bonds", "vti")
     left.set(title="Bonds that hold", xlabel="t (s)", ylabel="bonds", ylim=(0, None))
     curves(right, rows, "t", "kinetic", "vti")
     right.set(title="Kinetic energy", xlabel="t (s)", ylabel="energy (J)", ylim=(0, None))
+    say_step(figure, f"h = {rows[0]['h']:g} s")
     style.save(figure, path)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from .. import style
 from ..trouble import Trouble
-from .page import Page, machine_of, write_page
+from .page import ALONE, Page, machine_of, write_page
 
 UNITS = {"widest": "AVX-512", "avx2": "AVX2", "baseline": "SSE2"}    # where the widest are those
 COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
@@ -101,7 +101,7 @@ def opening(page, benches, machine):
     flags = [line for line in benches[0].version.splitlines() if line.startswith("flags: ")]
     page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own; all give the same bits. "
               + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for the last table."
-              + (f" The machine: {machine}." if machine else ""))
+              + (f" The machine: {machine}." if machine else "") + f" {ALONE}")
 
 
 def steps_part(page, benches, sizes):
@@ -143,6 +143,9 @@ def tops_part(page, benches, sizes):
     page.text("Nanoseconds per body, packed, all three moments different in each; of steps with kick, drift, kick. In brackets: over the "
               "drift of a sphere by the same law (exact), in the same rounds. NO_SQUISH (Miller et al. 2002) turns about "
               "the body's axes 3, 2, 1, 2, 3; the compiler's flags are the same.")
+    page.text("A drift is a turn about the angular momentum and a list of turns about two of the body's axes, x and y. **Strang**: x, y, x "
+              "by 1/2, 1 and 1/2 of the step, of order 2. **M4**: x, y, x, y, x, each with a second turn that corrects it, of order 4. "
+              "**S10**: 21 turns with the numbers of Blanes and Moan (2002), of order 6 (docs/equations.md, 7.2).")
     for n in sizes:
         rows = [[text, *(beside_sphere(one, what, n) for one in benches)] for what, text in TOPS.items()]
         page.text(f"**n = {size_text(n)}**")
