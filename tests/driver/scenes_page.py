@@ -6,9 +6,9 @@ import sys
 
 HEAD = """# Scenes
 
-A scene is a YAML file: bodies, the effects that act on them, the stepper and its step. A section that is missing is an effect that
-is missing. Numbers are written 0.01, 1e-3, 1/64 or 2^-6, in any consistent units: an energy is a mass times a velocity squared. A key
-that is marked as needed is needed where its section is there.
+A scene is a YAML file: bodies, the effects that act on them, the stepper and its step. An effect without a section is not computed.
+Numbers are written 0.01, 1e-3, 1/64 or 2^-6, in any consistent units: an energy is a mass times a velocity squared. A key that is marked
+as needed is needed where its section is there.
 
 This page is made of `vti-run --list keys` by `tests/driver/scenes_page.py`; a test compares them.
 """
@@ -33,7 +33,8 @@ def page(listed):
         if top != section:
             section = top
             parts.append(f"\n## {top}\n\n| key | what | value | |\n|-----|------|-------|---|\n")
-        parts.append(f"| `{key}` | {about} | {value} | {says} |\n".replace("|theta|", "\\|theta\\|"))
+        cells = (cell.replace("|", "\\|") for cell in (f"`{key}`", about, value, says))     # or a bar would end the cell
+        parts.append("| " + " | ".join(cells) + " |\n")
     return "".join(parts)
 
 

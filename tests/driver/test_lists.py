@@ -60,6 +60,9 @@ keys = listed("keys")
 with open(os.path.join(root, "docs", "scenes.md"), encoding="utf-8") as file:
     check(file.read() == page(run(vti_run, "--list", "keys").stdout),
           "docs/scenes.md is what --list keys says (tests/driver/scenes_page.py makes it)")
+    file.seek(0)
+    cells = [len(re.findall(r"(?<!\\)\|", line)) - 1 for line in file if line.startswith("|")]
+    check(set(cells) == {4}, f"... tables of four columns: no cell has a bar {set(cells)}")
 sections = {key.rsplit(".", 1)[0] for key in keys if "." in key}
 scene = os.path.join(root, "scenes", "torus.yaml")
 for key in keys:

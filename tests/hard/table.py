@@ -63,9 +63,9 @@ NOTES = {
 HEAD = """# What happens in hard cases
 
 This page is made from the output of the tests in `tests/hard` (`tests/hard/table.py`), and a test compares it with them. Each
-line is a case in which an assertion stands behind the words; see `meson test --suite hard`. "exact" means to rounding, by a
-bound that the test derives; "reported" gives the message of the status code; "finite" promises nothing but that no NaN appears.
-eps is 2^-52.
+line is a case in which an assertion stands behind the words; see `meson test -C build --suite hard` after `./dev build`. "exact" means
+to rounding, by a bound that the test derives; "reported" gives the message of the status code; "finite" promises nothing but that no
+NaN appears. eps is 2^-52.
 """
 
 
@@ -109,7 +109,7 @@ with the kernels that are picked at run time, and compares. On aarch64 (under qe
 the x87 unit, which rounds otherwise, within 1e-11 (`./dev arch` checks all three). The elementary functions that
 a C library picks by the processor's units (sin, cos, exp, log, pow) are called by nothing that moves a body and no number that is
 read or written: angles, rings, powers in scenes, fits and the reference's choice of steps have their own, in plain arithmetic.
-A test runs whole programs with glibc masking FMA, AVX2, AVX-512 and more (`meson test 'hard masks'`) and compares every byte that
+A test runs whole programs with glibc masking FMA, AVX2, AVX-512 and more (`meson test -C build 'hard masks'`) and compares every byte that
 is no time. Exceptions: `vti_rrv_from_rotvec` of angles beyond 2^21, `vti-check`, which compares with tolerances, and GSL, whose
 rk8pd is plain arithmetic, but compiled by the distribution. Slices stepped by threads give the bits of one thread, without a race
 (`./dev sanitize`).

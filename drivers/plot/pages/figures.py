@@ -128,7 +128,7 @@ def long_time(page, folder):
                       f"(of {total[0]:g}; a standard error), which is not 0, and yet no drift. What VTI-2 conserves is E + "
                       "h^2 (v.V''v/12 - F^2/24 - Omega^4/48) + O(h^4), and the part with h^2 grows slowly as energy finds its "
                       "way from the bending of the ring into its fast motions, while E falls by as much. The test "
-                      "`torus_long 500` computes that part along the same motion: E has the slope -1.5e-05 ± 0.2e-05 there, E "
+                      "`torus_long 500` computes that part along the same motion: E has the slope -1.42e-05 ± 0.2e-05 there, E "
                       "and the part with h^2 together 8e-07 ± 6e-07.")
     run = read_run(os.path.join(folder, "torus-coarse", "out.h5"))
     page.picture("torus-coarse", "energy_error.png")
