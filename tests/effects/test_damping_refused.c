@@ -67,6 +67,9 @@ TEST(coefficients_of_friction)
             memcpy((char *)&p + at[k], &wrong[bad], sizeof(double));
             says(vti_friction_effect(&p), k == 7 && bad == 1 ? VTI_OK : VTI_E_DAMPING); /* any reach, even INFINITY */
         }
+    p = all_friction();
+    p.reach = 0;
+    says(vti_friction_effect(&p), VTI_E_DAMPING);
 }
 
 /** One stiffness for each motion that there is, and for sliding one of two. */
@@ -185,6 +188,9 @@ TEST(coefficients_of_dashpots)
             memcpy((char *)&p + at[k], &wrong[bad], sizeof(double));
             says(vti_dashpots_effect(&p), k == 6 && bad == 1 ? VTI_OK : VTI_E_DAMPING);
         }
+    vti_dashpots p = all_dashpots();
+    p.reach = 0; /* as a struct of zeros has it */
+    says(vti_dashpots_effect(&p), VTI_E_DAMPING);
 }
 
 TEST(lists_of_dashpots)

@@ -43,8 +43,8 @@ NOTES = {
                "that of small oscillations, 1e-6 rad; the other rows say what was seen of large ones in 20000 steps. Bounded "
                "means an energy below 1e4 times its start.",
     "nonfinite": "`vti_bodies_check_values` looks at states, masses and inertias, `vti_bonds_check` at bonds, `vti_contacts_check` at "
-                 "contacts: each once, before a run. Nobody looks at numbers during a step: there they spread to what they act on, and "
-                 "show in energies.",
+                 "contacts, `vti_walls_check` at walls and the bodies at them: each once, before a run. During a step walls alone are "
+                 "looked at; other numbers spread to what they act on, and show in energies.",
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
     "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. A run is bad if its energy "
