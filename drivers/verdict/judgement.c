@@ -99,8 +99,7 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
         SAY("; h is %.3g of the least stable step %.4g (t = %.6g)", v->h / j->stable_step, j->stable_step,
             v->found.stable_t);
     if (v->slowing > much_slowing)
-        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles %.3g times too fast",
-            v->slowing, 0.5 * v->slowing / tanh(0.5 * v->slowing));
+        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", v->slowing);
     if (j->bonds_turned > 0)
         SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
 }
