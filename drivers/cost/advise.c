@@ -14,6 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
+
 double advise_share(const struct scene *scene)
 {
     return scene_first_with(scene, EFFECT_KINKED) != NULL ? 1.0 : 0.3;
@@ -99,16 +101,45 @@ static int look_at(struct stages *g)
 
 /* ---- all of it --------------------------------------------------------------------------------------------------- */
 
+/** Whether a run by half of the stable step has no more steps than can be counted. */
+static int can_count(const struct advice *a, const struct search *s, const vti_stepper *stepper)
+{
+    return a->t_end <= 0.5 * PILOT_MOST * search_longest(s, stepper);
+}
+
+/** Refuses an end that no stable steps reach, before any pilot. */
+static int refuse_uncountable(const struct stages *g)
+{
+    const struct search *s = &g->search;
+    const struct advice *a = s->advice;
+    double longest = 0.0;
+    for (int64_t k = 0; k < a->count; ++k) {
+        const vti_stepper *stepper = a->offers[k].stepper;
+        if (method_rival(stepper) == NULL && can_count(a, s, stepper))
+            return 0;
+        longest = method_rival(stepper) == NULL ? fmax(longest, search_longest(s, stepper)) : longest;
+    }
+    return message_set(
+        s->message,
+        "%s: t_end: '%s' is more than 2^53 steps of h = %.3g, the longest that is safely stable; take an earlier one",
+        s->scene->name, NUMBER(a->t_end), 0.5 * longest);
+}
+
 /** Where no pilot came to its end: by half of the stable step something comes out, and nothing is known of its error.
- *  Returns the one to take: of order 2, of one evaluation, if there is one. */
+ *  Returns the one to take: of order 2, of one evaluation, if there is one. Of steppers whose steps could not be counted
+ *  nothing is offered; refuse_uncountable has seen to it that there are others. */
 static int64_t by_stability(struct stages *g)
 {
     struct search at_end = g->search;
     struct advice *a = g->search.advice;
-    int64_t best = 0;
+    int64_t best = -1;
     at_end.t_end = a->t_end;
     for (int64_t k = 0; k < a->count; ++k) {
         struct offer *o = &a->offers[k];
+        if (!can_count(a, &at_end, o->stepper)) {
+            *o = offers_none(o->stepper);
+            continue;
+        }
         o->steps = 2 * search_fewest(&at_end, o->stepper);
         o->h = a->t_end / (double)o->steps;
         o->force_evals = o->steps * o->stepper->evals;
@@ -116,7 +147,8 @@ static int64_t by_stability(struct stages *g)
         o->source = OFFER_STABILITY;
         for (int m = 0; m < COST_MEASURES; ++m)
             o->errors[m] = NAN;
-        best = o->stepper->order == 2 && method_rival(o->stepper) == NULL ? k : best;
+        if (method_rival(o->stepper) == NULL && (best < 0 || o->stepper->order == 2))
+            best = k;
     }
     return best;
 }
@@ -169,6 +201,8 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     g.search.message = message;
     g.search.purse.until = request->budget > 0.0 ? g.from + request->budget : INFINITY;
     int failed = look_at(&g);
+    if (failed == 0)
+        failed = refuse_uncountable(&g);
     if (failed == 0) {
         struct search at_end = g.search;
         at_end.t_end = request->t_end;

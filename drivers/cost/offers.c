@@ -47,7 +47,12 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
         o->source = OFFER_SHORTER;
         o->doubt = o->below = s->kinked ? INFINITY : fmax(found->doubt, s->doubt * fmax(1.0, sqrt(longer / enough)));
     }
-    o->steps = (int64_t)ceil(fmin((double)found->steps * longer * finer, 1e18));
+    const double steps = ceil((double)found->steps * longer * finer);
+    if (!(steps <= PILOT_MOST)) { /* no run counts as many */
+        *o = offers_none(found->stepper);
+        return;
+    }
+    o->steps = (int64_t)steps;
     o->h = s->advice->t_end / (double)o->steps;
     o->force_evals = (int64_t)fmin((double)found->force_evals * longer * finer, 1e18);
     o->seconds = found->seconds * longer * finer;

@@ -38,12 +38,17 @@ int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t step
     return result;
 }
 
-int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
+double search_longest(const struct search *s, const vti_stepper *stepper)
 {
     double h = 0.9 * 0.5 * (isnan(stepper->reach) ? 2.0 : stepper->reach) * s->stable_h;
     if (stepper->law == VTI_LAW_CLOSED && s->omega0 > 0.0)
         h = fmin(h, 0.9 / s->omega0);
-    return pilot_steps(s->t_end / h);
+    return h;
+}
+
+int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
+{
+    return pilot_steps(s->t_end / search_longest(s, stepper));
 }
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */

@@ -13,7 +13,7 @@
 
 static struct option_list sets;
 static const char *steppers, *measure;
-static double target = 1e-4, t_end, budget;
+static double target = 1e-4, budget;
 static int json;
 
 static const struct option_row rows[] = {
@@ -30,7 +30,7 @@ static const struct option_row rows[] = {
     {"--error", "E", OPTION_NUMBER, &target, 1e-12, 0.1, "1e-4, 1/64 or 2^-7", "the error to reach (default 1e-4)"},
     {"--steppers", "A,B", OPTION_TEXT, &steppers, OPTION_ANY,
      "only these steppers (default: all of ours); rivals, what others use, are measured too and never advised"},
-    {"--t-end", "T", OPTION_NUMBER, &t_end, 0, 0, "10, 1e3 or 2^7", "end time (default: the scene's)"},
+    {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--measure", "WHAT", OPTION_TEXT, &measure, OPTION_ANY,
      "of what the error is: attitude, position, velocity or energy (default: attitude; velocity where nothing turns)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
@@ -272,11 +272,9 @@ static int give_advice(struct scene *scene, struct message *message)
     static struct advice advice;
     if (steppers != NULL && (listed = methods_read("--steppers", steppers, list, ADVICE_MOST, message)) < 0)
         return -1;
-    if (t_end == 0.0)
-        t_end = scene->t_end;
     const struct advise_request request = {.scene = scene,
                                            .target = target,
-                                           .t_end = t_end,
+                                           .t_end = scene->t_end,
                                            .measure = measure != NULL ? advise_measure(measure) : -1,
                                            .budget = budget,
                                            .steppers = list,

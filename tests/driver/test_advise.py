@@ -10,6 +10,7 @@ import math
 import os
 import sys
 import tempfile
+import time
 
 from programs import run
 from tally import check, conclude
@@ -291,6 +292,20 @@ def general_inertia():
               f"{name}: {advice['stepper']} errs by {found:.2g}, in {advice['interval']}")
 
 
+def as_long_as_can_be():
+    """To as many steps as can be counted, 2^53, and nearly as many: what is advised is stable and can be counted (the longest
+    stable step of the pendulum is 3.5, of srkn14; that of exact 2), and the budget is kept."""
+    for t_end in ("1e13", "4e15", "1e16"):
+        begin = time.monotonic()
+        done = run(advise, "--json", "--set", "h=1e12", "--t-end", t_end, "--budget", "1", scene("pendulum"))
+        took = time.monotonic() - begin
+        told = json.loads(done.stdout or '{"h": NaN, "alternatives": []}')
+        offers = [o["h"] for o in [told] + told["alternatives"] if o["h"] is not None]
+        check(done.returncode == 0 and all(h <= 3.5 / 2 and float(t_end) / h < 1.001 * 2 ** 53 for h in offers),
+              f"to {t_end}: h = {offers}")
+        check(took < 10, f"... by a budget of a second in {took:.2g} s")
+
+
 def refusals():
     pendulum = scene("pendulum")
     refuses("rivals alone", "--steppers", "rk4,spiral", pendulum, says="name one of ours too")
@@ -304,6 +319,10 @@ def refusals():
     refuses("unknown option", "--frobnicate", pendulum, says="is not an option")
     refuses("missing file", "nowhere.yaml", says="nowhere.yaml")
     refuses("bad measure", "--measure", "spin", pendulum, says="--measure: 'spin' is none; take attitude")
+    refuses("more steps than are counted", "--t-end", "1e17", "--budget", "1", pendulum,
+            says="t_end: '1e17' is more than 2^53 steps of h = 1/64; take a larger h")
+    refuses("... of the stable step", "--set", "h=1e12", "--t-end", "1e19", "--budget", "1", pendulum,
+            says="pendulum: t_end: '1e+19' is more than 2^53 steps of h = 1.56")
     refuses("missing measure", "--measure", "position", pendulum, says="pendulum has no position; take attitude")
 
 
@@ -325,5 +344,6 @@ parted_early()
 between_touches()
 measures()
 general_inertia()
+as_long_as_can_be()
 refusals()
 conclude()
