@@ -109,7 +109,8 @@ const char *model_text(const struct model *model, int status);
 /** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a
  *  pile, is not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the
  *  motion of the whole if there are no planes, and the work of the field on a body's way to the first plane below it,
- *  for the body of which the sum is largest. What e does is what the effects say (effect_kind.deform). */
+ *  for the body of which the sum is largest; or what the weight sets free as a body sinks into a plane by that much, if
+ *  that is more. What e does is what the effects say (effect_kind.deform). */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
 /** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they
  *  have, of the last model_find_pairs, if at is NULL, or while nothing is deformed by more than *at. Bodies as in

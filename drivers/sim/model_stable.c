@@ -108,14 +108,41 @@ static double energy_to_meet(const struct model *model, const vti_bodies *b)
     return most;
 }
 
-vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies)
+static vti_deformation deformation_by(const struct model *model, const vti_bodies *bodies, double energy)
 {
-    const double energy = energy_to_meet(model, bodies);
     vti_deformation at = {0.0, 0.0, 0};
     for (int64_t k = 0; k < model->rooms_count; ++k)
         if (model->rooms[k].kind->deform != NULL)
             model->rooms[k].kind->deform(&model->rooms[k], model->on_spheres[k] ? model_spheres(model) : bodies, energy,
                                          &at);
+    return at;
+}
+
+/** m g D, by which the weight of what overlaps rises with the overlap, of the heaviest; 0 where nothing falls to a
+ *  plane. */
+static double weight_to_sink(const struct model *model, const vti_bodies *b)
+{
+    double most = 0.0, g[3];
+    fields_of(model, g);
+    const vti_bodies *spheres = model->clumps.list.count > 0 ? model_spheres(model) : b;
+    for (int64_t s = 0; s < spheres->count && model->translates && has_planes(model); ++s) {
+        const int64_t i = model->clumps.list.count > 0 ? model->clumps.list.body[s] : s;
+        most = fmax(most, scalar(&b->mass, i) * vti_norm(g) * scalar(&model->diameter, s));
+    }
+    return most;
+}
+
+/** Bodies that touch a plane and have no energy sink into it from rest, until the springs hold what that sets free. The
+ *  overlap is that energy's, which grows as its power 2/5: a fixed point to which any start comes. */
+vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies)
+{
+    enum { TIMES = 16 };
+    const double energy = energy_to_meet(model, bodies), weight = weight_to_sink(model, bodies);
+    vti_deformation at = deformation_by(model, bodies, weight);
+    if (!(energy < weight))
+        return deformation_by(model, bodies, energy);
+    for (int k = 0; k < TIMES; ++k)
+        at = deformation_by(model, bodies, fmax(energy, weight * at.overlap));
     return at;
 }
 
