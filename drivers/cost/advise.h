@@ -19,6 +19,9 @@ struct purse {
     double work, most; /* force evaluations times bodies: spent, and how many may be */
 };
 
+/** Force evaluations times bodies, about a tenth of a second of them, that pilots may always take. */
+enum { PURSE_LEAST = 1000000 };
+
 /** Seconds that pass on the wall. */
 double purse_clock(void);
 
@@ -104,6 +107,7 @@ struct advice {
     int measure;                 /* by which the offers reach the target: energy where trajectories part */
     double together;             /* up to when trajectories of the finest runs agree to a tenth; t_end where they do */
     int parted;                  /* ... and they do not: the target is the energy's */
+    int unsure;                  /* ... but the finest runs are too coarse to tell whether finer ones do */
     struct model_limits limits;  /* of the step, at the start */
     double max_omega;            /* of the solution; NaN: there is none */
     double order;                /* that the most accurate runs showed; NaN if they needed no refining */
@@ -173,12 +177,15 @@ int search_stepper(struct search *s, struct offer *o, double limit);
 int search_solution(struct search *s, double share);
 /** Up to when two runs agree to a tenth, in radians or of all velocities. */
 double search_together(const struct search *s, const struct pilot *a, const struct pilot *b);
+/** Whether bodies turn by so much in a step of this run that it does not tell whether finer ones come together. */
+int search_unresolved(const struct search *s, const struct pilot *run);
 
-/** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. Returns 0, -1, ADVISE_SPENT,
- *  or ADVISE_PARTED if they have nothing to do with each other: then it is the finer run, or the coarser one if they
- *  part so early that the finer one is not flown to its end, of which the energy's error is known, and
+/** Fills in the offer of o->stepper from two runs, in so many steps and in twice as many. If these have nothing to do with
+ *  each other, from finer ones, as far as the work that all of them may take allows, until two of those are as far apart.
+ *  Returns 0, -1, ADVISE_SPENT, or ADVISE_PARTED if no two come together: then it is the finest run, or the one before
+ *  if they part so early that the finest is not flown to its end, of which the energy's error is known, and
  *  search_law_follow goes on by that once s->measure is the energy. The offer stays as it is if they fail. */
-int search_law(struct search *s, struct offer *o, int64_t steps);
+int search_law(struct search *s, struct offer *o, int64_t steps, double may);
 void search_law_follow(const struct search *s, struct offer *o);
 /** The same from one run, of which that of the energy alone is known; s->measure is that. */
 void search_law_energy(const struct search *s, struct offer *o, const struct pilot *run);

@@ -109,23 +109,111 @@ void search_law_follow(const struct search *s, struct offer *o)
         o->below *= faster;
 }
 
-int search_law(struct search *s, struct offer *o, int64_t steps)
+/** What two runs tell, before it is followed. Returns 0, or ADVISE_PARTED. */
+static int tell(struct search *s, struct offer *o, const struct pilot *coarse, const struct pilot *fine)
 {
+    const struct pilot *whole = fine->parted > 0 ? coarse : fine;
+    errors_of(s, coarse, whole, finer_by(o->stepper), o->errors);
+    offer_run(s, o, whole);
+    o->coarse = coarse->steps < 2 * search_fewest(s, o->stepper);
+    if (s->measure != COST_ENERGY)
+        s->advice->together = search_together(s, coarse, fine);
+    s->advice->max_omega = whole->max_omega;
+    return s->measure != COST_ENERGY && !(o->errors[s->trajectory] < too_far) /* or NaN, where it was not flown on */
+               ? ADVISE_PARTED
+               : 0;
+}
+
+/** The finer run becomes the coarser one, beside which one in twice as many steps is flown; where the finer one was not
+ *  flown to its end, up to there. */
+static int halve(struct search *s, const vti_stepper *stepper, struct pilot *coarse, struct pilot *fine)
+{
+    pilot_destroy(coarse);
+    *coarse = *fine;
+    memset(fine, 0, sizeof *fine);
+    return search_run_beside(s, stepper, 2 * coarse->steps, coarse, fine);
+}
+
+/** The work of flying on by halve. */
+static double halving(const struct search *s, const vti_stepper *stepper, const struct pilot *fine)
+{
+    const double part = fine->parted > 0 ? (double)fine->parted / PILOT_MARKS : 1.0;
+    return part * 2.0 * (double)fine->steps * (double)(stepper->evals * s->bodies);
+}
+
+/** The work of the run that is advised on if trajectories do part: without a time finer runs take no more than is left of
+ *  that. */
+static double work_by_energy(const struct search *s, const struct offer *o)
+{
+    struct search by = *s;
+    struct offer run = *o;
+    by.measure = COST_ENERGY;
+    by.target = s->advice->target;
+    search_law_follow(&by, &run);
+    return advise_share(s->scene) * (double)run.force_evals * (double)s->bodies * s->advice->t_end / s->t_end;
+}
+
+/** Where the finer run was ended early: two whole runs from there on. */
+static int fly_whole(struct search *s, const vti_stepper *stepper, struct pilot *coarse, struct pilot *fine)
+{
+    const int64_t steps = coarse->steps;
+    pilot_destroy(coarse);
+    pilot_destroy(fine);
+    memset(fine, 0, sizeof *fine);
+    const int result = search_run(s, stepper, steps, coarse);
+    return result != 0 ? result : search_run_beside(s, stepper, 2 * steps, coarse, fine);
+}
+
+/** Two runs have parted: too coarse, or as all do? Where they parted early it is told by the next one, up to there, before
+ *  whole ones are flown. Runs that agree for half as long again as those before, or are half as far apart, or by less
+ *  than what says nothing, may still come together. Leaves in the offer what the finest whole runs tell. Returns as
+ *  search_law does. */
+static int part_again(struct search *s, struct offer *o, double may, struct pilot *coarse, struct pilot *fine)
+{
+    static const double longer = 1.5, nearer = 0.5, two_runs = 3.0;
+    struct advice *a = s->advice;
+    const vti_stepper *stepper = o->stepper;
+    const double until = isfinite(s->purse.until) ? may : fmin(may, fmax(PURSE_LEAST, work_by_energy(s, o)));
+    int result = ADVISE_PARTED;
+    a->unsure = 1;
+    while (result == ADVISE_PARTED && a->unsure && s->purse.work + halving(s, stepper, fine) <= until) {
+        const int early = fine->parted > 0, resolved = !search_unresolved(s, fine);
+        const int mark = (early ? fine->parted : PILOT_MARKS) - 1;
+        const double before = a->together, far = pilot_error(coarse, fine, s->trajectory, mark),
+                     whole = (double)fine->steps * (double)(stepper->evals * s->bodies);
+        result = halve(s, stepper, coarse, fine);
+        if (result != 0 || fine->failed)
+            break;
+        if (!early)
+            result = tell(s, o, coarse, fine);
+        a->together = search_together(s, coarse, fine);
+        const int known = fine->parted == 0 || fine->parted > mark; /* if not, they part earlier */
+        const double near = known ? pilot_error(coarse, fine, s->trajectory, mark) : INFINITY;
+        a->unsure = !resolved || a->together > longer * before || near < fmax(nearer * far, too_far);
+        if (early && a->unsure && s->purse.work + two_runs * whole <= until) {
+            result = fly_whole(s, stepper, coarse, fine);
+            if (result != 0 || fine->failed)
+                break;
+            result = tell(s, o, coarse, fine);
+        } else if (early)
+            return ADVISE_PARTED;
+    }
+    return result < 0 ? -1 : result == 0 && !fine->failed ? 0 : ADVISE_PARTED; /* what is known is worth telling */
+}
+
+int search_law(struct search *s, struct offer *o, int64_t steps, double may)
+{
+    const double until = s->purse.work + may;
     struct pilot coarse, fine;
     memset(&fine, 0, sizeof fine);
     int result = search_run(s, o->stepper, steps, &coarse);
     if (result == 0)
         result = search_run_beside(s, o->stepper, 2 * steps, s->measure != COST_ENERGY ? &coarse : NULL, &fine);
     if (result == 0 && !fine.failed) {
-        o->coarse = steps < 2 * search_fewest(s, o->stepper);
-        const struct pilot *whole = fine.parted > 0 ? &coarse : &fine;
-        errors_of(s, &coarse, whole, finer_by(o->stepper), o->errors);
-        offer_run(s, o, whole);
-        s->advice->together = search_together(s, &coarse, &fine);
-        s->advice->max_omega = whole->max_omega;
-        if (s->measure != COST_ENERGY && !(o->errors[s->trajectory] < too_far)) /* or NaN, where it was not flown on */
-            result = ADVISE_PARTED;
-        else
+        result = tell(s, o, &coarse, &fine);
+        if (result == ADVISE_PARTED)
+            result = part_again(s, o, until, &coarse, &fine);
+        if (result == 0)
             search_law_follow(s, o);
     }
     pilot_destroy(&coarse);

@@ -65,7 +65,7 @@ static int make_law(struct stages *g, int64_t k, double share, double part, doub
     const int64_t fewest = search_fewest(s, found.stepper);
     const int64_t steps = pilot_steps((double)fewest * fmin(fmax(part * work / least, 1.0), most));
     const double together = s->advice->together, max_omega = s->advice->max_omega;
-    int result = search_law(s, &found, steps);
+    int result = search_law(s, &found, steps, offers_best(g) >= 0 ? 0.0 : work);
     if (result == ADVISE_PARTED && offers_best(g) >= 0 && !s->advice->parted) {
         s->advice->together = together; /* too coarse, as others were not */
         s->advice->max_omega = max_omega;

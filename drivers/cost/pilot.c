@@ -55,11 +55,14 @@ static double *keep(vti_view *view, double *p, int64_t n, int *finite)
 }
 
 /** Whether the two runs are on their way to have nothing to do with each other, errors growing with the time: three times
- *  the angle that says nothing. Late in a run its end is near, and its energy is worth it. */
+ *  the angle that says nothing. Late in a run its end is near, and its energy is worth it. Where the coarser one was
+ *  ended so, there is nothing more to compare with. */
 static int has_parted(const struct flight *f, int64_t mark)
 {
     enum { EARLY = PILOT_MARKS / 4 };
     static const double parted = 0.9;
+    if (f->beside != NULL && f->beside->parted > 0 && mark + 1 >= f->beside->parted)
+        return 1;
     return f->beside != NULL && mark < EARLY &&
            pilot_error(f->beside, f->pilot, f->measure, (int)mark) * PILOT_MARKS > parted * (double)(mark + 1);
 }

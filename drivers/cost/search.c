@@ -102,6 +102,12 @@ double search_together(const struct search *s, const struct pilot *a, const stru
     return s->t_end * mark / PILOT_MARKS;
 }
 
+int search_unresolved(const struct search *s, const struct pilot *run)
+{
+    static const double resolved = 0.25; /* radians, of which a Cayley step misses 1/200 */
+    return s->t_end / (double)run->steps * run->max_omega > resolved;
+}
+
 enum { FOUND = ADVISE_PARTED + 1 };
 
 /** What the refinements so far have shown. */
@@ -123,7 +129,8 @@ static int weigh(struct search *s, struct refining *r, double target)
     a->known = r->apart / (plain_exp2(order) - 1.0);
     if (r->halvings > 1 && a->known <= known_share * target)
         return FOUND;
-    r->stalled = r->apart > 0.5 * r->last || !(r->apart < too_far) ? r->stalled + 1 : 0;
+    const int resolved = !search_unresolved(s, &s->solution);
+    r->stalled = resolved && (r->apart > 0.5 * r->last || !(r->apart < too_far)) ? r->stalled + 1 : 0;
     r->last = r->apart < too_far ? r->apart : INFINITY;
     return r->stalled >= STALLED + 2 * !(r->apart < too_far) || r->halvings >= MOST + STALLED ? ADVISE_PARTED : 0;
 }
@@ -168,6 +175,7 @@ int search_solution(struct search *s, double share)
     s->purse.until = whole.until;
     s->solved = result == FOUND;
     s->solution_apart = r.apart;
+    s->advice->unsure = r.stalled < 2;
     if (s->solved)
         s->advice->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
     else

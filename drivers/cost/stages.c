@@ -4,9 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-/* force evaluations times bodies, about a tenth of a second of them, that pilots may always take */
-static const double least_work = 1e6;
-
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
 /** In seconds where these are limited, else in work. */
@@ -25,7 +22,7 @@ void stages_open_purse(struct stages *g, double evals)
     const double prudent = 0.65; /* what turns out to be the best may take less than what was by now */
     struct search *s = &g->search;
     const double share = prudent * advise_share(s->scene);
-    s->purse.most = isfinite(s->purse.until) ? INFINITY : fmax(least_work, share * evals * (double)s->bodies);
+    s->purse.most = isfinite(s->purse.until) ? INFINITY : fmax(PURSE_LEAST, share * evals * (double)s->bodies);
 }
 
 double stages_work_left(const struct stages *g, double share)

@@ -169,8 +169,8 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
     if (a->parted)
         fprintf(file,
                 "warning: trajectories of the finest pilots part at t = %.4g: from there on they mean nothing at steps "
-                "like these, and the advice goes by the error of the energy\n",
-                a->together);
+                "like these, and the advice goes by the error of the energy%s\n",
+                a->together, a->unsure ? "; whether those of finer ones part too a larger --budget tells" : "");
     if (kink != NULL && a->order < nominal - 1.0)
         fprintf(
             file,

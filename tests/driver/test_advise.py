@@ -245,6 +245,51 @@ def parted_early():
     check(low <= found <= high < 1e3 * low, f"... {found:.2g} is in {low:.2g} ... {high:.2g}")
 
 
+def rolls():
+    """A bead that rolls down a slope from rest turns by 840 rad/s at the end, a regular motion: runs in which it turns by some
+    radians a step are too coarse to tell, and no proof that trajectories part. Its true attitude: four times as many steps."""
+    of = scene("incline")
+    for more in ([], ["--measure", "position"], ["--budget", "10"], ["--t-end", "3"]):
+        done = run(advise, "--json", *more, of)
+        told = json.loads(done.stdout)
+        wanted = "position" if "position" in more else "attitude"
+        check(told["measure"] == wanted and told["trajectories_until"] is None and "part at" not in done.stderr
+              and told["predicted_error"] <= 1e-4, f"incline {more}: {told['predicted_error']} of the {told['measure']}, "
+              f"until {told['trajectories_until']}")
+        if more == []:
+            with tempfile.TemporaryDirectory() as folder:
+                run(mpirun, "-n", "1", study, of, "--steppers", told["stepper"], "--h", repr(told["h"]), "--no-plot", "-o", folder)
+                with open(os.path.join(folder, "study.csv"), encoding="ascii", newline="") as file:
+                    found = float(next(csv.DictReader(file))["attitude_error"])
+            check(told["interval"][0] <= found <= told["interval"][1], f"... and errs by {found:.2g}, in {told['interval']}")
+    # ten times as long: 8400 rad/s, for which 1e6 evaluations are too few, and a run that has left the slope is no solution
+    done = run(advise, "--json", "--t-end", "10", of)
+    told = json.loads(done.stdout)
+    check(told["measure"] == "energy" and told["trajectories_until"] < 10 and told["h"] < told["stable_h"] < 1e-3,
+          f"incline to 10: h = {told['h']} by the {told['measure']}")
+    check("whether those of finer ones part too a larger --budget tells" in done.stderr, "... and that it may be the step's fault")
+
+
+def part_again():
+    """Where two runs part, finer ones tell whether all do, as far as what they may take allows: ten beads roll side by side, by
+    vti2, whose turn of h |Omega| misses (h |Omega|)^2/12 of it, and of which the first two runs differ by 0.6. The bodies of a
+    pile do part."""
+    with tempfile.TemporaryDirectory() as folder, open(scene("incline"), encoding="utf-8") as one:
+        path = os.path.join(folder, "beads.yaml")
+        rest = one.read().split("inertia:")[1].split("\n", 1)[1]
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("name: beads\nbodies: {lattice: {counts: [1, 10, 1], spacing: 0.02, corner: [0.003, 0, 0.004]}, "
+                       "diameter: 0.01, mass: 1.309e-3, inertia: 1.309e-8}\n" + rest)
+        done = run(advise, "--json", "--steppers", "vti2", "--t-end", "1.3", path)
+    told = json.loads(done.stdout or "{}")
+    check(done.returncode == 0 and told["measure"] == "attitude" and told["trajectories_until"] is None,
+          f"ten beads: {told.get('measure')}, {done.stderr.strip()}")
+    for t_end, sure in ((10, True), (2, False)):
+        done = run(advise, "--json", "--error", "1e-3", "--t-end", str(t_end), scene("pile"))
+        check("part at" in done.stderr and ("a larger --budget tells" in done.stderr) != sure,
+              f"pile to {t_end}: {done.stderr.strip()}")
+
+
 def between_touches():
     """Two runs of a multistep method do not tell by what order its errors fall between touches; and an error far below what was
     asked for may be the solution's: the interval says so. None of them is so wide that nothing is told."""
@@ -341,6 +386,8 @@ rivals()
 always()
 budget_is_hard()
 parted_early()
+rolls()
+part_again()
 between_touches()
 measures()
 general_inertia()
