@@ -245,7 +245,8 @@ def repose_part(page, found):
 def drum_part(page, times, angles):
     page.heading("The drum's surface")
     page.text("`scenes/drum.yaml`, for longer: the angle between the vertical and the bed's centre of mass, as seen from "
-              f"the axis; mean and standard deviation over every {SPAN:g} seconds. Beads slip back one by one and in small avalanches.")
+              f"the axis; mean and standard deviation over every {SPAN:g} seconds. Beads slip back one by one "
+              "and in avalanches, which the deviation tells; the mean stays.")
     rows = [[f"{start} to {start + SPAN}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
             for start in range(0, int(times[-1]), SPAN) if np.any(inside := (times > start) & (times <= start + SPAN))]
     page.table(["s", "degrees", "deviation"], rows)
