@@ -118,6 +118,18 @@ static int first_bodies(struct equations *eq, double *state)
     return vti_bodies_seal(&eq->bodies);
 }
 
+/** A step may take long, and an interval many steps: the watch is asked about every hundredth of a second. */
+static int is_asked(struct equations *eq)
+{
+    enum { LOOK_EVERY = 1 << 15 };
+    eq->unseen += eq->model->bodies.count;
+    if (eq->unseen < LOOK_EVERY)
+        return 0;
+    eq->unseen = 0;
+    eq->asked = watch_see(eq->watch, eq->share);
+    return eq->asked;
+}
+
 static int rates(double t, const double state[], double rate[], void *self)
 {
     struct equations *eq = self;
@@ -126,11 +138,13 @@ static int rates(double t, const double state[], double rate[], void *self)
     const int64_t stride = equations_body_width(model), n = eq->model->bodies.count;
     vti_bodies *b = &eq->bodies;
     (void)t;
+    if (is_asked(eq))
+        return GSL_EBADFUNC;
     /* GSL promises not to have its state changed; the views are only read */
-    if (b->sealed == 0 && first_bodies(eq, (double *)state) != VTI_OK)
+    if (b->sealed == 0 && (eq->status = first_bodies(eq, (double *)state)) != VTI_OK)
         return GSL_EBADFUNC;
     equations_look_at(model, b, (double *)state);
-    if (model_forces(eq->model, b) != VTI_OK)
+    if ((eq->status = model_forces(eq->model, b)) != VTI_OK)
         return GSL_EBADFUNC;
     for (int64_t i = 0; i < n; ++i) {
         double *r = rate + i * stride;
@@ -145,12 +159,13 @@ static int rates(double t, const double state[], double rate[], void *self)
 
 /* ---- integration ------------------------------------------------------------------------------------------------- */
 
-int equations_create(struct equations *eq, struct model *model, double tolerance)
+int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch)
 {
     static const double first_step = 1e-4;
     memset(eq, 0, sizeof *eq);
     gsl_set_error_handler_off();
     eq->model = model;
+    eq->watch = watch;
     eq->width = equations_width(model);
     eq->system = (gsl_odeiv2_system){rates, NULL, (size_t)eq->width, eq};
     eq->loads = calloc((size_t)(6 * model->bodies.count), sizeof *eq->loads);
@@ -175,11 +190,23 @@ void equations_destroy(struct equations *eq)
     memset(eq, 0, sizeof *eq);
 }
 
-int equations_advance(struct equations *eq, double *t, double to, double *state, struct message *message)
+/** What stopped GSL, which has no words for it but "failure" and "problem with user-supplied function". */
+static const char *reason(const struct equations *eq, int status)
 {
+    if (status == GSL_EBADFUNC)
+        return vti_status_text(eq->status);
+    return status == GSL_FAILURE ? "its error stays too large at the shortest step that t can tell"
+                                 : gsl_strerror(status);
+}
+
+int equations_advance(struct equations *eq, double share, double *t, double to, double *state, struct message *message)
+{
+    eq->share = share;
     const int status = gsl_odeiv2_driver_apply(eq->driver, t, to, state);
     if (status == GSL_SUCCESS)
         return 0;
+    if (eq->asked)
+        return WATCH_ASKED;
     return message_set(message, "%s: the reference solution stopped at t = %.6g: %s; shorten t_end or soften the scene",
-                       eq->model->scene->name, *t, gsl_strerror(status));
+                       eq->model->scene->name, *t, reason(eq, status));
 }

@@ -12,19 +12,24 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "model.h"
+#include "watch.h"
 
 struct equations {
     struct model *model; /* its contacts follow the states that are looked at */
     int64_t width;       /* doubles in a state: all bodies, then ||q||^2 up to now */
     double *loads;       /* force and moment of every body */
     vti_bodies bodies;   /* where rates are taken; sealed */
+    int status, asked;   /* why rates were refused: what the core said, 1 if the watch asked for the end */
+    const struct watch *watch;
+    double share;   /* of the whole, that is done; for the watch */
+    int64_t unseen; /* bodies whose rates were taken since the watch was last asked */
     gsl_odeiv2_system system;
     gsl_odeiv2_driver *driver;
 };
 
-/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is. Returns 0,
- *  or -1 if there is no memory. */
-int equations_create(struct equations *equations, struct model *model, double tolerance);
+/** rk8pd on the equations of *model with an error per step of tolerance. equations must stay where it is; watch is asked
+ *  on the way. Returns 0, or -1 if there is no memory. */
+int equations_create(struct equations *equations, struct model *model, double tolerance, const struct watch *watch);
 void equations_destroy(struct equations *equations);
 
 /** Doubles of one body in a state: x v if it translates, q Omega if it turns. */
@@ -39,7 +44,9 @@ vti_bodies equations_bodies(const struct model *model, double *state);
 /** Lets *bodies, which equations_bodies has made of another state, see this one. A seal stays good: only the addresses
  *  of like memory change. */
 void equations_look_at(const struct model *model, vti_bodies *bodies, double *state);
-/** Takes the state from *t to to. Returns 0, or -1 with one line in *message. */
-int equations_advance(struct equations *equations, double *t, double to, double *state, struct message *message);
+/** Takes the state from *t to to; share is what of the whole was done before, 0 to 1. Returns 0, or -1 with one line in
+ *  *message, or WATCH_ASKED. */
+int equations_advance(struct equations *equations, double share, double *t, double to, double *state,
+                      struct message *message);
 
 #endif

@@ -41,12 +41,24 @@ const vti_bodies *sampled_step(struct sampled *s, int64_t k)
     return &s->seen;
 }
 
-/** State k of the first solution or of the second is there. */
+/** What is done once state k of the first solution or of the second is there. */
+static double share_of(const struct sampled *s, const struct sampled_other *other, int second, int64_t k)
+{
+    const double share = (double)k / (double)(s->count - 1);
+    return other != NULL ? share : 0.5 * (share + second);
+}
+
 static int see(const struct sampled *s, const struct sampled_other *other, const struct watch *watch, int second,
                int64_t k)
 {
-    const double share = (double)k / (double)(s->count - 1);
-    return watch_see(watch, other != NULL ? share : 0.5 * (share + second)) ? WATCH_ASKED : 0;
+    return watch_see(watch, share_of(s, other, second, k)) ? WATCH_ASKED : 0;
+}
+
+/** From state k - 1 to state k. */
+static int advance(const struct sampled *s, struct equations *eq, const struct sampled_other *other, int second,
+                   int64_t k, double *t, double *state, struct message *message)
+{
+    return equations_advance(eq, share_of(s, other, second, k - 1), t, (double)k * s->interval, state, message);
 }
 
 static int meet(const struct sampled_other *other, int64_t k)
@@ -64,8 +76,9 @@ static int solve(struct sampled *s, struct equations *eq, const struct sampled_o
         double *state = s->states + k * s->width;
         if (k > 0) {
             memcpy(state, state - s->width, (size_t)s->width * sizeof *state);
-            if (equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
-                return -1;
+            const int failed = advance(s, eq, other, 0, k, &t, state, message);
+            if (failed != 0)
+                return failed;
             if (see(s, other, watch, 0, k) != 0)
                 return WATCH_ASKED;
         }
@@ -88,8 +101,9 @@ static int compare(struct sampled *s, struct equations *eq, double *state, const
     equations_start(s->model, state);
     const vti_bodies other_bodies = equations_bodies(s->model, state);
     for (int64_t k = 0; k < s->count; ++k) {
-        if (k > 0 && equations_advance(eq, &t, (double)k * s->interval, state, message) != 0)
-            return -1;
+        const int failed = k > 0 ? advance(s, eq, other, 1, k, &t, state, message) : 0;
+        if (failed != 0)
+            return failed;
         if ((k > 0 && see(s, other, watch, 1, k) != 0) || meet(other, k) != 0)
             return WATCH_ASKED;
         const vti_bodies kept = sampled_state(s, k);
@@ -110,7 +124,7 @@ int sampled_solve(struct sampled *s, const struct sampled_other *other, const st
                   struct message *message)
 {
     struct equations eq;
-    if (equations_create(&eq, s->model, step_tolerance) != 0)
+    if (equations_create(&eq, s->model, step_tolerance, watch) != 0)
         return no_memory(s, message);
     const int failed = solve(s, &eq, other, watch, message);
     equations_destroy(&eq);
@@ -123,7 +137,7 @@ int sampled_compare(struct sampled *s, const struct sampled_other *other, const 
     struct equations eq;
     int failed = -1;
     double *state = calloc((size_t)s->width, sizeof *state);
-    if (state == NULL || equations_create(&eq, s->model, looser * step_tolerance) != 0)
+    if (state == NULL || equations_create(&eq, s->model, looser * step_tolerance, watch) != 0)
         no_memory(s, message);
     else {
         failed = compare(s, &eq, state, other, watch, message);

@@ -95,11 +95,11 @@ static int no_memory(const struct smooth *s, struct message *message)
 
 /** Goes to the start of a window, with an integrator that knows nothing of what came before, or the panels would
  *  depend on that. */
-static int enter(struct smooth *s, int64_t window, struct message *message)
+static int enter(struct smooth *s, int64_t window, const struct watch *watch, struct message *message)
 {
     const double *start = start_of(s, window);
     equations_destroy(&s->equations);
-    if (equations_create(&s->equations, s->model, step_tolerance) != 0)
+    if (equations_create(&s->equations, s->model, step_tolerance, watch) != 0)
         return no_memory(s, message);
     s->t = start[0];
     memcpy(s->state, start + SMOOTH_START, (size_t)equations_width(s->model) * sizeof *s->state);
@@ -108,12 +108,16 @@ static int enter(struct smooth *s, int64_t window, struct message *message)
     return 0;
 }
 
+/** Returns as equations_advance does. */
 static int one_panel(struct smooth *s, int64_t p, struct message *message)
 {
     const struct panels *panels = &s->panels;
+    const double share = (double)p / (double)panels->count;
     for (int k = 0; k < PANELS_NODES; ++k) {
-        if (equations_advance(&s->equations, &s->t, panels_time(panels, p, panels->node[k]), s->state, message) != 0)
-            return -1;
+        const double to = panels_time(panels, p, panels->node[k]);
+        const int failed = equations_advance(&s->equations, share, &s->t, to, s->state, message);
+        if (failed != 0)
+            return failed;
         memcpy(panels_row(panels, p, k), s->state, (size_t)panels->width * sizeof *s->state);
     }
     return 0;
@@ -127,11 +131,12 @@ int smooth_seek(struct smooth *s, double t, const struct watch *watch, struct me
     const int64_t window = window_of(s, panels_find(&s->panels, t, &tau));
     if (window == s->window)
         return 0;
-    if (enter(s, window, message) != 0)
+    if (enter(s, window, watch, message) != 0)
         return -1;
     for (int64_t p = s->panels.first; p < end_of(s, window); ++p) {
-        if (one_panel(s, p, message) != 0)
-            return -1;
+        const int failed = one_panel(s, p, message);
+        if (failed != 0)
+            return failed;
         if (watch_see(watch, (double)p / (double)s->panels.count))
             return WATCH_ASKED;
     }
@@ -163,11 +168,12 @@ static int one_pass(struct smooth *s, double tolerance, const struct watch *watc
     keep_start(s, 0, nothing);
     const double energy = model_energy(s->model, &bodies);
     for (int64_t window = 0; window < s->windows; ++window) {
-        if (enter(s, window, message) != 0)
+        if (enter(s, window, watch, message) != 0)
             return -1;
         for (int64_t p = s->panels.first; p < end_of(s, window); ++p) {
-            if (one_panel(s, p, message) != 0)
-                return -1;
+            const int failed = one_panel(s, p, message);
+            if (failed != 0)
+                return failed;
             s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
             s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p));
             if (s->interpolation_error > tolerance)

@@ -19,13 +19,14 @@ from programs import ENVIRONMENT, PATIENCE, run
 from tally import check, conclude
 
 STUDY, MPIRUN, SCENES, RANKS = map(os.path.abspath, sys.argv[1:5])
-CHAIN, PENDULUM = (os.path.join(SCENES, name + ".yaml") for name in ("chain", "pendulum"))
+CHAIN, PENDULUM, TORUS = (os.path.join(SCENES, name + ".yaml") for name in ("chain", "pendulum", "torus"))
 # What Open MPI 5 does otherwise: its mpirun passes on whole lines only, and nothing more once it has been asked to end; what it
 # says itself after a code that is not 0 cannot be held back.
 MAJOR = int(re.search(r"\(Open.*?\) (\d+)", run(MPIRUN, "--version").stdout)[1])
 del ENVIRONMENT[programs.GRACE]  # ranks that are asked to end say a word
 PASSES_PIECES = PASSES_LAST_WORDS = CAN_BE_QUIET = MAJOR < 5
 HOURS = ("--h", "2^-9:2^-27", "--no-plot")
+HOURS_TO_COMPARE = ("--h", "1e6", "--t-end", "1e6", "--no-plot")  # the reference of the only interval takes as long
 SECONDS = ("--h", "2^-4:2^-15", "--no-plot")  # a bar is drawn ten times per second at most
 
 
@@ -158,6 +159,17 @@ def signals(base):
         process.send_signal(number)
         _, said = process.communicate(timeout=PATIENCE)
         check(process.returncode == 75 and stopped_words(said), f"{what}: code {process.returncode}, {said.strip()[:200]}")
+    for what, command, number in (("USR1 to mpirun", mpirun(), signal.SIGUSR1), ("TERM without mpirun", [STUDY], signal.SIGTERM)):
+        process = begin(*command, *HOURS_TO_COMPARE, "-o", f"{base}/interval", TORUS)
+        time.sleep(0.5)
+        process.send_signal(number)
+        try:
+            _, said = process.communicate(timeout=PATIENCE / 4)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            _, said = process.communicate()
+        check(process.returncode == 75 and stopped_words(said),
+              f"{what} within an interval of the reference: code {process.returncode}, {said.strip()[:200]}")
     process = begin(*mpirun(), *HOURS, "-o", f"{base}/one", CHAIN)
     worker = rank_of(f"{base}/one", "1")
     os.kill(worker, signal.SIGTERM)

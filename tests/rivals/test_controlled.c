@@ -118,14 +118,14 @@ TEST(units)
 }
 
 /** What an observer of each look finds. */
-struct watch {
+struct watched {
     double p[3], l[3], off;
     int64_t looks;
 };
 
 static int see(void *self, int64_t step, double t, const vti_bodies *b)
 {
-    struct watch *w = self;
+    struct watched *w = self;
     static const double origin[3] = {0, 0, 0};
     double p[3], l[3];
     (void)t;
@@ -144,7 +144,7 @@ TEST(momenta)
 {
     struct scene scene;
     struct journey j;
-    struct watch w = {.looks = 0};
+    struct watched w = {.looks = 0};
     const struct observer observer = {see, &w, 1, 0, NULL};
     read_scene("chain", &scene);
     scene.tolerance = 1e-8;
