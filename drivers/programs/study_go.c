@@ -185,7 +185,8 @@ static void say_study(const struct study *study, const char *folder)
     const int dissipates = model_dissipates(&study->model) != NULL;
     printf("\nreference: %s, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
            dissipates ? "chin4 by a fourth of the shortest step, what is lost counted in" : "rk8pd",
-           study->reference_energy_error, study->reference_uncertainty, study->norm_squared);
+           number_plain(study->reference_energy_error), number_plain(study->reference_uncertainty),
+           number_plain(study->norm_squared));
     if (study->reference_uncertainty > 1e-3 && dissipates)
         printf("runs by steps of that kind still part: the motion is chaotic or something breaks, and errors of "
                "trajectories below that mean nothing; that of the energy does\n");

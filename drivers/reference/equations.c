@@ -193,8 +193,8 @@ void equations_destroy(struct equations *eq)
 /** What stopped GSL, which has no words for it but "failure" and "problem with user-supplied function". */
 static const char *reason(const struct equations *eq, int status)
 {
-    if (status == GSL_EBADFUNC)
-        return vti_status_text(eq->status);
+    if (eq->status != VTI_OK)
+        return model_text(eq->model, eq->status);
     return status == GSL_FAILURE ? "its error stays too large at the shortest step that t can tell"
                                  : gsl_strerror(status);
 }

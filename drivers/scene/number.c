@@ -127,6 +127,7 @@ static int write_digits(int digits, double value, char text[NUMBER_TEXT])
 
 const char *number_text(double value, char text[NUMBER_TEXT])
 {
+    value = number_plain(value);
     /* every decimal of up to DBL_DIG digits is what its double prints with that many; only subnormal ones hold fewer */
     char shorter[NUMBER_TEXT];
     if (fabs(value) < DBL_MIN)

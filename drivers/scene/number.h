@@ -4,6 +4,8 @@
 #ifndef VTI_NUMBER_H
 #define VTI_NUMBER_H
 
+#include <math.h>
+
 /** What messages say to write. */
 #define NUMBER_WRITE "write 0.01, 1e-3, 1/64 or 2^-6"
 #define NUMBER_WRITE_COUNT "write 80 or 1e5"
@@ -17,8 +19,14 @@ int number_read(const char *text, double *value);
 enum { NUMBER_TEXT = 32 };
 
 /** Writes the shortest decimal number that reads back as the same double, 0.1 and not 0.10000000000000001, and returns
- *  text. */
+ *  text. NaN is nan, whatever its sign. */
 const char *number_text(double value, char text[NUMBER_TEXT]);
+
+/** value, but NaN without a sign: printf writes -nan where the processor has set one, as x86-64 does in 0/0. */
+static inline double number_plain(double value)
+{
+    return isnan(value) ? fabs((double)NAN) : value;
+}
 
 /** The same within one expression: printf("%s", NUMBER(h)). */
 #define NUMBER(value) number_text((value), (char[NUMBER_TEXT]){0})

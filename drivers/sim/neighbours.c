@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cells.h"
+#include "number.h"
 #include "threads.h"
 
 /** The default skin, as a share of the mean diameter: a wide one means more pairs to look at in each step, a narrow one
@@ -171,7 +172,8 @@ static int store_positions(struct neighbours *list, const vti_view *x, struct me
             at[k] = x->c[k][i * x->stride];
         if (!isfinite(at[0]) || !isfinite(at[1]) || !isfinite(at[2]))
             return message_set(message, "contacts: body %lld is at (%.6g, %.6g, %.6g); use a smaller h",
-                               (long long)(list->number != NULL ? list->number[i] : i), at[0], at[1], at[2]);
+                               (long long)(list->number != NULL ? list->number[i] : i), number_plain(at[0]),
+                               number_plain(at[1]), number_plain(at[2]));
     }
     return 0;
 }

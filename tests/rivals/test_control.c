@@ -34,10 +34,27 @@ TEST(steps_as_gsl_chooses_them)
     gsl_odeiv2_control_free(theirs);
 }
 
+/** The largest of errors one of which is NaN is not that of the others. */
+TEST(nan_is_no_small_error)
+{
+    gsl_odeiv2_control *ours = control_new(1e-3);
+    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, NUMBERS);
+    for (int k = 0; k < 2 * NUMBERS; ++k) {
+        double y[NUMBERS] = {1.0, 1.0, 1.0}, error[NUMBERS] = {0.0}, h = 0.1;
+        const double rate[NUMBERS] = {0.0};
+        (k < NUMBERS ? y : error)[k % NUMBERS] = NAN;
+        assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, error, rate, &h), GSL_ODEIV_HADJ_DEC);
+        assert_close(h, 0.02, EPS);
+    }
+    gsl_odeiv2_step_free(step);
+    gsl_odeiv2_control_free(ours);
+}
+
 TEST(quantiles)
 {
     for (int freedom = 1; freedom < 64; ++freedom)
         assert_close(fit_student(freedom), gsl_cdf_tdist_Pinv(0.975, freedom), 1e-12 * fit_student(freedom));
 }
 
-RUN_TESTS(cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(quantiles))
+RUN_TESTS(cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(nan_is_no_small_error),
+          cmocka_unit_test(quantiles))

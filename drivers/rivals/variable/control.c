@@ -5,7 +5,9 @@
  * q = 8 the order,
  *
  *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
- *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h */
+ *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h
+ *
+ * Where GSL's own is content with NaN, it is an infinite error here: a step that meets it is made again. */
 #include "control.h"
 
 #include <math.h>
@@ -48,13 +50,19 @@ static double ninth_root(double r)
     return y;
 }
 
+/** The larger one; a share that is no number is larger than all. */
+static double worst_of(double r, double share)
+{
+    return isnan(share) ? INFINITY : fmax(r, share);
+}
+
 static int adjust(void *state, size_t n, unsigned int order, const double y[], const double error[],
                   const double rate[], double *h)
 {
     double r = 0.0;
     (void)order, (void)rate;
     for (size_t i = 0; i < n; ++i)
-        r = fmax(r, fabs(error[i]) / desired(state, y[i]));
+        r = worst_of(r, fabs(error[i]) / desired(state, y[i]));
     if (r > 1.1) {
         *h *= fmax(safety / eighth_root(r), 1.0 / most);
         return GSL_ODEIV_HADJ_DEC;
