@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "loop.h"
 #include "number.h"
 #include "table.h"
 
@@ -114,6 +115,10 @@ int cost_plan_steps(struct cost_plan *plan, const char *list, struct message *me
     for (int64_t k = 0; k < plan->h_count; ++k)
         for (int64_t c = 0; c < plan->cases_count; ++c) {
             const double steps = plan->cases[c].t_end / plan->h[k];
+            if (steps > LOOP_STEPS)
+                return message_set(message,
+                                   "--h: t_end = %s of %s is more than 2^53 steps of h = %s; use a larger step",
+                                   NUMBER(plan->cases[c].t_end), plan->cases[c].name, NUMBER(plan->h[k]));
             if (rint(steps) < 1.0 || fabs(steps - rint(steps)) > 1e-9 * steps)
                 return message_set(message, "--h: %s does not divide the end t = %s of %s; use a whole fraction",
                                    NUMBER(plan->h[k]), NUMBER(plan->cases[c].t_end), plan->cases[c].name);

@@ -14,7 +14,7 @@ int64_t loop_steps(double t_end, double h)
 {
     const double ratio = t_end / h;
     /* t_end and h are rounded, so their ratio may fall short of a whole number by a few ulps */
-    return (int64_t)floor(ratio * (1.0 + 4.0 * 2.220446049250313e-16));
+    return (int64_t)fmin(floor(ratio * (1.0 + 4.0 * 2.220446049250313e-16)), LOOP_STEPS);
 }
 
 /* ---- what a step needs besides the model ------------------------------------------------------------------------- */

@@ -18,8 +18,10 @@ struct observer {
     int (*looks)(void *self, int64_t step);
 };
 
+/** Steps are counted in a double (t = step h), which holds whole numbers up to this. */
+#define LOOP_STEPS 0x1p53
 /** Whole steps of h that fit into t_end (to rounding): a run ends at loop_steps h, which is t_end if that is a multiple
- *  of h and the last step before it otherwise. */
+ *  of h and the last step before it otherwise. At most LOOP_STEPS. */
 int64_t loop_steps(double t_end, double h);
 
 /** Takes the model, which is at step from, to step steps by steps of h, and shows steps from ... steps to the

@@ -45,6 +45,16 @@ static int choose_interval(struct study *study, struct message *message)
     return 0;
 }
 
+/** Before steps are counted. */
+static int check_counts(const struct plan *plan, struct message *message)
+{
+    for (int64_t k = 0; k < plan->h_count; ++k)
+        if (!(plan->t_end / plan->h[k] <= LOOP_STEPS))
+            return message_set(message, "--h: t_end = %s is more than 2^53 steps of h = %s; use a larger step",
+                               NUMBER(plan->t_end), NUMBER(plan->h[k]));
+    return 0;
+}
+
 static int make_trials(struct study *study, struct message *message)
 {
     const struct plan *plan = study->plan;
@@ -221,7 +231,8 @@ static int prepare(const struct plan *plan, int rank, struct study *study, struc
     study->runs = plan->steppers_count * plan->h_count;
     if (!allocate(study, rank))
         return message_set(message, "out of memory for %lld runs", (long long)study->runs);
-    if (model_create(plan->scene, &study->model, message) != 0 || choose_interval(study, message) != 0)
+    if (check_counts(plan, message) != 0 || model_create(plan->scene, &study->model, message) != 0 ||
+        choose_interval(study, message) != 0)
         return -1;
     return make_trials(study, message);
 }

@@ -29,4 +29,12 @@ TEST(not_one_too_many)
     }
 }
 
-RUN_TESTS(cmocka_unit_test(decimals), cmocka_unit_test(not_one_too_many))
+TEST(no_more_than_can_be_counted)
+{
+    const int64_t most = INT64_C(1) << 53;
+    assert_int_equal(loop_steps(0x1p53 - 1.0, 1.0), most);
+    assert_int_equal(loop_steps(1e300, 0.0625), most);
+    assert_int_equal(loop_steps(1e300, 1e-300), most);
+}
+
+RUN_TESTS(cmocka_unit_test(decimals), cmocka_unit_test(not_one_too_many), cmocka_unit_test(no_more_than_can_be_counted))
