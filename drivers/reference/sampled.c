@@ -92,6 +92,11 @@ static int solve(struct sampled *s, struct equations *eq, const struct sampled_o
     return 0;
 }
 
+double sampled_relative(double change_squared, double norm_squared)
+{
+    return change_squared == 0.0 ? 0.0 : sqrt(change_squared / norm_squared);
+}
+
 /** The solution that it is compared with. */
 static int compare(struct sampled *s, struct equations *eq, double *state, const struct sampled_other *other,
                    const struct watch *watch, struct message *message)
@@ -110,7 +115,7 @@ static int compare(struct sampled *s, struct equations *eq, double *state, const
         vti_integral_add(&distance, s->interval, vti_h1_distance(&other_bodies, &kept));
     }
     const double norm_squared = s->states[s->count * s->width - 1];
-    s->spread = sqrt(vti_integral_value(&distance) / norm_squared);
+    s->spread = sampled_relative(vti_integral_value(&distance), norm_squared);
     return 0;
 }
 

@@ -35,6 +35,10 @@ int sampled_solve(struct sampled *sampled, const struct sampled_other *other, co
 int sampled_compare(struct sampled *sampled, const struct sampled_other *other, const struct watch *watch,
                     struct message *message);
 
+/** sqrt(change_squared/norm_squared), and 0 where nothing has changed, though the norm be 0, as of bodies that rest in
+ *  the origin. */
+double sampled_relative(double change_squared, double norm_squared);
+
 /** State k; the views point into the reference. */
 vti_bodies sampled_state(struct sampled *sampled, int64_t k);
 /** The same, sealed; they hold until the next call. */

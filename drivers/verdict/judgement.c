@@ -61,6 +61,12 @@ static const char *remedy(const struct verdict *v)
 /** Appends to the line. */
 #define SAY(...) snprintf(line->text + strlen(line->text), sizeof line->text - strlen(line->text), __VA_ARGS__)
 
+/** Of S; of bodies at rest, whose S is 0, nothing. */
+static double share_of_scale(const struct findings *f, double energy)
+{
+    return f->scale > 0.0 ? energy / f->scale : 0.0;
+}
+
 static void say_energy(const struct verdict *v, const struct judgement *j, int broken, struct message *line)
 {
     const struct findings *f = &v->found;
@@ -79,7 +85,8 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
     if (isnan(j->energy_slope))
         SAY("too few rows for a drift");
     else
-        SAY("drift %.2g +- %.1g per unit of time", j->energy_slope / f->scale, j->energy_slope_error / f->scale);
+        SAY("drift %.2g +- %.1g per unit of time", share_of_scale(f, j->energy_slope),
+            share_of_scale(f, j->energy_slope_error));
     SAY(" (scale %.4g)", f->scale);
 }
 
@@ -110,7 +117,7 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
     struct judgement j = {0};
     j.energy_gain = f->gain;
     j.energy_scale = f->scale;
-    j.energy_swing = f->scale > 0.0 ? (f->highest - f->lowest) / f->scale : 0.0;
+    j.energy_swing = share_of_scale(f, f->highest - f->lowest);
     trend_slope(&f->trend, &j.energy_slope, &j.energy_slope_error);
     j.travel = v->diameter > 0.0 ? f->travel : NAN;
     j.rotation = f->rotation;

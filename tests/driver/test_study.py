@@ -194,6 +194,19 @@ def one_refusal(what, result, expected, folder):
     check(left == [], f"{what}: leaves nothing behind {left}")
 
 
+def at_rest(base):
+    """Bodies that rest in the origin: all norms and scales are 0, nothing changes, and no error is 0/0; of many, whose reference
+    is known at intervals, too."""
+    for count in (2, 60):
+        with open(f"{base}/rest.csv", "w", encoding="ascii") as file:
+            file.write("x,y,z,mass\n" + count * "0,0,0,1\n")
+        with open(f"{base}/rest.yaml", "w", encoding="ascii") as file:
+            file.write("name: rest\nbodies: {table: rest.csv}\nh: 1/16\nt_end: 1\n")
+        done = study(1, f"{base}/rest.yaml", "--h", "1/16:1/64", folder=f"{base}/rest{count}")
+        found = {row[name] for row in rows(f"{base}/rest{count}") for name in row if "error" in name}
+        check(done.returncode == 0 and found == {"0"} and "nan" not in done.stdout, f"{count} bodies at rest: errors of 0 {found}")
+
+
 def rivals(base):
     """They stand beside ours in every table, with the orders of the literature; the same bytes on any number of ranks."""
     steppers = ("exact", 2), ("lammps-richardson", 2), ("yade-leapfrog", 2), ("rk4", 4)
@@ -254,6 +267,7 @@ with tempfile.TemporaryDirectory() as base:
     refused(base)
     without_orders(base)
     from_tables(base)
+    at_rest(base)
     rivals(base)
     general_inertia(base)
     keeps_what_was_there(base)

@@ -102,6 +102,11 @@ def runs(base):
             f"{stepper} at h|Omega| = 10: a warning at the start, doubtful at the end")
     _, lines, found = verdict(base, f"{base}/spin.yaml", "--h", "0.1", "--stepper", "exact")
     check(found["verdict"] == b"good" and not any("warning" in line for line in lines), "and none at 1")
+    with open(f"{base}/rest.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1}\nbinder: {axial: 1}\nh: 1/16\nt_end: 1\n")
+    result, lines, found = verdict(base, f"{base}/rest.yaml", "--record", "1")
+    check(found["verdict"] == b"good" and found["energy_scale"] == 0 and "drift 0 +- 0 per unit of time (scale 0)" in lines[-1]
+          and "nan" not in result.stdout, f"at rest: no drift {lines[-1]}")
 
 
 def resumed(base):
