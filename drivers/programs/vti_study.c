@@ -178,6 +178,9 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
     for (int k = 0; k < sweeps.count; ++k)
         if (sweep_add(sweep, sweeps.text[k], message) != 0)
             return -1;
+    for (int k = 0; k < sets.count; ++k)
+        if (sweep_check_set(sweep, sets.text[k], message) != 0)
+            return -1;
     for (int k = 0; k < sweep->count; ++k)
         if (end_times != NULL && strcmp(sweep->axis[k].key, "t_end") == 0)
             return message_set(message, "--t-end: t_end is swept already; leave one of them out");

@@ -68,8 +68,7 @@ int64_t survey_bytes(const struct survey_plan *plan)
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
-/** The scene of a place of the sweep, which is to be forgotten after. What --set says of a value comes from a sweep
- *  if that is its key. */
+/** The scene of a place of the sweep, which is to be forgotten after. */
 static int read_scene(const struct survey_plan *plan, int k, int64_t place, struct scene *scene, struct tables *tables,
                       struct message *message)
 {

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "number.h"
@@ -26,6 +27,54 @@ static int64_t count_values(const char *list)
     return n;
 }
 
+/** A value of a list, to be told from the others. */
+struct listed {
+    int is_number;
+    double number;
+    char text[SWEEP_VALUE]; /* without blanks */
+};
+
+/** By numbers, 0.5 like 1/2, and what is none by its text. */
+static int compare_listed(const void *one, const void *other)
+{
+    const struct listed *a = one, *b = other;
+    if (a->is_number != b->is_number)
+        return a->is_number - b->is_number;
+    return a->is_number ? (a->number > b->number) - (a->number < b->number) : strcmp(a->text, b->text);
+}
+
+static void take_listed(const char *value, const char *end, struct listed *listed)
+{
+    size_t n = 0;
+    snprintf(listed->text, sizeof listed->text, "%.*s", (int)(end - value), value);
+    listed->is_number = number_read(listed->text, &listed->number) == 0;
+    for (const char *p = value; p < end; ++p)
+        if (*p != ' ' && *p != '\t')
+            listed->text[n++] = *p;
+    listed->text[n] = '\0';
+}
+
+/** A value that appears twice would count twice in means and spreads. */
+static int check_twice(const struct sweep_axis *axis, const char *text, struct message *message)
+{
+    struct listed *listed = calloc((size_t)axis->count, sizeof *listed);
+    const char *value = axis->list;
+    int failed = 0;
+    if (listed == NULL)
+        return message_set(message, "--sweep %.200s: out of memory; use fewer values", text);
+    for (int64_t k = 0; k < axis->count; ++k) {
+        take_listed(value, end_of_value(value), &listed[k]);
+        value = end_of_value(value) + 1;
+    }
+    qsort(listed, (size_t)axis->count, sizeof *listed, compare_listed);
+    for (int64_t k = 1; k < axis->count && failed == 0; ++k)
+        if (compare_listed(&listed[k - 1], &listed[k]) == 0)
+            failed =
+                message_set(message, "--sweep %.200s: '%s' appears twice; name every value once", text, listed[k].text);
+    free(listed);
+    return failed;
+}
+
 static int read_list(struct sweep_axis *axis, const char *list, const char *text, struct message *message)
 {
     axis->list = list;
@@ -37,7 +86,7 @@ static int read_list(struct sweep_axis *axis, const char *list, const char *text
         if (end - value >= SWEEP_VALUE)
             return message_set(message, "--sweep %.200s: a value is longer than %d letters", text, SWEEP_VALUE - 1);
     }
-    return 0;
+    return check_twice(axis, text, message);
 }
 
 /* ---- ranges ------------------------------------------------------------------------------------------------------ */
@@ -107,6 +156,17 @@ int sweep_add(struct sweep *sweep, const char *text, struct message *message)
     if ((is_range ? read_range : read_list)(&axis, equals + 1, text, message) != 0)
         return -1;
     sweep->axis[sweep->count++] = axis;
+    return 0;
+}
+
+int sweep_check_set(const struct sweep *sweep, const char *set, struct message *message)
+{
+    const size_t n = strcspn(set, "=");
+    for (int k = 0; k < sweep->count; ++k)
+        if (strlen(sweep->axis[k].key) == n && strncmp(sweep->axis[k].key, set, n) == 0)
+            return message_set(message,
+                               "--set %.200s: %s is swept, and no run would have that value; leave one of them out",
+                               set, sweep->axis[k].key);
     return 0;
 }
 

@@ -29,6 +29,9 @@ struct sweep {
  *  value. The text must outlive the sweep. Returns 0, or -1 with one line in *message. */
 int sweep_add(struct sweep *sweep, const char *text, struct message *message);
 
+/** What --set KEY=VALUE says of a key that is swept no run would have. Returns 0, or -1 with one line in *message. */
+int sweep_check_set(const struct sweep *sweep, const char *set, struct message *message);
+
 /** How many points there are, at most SWEEP_MOST + 1. */
 int64_t sweep_points(const struct sweep *sweep);
 

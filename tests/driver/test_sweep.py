@@ -164,7 +164,9 @@ def refused(base):
              ("pendulum.weight=1,,2", ["a value is empty"]), ("pendulum.weight", ["is not KEY=VALUES"]),
              ("pendulum.weight=1:400000", ["more than 1000000 runs"]), ("pendulum.weight=1:1e300", ["more than 1000000 runs"]),
              ("pendulum.weight=1:-2:-1", ["--sweep pendulum.weight=-2"]), ("h=1,2", ["use --h"]), ("stepper=vti1", ["use --steppers"]),
-             ("name=a,b", ["name is not swept"])]
+             ("name=a,b", ["name is not swept"]), ("bodies.inertia=1,1,2", ["'1' appears twice", "once"]),
+             ("bodies.inertia=1/2,3,1,0.5", ["--sweep bodies.inertia=1/2,3,1,0.5", "appears twice"]),
+             ("bodies.omega=[0, 0, 1],[0,1,0],[0,0,1]", ["'[0,0,1]' appears twice"])]
     for text, words in cases:
         result = run(STUDY, PENDULUM, "--h", "1/4", "--sweep", text, "-o", f"{base}/refused")
         check(one_line(result, *words) and not os.path.exists(f"{base}/refused"), f"{text}: {result.stderr.strip()[:160]}")
@@ -172,6 +174,8 @@ def refused(base):
     check(one_line(result, *cases[0][1]) and not os.path.exists(f"{base}/refused"), "one of three ranks says it")
     for what, arguments, words in (("twice", ["--sweep", "t_end=1,2", "--sweep", "t_end=3"], ["swept twice"]),
                                    ("end time twice", ["--sweep", "t_end=1,2", "--t-end", "1"], ["--t-end"]),
+                                   ("set besides", ["--sweep", "bodies.inertia=1,2", "--set", "bodies.inertia=3"],
+                                    ["--set bodies.inertia=3", "bodies.inertia is swept", "leave one of them out"]),
                                    ("with --cost", ["--cost", "--sweep", "t_end=1,2"], ["--sweep", "--cost"]),
                                    ("one name", [PENDULUM], ["two scenes have the name pendulum"]),
                                    ("h", ["--sweep", "pendulum.weight=1,2", "--h", "100"], ["--h", "longer than t_end"])):
