@@ -108,13 +108,14 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
 }
 
 /** From four times the scene's h down by factors of two, or from h itself where a larger one might not be stable. */
-static int64_t ladder_around(const struct scene *scene, double h[LADDER_MOST])
+static void make_ladder(const struct scene *scene, struct plan *plan)
 {
     const int stiff = scene_first_with(scene, EFFECT_STIFF) != NULL;
     const int64_t n = stiff ? 7 : 10;
     for (int64_t k = 0; k < n; ++k)
-        h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));
-    return n;
+        plan->h[k] = ldexp(scene->h, (int)(stiff ? -k : 2 - k));
+    plan->h_count = n;
+    plan->h_around = 1;
 }
 
 /** The shipped pendulum where no scene is named. */
@@ -160,7 +161,7 @@ static int make_plan(struct scene *scene, struct tables *tables, struct plan *pl
     if (end_times == NULL)
         plan->t_end = scene->t_end;
     if (steps == NULL)
-        plan->h_count = ladder_around(scene, plan->h);
+        make_ladder(scene, plan);
     return 0;
 }
 
@@ -197,7 +198,7 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
         if (survey_read_first(plan, k, &read[k], &tables[k], message) != 0)
             return -1;
         if (steps == NULL)
-            plan->each[k].h_count = ladder_around(&read[k], plan->each[k].h);
+            make_ladder(&read[k], &plan->each[k]);
         inputs->count += inputs_of(scenes[k], &read[k], inputs->input + inputs->count);
     }
     return survey_check(plan, message);

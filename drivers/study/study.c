@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,8 @@ double study_measure(const struct outcome *outcome, int measure)
                                            outcome->attitude_error};
     return values[measure];
 }
+
+enum { ORIGIN = 64 };
 
 /* ---- the plan ---------------------------------------------------------------------------------------------------- */
 
@@ -45,29 +48,41 @@ static int choose_interval(struct study *study, struct message *message)
     return 0;
 }
 
+/** Where the steps come from, as messages begin. */
+static const char *origin_of(const struct plan *plan, char text[ORIGIN])
+{
+    if (!plan->h_around)
+        return "--h";
+    snprintf(text, ORIGIN, "steps around the scene's h = %s", NUMBER(plan->scene->h));
+    return text;
+}
+
 /** Before steps are counted. */
 static int check_counts(const struct plan *plan, struct message *message)
 {
+    char origin[ORIGIN];
     for (int64_t k = 0; k < plan->h_count; ++k)
         if (!(plan->t_end / plan->h[k] <= LOOP_STEPS))
-            return message_set(message, "--h: t_end = %s is more than 2^53 steps of h = %s; use a larger step",
-                               NUMBER(plan->t_end), NUMBER(plan->h[k]));
+            return message_set(message, "%s: t_end = %s is more than 2^53 steps of h = %s; use a larger step",
+                               origin_of(plan, origin), NUMBER(plan->t_end), NUMBER(plan->h[k]));
     return 0;
 }
 
 static int make_trials(struct study *study, struct message *message)
 {
     const struct plan *plan = study->plan;
+    char origin[ORIGIN];
     for (int64_t r = 0; r < study->runs; ++r) {
         const double h = plan->h[r % plan->h_count];
         struct trial *trial = &study->trials[r];
         *trial = trial_of(plan->steppers[r / plan->h_count], h, loop_steps(study->t_end, h));
         if (trial->steps < 1)
-            return message_set(message, "--h: %s is longer than t_end = %s; use a smaller step", NUMBER(trial->h),
-                               NUMBER(plan->t_end));
+            return message_set(message, "%s: %s is longer than t_end = %s; %s", origin_of(plan, origin),
+                               NUMBER(trial->h), NUMBER(plan->t_end),
+                               plan->h_around ? "name smaller ones with --h" : "use a smaller step");
         if (trial->steps > (int64_t)1 << 40)
-            return message_set(message, "--h: %s makes %lld steps to t_end = %s; use a larger step", NUMBER(trial->h),
-                               (long long)trial->steps, NUMBER(plan->t_end));
+            return message_set(message, "%s: %s makes %lld steps to t_end = %s; use a larger step",
+                               origin_of(plan, origin), NUMBER(trial->h), (long long)trial->steps, NUMBER(plan->t_end));
     }
     return 0;
 }

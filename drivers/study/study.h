@@ -17,6 +17,7 @@ struct plan {
     int64_t steppers_count;
     double h[LADDER_MOST];
     int64_t h_count;
+    int h_around; /* 1: nobody named steps; they are around the scene's h */
     double t_end;
     double memory; /* bytes that the reference may take on every rank (reference.h) */
 };

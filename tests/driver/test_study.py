@@ -111,6 +111,8 @@ def refused(base):
         ("not a ladder", lambda: [scene, "--h", "0.1:0.03"], ["--h", "factors of two"]),
         ("one step twice", lambda: [scene, "--h", "1/64,2^-6"], ["--h", "twice"]),
         ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),
+        ("scene's step beyond the end", lambda: [variant("h: 1/64", "h: 10"), "--t-end", "1"],
+         ["the scene's h = 10: 40 is longer than t_end = 1", "--h"]),
         ("more steps than can be counted", lambda: [scene, "--h", "1/16", "--t-end", "1e300"],
          ["--h", "t_end = 1e+300 is more than 2^53 steps of h = 0.0625"]),
         ("steps without number", lambda: [scene, "--h", "1e-300", "--t-end", "1e300"], ["more than 2^53 steps of h = 1e-300"]),
