@@ -187,7 +187,11 @@ static void say_study(const struct study *study, const char *folder)
            dissipates ? "chin4 by a fourth of the shortest step, what is lost counted in" : "rk8pd",
            number_plain(study->reference_energy_error), number_plain(study->reference_uncertainty),
            number_plain(study->norm_squared));
-    if (study->reference_uncertainty > 1e-3 && dissipates)
+    if (study->reference_rounding > 0.0)
+        printf(
+            "it is rounding that leaves it so: from one number to the next, positions and attitudes change the forces "
+            "by more than the tolerance; nearer to the origin bodies are known better\n");
+    else if (study->reference_uncertainty > 1e-3 && dissipates)
         printf("runs by steps of that kind still part: the motion is chaotic or something breaks, and errors of "
                "trajectories below that mean nothing; that of the energy does\n");
     else if (study->reference_uncertainty > 1e-3)

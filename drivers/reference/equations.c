@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "control.h"
 #include "euler.h"
+#include "random.h"
 
 /* ---- the state as bodies ----------------------------------------------------------------------------------------- */
 
@@ -122,6 +122,8 @@ static int first_bodies(struct equations *eq, double *state)
 static int is_asked(struct equations *eq)
 {
     enum { LOOK_EVERY = 1 << 15 };
+    if (eq->asked)
+        return 1;
     eq->unseen += eq->model->bodies.count;
     if (eq->unseen < LOOK_EVERY)
         return 0;
@@ -138,6 +140,7 @@ static int rates(double t, const double state[], double rate[], void *self)
     const int64_t stride = equations_body_width(model), n = eq->model->bodies.count;
     vti_bodies *b = &eq->bodies;
     (void)t;
+    ++eq->evals;
     if (is_asked(eq))
         return GSL_EBADFUNC;
     /* GSL promises not to have its state changed; the views are only read */
@@ -157,7 +160,78 @@ static int rates(double t, const double state[], double rate[], void *self)
     return GSL_SUCCESS;
 }
 
+/* ---- what rounding leaves ---------------------------------------------------------------------------------------- */
+
+/* Positions are known to an ulp, |x| eps, by which the forces of a stiff bond change by K |x| eps, however small the step
+ * is; and a step goes through several such errors. Where bodies stand far from the origin, or are light and small, that
+ * is more than a tolerance near eps asks for, and steps would be cut to nothing for it. Where an oscillation brings it to
+ * less than some tolerances it does no harm, and steps are as if there were none. */
+static const double stages = 4.0, some = 64.0;
+
+/** One ulp up or down, whichever comes. */
+static double moved(double value, int64_t k)
+{
+    return (random_bits(0, (uint64_t)k) >> 63) != 0 ? nextafter(value, INFINITY) : nextafter(value, -INFINITY);
+}
+
+/** The largest change of any body's number of that kind, from place to place + 2 of a body, becomes that of all; what
+ *  overflows is none. */
+static void level_noise(struct equations *eq, int64_t place, const double *one, const double *other)
+{
+    const int64_t stride = equations_body_width(eq->model), n = eq->model->bodies.count;
+    double most = 0.0;
+    for (int64_t i = 0; i < n; ++i)
+        for (int64_t c = i * stride + place; c < i * stride + place + 3; ++c)
+            if (isfinite(one[c] - other[c]))
+                most = fmax(most, fmax(eq->noise[c], stages * fabs(one[c] - other[c])));
+    for (int64_t i = 0; i < n; ++i)
+        for (int64_t c = i * stride + place; c < i * stride + place + 3; ++c)
+            eq->noise[c] = most;
+}
+
+/** Once it does, the control knows of it. */
+static int matters(const struct equations *eq)
+{
+    double most = 0.0;
+    for (int64_t c = 0; c < equations_body_width(eq->model); ++c)
+        most = fmax(most, eq->noise[c]);
+    return isfinite(eq->oscillation) && most * eq->oscillation > some * eq->tolerance;
+}
+
+/** Rates of a state and of one whose numbers are the next ones to these. The most that was ever found counts. */
+static void look_at_noise(struct equations *eq, double t, const double *state)
+{
+    enum { AGAIN = 1024 };
+    double *const other = eq->noise + eq->width, *const here = other + eq->width, *const there = here + eq->width;
+    if (eq->evals < eq->next)
+        return;
+    for (int64_t k = 0; k < eq->width; ++k)
+        other[k] = moved(state[k], k);
+    if (rates(t, state, here, eq) == GSL_SUCCESS && rates(t, other, there, eq) == GSL_SUCCESS) {
+        if (eq->model->translates)
+            level_noise(eq, 3, here, there);
+        if (eq->model->turns)
+            level_noise(eq, equations_body_width(eq->model) - 3, here, there);
+        if (matters(eq))
+            control_stop_at(eq->driver->c, &eq->floor);
+    }
+    eq->next = eq->evals + AGAIN;
+}
+
+double equations_rounding_squared(const struct equations *eq)
+{
+    return eq->floor.squares / (stages * stages);
+}
+
 /* ---- integration ------------------------------------------------------------------------------------------------- */
+
+/** 0 if it cannot be found. */
+static double oscillation_of(const struct model *model)
+{
+    struct model_limits limits;
+    struct message ignored;
+    return model_find_limits(model, &limits, &ignored) == 0 ? fmin(limits.rest.h, limits.within.h) : 0.0;
+}
 
 int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch)
 {
@@ -166,12 +240,16 @@ int equations_create(struct equations *eq, struct model *model, double tolerance
     gsl_set_error_handler_off();
     eq->model = model;
     eq->watch = watch;
+    eq->tolerance = tolerance;
+    eq->oscillation = oscillation_of(model);
     eq->width = equations_width(model);
     eq->system = (gsl_odeiv2_system){rates, NULL, (size_t)eq->width, eq};
     eq->loads = calloc((size_t)(6 * model->bodies.count), sizeof *eq->loads);
+    eq->noise = calloc((size_t)(4 * eq->width), sizeof *eq->noise);
+    eq->floor.noise = eq->noise;
     eq->driver = gsl_odeiv2_driver_alloc_y_new(&eq->system, gsl_odeiv2_step_rk8pd, first_step, tolerance, tolerance);
     gsl_odeiv2_control *control = control_new(tolerance);
-    if (eq->loads != NULL && eq->driver != NULL && control != NULL) {
+    if (eq->loads != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL) {
         gsl_odeiv2_control_free(eq->driver->c);
         eq->driver->c = control;
         return 0;
@@ -187,6 +265,7 @@ void equations_destroy(struct equations *eq)
     if (eq->driver != NULL)
         gsl_odeiv2_driver_free(eq->driver);
     free(eq->loads);
+    free(eq->noise);
     memset(eq, 0, sizeof *eq);
 }
 
@@ -202,6 +281,7 @@ static const char *reason(const struct equations *eq, int status)
 int equations_advance(struct equations *eq, double share, double *t, double to, double *state, struct message *message)
 {
     eq->share = share;
+    look_at_noise(eq, *t, state);
     const int status = gsl_odeiv2_driver_apply(eq->driver, t, to, state);
     if (status == GSL_SUCCESS)
         return 0;

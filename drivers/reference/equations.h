@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_odeiv2.h>
 
+#include "control.h"
 #include "model.h"
 #include "watch.h"
 
@@ -18,8 +19,13 @@ struct equations {
     struct model *model; /* its contacts follow the states that are looked at */
     int64_t width;       /* doubles in a state: all bodies, then ||q||^2 up to now */
     double *loads;       /* force and moment of every body */
-    vti_bodies bodies;   /* where rates are taken; sealed */
-    int status, asked;   /* why rates were refused: what the core said, 1 if the watch asked for the end */
+    double *noise;       /* [4][width]: what rounding changes in rates, and scratch to find it */
+    int64_t evals, next; /* of rates; at which noise is looked at again */
+    struct control_floor floor;
+    double oscillation; /* 2/omega of what oscillates fastest; infinite if nothing does */
+    double tolerance;
+    vti_bodies bodies; /* where rates are taken; sealed */
+    int status, asked; /* why rates were refused: what the core said, 1 if the watch asked for the end */
     const struct watch *watch;
     double share;   /* of the whole, that is done; for the watch */
     int64_t unseen; /* bodies whose rates were taken since the watch was last asked */
@@ -31,6 +37,10 @@ struct equations {
  *  on the way. Returns 0, or -1 if there is no memory. */
 int equations_create(struct equations *equations, struct model *model, double tolerance, const struct watch *watch);
 void equations_destroy(struct equations *equations);
+
+/** The sum of the squares of what rounding has changed in velocities and spins at steps that it is a bound of, above
+ *  the tolerance; 0 if there was none. */
+double equations_rounding_squared(const struct equations *equations);
 
 /** Doubles of one body in a state: x v if it translates, q Omega if it turns. */
 int64_t equations_body_width(const struct model *model);

@@ -66,6 +66,15 @@ double panels_tail(const struct panels *panels, int64_t p)
     return largest;
 }
 
+double panels_most(const struct panels *panels, int64_t p)
+{
+    const double *value = panels_row(panels, p, 0);
+    double most = 0.0;
+    for (int64_t k = 0; k < PANELS_NODES * panels->width; ++k)
+        most = fmax(most, fabs(value[k]));
+    return most;
+}
+
 /** t in panels. */
 VTI_INLINE double place_of(const struct panels *panels, double t)
 {

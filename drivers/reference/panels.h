@@ -39,6 +39,8 @@ double *panels_row(const struct panels *panels, int64_t p, int k);
 /** Largest of the last two Chebyshev coefficients of any component of panel p: what the interpolant leaves out is
  *  smaller. */
 double panels_tail(const struct panels *panels, int64_t p);
+/** The largest of its values. */
+double panels_most(const struct panels *panels, int64_t p);
 
 /** The panel that holds t, in memory or not, and t's place tau in it. */
 int64_t panels_find(const struct panels *panels, double t, double *tau);

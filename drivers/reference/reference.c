@@ -140,8 +140,11 @@ static int create(struct model *model, double t_end, double interval, double fin
     }
     r->energy_error = interval == 0.0 ? r->smooth.energy_error : r->sampled.energy_error;
     r->uncertainty = interval == 0.0 ? r->smooth.interpolation_error : r->sampled.spread;
+    if (interval == 0.0 && r->smooth.rounding > r->uncertainty)
+        r->uncertainty = r->rounding = r->smooth.rounding;
     broadcast(&r->energy_error, 1, place->comm);
     broadcast(&r->uncertainty, 1, place->comm);
+    broadcast(&r->rounding, 1, place->comm);
     return 0;
 }
 

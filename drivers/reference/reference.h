@@ -17,6 +17,7 @@ struct reference {
     struct sampled sampled;
     double energy_error; /* largest |E - E_0| */
     double uncertainty;  /* relative, of the solution: what interpolation adds, or how far a looser tolerance leads */
+    double rounding;     /* the same, where rounding leaves more than interpolation adds (smooth.h); else 0 */
 };
 
 /** 1 if the model's motion can be read at any time: no contacts, no walls, no dissipation, few bodies. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "smooth.h"
 
+#include <float.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
@@ -163,7 +164,8 @@ static int one_pass(struct smooth *s, double tolerance, const struct watch *watc
 {
     const vti_bodies bodies = equations_bodies(s->model, s->state);
     const vti_sum nothing = {0.0, 0.0};
-    s->t = s->energy_error = s->interpolation_error = 0.0;
+    double squares = 0.0;
+    s->t = s->energy_error = s->interpolation_error = s->rounding = s->rounding_most = 0.0;
     equations_start(s->model, s->state);
     keep_start(s, 0, nothing);
     const double energy = model_energy(s->model, &bodies);
@@ -174,13 +176,17 @@ static int one_pass(struct smooth *s, double tolerance, const struct watch *watc
             const int failed = one_panel(s, p, message);
             if (failed != 0)
                 return failed;
+            s->rounding_most = fmax(s->rounding_most, 2.0 * DBL_EPSILON * panels_most(&s->panels, p));
+            s->rounding_most = fmax(s->rounding_most, s->equations.floor.highest);
             s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
             s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p));
-            if (s->interpolation_error > tolerance)
+            if (s->interpolation_error > fmax(tolerance, s->rounding_most))
                 return 0;
             if (watch_see(watch, (double)(p + 1) / (double)s->panels.count))
                 return WATCH_ASKED;
         }
+        squares += equations_rounding_squared(&s->equations);
+        s->rounding = sqrt(squares);
         s->window = window;
         if (window + 1 < s->windows)
             hand_on(s, window);
@@ -206,7 +212,8 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
         const int failed = one_pass(s, enough, watch, message);
         const int helps = s->interpolation_error < 0.5 * last;
         last = s->interpolation_error;
-        if (failed != 0 || last <= interpolation_tolerance || (twice > fit && (!helps || twice > most_panels)))
+        if (failed != 0 || last <= fmax(interpolation_tolerance, s->rounding_most) ||
+            (twice > fit && (!helps || twice > most_panels)))
             return failed;
     }
 }

@@ -24,6 +24,8 @@ struct smooth {
     int64_t sums_window, sums_known; /* and the last of them that is known */
     double energy_error;             /* largest |E - E_0| at the ends of the panels */
     double interpolation_error;      /* largest panels_tail */
+    double rounding;      /* of velocities and spins in all steps, where that is above the tolerance; else 0 */
+    double rounding_most; /* the most of a step, likewise, or an ulp or two of what is farthest from 0 */
 };
 
 enum { SMOOTH_START = 3 };

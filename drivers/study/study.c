@@ -266,6 +266,7 @@ static void note_reference(struct study *study, struct reference *reference)
     study->norm_squared = reference_norm_squared(reference, study->t_end);
     study->reference_energy_error = reference->energy_error;
     study->reference_uncertainty = reference->uncertainty;
+    study->reference_rounding = reference->rounding;
 }
 
 int study_run(const struct plan *plan, MPI_Comm comm, const struct study_watch *watch, const struct store *store,

@@ -42,6 +42,7 @@ struct study {
     double t_end;    /* the plan's, or the last common time of all runs before it */
     double interval; /* at which runs are compared with the reference; 0 is every step */
     double reference_energy_error, reference_uncertainty; /* the second relative, of the solution */
+    double reference_rounding;                            /* the same where it is rounding that leaves it so, else 0 */
     double seconds;                                       /* for all runs, reference excluded */
     int refused; /* a run has failed, and would again: nothing of this study is worth keeping */
 };

@@ -209,6 +209,24 @@ def at_rest(base):
         check(done.returncode == 0 and found == {"0"} and "nan" not in done.stdout, f"{count} bodies at rest: errors of 0 {found}")
 
 
+def far_from_the_origin(base):
+    """Small, light and stiff bodies, whose forces change with the last bit of a position by more than any tolerance: the reference
+    comes to an end, and is known as well as it says: methods of high order, whose own errors are rounding, come that near."""
+    with open(f"{base}/far.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {chain: {count: 10, spacing: 1e-3}, mass: 1e-6, random: {seed: 7, v: 0.01, omega: 5}}\n"
+                   "binder: {axial: 1, moment: 0.1}\nh: 1e-7\nt_end: 1e-4\n")
+    known = []
+    for x in (0, 1):
+        done = study(1, f"{base}/far.yaml", "--h", "1e-7", "--steppers", "rk8pd,vern9", "--set", f"bodies.chain.start=[{x}, 0, 0]",
+                     folder=f"{base}/far{x}")
+        with h5py.File(f"{base}/far{x}/study.h5") as file:
+            known.append((file.attrs["reference_uncertainty"], max(float(row["h1_error"]) for row in rows(f"{base}/far{x}"))))
+        check(done.returncode == 0 and "it is rounding" in done.stdout, f"a stiff chain at x = {x} {done.stderr}")
+    check(all(0.3 * error < told < 30 * error for told, error in known) and known[1][0] > 10 * known[0][0],
+          f"... known as well as it says: {known}")
+    check("it is rounding" not in study(1, CHAIN, "--h", "1/64", "--t-end", "1", folder=f"{base}/near").stdout, "... and nearer not")
+
+
 def rivals(base):
     """They stand beside ours in every table, with the orders of the literature; the same bytes on any number of ranks."""
     steppers = ("exact", 2), ("lammps-richardson", 2), ("yade-leapfrog", 2), ("rk4", 4)
@@ -270,6 +288,7 @@ with tempfile.TemporaryDirectory() as base:
     without_orders(base)
     from_tables(base)
     at_rest(base)
+    far_from_the_origin(base)
     rivals(base)
     general_inertia(base)
     keeps_what_was_there(base)

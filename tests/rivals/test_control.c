@@ -50,6 +50,35 @@ TEST(nan_is_no_small_error)
     gsl_odeiv2_control_free(ours);
 }
 
+/** With a floor an error is small that is below the floor, and it is noted; without it, or above it, it is not. */
+TEST(no_less_than_rounding_leaves)
+{
+    enum { STEPS = 4 };
+    const double noise[NUMBERS] = {0.0, 1e-9, 1e-10}, rate[NUMBERS] = {0.0}, y[NUMBERS] = {1.0, 1.0, 1.0};
+    const double at[NUMBERS] = {0.0, 0.8e-10, 0.0}, below[NUMBERS] = {0.0, 1e-13, 1e-13};
+    const double other[NUMBERS] = {1e-13, 0.0, 0.0}, above[NUMBERS] = {0.0, 0.0, 2e-11};
+    struct control_floor floor = {noise, 0.0, 0.0};
+    gsl_odeiv2_control *ours = control_new(1e-14);
+    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, NUMBERS);
+    double h = 0.1;
+    assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, at, rate, &h), GSL_ODEIV_HADJ_DEC);
+    control_stop_at(ours, &floor);
+    h = 0.1;
+    assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, other, rate, &h), GSL_ODEIV_HADJ_DEC);
+    h = 0.1;
+    assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, above, rate, &h), GSL_ODEIV_HADJ_DEC);
+    assert_true(floor.highest == 0.0 && floor.squares == 0.0);
+    for (int k = 0; k < STEPS; ++k) {
+        h = 0.1;
+        assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, at, rate, &h), GSL_ODEIV_HADJ_NIL);
+        assert_int_equal(gsl_odeiv2_control_hadjust(ours, step, y, below, rate, &h), GSL_ODEIV_HADJ_INC);
+    }
+    assert_close(floor.highest, 1e-10, 4 * EPS * 1e-10);
+    assert_close(floor.squares, 2 * STEPS * 1e-20, 16 * EPS * 1e-19);
+    gsl_odeiv2_step_free(step);
+    gsl_odeiv2_control_free(ours);
+}
+
 TEST(quantiles)
 {
     for (int freedom = 1; freedom < 64; ++freedom)
@@ -57,4 +86,4 @@ TEST(quantiles)
 }
 
 RUN_TESTS(cmocka_unit_test(steps_as_gsl_chooses_them), cmocka_unit_test(nan_is_no_small_error),
-          cmocka_unit_test(quantiles))
+          cmocka_unit_test(no_less_than_rounding_leaves), cmocka_unit_test(quantiles))

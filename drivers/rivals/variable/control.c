@@ -7,7 +7,7 @@
  *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
  *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h
  *
- * Where GSL's own is content with NaN, it is an infinite error here: a step that meets it is made again. */
+ * With a floor (control_floor) D_i is no less than h noise_i. Where GSL's own is content with NaN, it is an infinite error here: a step that meets it is made again. */
 #include "control.h"
 
 #include <math.h>
@@ -15,22 +15,45 @@
 
 static const double safety = 0.9, most = 5.0;
 
+struct settings {
+    double epsilon;
+    struct control_floor *floor; /* NULL: none */
+};
+
 static void *create(void)
 {
-    return calloc(1, sizeof(double));
+    return calloc(1, sizeof(struct settings));
 }
 
 static int init(void *state, double absolute, double relative, double a_y, double a_dydt)
 {
     (void)relative, (void)a_y, (void)a_dydt;
-    *(double *)state = absolute;
+    ((struct settings *)state)->epsilon = absolute;
     return 0;
 }
 
-static double desired(const void *state, double y)
+static double desired(const struct settings *s, double y)
 {
-    const double epsilon = *(const double *)state;
-    return epsilon * fabs(y) + epsilon;
+    return s->epsilon * fabs(y) + s->epsilon;
+}
+
+/** The least error that can be had of component i by a step h. */
+static double least(const struct settings *s, size_t i, double h)
+{
+    return s->floor != NULL ? fabs(h) * s->floor->noise[i] : 0.0;
+}
+
+/** A step h is taken. */
+static void note_floor(const struct settings *s, size_t n, const double y[], double h)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < n && s->floor != NULL; ++i)
+        if (least(s, i, h) > desired(s, y[i]))
+            largest = fmax(largest, least(s, i, h));
+    if (largest > 0.0) {
+        s->floor->highest = fmax(s->floor->highest, largest);
+        s->floor->squares += largest * largest;
+    }
 }
 
 static double eighth_root(double r)
@@ -59,14 +82,16 @@ static double worst_of(double r, double share)
 static int adjust(void *state, size_t n, unsigned int order, const double y[], const double error[],
                   const double rate[], double *h)
 {
+    const struct settings *s = state;
     double r = 0.0;
     (void)order, (void)rate;
     for (size_t i = 0; i < n; ++i)
-        r = worst_of(r, fabs(error[i]) / desired(state, y[i]));
+        r = worst_of(r, fabs(error[i]) / fmax(desired(s, y[i]), least(s, i, *h)));
     if (r > 1.1) {
         *h *= fmax(safety / eighth_root(r), 1.0 / most);
         return GSL_ODEIV_HADJ_DEC;
     }
+    note_floor(s, n, y, *h);
     if (r < 0.5) {
         *h *= r < 1e-8 ? most : fmin(fmax(safety / ninth_root(r), 1.0), most);
         return GSL_ODEIV_HADJ_INC;
@@ -85,6 +110,11 @@ static int set_driver(void *state, const gsl_odeiv2_driver *driver)
 {
     (void)state, (void)driver;
     return 0;
+}
+
+void control_stop_at(gsl_odeiv2_control *control, struct control_floor *floor)
+{
+    ((struct settings *)control->state)->floor = floor;
 }
 
 gsl_odeiv2_control *control_new(double epsilon)
