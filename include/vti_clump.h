@@ -58,9 +58,9 @@ VTI_API int vti_clumps_spread(const vti_clumps *clumps, const vti_bodies *bodies
 
 /** Adds the loads of the spheres to those of the slice's bodies, s ascending (a load that is absent is left out):
  *      F += F_s,   RM += RM_s + r x F_s,
- *  the transpose of spread: what was a gradient stays one, and momenta are kept. Errors are those of spread. Threads may do slices of bodies at
- *  once. A step with its own loop over the spheres' effects, which gives a clump of one sphere at its centre the bits
- *  of that sphere:
+ *  the transpose of spread: what was a gradient stays one, and momenta are kept. Errors are those of spread. Threads
+ *  may do slices of bodies at once. A step with its own loop over the spheres' effects, which gives a clump of one
+ *  sphere at its centre the bits of that sphere:
  *
  *      vti_step_begin(method, h, &bodies, &fault);
  *      vti_clumps_spread(&clumps, &bodies);

@@ -83,8 +83,8 @@ VTI_API int vti_step_undo(const vti_bodies *bodies, const vti_kept *kept);
 /* ---- variable steps without drift (EQUATIONS 8.4) ---------------------------------------------------------------- */
 
 /** The integrating controller of E. Hairer and G. Soederlind, Explicit, time reversible, adaptive step size control,
- *  SIAM J. Sci. Comput. 26, 1838 (2005). The step that is wished for, s(y) > 0, depends on the state y alone; with its rate along
- *  the motion G = -(1/s) ds/dt, which an even s of the velocities makes odd,
+ *  SIAM J. Sci. Comput. 26, 1838 (2005). The step that is wished for, s(y) > 0, depends on the state y alone; with its
+ *  rate along the motion G = -(1/s) ds/dt, which an even s of the velocities makes odd,
  *
  *      rho_1/2 = 1/s(y_0) + epsilon G(y_0)/2,   rho_n+1/2 = rho_n-1/2 + epsilon G(y_n),   h_n = epsilon/rho_n+1/2
  *

@@ -77,8 +77,8 @@ typedef struct vti_friction {
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs
- *  x, v, an attitude, omega, mass, and inertia or moments. Energy terms, of the springs: "friction_sliding", "friction_rolling",
- *  "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
+ *  x, v, an attitude, omega, mass, and inertia or moments. Energy terms, of the springs: "friction_sliding",
+ *  "friction_rolling", "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
  *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
  *  stiffness. */
 VTI_API vti_effect vti_friction_effect(const vti_friction *friction);

@@ -151,11 +151,11 @@ VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, 
 
 /** For codes whose arrays are x[n][3] (Fortran x(3,n)) and that want no structs. stepper is an index for
  *  vti_stepper_at: 0 is vti1, 1 vti2, 2 vti3. Steppers of more than one stage need more calls than these two and are
- *  refused with VTI_E_STEPPER; "exact" is of one. VTI_E_COUNT for masses or inertias that are neither. NULL arrays are absent physics as above. masses and inertias: 1 (one
- *  value for all) or n; or inertias = 3n for bodies that are not spheres: then inertia[n][3] are the three moments of
- *  each, about axes that are the body's own, and omega[n][3] is its angular momentum L (EQUATIONS 7.1). Same
- *  arithmetic, same bits as through views. On failure body receives the number of the body, from 0 (or -1), and value
- *  its h|Omega|, the largest of its turns; both may be NULL. */
+ *  refused with VTI_E_STEPPER; "exact" is of one. VTI_E_COUNT for masses or inertias that are neither. NULL arrays are
+ *  absent physics as above. masses and inertias: 1 (one value for all) or n; or inertias = 3n for bodies that are not
+ *  spheres: then inertia[n][3] are the three moments of each, about axes that are the body's own, and omega[n][3] is
+ *  its angular momentum L (EQUATIONS 7.1). Same arithmetic, same bits as through views. On failure body receives the
+ *  number of the body, from 0 (or -1), and value its h|Omega|, the largest of its turns; both may be NULL. */
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
                              double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
                              int64_t inertias, const double *inertia, int64_t *body, double *value);

@@ -133,10 +133,11 @@ static inline double vti_damping_share_of_force(const vti_dashpots *p, const str
 }
 
 /** Spring and dashpot together obey the limit: g = p - t f, f being what the spring holds, goes to the nearest place of
- *  |g| <= R = t max(limit, |f|), and p takes all of the change: p <- p - s g, s = 1 - R/|g|, which is
- *  (g.g - R^2)/(|g| (|g| + R)) (EQUATIONS 6.3). The longest share of p that obeys the limit would jump from nothing
- *  to all of p as f, on the limit, and p pass the right angle, and make velocities of first order (test friction). For p = -m c u, of one m for all directions, none of these gains energy: p'.p >= p'.p', as the nearest
- *  place of a convex set has it. Where nothing is beyond, as mostly, there are neither roots nor divisions. */
+ *  |g| <= R = t max(limit, |f|), and p takes all of the change: p <- p - s g, s = 1 - R/|g|, which is (g.g - R^2)/(|g|
+ *  (|g| + R)) (EQUATIONS 6.3). The longest share of p that obeys the limit would jump from nothing to all of p as f, on
+ *  the limit, and p pass the right angle, and make velocities of first order (test friction). For p = -m c u, of one m
+ *  for all directions, none of these gains energy: p'.p >= p'.p', as the nearest place of a convex set has it. Where
+ *  nothing is beyond, as mostly, there are neither roots nor divisions. */
 VTI_INLINE void vti_damping_limit(lanes p[3], const lanes f[3], double t, lanes limit)
 {
     const lanes load2 = t * t * lanes_dot(f, f), most2 = t * t * limit * limit;
