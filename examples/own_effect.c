@@ -84,7 +84,7 @@ int main(void)
                                .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS,
                                .gives = 1 << VTI_QUANTITY_FORCE,
                                .smooth = 1,
-                               .breaks = VTI_MOMENTUM | VTI_ANGULAR,
+                               .breaks = VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR,
                                .dissipates = 1,
                                .terms = 1,
                                .term = term,

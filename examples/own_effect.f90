@@ -97,7 +97,7 @@ program own_effect
     effect%needs = ibset(ibset(ibset(0_c_int64_t, VTI_QUANTITY_X), VTI_QUANTITY_V), VTI_QUANTITY_MASS)
     effect%gives = ibset(0_c_int64_t, VTI_QUANTITY_FORCE)
     effect%smooth = 1
-    effect%breaks = 63 ! all linear and angular momenta
+    effect%breaks = VTI_BREAKS_LINEAR + VTI_BREAKS_ANGULAR
     effect%dissipates = 1
     effect%terms = 1
     effect%books = 1

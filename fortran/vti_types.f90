@@ -17,6 +17,7 @@ module vti_types
         VTI_E_MOMENTS = -24, VTI_E_CLUMP = -25
     integer(c_int), parameter :: VTI_LAW_CLOSED = 1, VTI_LAW_CAYLEY = 2, VTI_LAW_EXACT = 3, VTI_LAW_EXACT9 = 4
     integer(c_int), parameter :: VTI_FRAME_SPACE = 1, VTI_FRAME_BODY = -1
+    integer(c_int64_t), parameter :: VTI_BREAKS_LINEAR = 7, VTI_BREAKS_ANGULAR = 56, VTI_BREAKS_SPINS = 448
     integer(c_int64_t), parameter :: VTI_SHEAR_OBJECTIVE = 1, VTI_SHEAR_QUARTIC = 2, VTI_SHEAR_PRINTED = 3
     integer(c_int64_t), parameter :: VTI_TERMS = 8, VTI_BOND_LOADS = 9
     integer(c_int64_t), parameter :: VTI_DRAG_BOOKS = 2, VTI_DASHPOT_BOOKS = 4, VTI_FRICTION_BOOKS = 3, &

@@ -57,10 +57,10 @@ typedef struct vti_deformation {
 /* ---- an effect --------------------------------------------------------------------------------------------------- */
 
 /** Momenta that an effect may not conserve, three components each: x, y, z from the lowest bit on. */
-enum vti_momenta {
-    VTI_MOMENTUM = 07, /**< sum of m v */
-    VTI_ANGULAR = 070, /**< sum of x x m v + J Omega, about the origin */
-    VTI_SPINS = 0700   /**< sum of J Omega */
+enum vti_breaks {
+    VTI_BREAKS_LINEAR = 7,   /**< sum of m v */
+    VTI_BREAKS_ANGULAR = 56, /**< sum of x x m v + J Omega, about the origin: bits 3 to 5 */
+    VTI_BREAKS_SPINS = 448   /**< sum of J Omega: bits 6 to 8 */
 };
 
 struct vti_clumps;
@@ -117,7 +117,7 @@ typedef struct vti_effect {
     int64_t smooth;  /**< 1 if its force has all derivatives; 0 if it has kinks, as where a contact begins */
     int64_t settles; /**< 1 if its flow leaves nothing to set to 0 of spheres' velocities (below); bodies at rest then
                          cost a pass less over them */
-    int64_t breaks;  /**< momenta that it does not conserve: components of vti_momenta */
+    int64_t breaks;  /**< momenta that it does not conserve: components of vti_breaks */
     int64_t
         dissipates; /**< 1 if it takes energy out of the motion: steppers with negative coefficients would put it in */
     int64_t terms;  /**< at most VTI_TERMS */

@@ -102,6 +102,6 @@ vti_effect vti_pendulum_effect(const vti_pendulum *pendulum)
                                .smooth = 1,
                                .terms = 1,
                                .term = term,
-                               .breaks = VTI_MOMENTUM | ((VTI_ANGULAR | VTI_SPINS) & ~0440)};
+                               .breaks = VTI_BREAKS_LINEAR | ((VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS) & ~0440)};
     return effect;
 }

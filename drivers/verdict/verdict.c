@@ -13,7 +13,7 @@ static const double rounding = 1e-12; /* of all energies: sqrt(1e7) steps of eps
  *  up momentum too, but theirs is elastic. */
 static int is_of_field(const vti_effect *effect)
 {
-    return effect->smooth && (effect->breaks & VTI_MOMENTUM) != 0;
+    return effect->smooth && (effect->breaks & VTI_BREAKS_LINEAR) != 0;
 }
 
 static double smallest_diameter(const struct model *model)

@@ -173,7 +173,7 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
     const int pulls = has_axial || has_shear, turns = has_moment || has_shear;
     const int form = form_of(bonds);
     /* as printed, total angular momentum is not conserved but sum J Omega is; objective, it is the other way round */
-    const int64_t breaks = form == VTI_SHEAR_PRINTED ? VTI_ANGULAR : form != 0 ? VTI_SPINS : 0;
+    const int64_t breaks = form == VTI_SHEAR_PRINTED ? VTI_BREAKS_ANGULAR : form != 0 ? VTI_BREAKS_SPINS : 0;
     const vti_effect effect = {.name = "binder",
                                .apply = apply,
                                .energy = energy,

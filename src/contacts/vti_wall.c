@@ -240,7 +240,7 @@ static int64_t broken_by_plane(const double n[3])
 /** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z. */
 static int64_t broken_by_cylinder(const double cylinder[7], const double velocity[3])
 {
-    const int64_t all = VTI_MOMENTUM | VTI_ANGULAR;
+    const int64_t all = VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR;
     for (int k = 0; k < 3; ++k) {
         const int other = (k + 1) % 3, last = (k + 2) % 3, is_axis = cylinder[other] == 0.0 && cylinder[last] == 0.0;
         const int stays =

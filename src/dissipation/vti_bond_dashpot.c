@@ -190,7 +190,7 @@ vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)
                                         (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
                                .smooth = 1,
                                .settles = 1,
-                               .breaks = spins ? VTI_SPINS : 0,
+                               .breaks = spins ? VTI_BREAKS_SPINS : 0,
                                .dissipates = 1,
                                .books = VTI_BOND_DASHPOT_BOOKS,
                                .book = book,

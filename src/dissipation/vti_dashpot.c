@@ -286,9 +286,10 @@ vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
     if (p == NULL || p->lost == NULL || (p->contacts == NULL && p->walls == NULL))
         return vti_effect_none();
     const int turns = p->rolling > 0.0 || p->twisting > 0.0, slides = p->tangential > 0.0 || p->ratio > 0.0;
-    int64_t breaks = turns || slides ? VTI_SPINS : 0;
+    int64_t breaks = turns || slides ? VTI_BREAKS_SPINS : 0;
     if (p->walls != NULL)
-        breaks |= turns || slides ? VTI_MOMENTUM | VTI_ANGULAR | VTI_SPINS : vti_walls_effect(p->walls).breaks;
+        breaks |= turns || slides ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS
+                                  : vti_walls_effect(p->walls).breaks;
     const vti_effect effect = {.name = "dashpot",
                                .check = check,
                                .springs = vti_springs_none,

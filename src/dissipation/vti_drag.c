@@ -251,8 +251,8 @@ vti_effect vti_drag_effect(const vti_drag *drag)
                                .needs = (slows ? force : 0) | (turns ? moment : 0),
                                .smooth = 1,
                                .settles = 1,
-                               .breaks =
-                                   (slows ? VTI_MOMENTUM | VTI_ANGULAR : 0) | (turns ? VTI_ANGULAR | VTI_SPINS : 0),
+                               .breaks = (slows ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR : 0) |
+                                         (turns ? VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS : 0),
                                .dissipates = 1,
                                .books = slows + turns,
                                .book = book + !slows,

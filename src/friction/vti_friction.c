@@ -242,24 +242,24 @@ vti_effect vti_friction_effect(const vti_friction *friction)
     const vti_friction *p = friction;
     if (p == NULL || p->lost == NULL || p->history == NULL || (p->contacts == NULL && p->walls == NULL))
         return vti_effect_none();
-    const vti_effect effect = {.name = "friction",
-                               .apply = apply,
-                               .energy = energy,
-                               .check = check,
-                               .springs = springs,
-                               .carry = vti_friction_carry,
-                               .self = p,
-                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA |
-                                        1 << VTI_QUANTITY_OMEGA,
-                               .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
-                               .breaks = p->walls != NULL ? VTI_MOMENTUM | VTI_ANGULAR | VTI_SPINS : VTI_SPINS,
-                               .dissipates = 1,
-                               .terms = terms_of(p),
-                               .term = term,
-                               .books = terms_of(p),
-                               .book = book,
-                               .booked = p->lost,
-                               .by_body = p->by_body,
-                               .of_body = VTI_FRICTION_BOOKS};
+    const vti_effect effect = {
+        .name = "friction",
+        .apply = apply,
+        .energy = energy,
+        .check = check,
+        .springs = springs,
+        .carry = vti_friction_carry,
+        .self = p,
+        .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_OMEGA,
+        .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
+        .breaks = p->walls != NULL ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS : VTI_BREAKS_SPINS,
+        .dissipates = 1,
+        .terms = terms_of(p),
+        .term = term,
+        .books = terms_of(p),
+        .book = book,
+        .booked = p->lost,
+        .by_body = p->by_body,
+        .of_body = VTI_FRICTION_BOOKS};
     return effect;
 }

@@ -89,6 +89,7 @@ static const int64_t layout[] = {
     AT(vti_effect, needs),
     AT(vti_effect, gives),
     AT(vti_effect, smooth),
+    AT(vti_effect, settles),
     AT(vti_effect, breaks),
     AT(vti_effect, dissipates),
     AT(vti_effect, terms),

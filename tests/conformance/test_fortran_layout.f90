@@ -120,7 +120,7 @@ contains
         call add(c_sizeof(effect), c_loc(effect), [c_loc(effect%name), c_loc(effect%apply), &
             c_loc(effect%energy), c_loc(effect%check), c_loc(effect%springs), c_loc(effect%flow), &
             c_loc(effect%flow_clumps), c_loc(effect%carry), c_loc(effect%rupture), c_loc(effect%self), c_loc(effect%needs), &
-            c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%breaks), c_loc(effect%dissipates), &
+            c_loc(effect%gives), c_loc(effect%smooth), c_loc(effect%settles), c_loc(effect%breaks), c_loc(effect%dissipates), &
             c_loc(effect%terms), c_loc(effect%term), c_loc(effect%books), c_loc(effect%book), c_loc(effect%booked), &
             c_loc(effect%by_body), c_loc(effect%of_body)])
         call add(c_sizeof(drifted), c_loc(drifted), [c_loc(drifted%t), c_loc(drifted%law), &

@@ -57,7 +57,9 @@ TEST(bonds)
         web_combination(trial % 15, &terms, &form);
         web_terms(&w, count, terms, form);
         const vti_effect effect = vti_bonds_effect(&w.bonds);
-        assert_int_equal(effect.breaks, form == VTI_SHEAR_PRINTED ? VTI_ANGULAR : form != 0 ? VTI_SPINS : 0);
+        assert_int_equal(effect.breaks, form == VTI_SHEAR_PRINTED ? VTI_BREAKS_ANGULAR
+                                        : form != 0               ? VTI_BREAKS_SPINS
+                                                                  : 0);
         run(&effect);
     }
 }
