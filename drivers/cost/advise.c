@@ -104,7 +104,7 @@ static int look_at(struct stages *g)
 /** Whether a run by half of the stable step has no more steps than can be counted. */
 static int can_count(const struct advice *a, const struct search *s, const vti_stepper *stepper)
 {
-    return a->t_end <= 0.5 * PILOT_MOST * search_longest(s, stepper);
+    return a->t_end <= 0.5 * LOOP_STEPS * search_longest(s, stepper);
 }
 
 /** Refuses an end that no stable steps reach, before any pilot. */

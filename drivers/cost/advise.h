@@ -4,6 +4,7 @@
 #define VTI_ADVISE_H
 
 #include "cost_ladder.h"
+#include "loop.h"
 
 /* What functions return that ended without an answer, beside 0 and -1. */
 enum {
@@ -29,9 +30,6 @@ double purse_clock(void);
 
 enum { PILOT_MARKS = 16 };
 
-/** Steps of any run at most: they are counted in a double, which holds whole numbers up to this. */
-#define PILOT_MOST 0x1p53
-
 /** One stepper from the start of a scene on, of which the bodies at sixteen times are kept, the last at the end. */
 struct pilot {
     int64_t steps, force_evals;
@@ -48,7 +46,7 @@ struct pilot {
 };
 
 /** The next number of steps that a pilot goes in: a multiple of PILOT_MARKS, its unit, unless it is small. Never more than
- *  PILOT_MOST. */
+ *  LOOP_STEPS. */
 int64_t pilot_steps(double steps);
 int64_t pilot_unit(int64_t steps);
 /** Runs the trial, of pilot_steps. beside: a coarser run of the same time, or NULL; where the two part early by a
@@ -159,7 +157,7 @@ int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t step
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
 /** The longest step that is worth trying: 0.9 of the stable one, and of the closed form's own bound. */
 double search_longest(const struct search *s, const vti_stepper *stepper);
-/** The fewest steps that are worth trying, of that or a little less; PILOT_MOST where these would be more. */
+/** The fewest steps that are worth trying, of that or a little less; LOOP_STEPS where these would be more. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
 /** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more
  *  than the others. */

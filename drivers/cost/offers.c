@@ -48,7 +48,7 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
         o->doubt = o->below = s->kinked ? INFINITY : fmax(found->doubt, s->doubt * fmax(1.0, sqrt(longer / enough)));
     }
     const double steps = ceil((double)found->steps * longer * finer);
-    if (!(steps <= PILOT_MOST)) { /* no run counts as many */
+    if (!(steps <= LOOP_STEPS)) { /* no run counts as many */
         *o = offers_none(found->stepper);
         return;
     }

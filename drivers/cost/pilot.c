@@ -165,7 +165,7 @@ int64_t pilot_unit(int64_t steps)
 int64_t pilot_steps(double steps)
 {
     static const double least = 4.0;
-    const double limited = ceil(fmin(fmax(steps, least), PILOT_MOST)), unit = (double)pilot_unit((int64_t)limited);
+    const double limited = ceil(fmin(fmax(steps, least), LOOP_STEPS)), unit = (double)pilot_unit((int64_t)limited);
     return (int64_t)(unit * ceil(limited / unit));
 }
 

@@ -216,18 +216,23 @@ static void name_pair(const struct neighbours *list, int64_t k, int64_t body[2])
     }
 }
 
+/** How far the centres of a pair are apart. */
+static double distance(const vti_view *x, const int64_t pair[2])
+{
+    double d[3];
+    for (int c = 0; c < 3; ++c)
+        d[c] = x->c[c][pair[0] * x->stride] - x->c[c][pair[1] * x->stride];
+    return vti_norm(d);
+}
+
 /** At the start: of centres that are one there is no direction in which they could part. The core takes those for one
  *  that are nearer than 3.1e-151. */
 static int check_directions(const struct contact_self *self, const vti_view *x, struct message *message)
 {
-    static const double one = 1e-301; /* the square of that, rounded up */
+    static const double one = 3.2e-151; /* that, rounded up */
     const struct neighbours *list = &self->neighbours;
     for (int64_t k = 0; k < list->count; ++k) {
-        const int64_t i = list->pair[2 * k] * x->stride, j = list->pair[2 * k + 1] * x->stride;
-        double square = 0.0;
-        for (int c = 0; c < 3; ++c)
-            square += (x->c[c][i] - x->c[c][j]) * (x->c[c][i] - x->c[c][j]);
-        if (square > one)
+        if (distance(x, list->pair + 2 * k) > one)
             continue;
         int64_t body[2];
         name_pair(list, k, body);
@@ -334,10 +339,7 @@ static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t 
 {
     const int64_t i = contacts->pair[2 * k], j = contacts->pair[2 * k + 1];
     const vti_scalars *D = &contacts->diameter;
-    double apart[3];
-    for (int c = 0; c < 3; ++c)
-        apart[c] = x->c[c][i * x->stride] - x->c[c][j * x->stride];
-    return 1.0 - vti_norm(apart) / (0.5 * (D->p[i * D->stride] + D->p[j * D->stride]));
+    return 1.0 - distance(x, contacts->pair + 2 * k) / (0.5 * (D->p[i * D->stride] + D->p[j * D->stride]));
 }
 
 /** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. */
@@ -349,11 +351,11 @@ static void note(const struct effect *e, const struct model *model, char *text, 
     const double most = 0.1;
     double deepest = most;
     int64_t at = -1, body[2];
-    for (int64_t k = 0; k < contacts->count; ++k)
-        if (share_of(contacts, x, k) > deepest) {
-            deepest = share_of(contacts, x, k);
-            at = k;
-        }
+    for (int64_t k = 0; k < contacts->count; ++k) {
+        const double share = share_of(contacts, x, k);
+        at = share > deepest ? k : at;
+        deepest = fmax(deepest, share);
+    }
     text[0] = '\0';
     if (at < 0)
         return;

@@ -238,15 +238,16 @@ int keep_is_left(const char *path)
     return look_at(path, is_ours, 0);
 }
 
+const char *const keep_beside[KEEP_BESIDE] = {"-journal", "-wal", "-shm"};
+
 /** SQLite takes files of these names for its own, and removes them: -journal, which a killed program of ours leaves, and
  *  two of a kind that none of ours writes. Another program may begin or end in the meantime. */
 static int check_beside(const struct keep *keep, struct message *message)
 {
-    static const char *const endings[] = {"-journal", "-wal", "-shm"};
     char path[FOLDER_PATH + 16];
     struct stat info;
-    for (int k = 0; k < 3; ++k) {
-        snprintf(path, sizeof path, "%s%s", keep->path, endings[k]);
+    for (int k = 0; k < KEEP_BESIDE; ++k) {
+        snprintf(path, sizeof path, "%s%s", keep->path, keep_beside[k]);
         if (k == 0 ? !look_at(path, is_journal, 1) : lstat(path, &info) == 0)
             return message_set(message,
                                "%.600s: is there already and belongs to no %s that was interrupted; move it away, or "

@@ -30,6 +30,10 @@ struct keep {
     struct sqlite3_stmt *put[KEEP_TABLES], *get[KEEP_TABLES];
 };
 
+/** What SQLite may put beside such a file, by the endings of their names. */
+enum { KEEP_BESIDE = 3 };
+extern const char *const keep_beside[KEEP_BESIDE];
+
 /** Whether a program that was killed may have left the file at path: one of these, or an empty one. Not to be asked while
  *  this program has it open: closing it here would give SQLite's lock away. */
 int keep_is_left(const char *path);

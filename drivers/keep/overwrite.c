@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "folder.h"
+#include "keep.h"
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
 
@@ -103,13 +104,13 @@ static int check_inputs(const char *folder, const char *name, const struct input
 static int check_kept(const char *folder, const char *name, const struct input *inputs, int count,
                       struct message *message)
 {
-    static const char *const endings[] = {"", "-journal", "-wal", "-shm"};
     char path[FOLDER_PATH + 16];
     if (folder_path(folder, name, 0, path, message) != 0)
         return -1;
     char *const end = path + strlen(path);
-    for (int k = 0; k < 4; ++k) {
-        memcpy(end, endings[k], strlen(endings[k]) + 1);
+    for (int k = -1; k < KEEP_BESIDE; ++k) {
+        const char *const ending = k < 0 ? "" : keep_beside[k];
+        memcpy(end, ending, strlen(ending) + 1);
         for (int n = 0; n < count; ++n)
             if (inputs[n].path[0] != '\0' && is_same(path, inputs[n].path))
                 return message_set(message,

@@ -7,7 +7,8 @@
  *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
  *     h <- 0.9 r^(-1/(q+1)) h     if r < 0.5,  between h and 5 h
  *
- * With a floor (control_floor) D_i is no less than h noise_i. Where GSL's own is content with NaN, it is an infinite error here: a step that meets it is made again. */
+ * With a floor (control_floor) D_i is no less than h noise_i. Where GSL's own is content with NaN, it is an infinite
+ * error here: a step that meets it is made again. */
 #include "control.h"
 
 #include <math.h>
@@ -73,7 +74,7 @@ static double ninth_root(double r)
     return y;
 }
 
-/** The larger one; a share that is no number is larger than all. */
+/** The larger one; a share that is NaN is larger than all. */
 static double worst_of(double r, double share)
 {
     return isnan(share) ? INFINITY : fmax(r, share);
