@@ -87,8 +87,8 @@ def side_view(axes, folder, scene, title):
     for who, look in zip(("vti", "LAMMPS"), style.LOOKS):
         x = places(folder, f"{scene}-{who}")
         axes.plot(x[:, 0], x[:, 2], look.marker, color=look.colour, markersize=4, fillstyle="none", label=who)
-    axes.set(title=title, xlabel="x (units of the scene)", ylabel="z", aspect="equal", ylim=(0, None))
-    axes.legend(loc="upper right")
+    axes.set(title=title, xlabel="x, z (units of the scene)", ylabel="z", aspect="equal", ylim=(0, axes.get_ylim()[1] + 0.4))
+    axes.legend(loc="upper left")
 
 
 def finest(rows):
