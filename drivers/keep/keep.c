@@ -17,8 +17,9 @@
 
 #include "digest.h"
 #include "identity.h"
+#include "left.h"
 
-enum { VERSION = 0x76746931 /* "vti1" */, PAGE = 16384 };
+enum { PAGE = 16384 };
 
 static const char *const tables[KEEP_TABLES] = {"identity", "checkpoint", "rows", "frames", "results"};
 
@@ -183,80 +184,6 @@ int keep_settle(struct keep *keep, struct message *message)
     return keep->waits && keep_now() >= keep->due ? keep_commit(keep, message) : 0;
 }
 
-/* ---- what is there ----------------------------------------------------------------------------------------------- */
-
-/** The first bytes of a regular file that is open, as many as there are, then zeros. Returns 1 if they can be read. */
-static int read_start(int fd, unsigned char *start, size_t size)
-{
-    struct stat info;
-    memset(start, 0, size);
-    return fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && pread(fd, start, size, 0) >= 0;
-}
-
-/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for. */
-static int begins(const unsigned char *start, const void *as, size_t size)
-{
-    size_t zeros = 0;
-    while (zeros < size && start[zeros] == 0)
-        ++zeros;
-    return zeros == size || memcmp(start, as, size) == 0;
-}
-
-/** Whether the open file may be one that a program of ours has made. */
-static int is_ours(int fd)
-{
-    enum { ID = 68 };
-    unsigned char start[ID + 4];
-    if (!read_start(fd, start, sizeof start) || !begins(start, "SQLite format 3", 16))
-        return 0;
-    const unsigned id = (unsigned)start[ID] << 24 | (unsigned)start[ID + 1] << 16 | (unsigned)start[ID + 2] << 8 |
-                        (unsigned)start[ID + 3];
-    return start[0] == 0 || id == VERSION;
-}
-
-/** The same of a journal of SQLite's. */
-static int is_journal(int fd)
-{
-    static const unsigned char magic[] = {0xd9, 0xd5, 0x05, 0xf9, 0x20, 0xa1, 0x63, 0xd7};
-    unsigned char start[sizeof magic];
-    return read_start(fd, start, sizeof start) && begins(start, magic, sizeof magic);
-}
-
-/** Asks one of them about what is at path; otherwise if there is nothing, and 0 if that is a link. */
-static int look_at(const char *path, int (*ask)(int fd), int otherwise)
-{
-    const int fd = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    if (fd < 0)
-        return errno == ENOENT ? otherwise : 0;
-    const int answer = ask(fd);
-    close(fd);
-    return answer;
-}
-
-int keep_is_left(const char *path)
-{
-    return look_at(path, is_ours, 0);
-}
-
-const char *const keep_beside[KEEP_BESIDE] = {"-journal", "-wal", "-shm"};
-
-/** SQLite takes files of these names for its own, and removes them: -journal, which a killed program of ours leaves, and
- *  two of a kind that none of ours writes. Another program may begin or end in the meantime. */
-static int check_beside(const struct keep *keep, struct message *message)
-{
-    char path[FOLDER_PATH + 16];
-    struct stat info;
-    for (int k = 0; k < KEEP_BESIDE; ++k) {
-        snprintf(path, sizeof path, "%s%s", keep->path, keep_beside[k]);
-        if (k == 0 ? !look_at(path, is_journal, 1) : lstat(path, &info) == 0)
-            return message_set(message,
-                               "%.600s: is there already and belongs to no %s that was interrupted; move it away, or "
-                               "choose another place with -o",
-                               path, keep->what);
-    }
-    return 0;
-}
-
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
 /** Makes the file if need be, and finds out whether its file system knows locks. */
@@ -271,13 +198,13 @@ static int probe(struct keep *keep, const char **vfs, struct message *message)
     if (keep->there && !S_ISREG(info.st_mode))
         return message_set(message, "%.600s: is there already and is no file; choose another place with -o",
                            keep->path);
-    if (check_beside(keep, message) != 0)
+    if (left_beside(keep->path, keep->what, message) != 0)
         return -1;
     const int fd = open(keep->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (fd < 0)
         return fail_as(keep, errno, message);
     *vfs = fcntl(fd, F_GETLK, &lock) == 0 ? "unix" : "unix-none";
-    const int ours = is_ours(fd);
+    const int ours = left_is_ours(fd);
     close(fd);
     /* before SQLite writes to a file that is somebody's */
     return ours ? 0 : keep_damaged(keep, "is none of vti's, or is damaged", message);
@@ -310,7 +237,7 @@ static int64_t number_of(struct keep *keep, const char *sql)
 static int make_tables(struct keep *keep, struct message *message)
 {
     char sql[160];
-    snprintf(sql, sizeof sql, "PRAGMA application_id = %d", VERSION);
+    snprintf(sql, sizeof sql, "PRAGMA application_id = %d", LEFT_ID);
     int failed = execute(keep, sql, message);
     for (int k = 0; failed == 0 && k < KEEP_TABLES; ++k) {
         snprintf(sql, sizeof sql, "CREATE TABLE %s (number INTEGER PRIMARY KEY, bytes BLOB, digest INTEGER)",
@@ -352,7 +279,7 @@ static int take_over(struct keep *keep, const char *identity, int resume, struct
         return make_tables(keep, message) != 0 || prepare_all(keep, message) != 0
                    ? -1
                    : keep_put(keep, KEEP_IDENTITY, 0, identity, strlen(identity), message);
-    if (version != VERSION)
+    if (version != LEFT_ID)
         return keep_damaged(keep, "is none of vti's, or is damaged", message);
     keep->holds = 1;
     if (!resume)

@@ -30,14 +30,6 @@ struct keep {
     struct sqlite3_stmt *put[KEEP_TABLES], *get[KEEP_TABLES];
 };
 
-/** What SQLite may put beside such a file, by the endings of their names. */
-enum { KEEP_BESIDE = 3 };
-extern const char *const keep_beside[KEEP_BESIDE];
-
-/** Whether a program that was killed may have left the file at path: one of these, or an empty one. Not to be asked while
- *  this program has it open: closing it here would give SQLite's lock away. */
-int keep_is_left(const char *path);
-
 /** Opens or makes the file at path and locks it. One that holds something is gone on with if resume is not 0 and it is
  *  of the same identity; else it is refused, as are files beside it under names that SQLite would take for its own,
  *  unless a killed program may have left them. Returns 0, or -1 with one line in *message, what was there as it was and

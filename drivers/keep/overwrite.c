@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "folder.h"
-#include "keep.h"
+#include "left.h"
 
 /* ---- marks ------------------------------------------------------------------------------------------------------- */
 
@@ -108,8 +108,8 @@ static int check_kept(const char *folder, const char *name, const struct input *
     if (folder_path(folder, name, 0, path, message) != 0)
         return -1;
     char *const end = path + strlen(path);
-    for (int k = -1; k < KEEP_BESIDE; ++k) {
-        const char *const ending = k < 0 ? "" : keep_beside[k];
+    for (int k = -1; k < LEFT_ENDINGS; ++k) {
+        const char *const ending = k < 0 ? "" : left_endings[k];
         memcpy(end, ending, strlen(ending) + 1);
         for (int n = 0; n < count; ++n)
             if (inputs[n].path[0] != '\0' && is_same(path, inputs[n].path))

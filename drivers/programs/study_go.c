@@ -8,6 +8,7 @@
 
 #include "hdf5_sink.h"
 #include "identity.h"
+#include "left.h"
 #include "number.h"
 #include "terminal.h"
 #include "signals.h"
@@ -52,7 +53,7 @@ static int check_start(const struct study_place *place, const char *name, const 
     char path[FOLDER_PATH];
     if (folder_path(place->folder, name, 0, path, message) != 0)
         return -1;
-    return check_files(place, name, keep_is_left(path), files, count, message);
+    return check_files(place, name, left_is_there(path), files, count, message);
 }
 
 /** On rank 0; identify writes what the study is. */

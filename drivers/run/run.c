@@ -9,6 +9,7 @@
 #include "hdf5_sink.h"
 #include "identity.h"
 #include "interval.h"
+#include "left.h"
 #include "loop.h"
 #include "number.h"
 #include "signals.h"
@@ -145,7 +146,7 @@ static int open_files(struct run *run, struct message *message)
     run->files.inputs_count = inputs_of(run->request->scene, &run->scene, run->inputs);
     const int stem = (int)(strlen(run->output) - strlen(run->files.hdf5) + strlen(run->files.stem));
     snprintf(path, sizeof path, "%.*s.run", stem, run->output);
-    run->files.left = keep_is_left(path);
+    run->files.left = left_is_there(path);
     if (run_files_check(&run->files, message) != 0)
         return -1;
     /* before hours of computing, not after */

@@ -89,23 +89,36 @@ struct column {
     int64_t stride;
 };
 
-enum { VIEWS = 12, COLUMNS = 3 * VIEWS + 4 };
+/* A step and its forces write all quantities but constants. */
+#define OF_STATE(type, member) OF_##type(member)
+#define OF_LOAD(type, member) OF_##type(member)
+#define OF_LOW(type, member) OF_##type(member)
+#define OF_CONSTANT(type, member)
+#define OF_ROLE(constant, number, member, type, role) OF_##role(type, member)
 
-/** All that a step and its forces write. Returns how many there are. */
+#define OF_vti_view(member) +3
+#define OF_vti_quat_view(member) +4
+enum { COLUMNS = VTI_QUANTITIES(OF_ROLE) };
+#undef OF_vti_view
+#undef OF_vti_quat_view
+
+/** Appends the components of a view to n others, if it is there; returns how many there are. */
+static int64_t add_columns(struct column *column, int64_t n, double *const *c, int components, int64_t stride)
+{
+    for (int k = 0; k < components && c[0] != NULL; ++k) {
+        column[n].p = c[k];
+        column[n++].stride = stride;
+    }
+    return n;
+}
+
+/** Returns how many there are. */
 static int64_t columns_of(const vti_bodies *b, struct column column[COLUMNS])
 {
-    const vti_view *const views[VIEWS] = {&b->x,     &b->v,     &b->force,     &b->alpha,     &b->omega, &b->moment,
-                                          &b->x_low, &b->v_low, &b->alpha_low, &b->omega_low, &b->spin,  &b->spin_low};
     int64_t n = 0;
-    for (int q = 0; q < VIEWS; ++q)
-        for (int k = 0; k < 3 && vti_has(views[q]); ++k) {
-            column[n].p = views[q]->c[k];
-            column[n++].stride = views[q]->stride;
-        }
-    for (int k = 0; k < 4 && b->quat.xyzw[0] != NULL; ++k) {
-        column[n].p = b->quat.xyzw[k];
-        column[n++].stride = b->quat.stride;
-    }
+#define OF_vti_view(member) n = add_columns(column, n, b->member.c, 3, b->member.stride);
+#define OF_vti_quat_view(member) n = add_columns(column, n, b->member.xyzw, 4, b->member.stride);
+    VTI_QUANTITIES(OF_ROLE)
     return n;
 }
 
