@@ -132,7 +132,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
         free(pair);
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     }
-    if (held > 0 && model->clumps.list.count > 0 && !shape_lines_join_spheres(model)) {
+    if (held > 0 && model_has_clumps(model) && !shape_lines_join_spheres(model)) {
         free(pair);
         return message_set(message,
                            "%s: contact.bonded: spheres of clumps touch, whether these are bonded or not; give yes",
@@ -159,7 +159,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     /* No two come nearer by more in a step that resolves their contact: 0.02 of the mean diameter. Half the skin took 4 to 7 %
      * more time (scenes heap, drum, column). The verdict says where two do (judgement.c). */
     self->neighbours.reach = 0.1 * self->neighbours.skin;
-    if (model->clumps.list.count == 0 && chunks_create(&self->chunks, spheres) != 0)
+    if (!model_has_clumps(model) && chunks_create(&self->chunks, spheres) != 0)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     return 0;
 }

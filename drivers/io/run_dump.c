@@ -30,7 +30,7 @@ static void write_numbers(FILE *file, const double *p, int n)
 /** What is drawn: the spheres of clumps, ellipsoids, spheres, or points. */
 static int is_of_clumps(const struct writer *w)
 {
-    return w->record->model->clumps.list.count > 0;
+    return model_has_clumps(w->record->model);
 }
 
 static int is_of_ellipsoids(const struct writer *w)

@@ -124,7 +124,7 @@ static int check(const struct model *model, const struct tables *tables, struct 
     const char *name = model->scene->name;
     if (model->scene->arrangement != SCENE_IN_TABLE || !table_has(&tables->bodies, BODY_X))
         return message_set(message, "%s: bodies are not in a table with columns x, y, z; leave --renumber out", name);
-    if (model->clumps.list.count > 0)
+    if (model_has_clumps(model))
         return message_set(message, "%s: bodies.clumps are not renumbered; leave --renumber out", name);
     if (shape_breaking(model) != NULL)
         return message_set(

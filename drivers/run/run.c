@@ -139,7 +139,7 @@ static int open_files(struct run *run, struct message *message)
              asked ? "" : ".h5");
     if (run_files_name(&run->files, run->output, run->request->dump, message) != 0)
         return -1;
-    run->files.spheres = run->model.clumps.list.count > 0;
+    run->files.spheres = model_has_clumps(&run->model);
     run->files.force = run->request->force;
     run->files.xdmf = run->request->xdmf;
     run->files.inputs = run->inputs;

@@ -11,11 +11,6 @@
 
 /* ---- from the scene ---------------------------------------------------------------------------------------------- */
 
-static int has_clumps(const struct model *model)
-{
-    return model->clumps.list.count > 0;
-}
-
 /** Effect k of the model acts on the spheres of clumps. */
 static void put_on_spheres(struct model *model, int64_t k)
 {
@@ -26,7 +21,7 @@ static void put_on_spheres(struct model *model, int64_t k)
 
 int64_t model_acted_on(const struct model *model, const struct effect *e)
 {
-    return has_clumps(model) && kinds_has(e->kind, &model->scene->settings, EFFECT_ON_SPHERES)
+    return model_has_clumps(model) && kinds_has(e->kind, &model->scene->settings, EFFECT_ON_SPHERES)
                ? model->clumps.list.count
                : model->bodies.count;
 }
@@ -60,7 +55,7 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
     if (kinds_check_made(kind, &draft, made, message) != 0)
         return -1;
     model->acting[model->effects_count] = *made;
-    if (has_clumps(model) && kinds_has(kind, &model->scene->settings, EFFECT_ON_SPHERES))
+    if (model_has_clumps(model) && kinds_has(kind, &model->scene->settings, EFFECT_ON_SPHERES))
         put_on_spheres(model, model->effects_count);
     ++model->effects_count;
     return 0;
@@ -70,7 +65,7 @@ static int add_effect(struct model *model, const struct effect_kind *kind, const
 static int check_effects(const struct model *model, struct message *message)
 {
     for (int64_t k = 0; k < model->effects_count; ++k)
-        if (has_clumps(model) && model->effects[k].rupture != NULL)
+        if (model_has_clumps(model) && model->effects[k].rupture != NULL)
             return message_set(message,
                                "%s: bonds of bodies.clumps neither break nor are made on the way; leave out what makes "
                                "%s do that",
@@ -83,7 +78,7 @@ static int make(struct model *model, const struct tables *tables, struct message
     model->number = tables->number;
     if (model_check_tables(model, tables, message) != 0 || model_place_bodies(model, tables, message) != 0)
         return -1;
-    model->seeks = has_clumps(model);
+    model->seeks = model_has_clumps(model);
     for (int k = 0; k < EFFECT_COUNT; ++k)
         if (model->scene->has[k] && add_effect(model, kinds_at(k), tables, message) != 0)
             return -1;
@@ -133,7 +128,7 @@ void model_destroy(struct model *model)
 
 const vti_bodies *model_spheres(const struct model *model)
 {
-    return has_clumps(model) ? &model->clumps.list.spheres : &model->bodies;
+    return model_has_clumps(model) ? &model->clumps.list.spheres : &model->bodies;
 }
 
 struct effect_surfaces model_surfaces(const struct model *model)
@@ -148,7 +143,7 @@ struct effect_surfaces model_surfaces(const struct model *model)
 /** The spheres of clumps to where the bodies are. */
 static int spread(struct model *model, const vti_bodies *bodies)
 {
-    if (!has_clumps(model))
+    if (!model_has_clumps(model))
         return VTI_OK;
     if (model->slices != NULL && bodies == &model->bodies)
         return slices_spread(model);
@@ -174,7 +169,7 @@ int model_apply(const struct model *model, const vti_effect *acting, const vti_b
 {
     vti_effect on[2][MODEL_EFFECTS];
     int64_t n[2] = {0, 0};
-    if (!has_clumps(model))
+    if (!model_has_clumps(model))
         return vti_apply(acting, model->effects_count, bodies);
     for (int64_t k = 0; k < model->effects_count; ++k)
         on[model->on_spheres[k]][n[model->on_spheres[k]]++] = acting[k];
@@ -191,8 +186,8 @@ int model_forces(struct model *model, const vti_bodies *bodies)
         return slices_apply(model);
     if (status != VTI_OK)
         return status;
-    return has_clumps(model) ? model_apply(model, model->acting, bodies, model_spheres(model))
-                             : vti_apply(model->effects, model->effects_count, bodies);
+    return model_has_clumps(model) ? model_apply(model, model->acting, bodies, model_spheres(model))
+                                   : vti_apply(model->effects, model->effects_count, bodies);
 }
 
 double model_energy(struct model *model, const vti_bodies *bodies)
@@ -224,7 +219,7 @@ int model_breaks(const struct model *model)
 
 int model_of_spheres(const struct model *model, const char *what, struct message *message)
 {
-    if (has_clumps(model))
+    if (model_has_clumps(model))
         return message_set(message,
                            "%s: bodies.clumps: %s knows bodies that are spheres; run the scene by a stepper of kicks "
                            "and drifts, such as vti2",

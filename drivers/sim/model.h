@@ -48,6 +48,12 @@ struct model {
     struct step_errors *errors; /* of its steps, the model's own; NULL: nobody asks for them */
 };
 
+/** Whether its bodies are clumps. */
+static inline int model_has_clumps(const struct model *model)
+{
+    return model->clumps.list.count > 0;
+}
+
 /** The number of body i in the scene's tables. */
 static inline int64_t model_number(const struct model *model, int64_t i)
 {

@@ -88,8 +88,7 @@ static double energy_of_two(const struct model *model, const vti_bodies *b, int6
     load(&b->v, i, v);
     for (int k = 0; k < 3; ++k)
         v[k] -= whole[k];
-    return scalar(&b->mass, i) * vti_dot(v, v) +
-           (model->clumps.list.count > 0 ? 2.0 * vti_kinetic_rotation(&one) : 0.0);
+    return scalar(&b->mass, i) * vti_dot(v, v) + (model_has_clumps(model) ? 2.0 * vti_kinetic_rotation(&one) : 0.0);
 }
 
 /** The energy that two bodies bring to where they meet, at most. */
@@ -99,9 +98,9 @@ static double energy_to_meet(const struct model *model, const vti_bodies *b)
     velocity_of_whole(model, b, whole);
     fields_of(model, g);
     const int falls = vti_norm(g) > 0.0 && has_planes(model);
-    const vti_bodies *spheres = model->clumps.list.count > 0 ? model_spheres(model) : b;
+    const vti_bodies *spheres = model_has_clumps(model) ? model_spheres(model) : b;
     for (int64_t s = 0; s < spheres->count && model->translates; ++s) {
-        const int64_t i = model->clumps.list.count > 0 ? model->clumps.list.body[s] : s;
+        const int64_t i = model_has_clumps(model) ? model->clumps.list.body[s] : s;
         const double weight = falls ? scalar(&b->mass, i) * vti_norm(g) * fall(model, spheres, s, g) : 0.0;
         most = fmax(most, energy_of_two(model, b, i, whole) + weight);
     }
@@ -124,9 +123,9 @@ static double weight_to_sink(const struct model *model, const vti_bodies *b)
 {
     double most = 0.0, g[3];
     fields_of(model, g);
-    const vti_bodies *spheres = model->clumps.list.count > 0 ? model_spheres(model) : b;
+    const vti_bodies *spheres = model_has_clumps(model) ? model_spheres(model) : b;
     for (int64_t s = 0; s < spheres->count && model->translates && has_planes(model); ++s) {
-        const int64_t i = model->clumps.list.count > 0 ? model->clumps.list.body[s] : s;
+        const int64_t i = model_has_clumps(model) ? model->clumps.list.body[s] : s;
         most = fmax(most, scalar(&b->mass, i) * vti_norm(g) * scalar(&model->diameter, s));
     }
     return most;

@@ -90,7 +90,7 @@ void shape_line(const struct model *model, int64_t k, int64_t pair[2])
 
 int shape_has_diameters(const struct model *model)
 {
-    return model->diameter.p != NULL && model->clumps.list.count == 0;
+    return model->diameter.p != NULL && !model_has_clumps(model);
 }
 
 double shape_diameter(const struct model *model, int64_t i)
@@ -101,7 +101,7 @@ double shape_diameter(const struct model *model, int64_t i)
 int shape_has_axes(const struct model *model)
 {
     return model->bodies.moments.c[0] != NULL && model->bodies.mass.p != NULL &&
-           (model->clumps.list.count > 0 || scene_first_with(model->scene, EFFECT_SPHERES) == NULL);
+           (model_has_clumps(model) || scene_first_with(model->scene, EFFECT_SPHERES) == NULL);
 }
 
 void shape_axes(const struct model *model, int64_t i, double axes[3])

@@ -136,9 +136,8 @@ int slices_create(struct model *model, struct message *message)
     for (int64_t k = 0; k < count; ++k) {
         const int64_t first = threads_begin(n, k, count);
         s->slice[k].bodies = vti_bodies_slice(model->bodies, first, threads_begin(n, k + 1, count) - first);
-        s->slice[k].spheres = model->clumps.list.count > 0
-                                  ? vti_clumps_spheres(&model->clumps.list, &s->slice[k].bodies)
-                                  : vti_bodies_none(0);
+        s->slice[k].spheres =
+            model_has_clumps(model) ? vti_clumps_spheres(&model->clumps.list, &s->slice[k].bodies) : vti_bodies_none(0);
         if (vti_bodies_seal(&s->slice[k].bodies) != VTI_OK || vti_bodies_seal(&s->slice[k].spheres) != VTI_OK)
             return message_set(message, "%s: its bodies cannot be cut into slices", model->scene->name);
     }
