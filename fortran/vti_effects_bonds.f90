@@ -55,6 +55,8 @@ contains
         if (present(fault)) fault = vti_fault()
         status = VTI_E_COUNT
         if (size(pair, 1) /= 2 .or. size(rest, 1) /= 4 .or. size(rest, 2) /= size(pair, 2)) return
+        status = VTI_OK
+        if (size(pair, 2) == 0) return ! arrays of no bodies are absent views
         centres = vti_bodies(abi=bodies%abi, first=bodies%first, count=bodies%count, x=bodies%x)
         status = vti_bodies_check(centres)
         if (.not. all([(c_associated(bodies%x%c(k)), k=1, 3)])) status = VTI_E_VIEW

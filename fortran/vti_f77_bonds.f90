@@ -45,18 +45,21 @@ contains
         type(vti_fault), intent(out) :: fault
         integer(c_int), intent(out) :: status
         type(vti_bodies) :: bodies
-        integer :: k
+        real(c_double) :: found(4, 1)
+        integer :: k, writes
         status = VTI_E_COUNT
         if (nb < 0) return
         bodies%count = n
         bodies%x = view_of(n, lb, lc, x)
         status = vti_bodies_check(bodies)
-        if (status == VTI_OK) fault%body = bad_pair(nb, ipair, n)
-        if (fault%body > 0) status = VTI_E_BOND
-        do k = 1, nb
-            if (status /= VTI_OK) return
-            status = vti_bonds_rest(int(ipair(:, k:k), c_int64_t), bodies, rest(:, k:k), fault)
-            if (status /= VTI_OK) fault%body = k
+        if (status /= VTI_OK) return
+        do writes = 0, 1 ! all are looked at before one is written
+            do k = 1, nb
+                status = vti_bonds_rest(int(ipair(:, k:k), c_int64_t), bodies, found, fault)
+                if (status /= VTI_OK) fault%body = k
+                if (status /= VTI_OK) return
+                if (writes == 1) rest(:, k) = found(:, 1)
+            end do
         end do
     end subroutine
 

@@ -50,11 +50,12 @@ enum vti_quantity {
 VTI_API const char *vti_quantity_text(int64_t quantity);
 
 /** Where and why a call failed: the body (index into the views, from 0), the value and the quantity. If it is not about
- *  one body, body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS and VTI_E_INERTIA,
- *  else 0. quantity is what VTI_E_VIEW, VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_TOO_LARGE and
- *  VTI_E_STATE are about, the first that was found; of two views that share memory, or that cannot go together, the one
- *  that vti_quantity has later. For VTI_E_COUNT it is the view that is too short, and value how many that shows, if one
- *  is. For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
+ *  one body, body is -1, and value the time step for VTI_E_TIME, what is one for all for VTI_E_MASS, VTI_E_INERTIA and
+ *  VTI_E_MOMENTS, the steps that are known for VTI_E_PAST, else 0. quantity is what VTI_E_VIEW, VTI_E_STRIDE,
+ *  VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_MOMENTS, VTI_E_NEEDS, VTI_E_TOO_LARGE and VTI_E_STATE are about, and
+ *  VTI_E_FRAME where it is moments, the first that was found; of two views that share memory, or that cannot go
+ *  together, the one that vti_quantity has later. For VTI_E_COUNT it is the view that is too short, and value how many
+ *  that shows, if one is. For all else, bonds and contacts too, it is VTI_QUANTITY_NONE. */
 typedef struct vti_fault {
     int64_t body;     /**< index of the body, from 0; -1 if it is not about one */
     double value;     /**< what is wrong about it */

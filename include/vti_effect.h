@@ -179,8 +179,8 @@ VTI_API int vti_step_check(const vti_stepper *method, const vti_effect *effects,
  * vti_effects_flow and vti_effects_carry in these places. */
 
 /** vti_step_begin with the effects' flows and carries: stage 0. On VTI_E_TOO_LARGE the flow before the kick has been
- *  done, and nothing else; on all other failures nothing. VTI_E_FRAME if an effect carries and the method is of the
- *  body's frame. */
+ *  done, and nothing else; on all other failures nothing. VTI_E_FRAME if the method is of the body's frame and an effect
+ *  carries, or flows, reads x and breaks the sum of J Omega, as dashpots do that turn bodies. */
 VTI_API int vti_effects_begin(const vti_stepper *method, double h, const vti_effect *effects, int64_t n,
                               const vti_bodies *bodies, vti_fault *fault);
 /** vti_step_stage with them. On VTI_E_TOO_LARGE, which the methods of several stages do not return, the kick has been

@@ -15,7 +15,8 @@ extern "C" {
 
 /** Sum of m|v|^2/2; 0 if nothing translates. */
 VTI_API double vti_kinetic_translation(const vti_bodies *bodies);
-/** Sum of J|Omega|^2/2, or L.Omega/2 of bodies with moments; 0 if nothing turns. */
+/** Sum of J|Omega|^2/2, or L.Omega/2 of bodies with moments; 0 if nothing turns, or bodies with moments have no
+ *  attitude. */
 VTI_API double vti_kinetic_rotation(const vti_bodies *bodies);
 /** Kinetic energies and all energies of the effects; NaN if an effect has more than VTI_TERMS terms, or is
  *  none. */
@@ -27,7 +28,7 @@ VTI_API void vti_spin(const vti_bodies *bodies, double s[3]);
 /** Sum of (x - about) x m v + J Omega, or L. */
 VTI_API void vti_angular_momentum(const vti_bodies *bodies, const double about[3], double l[3]);
 /** Largest h|Omega|: the rotation per step; of bodies with moments the largest of that and of all turns a drift is made
- *  of, h k_r|L|, h|d_x p_x|, h|d_y p_y| (EQUATIONS 7.2). */
+ *  of, h k_r|L|, h|d_x p_x|, h|d_y p_y| (EQUATIONS 7.2), 0 where they have no attitude. */
 VTI_API double vti_max_turn(double h, const vti_bodies *bodies);
 /** Integrand of ||q||^2_{H1}: sum over bodies of |x|^2 + |v|^2 + theta^2 + |Omega|^2, of the views that are present. */
 VTI_API double vti_h1_density(const vti_bodies *bodies);

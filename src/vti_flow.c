@@ -24,6 +24,17 @@ static int any_carries(const vti_effect *effects, int64_t n)
     return any;
 }
 
+/** Whether some effect takes Omega for a vector in space, beside positions: what carries, and dashpots that turn bodies.
+ *  Drag on Omega is the same in any frame. */
+static int any_in_space(const vti_effect *effects, int64_t n)
+{
+    int any = any_carries(effects, n);
+    for (int64_t k = 0; k < n; ++k)
+        any |= effects[k].flow != NULL && (effects[k].breaks & VTI_BREAKS_SPINS) != 0 &&
+               (effects[k].needs & 1 << VTI_QUANTITY_X) != 0;
+    return any;
+}
+
 int vti_step_check(const vti_stepper *method, const vti_effect *effects, int64_t n)
 {
     const int status = vti_stepper_check(method);
@@ -122,8 +133,8 @@ int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *d
         return VTI_E_NULL;
     int status = vti_effects_fault(effects, n, b, NULL);
     if (status == VTI_OK)
-        status = vti_law_check((int)drifted->law, (int)drifted->frame);
-    if (status == VTI_OK && (drifted->rotor < 0 || drifted->rotor > 6 || drifted->rotor % 2 != 0))
+        status = vti_law_check(drifted->law, drifted->frame);
+    if (status == VTI_OK && !vti_is_rotor(drifted->rotor))
         status = VTI_E_STEPPER;
     if (status == VTI_OK && !isfinite(drifted->t))
         status = VTI_E_TIME;
@@ -186,10 +197,10 @@ static int check(const vti_stepper *method, double h, const vti_effect *effects,
     if (status == VTI_OK)
         status = vti_effects_fault(effects, n, b, fault);
     if (status == VTI_OK)
-        status = vti_law_check((int)method->law, (int)method->frame);
+        status = vti_stepper_suits(method, b, fault);
     if (status == VTI_OK && !vti_is_positive(h))
         status = vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
-    if (status == VTI_OK && method->frame != VTI_FRAME_SPACE && any_carries(effects, n))
+    if (status == VTI_OK && method->frame != VTI_FRAME_SPACE && any_in_space(effects, n))
         status = VTI_E_FRAME;
     return status;
 }

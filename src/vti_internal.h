@@ -257,12 +257,37 @@ static inline int vti_inertia_check(const vti_bodies *b)
     return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
 }
 
+/** VTI_OK if the library has such a law and frame. */
+static inline int vti_law_check(int64_t law, int64_t frame)
+{
+    if (law < VTI_LAW_CLOSED || law > VTI_LAW_EXACT9)
+        return VTI_E_STEPPER;
+    return frame == VTI_FRAME_SPACE || frame == VTI_FRAME_BODY ? VTI_OK : VTI_E_FRAME;
+}
+
+/** Whether a free body's turn may be of that order; 0 is 2. */
+static inline int vti_is_rotor(int64_t order)
+{
+    return order >= 0 && order <= 6 && order % 2 == 0;
+}
+
 /** Whether it is a list of kicks and drifts. */
 static inline int vti_stepper_check(const vti_stepper *method)
 {
     if (method == NULL || method->kick == NULL || method->drift == NULL)
         return VTI_E_STEPPER;
-    return method->stages < 1 ? VTI_E_STAGE : VTI_OK;
+    if (method->stages < 1)
+        return VTI_E_STAGE;
+    const int status = vti_law_check(method->law, method->frame);
+    return status == VTI_OK && !vti_is_rotor(method->rotor) ? VTI_E_STEPPER : status;
+}
+
+/** VTI_E_FRAME where it is of the body's frame, and bodies have moments. */
+static inline int vti_stepper_suits(const vti_stepper *method, const vti_bodies *b, vti_fault *fault)
+{
+    return method->frame != VTI_FRAME_SPACE && vti_has(&b->moments)
+               ? vti_refuse(VTI_E_FRAME, -1, 0.0, VTI_QUANTITY_MOMENTS, fault)
+               : VTI_OK;
 }
 
 /** vti_effects_check, but where nothing is wrong fault stays as it was. */
@@ -293,13 +318,5 @@ enum { VTI_LANES = 64 };
 /** Bodies that are done one number at a time: a wide load of numbers that have just been stored one by one, as forces
  *  are, has to wait until they are in the cache, which only the bodies that follow can hide. */
 enum { VTI_FEW = 4 };
-
-/** VTI_OK if the library has such a law and frame. */
-static inline int vti_law_check(int law, int frame)
-{
-    if (law < VTI_LAW_CLOSED || law > VTI_LAW_EXACT9)
-        return VTI_E_STEPPER;
-    return frame == VTI_FRAME_SPACE || frame == VTI_FRAME_BODY ? VTI_OK : VTI_E_FRAME;
-}
 
 #endif

@@ -46,6 +46,8 @@ static int check(const vti_stepper *method, double h, const vti_bodies *b, vti_f
     int status = vti_stepper_check(method);
     if (status == VTI_OK)
         status = vti_bodies_ready_or(b, fault);
+    if (status == VTI_OK)
+        status = vti_stepper_suits(method, b, fault);
     if (status != VTI_OK)
         return status;
     return vti_is_positive(h) ? VTI_OK : vti_refuse(VTI_E_TIME, -1, h, VTI_QUANTITY_NONE, fault);
@@ -57,10 +59,10 @@ VTI_INLINE int play(const vti_stepper *method, double before, int64_t k, double 
 {
     const struct vti_move move = {before * h,       method->kick[k] * h, method->drift[k] * h, 1,
                                   (int)method->law, (int)method->frame,  (int)method->rotor};
-    int status = vti_law_check(move.law, move.frame);
-    if (status == VTI_OK && vti_has(&b->moments))
+    int status = VTI_OK;
+    if (vti_has(&b->moments))
         status = vti_rotor_check(&move, b, fault);
-    else if (status == VTI_OK && move.law == VTI_LAW_CLOSED)
+    else if (move.law == VTI_LAW_CLOSED)
         status = vti_move_check(&move, b, fault);
     if (status == VTI_OK)
         vti_move_all(&move, b);
@@ -206,10 +208,6 @@ int vti_step_probe(const vti_stepper *method, int64_t k, double h, const vti_bod
     int status = check(method, h, b, NULL);
     if (status == VTI_OK && (k < 0 || k > method->stages))
         status = VTI_E_STAGE;
-    if (status == VTI_OK)
-        status = vti_law_check((int)method->law, (int)method->frame);
-    if (status == VTI_OK && vti_has(&b->moments) && method->frame != VTI_FRAME_SPACE)
-        status = VTI_E_FRAME;
     if (status == VTI_OK)
         status = probe_check(b, probed);
     if (status != VTI_OK)

@@ -112,7 +112,7 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
 }
 
 /** a <- a (+) dalpha(u) where the incremental form is allowed, which the mask says: s^2 = u.u < 8, |a| < 2^29 and 2|d| < c;
- *  as c <= 2 and rounding keeps order, one sum that is less than c^2 tells. */
+ *  where |c| <= 2, as rounding keeps order, one sum that is less than c^2 tells. */
 VTI_INLINE lanes_mask turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
 {
     lanes add[3], cf[2];
@@ -121,7 +121,8 @@ VTI_INLINE lanes_mask turn_alphas(int law, double side, lanes s2, const lanes u[
     for (int n = 0; n < 3; ++n)
         a[n] += add[n];
     const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
-    return law == VTI_LAW_EXACT9 ? near & (s2 < 8.0) : near; /* its c grows again where s^2 > 180 */
+    /* c of the exact laws, which are polynomials, leaves [-2, 2] beyond s^2 = 29 and 180 */
+    return law == VTI_LAW_EXACT || law == VTI_LAW_EXACT9 ? near & (s2 < 8.0) : near;
 }
 
 /** r = normalise((u, c) q), or q (u, c) in the body's frame, where s^2 = u.u < 8. */
@@ -249,6 +250,12 @@ static turn_with *const turns[2][3][2][VTI_LAW_EXACT9 + 1] = {
     {BY_FRAME(alpha, PACKED), BY_FRAME(alpha, SEPARATE), BY_FRAME(alpha, MIXED)},
     {BY_FRAME(quat, PACKED), BY_FRAME(quat, SEPARATE), BY_FRAME(quat, MIXED)}};
 
+/** Eight lanes are sorted more slowly than twice four. */
+static int worth_it(int order)
+{
+    return order == MIXED && WIDTH > 4 ? -1 : order;
+}
+
 /** The order in which the lanes of a turn are filled; -1 if they cannot be. */
 static int turn_order(const struct kicks *k, const vti_bodies *b)
 {
@@ -258,7 +265,7 @@ static int turn_order(const struct kicks *k, const vti_bodies *b)
         order = order_with(order, stream_of(&b->alpha));
     else if (b->quat.stride != 1 && !quat_is_adjacent(&b->quat))
         order = -1;
-    return order == MIXED && WIDTH > 4 ? -1 : order; /* eight are sorted more slowly than twice four */
+    return worth_it(order);
 }
 
 static turn_with *turn_of(const struct vti_move *move, const vti_bodies *b, int order)
@@ -329,7 +336,7 @@ static int reaches(const struct vti_move *move, const vti_bodies *b, int64_t beg
     lanes_mask below = lanes_of(0.0) < 1.0;
     int64_t i = begin;
     lanes u[3];
-    const int order = order_with(order_of(omega), by);
+    const int order = worth_it(order_with(order_of(omega), by));
     if (order == PACKED)
         for (; i + WIDTH <= end; i += WIDTH)
             below &= kicked_turn(PACKED, k, move->drift, omega, 0, i, u) < 1.0;

@@ -95,7 +95,7 @@ static int check(const void *self, const vti_bodies *b)
 {
     const vti_bonds *p = self;
     if (p->count <= 0)
-        return VTI_OK;
+        return p->count < 0 ? VTI_E_COUNT : VTI_OK;
     if (!vti_bonds_has_list(p))
         return VTI_E_NULL;
     if (VTI_LOOKS)

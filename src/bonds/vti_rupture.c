@@ -125,6 +125,8 @@ int vti_rupture_check(const vti_rupture *rupture, vti_fault *fault)
         return VTI_E_NULL;
     const vti_scalars *limit[LIMITS];
     const vti_bonds *bonds = rupture->bonds;
+    if (bonds->count < 0)
+        return VTI_E_COUNT;
     limits_of(rupture, limit);
     for (int64_t k = 0; k < bonds->count; ++k) {
         const int64_t id = rupture->id[k], m = id - bonds->base, after = k > 0 ? rupture->id[k - 1] : bonds->base - 1;

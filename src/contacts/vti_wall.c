@@ -83,6 +83,8 @@ static int check(const void *self, const vti_bodies *b)
         return vti_walls_check(p, vti_bodies_named(b), NULL);
     if (!is_list(p))
         return VTI_E_NULL;
+    if (p->count < 0 || p->cylinders < 0)
+        return VTI_E_COUNT;
     return first_bad(p, &one) < 0 && one ? VTI_OK : VTI_E_CONTACT;
 }
 

@@ -119,7 +119,7 @@ static void carry_waiting(struct carrying *c)
     if (!tells(c) && count > 0)
         carry(c, c->p, &c->waiting);
     for (int64_t k = 0; k < count; ++k)
-        if (c->waiting.delta[k] <= 0.0) /* which moves others */
+        if (c->waiting.delta[k] <= 0.0 && slot_of(c, k)->i != 0) /* which moves others; a list may name a pair twice */
             vti_history_remove(c->p->history, slot_of(c, k));
     c->waiting.count = 0;
 }

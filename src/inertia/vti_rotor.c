@@ -325,7 +325,7 @@ int vti_rotor_check(const struct vti_move *move, const vti_bodies *b, vti_fault 
 {
     if (move->frame != VTI_FRAME_SPACE)
         return vti_refuse(VTI_E_FRAME, -1, 0.0, VTI_QUANTITY_MOMENTS, fault);
-    if (move->rotor != 0 && move->rotor != 2 && move->rotor != 4 && move->rotor != 6)
+    if (!vti_is_rotor(move->rotor))
         return VTI_E_STEPPER;
     if (move->law != VTI_LAW_CLOSED || !vti_has_attitude(b) || (!vti_has(&b->spin) && !vti_has(&b->omega)))
         return VTI_OK;

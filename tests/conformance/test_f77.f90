@@ -291,8 +291,11 @@ contains
         call vtibrs(9, pairs, 10, 1, nmax, x, r, ibond, value, ier)
         call expect(ier == VTI_OK .and. ibond == 0, 'F77 rest of good bonds')
         pairs(2, 5) = 11
+        r = 7
         call vtibrs(9, pairs, 10, 1, nmax, x, r, ibond, value, ier)
         call expect(ier == VTI_E_BOND .and. ibond == 5, 'F77 rest, body 11 of 10')
+        call expect(nint(value) == 11, 'F77 rest, which body')
+        call expect(all(nint(r) == 7), 'F77 rest, and nothing has changed')
         call vtibnd(9, pairs, r, bond_energy, 1, 10, 1, nmax, x, a, f, t, ibond, ier)
         call expect(ier == VTI_E_BOND .and. ibond == 5, 'F77 bonds, body 11 of 10')
         pairs = ipair(:, :9)

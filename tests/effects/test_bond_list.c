@@ -189,6 +189,9 @@ TEST(check_names_the_bond)
     assert_int_equal(vti_bonds_check(&w.bonds, c.n, NULL), VTI_E_BOND);
     w.bonds.count = -1;
     assert_int_equal(vti_bonds_check(&w.bonds, c.n, NULL), VTI_E_COUNT);
+    const vti_bodies b = crowd_bodies(&c);
+    const vti_effect none = vti_bonds_effect(&w.bonds);
+    assert_int_equal(vti_effects_check(&none, 1, &b, NULL), VTI_E_COUNT);
     w.bonds.count = 1;
     w.bonds.rest = NULL;
     assert_int_equal(vti_bonds_check(&w.bonds, c.n, NULL), VTI_E_NULL);

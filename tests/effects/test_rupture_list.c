@@ -292,6 +292,9 @@ TEST(refusals)
         }
         limit[k][3] = 1;
     }
+    w.bonds.count = -1;
+    assert_int_equal(vti_rupture_check(&good, &fault), VTI_E_COUNT);
+    w.bonds.count = count;
     good.energy.count = count - 1;
     assert_int_equal(vti_rupture_check(&good, &fault), VTI_E_BOND);
     assert_true(fault.body == count - 1 && fault.value == (double)(count - 1));

@@ -308,6 +308,7 @@ TEST(refused)
     double scratch[1];
     const vti_effect none = vti_walls_effect(&m.walls);
     assert_int_equal(vti_stable_step(&none, 1, &m.b, NULL, scratch, &stable), VTI_E_COUNT);
+    assert_int_equal(vti_effects_check(&none, 1, &m.b, NULL), VTI_E_COUNT);
 }
 
 /** A plane without friction lets slide what damps along it: neither spring nor dashpot has a hold there. */

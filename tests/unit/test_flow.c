@@ -369,7 +369,7 @@ TEST(refusals)
 {
     const vti_stepper *const vti1 = vti_stepper_find("vti1"), *const body = vti_stepper_find("vti1-body");
     const vti_effect flows = {.name = "flows", .flow = note_flow, .self = "1"};
-    vti_effect needy = first, carries = first;
+    vti_effect needy = first, carries = first, turns = flows;
     vti_drifted drifted = {.t = 0.1, .law = VTI_LAW_EXACT, .frame = VTI_FRAME_SPACE};
     vti_fault fault = {7, 7, 7};
     carries.dissipates = 0;
@@ -386,6 +386,9 @@ TEST(refusals)
     assert_int_equal(vti_effects_stage(vti1, -1, 0.1, &flows, 1, &b, NULL), VTI_E_STAGE);
     assert_int_equal(vti_effects_begin(body, 0.1, &first, 1, &b, NULL), VTI_E_FRAME);
     assert_int_equal(vti_effects_finish(body, 0.1, &first, 1, &b), VTI_E_FRAME);
+    turns.needs = 1 << VTI_QUANTITY_X; /* as dashpots that turn bodies: by Omega in space */
+    turns.breaks = VTI_BREAKS_SPINS;
+    assert_int_equal(vti_effects_begin(body, 0.1, &turns, 1, &b, NULL), VTI_E_FRAME);
     const double wrong[] = {NAN, INFINITY, 0.0, -0.1};
     for (int k = 0; k < 4; ++k) {
         assert_int_equal(vti_effects_begin(vti1, wrong[k], &flows, 1, &b, &fault), VTI_E_TIME);

@@ -160,13 +160,26 @@ TEST(values)
     value_refused(VTI_E_STATE, 1, INFINITY, VTI_QUANTITY_SPIN);
 }
 
+static int flowed;
+
+static void note_flow(const void *self, const vti_bodies *bodies, double t, double drift)
+{
+    (void)self, (void)bodies, (void)t, (void)drift;
+    ++flowed;
+}
+
 TEST(frames_rotors_and_methods)
 {
     vti_fault fault;
     static double x[N][3], memory[6 * 4 * N];
     assert_int_equal(vti_drift(VTI_LAW_EXACT, VTI_FRAME_BODY, 0.1, &b, &fault), VTI_E_FRAME);
     assert_int_equal(fault.quantity, VTI_QUANTITY_MOMENTS);
-    assert_int_equal(vti_step_begin(vti_stepper_find("vti1-body"), 0.1, &b, NULL), VTI_E_FRAME);
+    const vti_stepper *const body = vti_stepper_find("vti1-body");
+    const vti_effect flows = {.name = "flows", .flow = note_flow};
+    assert_int_equal(vti_step_begin(body, 0.1, &b, NULL), VTI_E_FRAME);
+    assert_int_equal(vti_step_finish(body, 0.1, &b), VTI_E_FRAME);
+    assert_int_equal(vti_effects_begin(body, 0.1, &flows, 1, &b, &fault), VTI_E_FRAME);
+    assert_int_equal(fault.quantity, VTI_QUANTITY_MOMENTS);
     vti_stepper own = *vti_stepper_find("chin4");
     vti_bodies probed = b;
     probed.alpha = vti_view_packed(x[0]);
@@ -178,6 +191,8 @@ TEST(frames_rotors_and_methods)
         own.rotor = order;
         const int good = order == 0 || order == 2 || order == 4 || order == 6;
         assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), good ? VTI_OK : VTI_E_STEPPER);
+        assert_int_equal(vti_effects_begin(&own, 0.1, &flows, !good, &b, NULL), good ? VTI_OK : VTI_E_STEPPER);
+        assert_int_equal(flowed, 0);
     }
     vti_past past = {memory, 4, 0};
     assert_int_equal(vti_multistep_record(&past, &b), VTI_E_MOMENTS);

@@ -6,7 +6,7 @@
 #include "../../src/vti_move.h"
 #include "units.h"
 
-enum { N = 43, ROOM = 24 * N };
+enum { N = 59, FAST = 40, ROOM = 24 * N };
 enum { PACKED, SEPARATE, STRUCTS, BESIDE, LAYOUTS }; /* BESIDE: omega and v packed, all else separate */
 
 struct body_memory {
@@ -43,13 +43,13 @@ static vti_bodies bodies_in(int layout, int by_quat, int one_mass, struct body_m
     return b;
 }
 
-/** Random bodies; some are near or past half a turn, some spin beyond every bound, and one is of huge numbers. closed:
- *  all turn by less than 1. */
+/** Random bodies; some are near or past half a turn, those from FAST on turn by several radians, where c of the
+ *  exact laws is negative, and two are of huge numbers. closed: all turn by less than 1. */
 static void fill(rng *g, int closed, const vti_bodies *b)
 {
     for (int64_t i = 0; i < N; ++i) {
-        const double size = i % 11 == 3 ? 1e3 : i % 11 == 5 ? 1e12 : i == 29 ? 1e200 : 1.0;
-        const double speed = closed ? 0.3 : i % 13 == 7 ? 9.0 : i == 31 ? 1e180 : 1.0;
+        const double size = i >= FAST ? 0.1 : i % 11 == 3 ? 1e3 : i % 11 == 5 ? 1e12 : i == 29 ? 1e200 : 1.0;
+        const double speed = closed ? 0.3 : i % 13 == 7 ? 9.0 : i >= FAST ? 40.0 : i == 31 ? 1e180 : 1.0;
         double u[3];
         for (int k = 0; k < 3; ++k) {
             b->x.c[k][i * b->x.stride] = uniform(g, -1, 1);
@@ -120,9 +120,12 @@ static void agree(const struct vti_move_kernels *kernels, int64_t width)
         const vti_bodies expected = bodies_in(layout, by_quat, one_mass, &one),
                          b = bodies_in(layout, by_quat, one_mass, &many);
         expect(&move, &expected);
+        const int mixed = layout == STRUCTS || (layout == BESIDE && (kick[0] != 0.0 || kick[1] != 0.0));
+        const int sorts = !mixed || width < 8; /* twice four are sorted faster than eight */
         int64_t stopped;
-        assert_int_equal(kernels->reaches(&move, &b, 0, N, &stopped), law != VTI_LAW_CLOSED); /* some then spin */
-        assert_true(stopped == N / width * width);
+        /* some spin where the law is another */
+        assert_int_equal(kernels->reaches(&move, &b, 0, N, &stopped), sorts && law != VTI_LAW_CLOSED);
+        assert_true(stopped == (sorts ? N / width * width : 0));
         const int64_t moved = kernels->translate(&move, &b, 0, N), turned = kernels->rotate(&move, &b, 0, N);
         move_rest(&move, &b, moved, turned);
         if (layout == PACKED || layout == SEPARATE) /* not all is left over */

@@ -426,6 +426,9 @@ TEST(law_frame_stage_stepper_bond)
     own.law = 99;
     assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_STEPPER);
     own = *vti1;
+    own.law += INT64_C(1) << 32;
+    assert_int_equal(vti_step_finish(&own, 0.1, &b), VTI_E_STEPPER);
+    own = *vti1;
     own.frame = 0;
     assert_int_equal(vti_step_begin(&own, 0.1, &b, NULL), VTI_E_FRAME);
     const vti_gravity gravity = {{0, 0, 1}};

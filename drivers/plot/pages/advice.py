@@ -58,7 +58,9 @@ WHEN = (
 
 # Steppers, order, order that contacts leave of it, energy, angular momentum, what may be lost
 KEEPS = (
-    ("`vti1`, `vti1-body`, `vti2`, `vti3-leapfrog`, `exact`", "2", "2", "swings, no drift", "to rounding", "all of it"),
+    ("`vti1`, `vti2`, `exact`", "2", "2", "swings, no drift", "to rounding", "all of it"),
+    ("`vti1-body`", "2", "2", "swings, no drift", "to rounding", "drag and normal dashpots"),
+    ("`vti3-leapfrog`", "2", "2", "swings, no drift", "to rounding", "all of it, at order 1"),
     ("`vti3`", "1", "1", "swings, no drift", "to rounding", "all of it"),
     ("`chin4`", "4", "2.5", "swings; symplectic to order 4 alone", "to order 4", "all of it, at order 2"),
     ("`suzuki4`, `srkn6`", "4", "2.5", "swings, no drift", "to rounding", "refused"),
