@@ -9,7 +9,7 @@
 
 int friction_make_room(vti_history *history, int64_t touches)
 {
-    vti_history next = {64, 0, 0, NULL};
+    vti_history next = {64, 0, history->missed, NULL};
     while (next.slots < 2 * touches)
         next.slots *= 2;
     if (next.slots <= history->slots)

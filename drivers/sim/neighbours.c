@@ -43,9 +43,10 @@ struct neighbours_search {
     int64_t wait;     /* builds until a wider one may be tried */
     double shared[3]; /* how far bodies have moved together since then, as of the last look at it */
     int is_built;
-    int64_t pair_room; /* of the list */
-    int64_t *start;    /* [n + 1] for sorting */
-    int64_t *excluded; /* [excluded_count][2], i < j, sorted */
+    int64_t pair_room;       /* of the list */
+    int64_t *start;          /* [n + 1] for sorting */
+    int64_t *excluded;       /* [excluded_count][2], i < j, sorted */
+    unsigned char *released; /* [excluded_count] 1: no longer excluded */
     int64_t excluded_count;
 };
 
@@ -86,7 +87,7 @@ static int64_t leave_out_excluded(const struct neighbours_search *s, const int64
         const int64_t *const f = s->found.pair + 2 * k;
         while (e < s->excluded_count && is_before(s->excluded + 2 * e, f))
             ++e;
-        if (e < s->excluded_count && !is_before(f, s->excluded + 2 * e))
+        if (e < s->excluded_count && !is_before(f, s->excluded + 2 * e) && !s->released[e])
             continue;
         if (owner != NULL && owner[f[0]] == owner[f[1]])
             continue;
@@ -249,16 +250,18 @@ void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
 {
     struct neighbours_search *const s = list->search;
     const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
-    int64_t kept = 0;
-    for (int64_t e = 0; e < s->excluded_count; ++e) {
-        const int64_t *const at = s->excluded + 2 * e;
-        if (at[0] == pair[0] && at[1] == pair[1])
-            continue;
-        s->excluded[2 * kept] = at[0];
-        s->excluded[2 * kept++ + 1] = at[1];
+    int64_t at = 0, end = s->excluded_count;
+    while (at < end) {
+        const int64_t middle = at + (end - at) / 2;
+        if (is_before(s->excluded + 2 * middle, pair))
+            at = middle + 1;
+        else
+            end = middle;
     }
-    s->is_built &= kept == s->excluded_count;
-    s->excluded_count = kept;
+    for (; at < s->excluded_count && !is_before(pair, s->excluded + 2 * at); ++at) {
+        s->is_built &= s->released[at];
+        s->released[at] = 1;
+    }
 }
 
 /* ---- create and destroy ------------------------------------------------------------------------------------------ */
@@ -290,8 +293,9 @@ static int store_excluded(struct neighbours_search *s, int64_t count, const int6
     if (count == 0)
         return 0;
     s->excluded = malloc((size_t)count * 2 * sizeof *s->excluded);
+    s->released = calloc((size_t)count, sizeof *s->released);
     int64_t *const other = malloc((size_t)count * 2 * sizeof *other);
-    if (s->excluded == NULL || other == NULL) {
+    if (s->excluded == NULL || s->released == NULL || other == NULL) {
         free(other);
         return message_set(message, "contacts: out of memory for %lld excluded pairs; use fewer", (long long)count);
     }
@@ -345,6 +349,7 @@ void neighbours_destroy(struct neighbours *list)
         free(list->search->found.pair);
         free(list->search->start);
         free(list->search->excluded);
+        free(list->search->released);
     }
     free(list->search);
     free(list->pair);
