@@ -50,10 +50,13 @@ static const struct scene_field fields[] = {
      NULL},
     {"wall.velocities", SCENE_VECTORS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, velocities),
      "velocity of each wall",
-     "A row for each plane, then for each cylinder; what they put in is the column work_wall, negative.", NULL},
+     "A row for each plane, then for each cylinder; what they put in is the column work_wall, negative. Multistep "
+     "steppers and those with negative coefficients are refused.",
+     NULL},
     {"wall.spins", SCENE_NUMBERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, spins), "spin of each wall",
      "A number for each plane, then for each cylinder, radians per unit of time: cylinders turn about their axes, "
-     "planes about their normals through the origin; friction and dashpots feel it.",
+     "planes about their normals through the origin; friction and dashpots feel it. Steppers as with "
+     "velocities.",
      NULL},
 };
 

@@ -45,8 +45,9 @@ static const struct option_row rows[] = {
     {"--frames", "EVERY", OPTION_WHOLE, &request.frames_every, 1, 0x1p53, "50 or 1e3",
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
     {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,
-     "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; lost: the energy that it has lost so far, "
-     "in all and by the columns of OUT.csv"},
+     "one or more of each body in OUT.h5 and OUT.xdmf too, in every frame; force and moment: of all effects but drag "
+     "and dashpots, which are flows of velocities; lost: the energy that it has lost so far, in all and by the columns "
+     "of OUT.csv"},
     {"--errors", NULL, OPTION_ON, &request.errors, OPTION_ANY,
      "the columns error_velocity and error_omega: the largest estimated error of a step since the row before; for "
      "srkn6, srkn11, srkn14 and an4 to an10-fine"},

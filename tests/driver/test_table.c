@@ -137,6 +137,10 @@ static const struct {
     {BONDED, "omega_x,omega_y,omega_z\n0,0,0\n", "i,j\n0,1\n", "b.csv: no columns x, y, z; binder needs them"},
     {BODIES "binder: {table: c.csv}\n", THREE, "i,j\n0,1\n",
      "c.csv: no column moment, axial or shear; bonds need one of them, or binder.moment"},
+    {BODIES "binder: {table: c.csv, axial: 1, shear: {form: objective}}\n", THREE, "i,j\n0,1\n",
+     "c.csv: no column shear, of which the scene gives binder.shear.form; give that column, or binder.shear.stiffness"},
+    {BODIES "binder: {table: c.csv, shear: {form: quartic, stiffness: 2}}\n", THREE, "i,j,shear\n0,1,1\n",
+     "c.csv: gives what the scene gives as binder.shear too; keep one of them"},
     {BONDED, THREE, "i,j,axial\n0,1,1\n", "c.csv: gives what the scene gives as binder.axial too; keep one of them"},
     {BODIES "binder: {table: c.csv, axial: 1, break: {stretch: 1}}\n", THREE, "i,j,break_stretch\n0,1,1\n",
      "c.csv: gives break_stretch, which the scene gives in binder.break too; keep one of them"},
@@ -211,6 +215,21 @@ TEST(mismatches)
 }
 
 /* ---- models of tables -------------------------------------------------------------------------------------------- */
+
+/** The form of shear stands in the scene, stiffnesses in the table. */
+TEST(shear_of_each_bond)
+{
+    struct scene scene;
+    struct model model;
+    write_text("b.csv", "x,y,z\n0,0,0\n1,0,0\n1,2,0\n");
+    write_text("c.csv", "i,j,shear\n1,0,3\n1,2,4\n");
+    make_model("bodies: {table: b.csv, mass: 1, inertia: 1}\nbinder: {table: c.csv, shear: {form: quartic}}\n" TIME,
+               &scene, &model);
+    const vti_bonds bonds = bonds_of(&model);
+    assert_int_equal(bonds.shear_form, VTI_SHEAR_QUARTIC);
+    assert_true(bonds.shear.stride == 1 && bonds.shear.p[0] == 3.0 && bonds.shear.p[1] == 4.0);
+    model_destroy(&model);
+}
 
 TEST(bodies_and_bonds)
 {
@@ -395,7 +414,8 @@ TEST(given_tables)
 }
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), cmocka_unit_test(refusals),
-                    cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches), cmocka_unit_test(bodies_and_bonds),
-                    cmocka_unit_test(density), cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
+                    cmocka_unit_test(what_is_no_file), cmocka_unit_test(mismatches),
+                    cmocka_unit_test(shear_of_each_bond), cmocka_unit_test(bodies_and_bonds), cmocka_unit_test(density),
+                    cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
                     cmocka_unit_test(materials_of_bodies), cmocka_unit_test(limits_name_the_bond),
                     cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))

@@ -17,7 +17,7 @@ static vti_effect draft(const void *settings, const struct table *table)
 {
     static const double any = 1.0;
     const struct binder_settings *binder = settings;
-    vti_bonds bonds = {.shear_form = binder->shear_form};
+    vti_bonds bonds = {.shear_form = binder_shear(binder)};
     vti_scalars *const terms[] = {&bonds.moment, &bonds.axial, &bonds.shear};
     for (int k = BOND_MOMENT; k <= BOND_SHEAR; ++k)
         if (binder_has_term(binder, table, k))

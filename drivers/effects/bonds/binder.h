@@ -29,13 +29,19 @@ enum {
 struct binder_settings {
     char table[SCENE_PATH_SIZE]; /* of the bonds, "" for the neighbours of the arrangement */
     double stiffness[3];
-    int64_t shear_form; /* vti_shear */
+    int64_t shear_form; /* vti_shear; 0: the scene does not say (binder_shear) */
     int64_t on;         /* BINDER_ON_BODIES, or BINDER_ON_SPHERES of clumps: what the table numbers */
     double limit[LIMITS];
     int64_t when;       /* BINDER_START or BINDER_TOUCHING */
     int64_t most;       /* bonds of a body that are made where bodies touch; 0: any number */
     double from, until; /* times between which they are; until is infinite where it is not given */
 };
+
+/** The form of shear, where there is shear. */
+static inline int64_t binder_shear(const struct binder_settings *binder)
+{
+    return binder->shear_form != 0 ? binder->shear_form : VTI_SHEAR_OBJECTIVE;
+}
 
 /** When bonds are made: at t = 0, or at the end of the step in which their bodies touch (binder_touch.c). */
 enum { BINDER_START, BINDER_TOUCHING };

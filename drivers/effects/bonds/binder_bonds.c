@@ -175,7 +175,7 @@ int binder_make_bonds(struct effect *e, const struct model *model, const struct 
     bonds->moment = stiffness(&binder->stiffness[0], t, BOND_MOMENT, &next);
     bonds->axial = stiffness(&binder->stiffness[1], t, BOND_AXIAL, &next);
     bonds->shear = stiffness(&binder->stiffness[2], t, BOND_SHEAR, &next);
-    bonds->shear_form = binder->shear_form;
+    bonds->shear_form = binder_shear(binder);
     const int status = vti_bonds_check(bonds, joined->count, &fault);
     if (status != VTI_OK)
         return message_set(message, "%s: bond %lld: %s", model->scene->name, (long long)fault.body,

@@ -73,6 +73,8 @@ int binder_check(const struct scene_reader *reader, const struct scene *scene, c
     if (!touching && !in_table && scene_bodies(scene) < 2)
         return scene_reader_fail(reader, "binder",
                                  "a single body has no bonds; give bodies.ring, chain, lattice or table");
+    if (!has_table && scene_reader_has(reader, "binder.shear") && binder->stiffness[2] == 0.0)
+        return scene_reader_fail(reader, "binder.shear.stiffness", "missing; add 'stiffness:', the stiffness K^s");
     if (!has_table && binder->stiffness[0] == 0.0 && binder->stiffness[1] == 0.0 && binder->stiffness[2] == 0.0)
         return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");
     if (scene_reader_has(reader, "binder.break") && !binder_may_break(binder, NULL))
@@ -126,6 +128,10 @@ int binder_check_tables(const struct model *model, const void *settings, const s
         binder_has_term(binder, table, BOND_SHEAR))
         return table_fail_whole(
             table, message, "the printed shear knows no turn_x, turn_y, turn_z, turn_w; give shear.form: objective");
+    if (binder->shear_form != 0 && !binder_has_term(binder, table, BOND_SHEAR))
+        return table_fail_whole(table, message,
+                                "no column shear, of which the scene gives binder.shear.form; give that column, or "
+                                "binder.shear.stiffness");
     if (terms == 0)
         return table_fail_whole(table, message,
                                 "no column moment, axial or shear; bonds need one of them, or binder.moment");

@@ -51,10 +51,13 @@ const struct scene_field binder_fields[BINDER_FIELDS] = {
      "Energy: stretching costs K^a/2 (r/L0 - 1)^2.", NULL},
     {"binder.shear", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "shear of bonds",
      "Turning of the bond against its bodies.", NULL},
-    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MUST, SCENE_POSITIVE, AT(stiffness[2]), "stiffness K^s",
-     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form.", NULL},
+    {"binder.shear.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(stiffness[2]), "stiffness K^s",
+     "Energy: small shear angles gamma cost K^s/2 gamma^2 in the objective form. Needed, unless the table has a column "
+     "shear.",
+     NULL},
     {"binder.shear.form", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(shear_form), "form of the shear energy",
-     "objective: unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in the "
+     "objective (default): unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in "
+     "the "
      "paper, not objective.",
      shear_forms},
     {"binder.break", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rupture of bonds",
@@ -74,7 +77,6 @@ const struct scene_field binder_fields[BINDER_FIELDS] = {
 void binder_defaults(void *settings)
 {
     struct binder_settings *binder = settings;
-    binder->shear_form = VTI_SHEAR_OBJECTIVE;
     binder->until = INFINITY;
 }
 

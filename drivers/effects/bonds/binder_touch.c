@@ -65,7 +65,7 @@ int binder_make_none(struct effect *e, const struct model *model, struct message
     for (int k = 0; k < 3; ++k)
         if (settings->stiffness[k] != 0.0)
             *to[k] = vti_scalars_one(&settings->stiffness[k]);
-    self->bonds.shear_form = settings->shear_form;
+    self->bonds.shear_form = binder_shear(settings);
     binder_take_limits(e, NULL);
     return 0;
 }
