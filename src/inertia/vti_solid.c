@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Mass, centre and principal moments of the solid that spheres make (EQUATIONS 7.5): S = int x x^T dV of disjoint
- * spheres exactly, of overlapping ones along lines parallel to z, exact along each and by the midpoint rule across. */
+ * Mass, centre and principal moments of the solid that spheres make (EQUATIONS 7.5): S = int x x^T dV. Each sphere adds
+ * what those before it in the list do not have, and half of that and of what those behind it do not have is the solid,
+ * whatever the order. One that overlaps none is added exactly; of others lines parallel to z through their own box, exact
+ * along each and by the midpoint rule across: what a line has left of a ball changes without jumps from line to line, so
+ * that the rule is good, however far the spheres are spread. */
 #include "../vti_internal.h"
 
 /** Volume, int x dV and int x x^T dV (xx, yy, zz, xy, xz, yz), about a place near the spheres. */
@@ -25,18 +28,6 @@ static int spheres_check(int64_t n, const double *centre, const double *diameter
     return VTI_OK;
 }
 
-static int are_disjoint(int64_t n, const double *centre, const double *diameter)
-{
-    for (int64_t s = 0; s < n; ++s)
-        for (int64_t other = 0; other < s; ++other) {
-            const double *a = centre + 3 * s, *b = centre + 3 * other;
-            const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-            if (vti_norm(d) < 0.5 * (diameter[s] + diameter[other]))
-                return 0;
-        }
-    return 1;
-}
-
 /** A box around the spheres. */
 static void box_of(int64_t n, const double *centre, const double *diameter, double low[3], double high[3])
 {
@@ -50,28 +41,41 @@ static void box_of(int64_t n, const double *centre, const double *diameter, doub
     }
 }
 
-/** V = pi/6 D^3, S = V (c c^T + D^2/20) of each sphere. */
-static void add_spheres(int64_t n, const double *centre, const double *diameter, const double about[3],
-                        struct integrals *sum)
+/* ---- overlaps ---------------------------------------------------------------------------------------------------- */
+
+static double distance(const double *centre, int64_t i, int64_t j)
 {
-    for (int64_t s = 0; s < n; ++s) {
-        const double d = diameter[s], volume = 0.52359877559829887 * d * d * d;
-        const double c[3] = {centre[3 * s] - about[0], centre[3 * s + 1] - about[1], centre[3 * s + 2] - about[2]};
-        vti_sum_add(&sum->volume, volume);
-        for (int k = 0; k < 3; ++k)
-            vti_sum_add(&sum->first[k], volume * c[k]);
-        for (int k = 0; k < 6; ++k)
-            vti_sum_add(&sum->second[k], volume * (c[row_of[k]] * c[column_of[k]] + (k < 3 ? d * d / 20.0 : 0.0)));
+    const double *a = centre + 3 * i, *b = centre + 3 * j, d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return vti_norm(d);
+}
+
+/** The spheres that overlap sphere s, if they are no more than there is room for; else count is -1, and all are asked. */
+enum { ROOM = 64 };
+struct neighbours {
+    int64_t s, count, of[ROOM];
+};
+
+/** A lens thinner than 2^-27 of a diameter, of which only rounding knows, has no volume. */
+static void find_neighbours(int64_t n, const double *centre, const double *diameter, int64_t s, struct neighbours *near)
+{
+    near->s = s;
+    near->count = 0;
+    for (int64_t j = 0; j < n && near->count >= 0; ++j) {
+        const double touch = 0.5 * (diameter[s] + diameter[j]);
+        if (j == s || distance(centre, s, j) >= (1.0 - 0x1p-27) * touch)
+            continue;
+        if (near->count < ROOM)
+            near->of[near->count++] = j;
+        else
+            near->count = -1;
     }
 }
 
-/* ---- lines ------------------------------------------------------------------------------------------------------- */
-
-/** Where the line through x, y passes sphere s; 0 if it does not. */
-static int pass(const double *centre, double diameter, const double about[3], double x, double y, double ends[2])
+/** Where the line through x, y passes sphere j, all from the centre of sphere s; 0 if it does not. */
+static int pass(const double *centre, const double *diameter, int64_t s, int64_t j, double x, double y, double ends[2])
 {
-    const double dx = x - (centre[0] - about[0]), dy = y - (centre[1] - about[1]), z = centre[2] - about[2];
-    const double half2 = 0.25 * diameter * diameter - dx * dx - dy * dy;
+    const double *a = centre + 3 * s, *b = centre + 3 * j, dx = x - (b[0] - a[0]), dy = y - (b[1] - a[1]);
+    const double z = b[2] - a[2], half2 = 0.25 * diameter[j] * diameter[j] - dx * dx - dy * dy;
     if (!(half2 > 0.0))
         return 0;
     ends[0] = z - sqrt(half2);
@@ -79,32 +83,59 @@ static int pass(const double *centre, double diameter, const double about[3], do
     return 1;
 }
 
-/** The next piece of the line inside of any sphere, beyond from: 0 if there is none. */
-static int next_piece(int64_t n, const double *centre, const double *diameter, const double about[3], double x,
-                      double y, double from, double piece[2])
+/** Lines through the ball of a sphere, and who takes from it: the neighbours before it in the list, or those behind. */
+struct scan {
+    int64_t n;
+    const double *centre, *diameter;
+    const struct neighbours *near;
+    int behind;
+};
+
+/** Where neighbour k passes the line, if it takes from it; 0 if it does not. */
+static int taken(const struct scan *scan, int64_t k, double x, double y, double ends[2])
 {
-    double ends[2];
-    piece[0] = piece[1] = INFINITY;
-    for (int64_t s = 0; s < n; ++s)
-        if (pass(centre + 3 * s, diameter[s], about, x, y, ends) && ends[0] > from && ends[0] < piece[0]) {
-            piece[0] = ends[0];
-            piece[1] = ends[1];
-        }
-    for (int grows = 1; grows && piece[0] < INFINITY;) {
-        grows = 0;
-        for (int64_t s = 0; s < n; ++s)
-            if (pass(centre + 3 * s, diameter[s], about, x, y, ends) && ends[0] <= piece[1] && ends[1] > piece[1]) {
-                piece[1] = ends[1];
-                grows = 1;
-            }
-    }
-    return piece[0] < INFINITY;
+    const struct neighbours *near = scan->near;
+    const int64_t j = near->count < 0 ? k : near->of[k];
+    return j != near->s && (j > near->s) == scan->behind && pass(scan->centre, scan->diameter, near->s, j, x, y, ends);
 }
 
-/** A piece of the line through x, y that stands for the area. */
-static void add_piece(double x, double y, double area, const double piece[2], struct integrals *sum)
+/** The first piece of the line from `from` on, up to `to`, that nobody takes: none if piece[0] >= piece[1]. */
+static void next_free(const struct scan *scan, double x, double y, double from, double to, double piece[2])
 {
-    const double a = piece[0], b = piece[1], length = area * (b - a), z = 0.5 * (a + b);
+    const int64_t count = scan->near->count < 0 ? scan->n : scan->near->count;
+    double ends[2];
+    for (int moved = 1; moved;) {
+        moved = 0;
+        for (int64_t k = 0; k < count; ++k)
+            if (taken(scan, k, x, y, ends) && ends[0] <= from && ends[1] > from) {
+                from = ends[1];
+                moved = 1;
+            }
+    }
+    for (int64_t k = 0; k < count; ++k)
+        if (taken(scan, k, x, y, ends) && ends[0] > from)
+            to = fmin(to, ends[0]);
+    piece[0] = from;
+    piece[1] = to;
+}
+
+/* ---- integrals --------------------------------------------------------------------------------------------------- */
+
+/** V = pi/6 D^3, S = V (c c^T + D^2/20) of a sphere with its centre at c. */
+static void add_ball(const double c[3], double d, struct integrals *sum)
+{
+    const double volume = 0.52359877559829887 * d * d * d;
+    vti_sum_add(&sum->volume, volume);
+    for (int k = 0; k < 3; ++k)
+        vti_sum_add(&sum->first[k], volume * c[k]);
+    for (int k = 0; k < 6; ++k)
+        vti_sum_add(&sum->second[k], volume * (c[row_of[k]] * c[column_of[k]] + (k < 3 ? d * d / 20.0 : 0.0)));
+}
+
+/** A piece of the line through x, y that stands for the area; its ends are counted from the height z0. */
+static void add_piece(double x, double y, double z0, double area, const double piece[2], struct integrals *sum)
+{
+    const double a = z0 + piece[0], b = z0 + piece[1], length = area * (b - a), z = 0.5 * (a + b);
     const double first[3] = {x, y, z}, z2 = (a * a + a * b + b * b) / 3.0;
     vti_sum_add(&sum->volume, length);
     for (int k = 0; k < 3; ++k)
@@ -113,17 +144,37 @@ static void add_piece(double x, double y, double area, const double piece[2], st
         vti_sum_add(&sum->second[k], length * (k == 2 ? z2 : first[row_of[k]] * first[column_of[k]]));
 }
 
-static void add_lines(int64_t n, const double *centre, const double *diameter, int64_t lines, const double about[3],
-                      const double half[3], struct integrals *sum)
+/** Half of what the sphere at c has for itself: along lines x lines lines through its box. */
+static void add_lines(const struct scan *scan, int64_t lines, const double c[3], struct integrals *sum)
 {
-    const double dx = 2.0 * half[0] / (double)lines, dy = 2.0 * half[1] / (double)lines;
+    const int64_t s = scan->near->s;
+    const double d = scan->diameter[s] / (double)lines, area = 0.5 * d * d;
     for (int64_t i = 0; i < lines; ++i)
         for (int64_t j = 0; j < lines; ++j) {
-            const double x = -half[0] + ((double)i + 0.5) * dx, y = -half[1] + ((double)j + 0.5) * dy;
-            double piece[2] = {0.0, -INFINITY};
-            while (next_piece(n, centre, diameter, about, x, y, piece[1], piece))
-                add_piece(x, y, dx * dy, piece, sum);
+            const double x = 0.5 * (double)(2 * i + 1 - lines) * d, y = 0.5 * (double)(2 * j + 1 - lines) * d;
+            double ball[2], piece[2];
+            if (!pass(scan->centre, scan->diameter, s, s, x, y, ball))
+                continue;
+            next_free(scan, x, y, ball[0], ball[1], piece);
+            for (; piece[0] < piece[1]; next_free(scan, x, y, piece[1], ball[1], piece))
+                add_piece(c[0] + x, c[1] + y, c[2], area, piece, sum);
         }
+}
+
+/** What overlaps belongs half to the sphere before and half to the one behind: so a pair is as symmetric as it is. */
+static void add_spheres(int64_t n, const double *centre, const double *diameter, int64_t lines, const double about[3],
+                        struct integrals *sum)
+{
+    for (int64_t s = 0; s < n; ++s) {
+        const double c[3] = {centre[3 * s] - about[0], centre[3 * s + 1] - about[1], centre[3 * s + 2] - about[2]};
+        struct neighbours near;
+        struct scan scan = {n, centre, diameter, &near, 0};
+        find_neighbours(n, centre, diameter, s, &near);
+        if (near.count == 0)
+            add_ball(c, diameter[s], sum);
+        for (; near.count != 0 && scan.behind < 2; ++scan.behind)
+            add_lines(&scan, lines, c, sum);
+    }
 }
 
 /* ---- principal axes ---------------------------------------------------------------------------------------------- */
@@ -224,16 +275,11 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
     if (status != VTI_OK)
         return status;
     struct integrals sum = {{0.0, 0.0}, {{0.0, 0.0}}, {{0.0, 0.0}}};
-    double low[3], high[3], about[3], half[3];
+    double low[3], high[3], about[3];
     box_of(n, centre, diameter, low, high);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         about[k] = 0.5 * low[k] + 0.5 * high[k];
-        half[k] = 0.5 * (high[k] - low[k]);
-    }
-    if (are_disjoint(n, centre, diameter))
-        add_spheres(n, centre, diameter, about, &sum);
-    else
-        add_lines(n, centre, diameter, lines, about, half, &sum);
+    add_spheres(n, centre, diameter, lines, about, &sum);
     weigh(&sum, density, about, solid);
     return VTI_OK;
 }
