@@ -263,5 +263,7 @@ int model_rupture(struct model *model, int64_t step, double t)
 
 const char *model_text(const struct model *model, int status)
 {
+    if (status == VTI_E_HISTORY) /* the table has room for all that touch soon: these came from farther in one step */
+        return "more bodies came to touch in one step than could be foreseen; use a smaller h";
     return status == MODEL_E_PAIRS ? model->trouble.text : vti_status_text(status);
 }

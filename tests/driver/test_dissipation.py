@@ -139,6 +139,14 @@ def refusals(base):
         check(walls.returncode == 1 and len(walls.stderr.splitlines()) == 1
               and f"{key}: 2 numbers for 3 walls; give one for each plane, then for each cylinder" in walls.stderr,
               f"a list that leaves walls out: {walls.stderr.strip()}")
+    rain = f"{base}/rain.yaml"
+    with open(rain, "w", encoding="ascii") as file:
+        file.write("bodies: {lattice: {counts: [30, 30, 1], spacing: 1.5, corner: [0, 0, 3]}, mass: 1, inertia: 0.1, diameter: 1, "
+                   "v: [1, 0, -300]}\nwall: {stiffness: 1e7, planes: [[0, 0, 1, 0]]}\nfriction: {sliding: 0.5, stiffness: 1e6}\n"
+                   "h: 0.0085\nt_end: 0.017\n")
+    full = run(RUN, rain, "-o", f"{base}/rain.h5")
+    check(full.returncode != 0 and "more bodies came to touch in one step than could be foreseen; use a smaller h" in full.stderr,
+          f"900 bodies that were far from the wall: {full.stderr.strip()}")
     path = f"{base}/fall.yaml"
     for stepper, word in (("srkn6", "negative coefficients"), ("rk4", "forces alone"),
                           ("an7", "smooth forces of positions alone")):
