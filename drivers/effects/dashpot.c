@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Dashpots where spheres touch each other and walls (EQUATIONS 6.3). */
+#include <math.h>
 #include <stdlib.h>
 
 #include "chunks.h"
@@ -219,6 +220,24 @@ static int make(struct effect *e, const struct model *model, const struct table 
                : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
 }
 
+/** The largest c/m by the constants, of a sphere at a wall, or of the two lightest of them where they touch each other.
+ *  By zeta and restitution c falls with the stiffness, and what it slows has no further to go than the overlap. */
+static double slowing(const struct effect *e, const struct model *model)
+{
+    const vti_dashpots *d = &((const struct dashpot_self *)e->self)->dashpots;
+    const double across = d->tangential + d->ratio * d->normal, turning = fmax(d->rolling, d->twisting);
+    double most = 0.0, second = 0.0;
+    for (int64_t s = 0; s < model_spheres(model)->count; ++s) {
+        const struct model_yield yield = model_yield_of(model, 1, s);
+        const double radius = 0.5 * model->diameter.p[s * model->diameter.stride];
+        const double along = d->normal * (yield.per_mass + yield.by_turning);
+        const double rate = fmax(fmax(along, across * model_yield_across(&yield, radius)), turning * yield.per_inertia);
+        second = fmax(second, fmin(rate, most));
+        most = fmax(most, rate);
+    }
+    return d->contacts != NULL ? most + second : most;
+}
+
 static const struct effect_term terms[] = {
     {"lost_dashpot_normal", "$Q^{\\mathrm{n}}$", "lost to normal dashpots", "#6A3D9A"},
     {"lost_dashpot_tangential", "$Q^{\\mathrm{t}}$", "lost to tangential dashpots", "#DDCC77"},
@@ -234,5 +253,6 @@ const struct effect_kind effect_dashpot = {.number = EFFECT_dashpot,
                                            .spheres = 1,
                                            .near = 1,
                                            .make = make,
+                                           .slowing = slowing,
                                            .destroy = destroy,
                                            EFFECT_TERMS(terms)};

@@ -89,7 +89,8 @@ struct verdict {
     const vti_stepper *stepper;
     const struct columns *columns;
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
-    double slowing;           /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag */
+    double slowing;           /* largest z = c t/m of a drift of bodies that are pushed too; 0 without
+                                 drag and dashpots */
     int meet;                 /* 1: bodies touch each other, not walls alone */
     int watches;              /* 1: an effect follows something at every step */
     int open[3];              /* 1: something from outside acts along this axis */

@@ -48,6 +48,22 @@ t_end: 60
 """
 
 
+# c/m is 20: a sphere that is too heavy to turn slides down a plane with the speed g_x m/c, and a bond creeps to its length.
+SLIDE = """bodies: {x: [0, 0, 0.40582], v: [0, 0, 0], mass: 1, diameter: 1, inertia: 1e12}
+wall: {stiffness: 60, planes: [[0, 0, 1, 0]]}
+dashpot: {tangential: 20}
+gravity: [1, 0, -9.81]
+h: 0.03
+t_end: 30
+"""
+CREEP = """bodies: {table: creep.csv, mass: 1}
+binder: {axial: 1, table: bonds.csv}
+bond_dashpot: {axial: 10}
+h: 0.025
+t_end: 10
+"""
+
+
 def attributes(path):
     with h5py.File(path) as file:
         return dict(file.attrs)
@@ -74,6 +90,28 @@ def pushed(base):
     _, lines, found = verdict(base, f"{base}/press.yaml")
     check(found["verdict"].decode() == "good", f"pressed slowly between two planes: {lines[-1]}")
     check(found["energy_scale"] > 1.0, "the walls' energy counts")
+
+
+def damped(base):
+    """Dashpots slow as drag does: what they let through moves (z/2) coth(z/2) times too fast, z = h c/m. Of a bond, whose c is 10
+    and m_n 1/2, m_n s'' = -s - c s', and a step leaves 1 - h/c times that of s."""
+    creep = 10 - 98 ** 0.5
+    zeta = ("--set", "bond_dashpot.axial=0", "--set", f"bond_dashpot.zeta={50 ** 0.5}")
+    for scene, h, word, *options in (("slide", 0.03, "good"), ("slide", 0.12, "doubtful"), ("creep", 0.025, "good"),
+                                     ("creep", 0.5, "doubtful"), ("creep", 0.5, "doubtful", *zeta)):
+        _, lines, found = verdict(base, f"{base}/{scene}.yaml", "--h", str(h), *options)
+        check(found["verdict"].decode() == word and ("settles" in lines[-1]) == (word != "good"),
+              f"{scene} at h = {h}: {lines[-1]}")
+        names, rows = read_csv(f"{base}/out.csv")
+        column = dict(zip(names, numpy.array(rows).T))
+        late, t = column["t"] > 2, column["t"]
+        fast = (-20 * numpy.polyfit(t[late], column["gravity"][late], 1)[0] if scene == "slide" else
+                -numpy.polyfit(t[late], numpy.log(column["binder_axial"][late]), 1)[0] / (2 * creep))
+        z = 20 * h
+        expected = z / 2 / numpy.tanh(z / 2)
+        if scene == "creep":
+            expected = -numpy.log(1 - h * creep * expected) / (h * creep)
+        check(abs(fast / expected - 1) < 0.01, f"{fast:.4f} times as fast as it should at z = {z:.1f}")
 
 
 def runs(base):
@@ -137,12 +175,15 @@ def study(base):
 
 with tempfile.TemporaryDirectory() as root:
     for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
-                       ("settle.yaml", SETTLE), ("press.yaml", PRESS),
+                       ("settle.yaml", SETTLE), ("press.yaml", PRESS), ("slide.yaml", SLIDE), ("creep.yaml", CREEP),
+                       ("creep.csv", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n1.1,0,0,0,0,0\n"),
+                       ("bonds.csv", "i,j,length,nx,ny,nz,turn_x,turn_y,turn_z,turn_w\n1,0,1,1,0,0,0,0,0,1\n"),
                        ("fast.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n")):
         with open(f"{root}/{name}", "w", encoding="ascii") as out:
             out.write(text)
     runs(root)
     pushed(root)
+    damped(root)
     resumed(root)
     study(root)
 conclude()

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * What the verdict is made of: angles of the laws against libm's in long double, the modified energy's order, slopes of
- * series with known ones, bonds that turn past half a turn, ways towards what bodies touch. */
+ * series with known ones, bonds that turn past half a turn, ways towards what bodies touch, what slows bodies. */
 #define _POSIX_C_SOURCE 200809L
 #include "hard.h"
 
@@ -260,6 +260,68 @@ TEST(ways)
 #undef SPHERE
 }
 
+/* ---- what slows -------------------------------------------------------------------------------------------------- */
+
+/** The largest c/m of the dashpots. */
+static double slowing_of(const char *bodies, const char *effects)
+{
+    static struct scene scene;
+    static struct model model;
+    static struct verdict v;
+    struct columns columns;
+    struct message message;
+    char text[TEXT_SIZE];
+    snprintf(text, sizeof text, "bodies: {%s}\n%s\nh: 0.5\nt_end: 1\n", bodies, effects);
+    make_model(text, &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
+    const double rate = v.slowing / scene.h;
+    verdict_destroy(&v);
+    model_destroy(&model);
+    return rate;
+}
+
+/** c/m by hand; the impulse that meets a clump's sphere turns the clump too. */
+TEST(slowed)
+{
+#define WALL "wall: {stiffness: 10, planes: [[0, 0, 1, -9]]}\n"
+    static const char one[] =
+        "mass: 2, diameter: 0.5, inertia: 0.01, x: [0, 0, 0], v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0]",
+                      long_one[] = "mass: 2, diameter: 0.5, moments: [0.01, 0.02, 0.02], x: [0, 0, 0], v: [0, 0, 0], "
+                                   "alpha: [0, 0, 0], omega: [0, 0, 0]",
+                      still[] = "mass: 2, diameter: 0.5, x: [0, 0, 0], v: [0, 0, 0]",
+                      three[] = "table: three.csv, diameter: 1",
+                      rod[] =
+                          "clumps: {spheres: [[0, 0, 0, 1], [3, 0, 0, 1]], density: 1}, x: [0, 0, 0], v: [0, 0, 0], "
+                          "alpha: [0, 0, 0], omega: [0, 0, 0]";
+    write_text("three.csv", "x,y,z,vx,vy,vz,mass\n0,0,0,0,0,0,5\n3,0,0,0,0,0,2\n6,0,0,0,0,0,4\n");
+    write_text("bond.csv", "i,j\n0,1\n");
+    assert_close(slowing_of(still, WALL "dashpot: {normal: 3}"), 3.0 / 2.0, 1e-15);
+    assert_close(slowing_of(one, WALL "dashpot: {tangential: 3}"), 3.0 * (1.0 / 2.0 + 0.0625 / 0.01), 1e-13);
+    assert_close(slowing_of(one, WALL "dashpot: {normal: 3, ratio: 2}"), 6.0 * (1.0 / 2.0 + 0.0625 / 0.01), 1e-13);
+    assert_close(slowing_of(long_one, WALL "dashpot: {rolling: 3}"), 3.0 / 0.01, 1e-12);
+    assert_close(slowing_of(one, WALL "dashpot: {twisting: 3}"), 3.0 / 0.01, 1e-12);
+    assert_close(slowing_of(still, WALL "dashpot: {restitution: 0.5}"), 0.0, 0.0);
+    assert_close(slowing_of(three, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), 3.0 * (1.0 / 2.0 + 1.0 / 4.0),
+                 1e-15);
+    assert_close(slowing_of(three, WALL "dashpot: {normal: 3}"), 3.0 / 2.0, 1e-15);
+    /* two spheres at 1.5 on both sides of the centre: m = pi/3, J = 2 (m/2) (R^2 2/5 + 1.5^2) across; a double root knows half of the
+     * digits */
+    const double mass = PI / 3.0, across = mass * (0.1 + 2.25);
+    assert_close(slowing_of(rod, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
+    static const char pair[] = "table: three.csv, inertia: 0.1, diameter: 1";
+#define BOND "binder: {table: bond.csv, axial: 8, shear: {stiffness: 18}, moment: 5}\nbond_dashpot: "
+    const double m = 1.0 / 5.0 + 1.0 / 2.0, t = m + 2.0 * 2.25 / 0.1, r = 2.0 / 0.1; /* L0 = 3 */
+    assert_close(slowing_of(pair, BOND "{axial: 3}"), 3.0 * m, 1e-15);
+    assert_close(slowing_of(pair, BOND "{shear: 3}"), 3.0 * t, 1e-12);
+    assert_close(slowing_of(pair, BOND "{bending: 3}"), 3.0 * r, 1e-12);
+    assert_close(slowing_of(pair, BOND "{twisting: 3}"), 3.0 * r, 1e-12);
+    assert_close(slowing_of(pair, BOND "{zeta: 0.9}"), 0.0, 0.0);
+    assert_close(slowing_of(pair, BOND "{zeta: 2}"), 4.0 * fmax(sqrt(18.0 / 9.0 * t), sqrt(5.0 * r)), 1e-12);
+#undef BOND
+#undef WALL
+}
+
 /* ---- what to do -------------------------------------------------------------------------------------------------- */
 
 /** Warnings at a step of 1: where a tolerance chooses the steps, it is what has to be smaller. */
@@ -297,4 +359,4 @@ TEST(remedies)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(remedies), cmocka_unit_test(angles), cmocka_unit_test(errors),
                     cmocka_unit_test(orders), cmocka_unit_test(elsewhere), cmocka_unit_test(slopes),
-                    cmocka_unit_test(bonds), cmocka_unit_test(ways))
+                    cmocka_unit_test(bonds), cmocka_unit_test(ways), cmocka_unit_test(slowed))

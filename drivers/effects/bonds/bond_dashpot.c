@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Dashpots in bonds (EQUATIONS 6.3). */
+#include <math.h>
+
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
@@ -94,6 +96,41 @@ static int make(struct effect *e, const struct model *model, const struct table 
     return 0;
 }
 
+/** c/m: that of the constant, and where nothing swings any more 2 zeta sqrt(k/m) of the stiffness k. */
+static double rate(double constant, double zeta, double stiffness, double per_mass)
+{
+    return constant * per_mass + (zeta > 1.0 ? 2.0 * zeta * sqrt(stiffness * per_mass) : 0.0);
+}
+
+static double stiffness_of(const vti_scalars *s, int64_t k)
+{
+    return s->p != NULL ? s->p[k * s->stride] : 0.0;
+}
+
+/** The largest c/m of a bond's motions. */
+static double slowing(const struct effect *e, const struct model *model)
+{
+    const vti_bond_dashpots *d = e->self;
+    const vti_bonds *p = d->bonds;
+    const int of_spheres = on_spheres(&model->scene->settings);
+    double most = 0.0;
+    for (int64_t k = 0; k < p->count; ++k) {
+        const double length = p->rest[4 * k + 3], square = length * length;
+        double along = 0.0, across = 0.0, turning = 0.0; /* 1/m_n, 1/m_t, 1/J_r */
+        for (int side = 0; side < 2; ++side) {
+            const struct model_yield yield = model_yield_of(model, of_spheres, p->pair[2 * k + side] - p->base);
+            along += yield.per_mass + yield.by_turning;
+            across += model_yield_across(&yield, 0.5 * length);
+            turning += yield.per_inertia;
+        }
+        const double bent = fmax(d->bending, d->twisting), moment = stiffness_of(&p->moment, k);
+        most = fmax(most, rate(d->axial, d->zeta, stiffness_of(&p->axial, k) / square, along));
+        most = fmax(most, rate(d->shear, d->zeta, stiffness_of(&p->shear, k) / square, across));
+        most = fmax(most, rate(bent, d->zeta, moment, turning));
+    }
+    return most;
+}
+
 static const struct effect_term terms[] = {
     {"lost_bond_axial", "$Q^{\\mathrm{ba}}$", "lost to axial dashpots", "#999944"},
     {"lost_bond_shear", "$Q^{\\mathrm{bs}}$", "lost to shear dashpots", "#B15928"},
@@ -108,4 +145,5 @@ const struct effect_kind effect_bond_dashpot = {.number = EFFECT_bond_dashpot,
                                                 .draft = draft,
                                                 .on_spheres = on_spheres,
                                                 .make = make,
+                                                .slowing = slowing,
                                                 EFFECT_TERMS(terms)};
