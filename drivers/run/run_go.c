@@ -106,7 +106,7 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
     double row[COLUMNS];
     struct travel_tally tally;
     if (travel_tally(&run->travel, &tally))
-        run->verdict.h = tally.longest;
+        verdict_longest(&run->verdict, tally.longest);
     verdict_row(&run->verdict, t, bodies, row);
     if (!isfinite(row[run->record.columns.total]))
         return broken(run, step, t, bodies, row);

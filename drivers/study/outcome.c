@@ -72,7 +72,7 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
         double row[COLUMNS];
         struct travel_tally tally;
         if (travel_tally(m->travel, &tally))
-            m->verdict.h = tally.longest;
+            verdict_longest(&m->verdict, tally.longest);
         verdict_row(&m->verdict, t, bodies, row);
     }
     verdict_step(&m->verdict, bodies);

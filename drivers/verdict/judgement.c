@@ -47,8 +47,8 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
     if (broken || f->broken != 0.0 || !(f->gain <= VERDICT_MOST_GAIN) || passes(v))
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
-                         j->angle_error > turning_tolerance(v->stepper) || v->h > j->stable_step ||
-                         j->bonds_turned > 0 || v->slowing > much_slowing;
+                         j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
+                         v->slowing > much_slowing;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -93,6 +93,7 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
 static void say_steps(const struct verdict *v, const struct judgement *j, struct message *line)
 {
     const double degrees = 57.295779513082320877;
+    const int varies = v->found.varies != 0.0;
     if (v->diameter > 0.0)
         SAY("; %.2g diameters a step%s", j->travel,
             passes(v)                    ? ": what bodies meet they may pass through"
@@ -103,8 +104,8 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (j->angle_error > turning_tolerance(v->stepper))
         SAY(", by %s off by %.2g of it", v->stepper->name, j->angle_error);
     if (isfinite(j->stable_step))
-        SAY("; h is %.3g of the least stable step %.4g (t = %.6g)", v->h / j->stable_step, j->stable_step,
-            v->found.stable_t);
+        SAY("; %s %.3g of the %sstable step%s %.4g (t = %.6g)", varies ? "steps are up to" : "h is", v->found.share,
+            varies ? "" : "least ", varies ? ", the least" : "", j->stable_step, v->found.stable_t);
     if (v->slowing > much_slowing)
         SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", v->slowing);
     if (j->bonds_turned > 0)

@@ -181,18 +181,45 @@ static int is_looked_at(double row)
     return number % every == 0;
 }
 
-static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
+/** Whether what touches holds a tenth more energy than at any look before. The stable step of Hertzian
+ *  contact falls as E^(-1/10), so that a hundredth of it is missed. */
+static int is_pressed(struct verdict *v, const double *row)
+{
+    double energy = 0.0;
+    for (int c = 1; c < v->columns->held; ++c) {
+        const int effect = v->columns->effect[c];
+        energy += effect >= 0 && !v->model->effects[effect].smooth ? row[c] : 0.0;
+    }
+    if (!(energy > 1.1 * v->found.pressed))
+        return 0;
+    v->found.pressed = energy;
+    return 1;
+}
+
+/** Of steps that vary the longest since the last look may have been taken where the stable step was that of either end. */
+static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies, const double *row)
 {
     struct findings *f = &v->found;
     struct message ignored;
     vti_stable stable;
-    if (!is_looked_at(f->rows) || model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
+    const int pressed = is_pressed(v, row);
+    f->longest = fmax(f->longest, v->h);
+    if (!(is_looked_at(f->rows) || pressed) || model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
         return;
     const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
     if (h < f->stable) {
         f->stable = h;
         f->stable_t = t;
     }
+    f->share = fmax(f->share, f->longest / (f->varies != 0.0 ? fmax(h, f->before) : h));
+    f->before = h;
+    f->longest = 0.0;
+}
+
+void verdict_longest(struct verdict *v, double h)
+{
+    v->h = h;
+    v->found.varies = 1.0;
 }
 
 /** Of the energies of a row, kicked being H~ or NaN. */
@@ -224,7 +251,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     double size;
     columns_values(v->columns, t, bodies, row);
     const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size);
-    look_at_stable_step(v, t, bodies);
+    look_at_stable_step(v, t, bodies, row);
     const struct energies e = modified_energies(&v->modified, bodies, total);
     if (v->columns->modified >= 0)
         row[v->columns->modified] = e.modified;

@@ -81,6 +81,10 @@ struct findings {
     double gain, gain_t, loss;  /* of S; gain_t is when it was first bad */
     double highest, lowest;     /* H */
     double travel, rotation, stable, stable_t;
+    double pressed;         /* the largest energy of what touches, to a tenth */
+    double varies;          /* 1: steps do, and verdict.h is the longest since the row before */
+    double longest, before; /* step since the last look at the stable step, and what that was there */
+    double share;           /* of the stable step, the largest */
     struct trend trend;
 };
 
@@ -104,9 +108,12 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
 /** Before the model ends; harmless a second time. */
 void verdict_destroy(struct verdict *v);
 
+/** Before a row of a run whose steps vary: the longest since the row before. */
+void verdict_longest(struct verdict *v, double h);
 /** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift,
  *  nearly), and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row
- *  128, at every fourth up to 256, and so on: it costs about as much as a step. */
+ *  128, at every fourth up to 256, and so on, as it costs about as much as a step, and at those at which what touches
+ *  holds a tenth more energy than before. */
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
 /** At every step. */
 void verdict_step(struct verdict *v, const vti_bodies *bodies);

@@ -322,6 +322,63 @@ TEST(slowed)
 #undef WALL
 }
 
+/* ---- the stable step --------------------------------------------------------------------------------------------- */
+
+/** A sphere above a wall at rows, and in row 65, at which the stable step is taken for this alone, inside of it. */
+static struct verdict touched(struct model *model, const struct columns *columns, double longest)
+{
+    struct verdict v;
+    struct message message;
+    double row[COLUMNS];
+    assert_int_equal(verdict_create(&v, model, model->scene->stepper, model->scene->h, columns, &message), 0);
+    for (int k = 0; k < 70; ++k) {
+        model->bodies.x.c[2][0] = k == 65 ? 0.4 : 3.0;
+        if (longest > 0.0)
+            verdict_longest(&v, longest);
+        verdict_row(&v, k, &model->bodies, row);
+    }
+    model->bodies.x.c[2][0] = 0.4;
+    return v;
+}
+
+/** k = (3/2) K o^(1/2)/R^2, o = 0.2, R = 1/2, K = 10, m = 2: the stable step is 2 sqrt(m/k) and h above it. Of steps that
+ *  vary it is what they were while the sphere touched. */
+TEST(pressed)
+{
+    static struct scene scene;
+    static struct model model;
+    struct columns columns;
+    struct message message;
+    double row[COLUMNS];
+    const double stable = 2.0 * sqrt(2.0 / (1.5 * 10.0 * sqrt(0.2) / 0.25));
+    char text[TEXT_SIZE];
+    snprintf(text, sizeof text,
+             "bodies: {x: [0, 0, 3], v: [0, 0, 0], mass: 2, diameter: 1}\n"
+             "wall: {stiffness: 10, planes: [[0, 0, 1, 0]]}\nh: %.17g\nt_end: 1\n",
+             1.5 * stable);
+    make_model(text, &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    struct verdict v = touched(&model, &columns, 0.0);
+    v.found.gain = 0.0; /* the test has put it there */
+    struct judgement found = verdict_judge(&v, 0, &message);
+    assert_close(found.stable_step, stable, 4 * EPS * stable);
+    assert_int_equal(found.verdict, VERDICT_DOUBTFUL);
+    assert_non_null(strstr(message.text, "h is 1.5 of the least stable step"));
+    verdict_destroy(&v);
+    v = touched(&model, &columns, 1.5 * stable);
+    v.found.gain = 0.0;
+    assert_int_equal(verdict_judge(&v, 0, &message).verdict, VERDICT_GOOD); /* a long step to it and from it */
+    for (int k = 70; k < 80; ++k) {
+        verdict_longest(&v, k == 75 ? 1.5 * stable : 0.1 * stable);
+        verdict_row(&v, k, &model.bodies, row);
+    }
+    v.found.gain = 0.0;
+    assert_int_equal(verdict_judge(&v, 0, &message).verdict, VERDICT_DOUBTFUL);
+    assert_non_null(strstr(message.text, "steps are up to 1.5 of the stable step, the least "));
+    verdict_destroy(&v);
+    model_destroy(&model);
+}
+
 /* ---- what to do -------------------------------------------------------------------------------------------------- */
 
 /** Warnings at a step of 1: where a tolerance chooses the steps, it is what has to be smaller. */
@@ -359,4 +416,5 @@ TEST(remedies)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(remedies), cmocka_unit_test(angles), cmocka_unit_test(errors),
                     cmocka_unit_test(orders), cmocka_unit_test(elsewhere), cmocka_unit_test(slopes),
-                    cmocka_unit_test(bonds), cmocka_unit_test(ways), cmocka_unit_test(slowed))
+                    cmocka_unit_test(bonds), cmocka_unit_test(ways), cmocka_unit_test(slowed),
+                    cmocka_unit_test(pressed))
