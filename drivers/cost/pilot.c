@@ -132,12 +132,12 @@ static int64_t purse_every(const struct flight *f, int64_t steps, int64_t bodies
     return (int64_t)fmin(fmax(every, 1.0), 1e15);
 }
 
-/** Steps between two looks at the energy. */
-static int64_t look_every(int64_t steps)
+/** Steps between two looks at the energy. Where something is lost the error may have its maximum within a few steps, before
+ *  what is off has gone. */
+static int64_t look_every(const struct model *model, int64_t steps)
 {
-    const int64_t often = steps / STEPS_OF_LOOK, looks = often < LOOKS        ? LOOKS
-                                                         : often < MOST_LOOKS ? often
-                                                                              : MOST_LOOKS;
+    const int64_t often = model_dissipates(model) != NULL ? steps : steps / STEPS_OF_LOOK;
+    const int64_t looks = often < LOOKS ? LOOKS : often < MOST_LOOKS ? often : MOST_LOOKS;
     return (steps + looks - 1) / looks;
 }
 
@@ -147,7 +147,7 @@ static int64_t fly(struct flight *f, const struct trial *trial)
     const int64_t steps = trial->steps;
     const struct observer observers[] = {{see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL},
                                          {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL},
-                                         {look, f, look_every(steps), 0, NULL}};
+                                         {look, f, look_every(&f->run.model, steps), 0, NULL}};
     pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent && pilot->parted == 0;
     pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
     pilot->force_evals = travel_force_evals(&f->run.travel);

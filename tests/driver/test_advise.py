@@ -326,6 +326,22 @@ def measures():
               f"by {measure}: {found:.2e}")
 
 
+def damped():
+    """What oscillates and is damped errs most within its first swing: the energy's error is that of the worst
+    step, or nearly."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in (("swing.csv", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n1,0,0,1,0,0\n"), ("bond.csv", "i,j\n0,1\n"),
+                           ("swing.yaml", "name: swing\nbodies: {table: swing.csv, mass: 1}\nbinder: {table: bond.csv, axial: 2}\n"
+                                          "bond_dashpot: {zeta: 0.8}\nh: 1/64\nt_end: 40\n")):
+            with open(os.path.join(folder, path), "w", encoding="ascii") as file:
+                file.write(text)
+        advice = json.loads(run(advise, "--json", *LONG, "--error", "1e-2", "--measure", "energy", "--steppers", "vti2",
+                                f"{folder}/swing.yaml").stdout)
+        found = energy_error(f"{folder}/swing", 40, "vti2", advice["h"])
+        check(abs(found / advice["predicted_error"] - 1) < 0.02,
+              f"damped: the energy errs by {found:.3e}, told {advice['predicted_error']:.3e}")
+
+
 def general_inertia():
     """Bodies of three moments are advised on by the steppers that can take them, and all of these."""
     for name, t_end, error in (("heavy-top", 10, 1e-5), ("dzhanibekov", 20, 1e-6)):
@@ -390,6 +406,7 @@ rolls()
 part_again()
 between_touches()
 measures()
+damped()
 general_inertia()
 as_long_as_can_be()
 refusals()
