@@ -172,18 +172,25 @@ static void longest_first(const struct study *study, int64_t *order)
 
 /* ---- orders ------------------------------------------------------------------------------------------------------ */
 
-/** Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. */
-double study_floor(int measure, int64_t steps, double t_end, double uncertainty)
+/** Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. Energies of a stiff or fast scene are known
+ *  to what rounding leaves of them on the reference. */
+double study_floor(int measure, int64_t steps, double t_end, double uncertainty, double energy_error)
 {
     const double rounding = 16.0 * DBL_EPSILON * sqrt((double)steps) * fmax(1.0, t_end);
     const double known = fmax(rounding, 10.0 * uncertainty);
     if (strcmp(study_measures[measure], "e_error") == 0)
-        return rounding;
+        return fmax(rounding, 10.0 * energy_error);
     return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(known) : known;
+}
+
+double study_share(double energy_error, double energy0)
+{
+    return energy_error / (energy0 != 0.0 ? fabs(energy0) : 1.0);
 }
 
 static void fit_orders(struct study *study)
 {
+    const double energy_error = study_share(study->reference_energy_error, study->energy0);
     const struct plan *plan = study->plan;
     for (int64_t s = 0; s < plan->steppers_count; ++s)
         for (int m = 0; m < STUDY_MEASURES; ++m) {
@@ -191,8 +198,8 @@ static void fit_orders(struct study *study)
             for (int64_t k = 0; k < plan->h_count; ++k) {
                 const int64_t run = s * plan->h_count + k;
                 error[k] = study_measure(&study->outcomes[run], m);
-                floor[k] =
-                    study_floor(m, study->trials[run].steps, study->trials[run].t_end, study->reference_uncertainty);
+                floor[k] = study_floor(m, study->trials[run].steps, study->trials[run].t_end,
+                                       study->reference_uncertainty, energy_error);
             }
             study->orders[s][m] = fit_order(plan->h, error, floor, plan->h_count);
         }

@@ -26,8 +26,11 @@ struct plan {
 extern const char *const study_measures[STUDY_MEASURES];
 double study_measure(const struct outcome *outcome, int measure);
 
-/** Below this a measure is rounding, or no more than the reference is known to. */
-double study_floor(int measure, int64_t steps, double t_end, double uncertainty);
+/** Below this a measure is rounding, or no more than the reference is known to, uncertainty, or keeps its energy to,
+ *  energy_error. */
+double study_floor(int measure, int64_t steps, double t_end, double uncertainty, double energy_error);
+/** That of a reference as a share of the energy, as of runs. */
+double study_share(double energy_error, double energy0);
 
 /** What came out; filled in on rank 0, empty elsewhere. Row r is stepper r / h_count at h r % h_count. */
 struct study {

@@ -26,11 +26,13 @@ int survey_each(const struct survey *survey,
 
 struct order survey_order(const struct plan *plan, const struct survey_point *point, int64_t stepper, int measure)
 {
+    const struct survey_facts *facts = &point->facts;
+    const double energy_error = study_share(facts->reference_energy_error, facts->energy0);
     double error[LADDER_MOST], floor[LADDER_MOST];
     for (int64_t k = 0; k < plan->h_count; ++k) {
         const struct survey_run *run = &point->run[stepper * plan->h_count + k];
         error[k] = run->error[measure];
-        floor[k] = study_floor(measure, run->steps, run->t_end, point->facts.reference_uncertainty);
+        floor[k] = study_floor(measure, run->steps, run->t_end, facts->reference_uncertainty, energy_error);
     }
     return fit_order(plan->h, error, floor, plan->h_count);
 }

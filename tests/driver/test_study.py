@@ -160,6 +160,19 @@ def without_orders(base):
               f"{' '.join(arguments)}: {said}")
 
 
+def stiff_energies(base):
+    """Energies of a stiff scene are not known to rounding of 1, and of what is left of their errors no order is told."""
+    with open(f"{base}/stiff.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {chain: {count: 3, spacing: 1}, mass: 1, random: {seed: 3, v: 0.3, omega: 1}}\n"
+                   "binder: {axial: 1e6, moment: 1, shear: {stiffness: 10}}\nh: 1e-3\nt_end: 0.5\n")
+    study(1, f"{base}/stiff.yaml", "--h", "2^-11:2^-15", "--steppers", "vti2,srkn14", folder=f"{base}/stiff")
+    with h5py.File(f"{base}/stiff/study.h5") as file:
+        table = {name: file["orders"][name][...] for name in file["orders"]}
+    found = {stepper.decode(): order for stepper, measure, order in zip(table["stepper"], table["measure"], table["order"])
+             if measure == b"e_error"}
+    check(abs(found["vti2"] - 2) < 0.1 and numpy.isnan(found["srkn14"]), f"orders of the energy error of stiff bonds: {found}")
+
+
 def from_tables(base):
     """Bodies and bonds from CSV and from HDF5: the same numbers, the same bytes."""
     bodies = {"x": [0, 1, 2], "y": [0, 0, 1 / 3], "z": [0, 0, 0], "vx": [0, 0.1, 0], "vy": [0, 0, 0], "vz": [0, 0, 0.7],
@@ -286,6 +299,7 @@ with tempfile.TemporaryDirectory() as base:
     not_whole(base)
     refused(base)
     without_orders(base)
+    stiff_energies(base)
     from_tables(base)
     at_rest(base)
     far_from_the_origin(base)
