@@ -122,11 +122,13 @@ static int weigh(struct search *s, struct refining *r, double target)
 {
     enum { STALLED = 4, MOST = 12 };
     struct advice *a = s->advice;
-    /* what is left after a halving of h is 1/(2^p - 1) of what that changed; no order is taken for granted */
+    /* what is left after a halving of h is 1/(2^p - 1) of what that changed; no order is taken for granted, and where
+     * forces have kinks a lucky halving tells of one that is not there */
+    const double most = s->kinked ? search_kinked_order(a->checked) : 8.0;
     const double order =
         isfinite(r->last) && r->apart > 0.0 ? fmin(fmax(plain_log2(r->last / r->apart), 1.0), 8.0) : 1.0;
     a->order = isfinite(r->last) && r->apart > 1e-13 ? order : a->order;
-    a->known = r->apart / (plain_exp2(order) - 1.0);
+    a->known = r->apart / (plain_exp2(fmin(order, most)) - 1.0);
     if (r->halvings > 1 && a->known <= known_share * target)
         return FOUND;
     const int resolved = !search_unresolved(s, &s->solution);

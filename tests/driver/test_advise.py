@@ -315,6 +315,18 @@ t_end: 2
             check(advice["predicted_error"] <= error and error / far < found, "... and the step is not far finer than it has to be")
 
 
+def lucky_halving():
+    """Of spheres that meet one halving showed order 4.8: what is left is told by the order that kinks leave."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(f"{folder}/gas.yaml", "w", encoding="ascii") as file:
+            file.write("name: gas\nbodies: {lattice: {counts: [2,2,2], spacing: 1.3}, diameter: 1, mass: 1, random: {seed: 4, v: 2}}\n"
+                       "contact: {stiffness: 4206.784023988164}\nh: 1e-3\nt_end: 1\n")
+        advice = json.loads(run(advise, "--json", "--error", "1e-5", "--measure", "velocity", "--budget", "30", "--steppers", "an7",
+                                f"{folder}/gas.yaml").stdout)
+        found, (low, high) = float(follow(f"{folder}/gas", 1, "an7", advice["h"])["velocity_error"]), advice["interval"]
+        check(advice["source"] == "measured" and low <= found <= high, f"gas: {found:.2e} is in {low:.2e} ... {high:.2e}")
+
+
 def measures():
     """The error of any of them can be asked for."""
     for measure in MEASURES:
@@ -405,6 +417,7 @@ parted_early()
 rolls()
 part_again()
 between_touches()
+lucky_halving()
 measures()
 damped()
 general_inertia()
