@@ -383,6 +383,15 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     at->meet = 1;
 }
 
+static double held(const struct effect *e, const vti_bodies *bodies)
+{
+    const vti_contacts *contacts = &((const struct contact_self *)e->self)->contacts;
+    double most = 0.0;
+    for (int64_t k = 0; k < contacts->count; ++k)
+        most = fmax(most, hertz_held(vti_contacts_stiffness(contacts, k), share_of(contacts, &bodies->x, k)));
+    return most;
+}
+
 static int touching(const struct effect *e)
 {
     return ((const struct contact_settings *)e->settings)->bonded ? EFFECT_TOUCH_ALL : EFFECT_TOUCH_APART;
@@ -407,6 +416,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .note = note,
                                            .limit = limit,
                                            .deform = deform,
+                                           .held = held,
                                            .surfaces = surfaces,
                                            .touching = touching,
                                            .memory = &remembered};

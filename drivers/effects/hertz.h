@@ -14,6 +14,12 @@ static inline void hertz_deform(double stiffness, double energy, vti_deformation
     at->overlap = fmax(at->overlap, fmin(plain_power(2.5 * energy / stiffness, 0.4), 1.0));
 }
 
+/** 2/5 K o^{5/2}; what rounding makes of positions that just touch is no overlap. */
+static inline double hertz_held(double stiffness, double overlap)
+{
+    return overlap > 1e-10 ? 0.4 * stiffness * overlap * overlap * sqrt(overlap) : 0.0;
+}
+
 /** E/(1 - nu^2) of a material. */
 static inline double hertz_modulus(double young, double poisson)
 {

@@ -206,6 +206,8 @@ struct effect_kind {
                   size_t size);
     /** Raises what of *at an energy that two bodies bring to where they meet may do to it. */
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
+    /** The largest energy that one of its springs holds where the bodies are, of the last find_pairs; NULL: none. */
+    double (*held)(const struct effect *e, const vti_bodies *bodies);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
     /** The largest rate, 1/time, at which it slows a body, whatever pushes that. */

@@ -294,6 +294,22 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
 }
 
+static double held(const struct effect *e, const vti_bodies *bodies)
+{
+    const vti_walls *walls = walls_of(e);
+    double most = 0.0;
+    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
+        for (int64_t i = 0; i < bodies->count; ++i) {
+            double x[3], n[3];
+            for (int k = 0; k < 3; ++k)
+                x[k] = bodies->x.c[k][i * bodies->x.stride];
+            const double radius = 0.5 * walls->diameter.p[i * walls->diameter.stride];
+            most =
+                fmax(most, hertz_held(vti_walls_stiffness(walls, w, i), 1.0 - vti_walls_gap(walls, w, x, n) / radius));
+        }
+    return most;
+}
+
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
@@ -310,6 +326,7 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         EFFECT_TERMS(terms),
                                         .limit = limit,
                                         .deform = deform,
+                                        .held = held,
                                         .planes = &faces,
                                         .surfaces = surfaces,
                                         .memory = &remembered};

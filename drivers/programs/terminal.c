@@ -37,7 +37,7 @@ void stable_say(const struct model_limits *l, const vti_stepper *stepper, double
         fprintf(file, "bonds strained by up to %.2g", l->at.strain);
     if (l->at.overlap > 0.0)
         fprintf(file, "%scontacts overlapped by up to %.2g", l->at.strain > 0.0 ? " and " : "", l->at.overlap);
-    fputs(", as far as the energy that bodies have takes them: ", file);
+    fputs(", as far as the energy of single bodies takes them: ", file);
     say_bound(&l->within, l->within_by, stepper, h, file);
 }
 

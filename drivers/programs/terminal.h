@@ -27,8 +27,8 @@ void progress_clear(void);
 
 /* ---- the bounds on the step ------------------------------------------------------------------------------------- */
 
-/** A line for the bound at rest and one for that of what energies allow, if it is another; h beside them, if it is >
- *  0. */
+/** A line for the bound at rest and one for that of what energies of single bodies allow, if it is another; h beside
+ *  them, if it is > 0. */
 void stable_say(const struct model_limits *limits, const vti_stepper *stepper, double h, FILE *file);
 /** The smaller bound for a stepper, whose reach may be other than 2. */
 double stable_least(const struct model_limits *limits, const vti_stepper *stepper);

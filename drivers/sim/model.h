@@ -123,9 +123,10 @@ struct model_yield model_yield_of(const struct model *model, int of_spheres, int
 double model_yield_across(const struct model_yield *yield, double arm);
 
 /** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a
- *  pile, is not in it. e is twice the largest kinetic energy of a body (two of them may meet), without that of the
- *  motion of the whole if there are no planes, and the work of the field on a body's way to the first plane below it,
- *  for the body of which the sum is largest; or what the weight sets free as a body sinks into a plane by that much, if
+ *  pile or a fragment that bonds hold together, is not in it, nor what a medium or spin brings. e is twice the largest
+ *  kinetic energy of a body (two of them may meet), without that of the motion of the whole if there are no walls, and
+ *  the work of the field on a body's way to the first wall below it, for the body of which the sum is largest, and twice
+ *  what one spring holds (effect_kind.held); or what the weight sets free as a body sinks into a wall by that much, if
  *  that is more. What e does is what the effects say (effect_kind.deform). */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies);
 /** The bound on the stable step of the model (vti_stable_step): of bodies where they are with the contacts that they

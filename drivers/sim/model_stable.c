@@ -24,11 +24,18 @@ static int64_t planes_of(const struct effect *e, const double **plane)
     return e->kind->planes != NULL ? e->kind->planes->get(e, plane) : 0;
 }
 
-static int has_planes(const struct model *model)
+/** How many cylinders, [count][7] in *cylinder: axis, a point on it, radius. */
+static int64_t cylinders_of(const struct effect *e, const double **cylinder)
 {
-    const double *plane;
+    const struct effect_planes *p = e->kind->planes;
+    return p != NULL && p->cylinders != NULL ? p->cylinders(e, cylinder) : 0;
+}
+
+static int has_walls(const struct model *model)
+{
+    const double *face;
     for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (planes_of(&model->rooms[k], &plane) > 0)
+        if (planes_of(&model->rooms[k], &face) > 0 || cylinders_of(&model->rooms[k], &face) > 0)
             return 1;
     return 0;
 }
@@ -45,29 +52,56 @@ static void fields_of(const struct model *model, double g[3])
     }
 }
 
-/** How far sphere i falls along g until its surface meets the first plane in its way; 0 if none is. */
+/** How far a sphere at x goes along the unit vector d until its surface meets the plane; infinite if it goes away from it. */
+static double way_to_plane(const double plane[4], const double x[3], const double d[3], double radius)
+{
+    const double towards = -vti_dot(plane, d);
+    return towards > 0.0 ? fmax(vti_dot(plane, x) - plane[3] - radius, 0.0) / towards : INFINITY;
+}
+
+/** The same of a cylinder that it is in: of s >= 0 with |rho + s a| = R - radius, rho and a being what of its place and
+ *  of d is across the axis; or down to the lowest line, to which it bounces, if that is further. Infinite along the
+ *  axis. */
+static double way_to_cylinder(const double cylinder[7], const double x[3], const double d[3], double radius)
+{
+    static const double rounding = 1e-24; /* of a^2 */
+    double from[3], rho[3], a[3];
+    for (int k = 0; k < 3; ++k)
+        from[k] = x[k] - cylinder[3 + k];
+    for (int k = 0; k < 3; ++k) {
+        rho[k] = from[k] - vti_dot(cylinder, from) * cylinder[k];
+        a[k] = d[k] - vti_dot(cylinder, d) * cylinder[k];
+    }
+    const double aa = vti_dot(a, a), out = vti_dot(rho, a), room = fmax(cylinder[6] - radius, 0.0);
+    const double inside = room * room - vti_dot(rho, rho);
+    const double straight = (sqrt(fmax(out * out + aa * inside, 0.0)) - out) / aa, lowest = sqrt(aa) * room - out;
+    return aa < rounding ? INFINITY : fmax(fmax(straight, lowest), 0.0);
+}
+
+/** How far sphere i falls along g until its surface meets the first wall in its way; 0 if none is. */
 static double fall(const struct model *model, const vti_bodies *spheres, int64_t i, const double g[3])
 {
     const double length = vti_norm(g), radius = 0.5 * scalar(&model->diameter, i);
+    const double down[3] = {g[0] / length, g[1] / length, g[2] / length};
     double least = INFINITY, centre[3];
     load(&spheres->x, i, centre);
     for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const double *plane = NULL;
-        const int64_t count = planes_of(&model->rooms[k], &plane);
-        for (int64_t w = 0; w < count; ++w, plane += 4) {
-            const double towards = -vti_dot(plane, g) / length;
-            if (towards > 0.0)
-                least = fmin(least, fmax(vti_dot(plane, centre) - plane[3] - radius, 0.0) / towards);
-        }
+        const double *plane = NULL, *cylinder = NULL;
+        const int64_t planes = planes_of(&model->rooms[k], &plane),
+                      cylinders = cylinders_of(&model->rooms[k], &cylinder);
+        for (int64_t w = 0; w < planes; ++w)
+            least = fmin(least, way_to_plane(plane + 4 * w, centre, down, radius));
+        for (int64_t w = 0; w < cylinders; ++w)
+            least = fmin(least, way_to_cylinder(cylinder + 7 * w, centre, down, radius));
     }
     return isfinite(least) ? least : 0.0;
 }
 
-/** The velocity of the centre of mass, which deforms nothing unless it meets a plane. */
+/** The velocity of the centre of mass, which deforms nothing unless it meets a wall. */
 static void velocity_of_whole(const struct model *model, const vti_bodies *b, double whole[3])
 {
     double mass = 0.0, momentum[3] = {0.0, 0.0, 0.0};
-    const int counts = model->translates && !has_planes(model);
+    const int counts = model->translates && !has_walls(model);
     for (int64_t i = 0; i < b->count && counts; ++i) {
         double v[3];
         load(&b->v, i, v);
@@ -91,13 +125,24 @@ static double energy_of_two(const struct model *model, const vti_bodies *b, int6
     return scalar(&b->mass, i) * vti_dot(v, v) + (model_has_clumps(model) ? 2.0 * vti_kinetic_rotation(&one) : 0.0);
 }
 
+/** Twice the largest energy that a single contact, wall or bond holds already, which all may go to one body. */
+static double energy_held(const struct model *model, const vti_bodies *b)
+{
+    double most = 0.0;
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        if (model->rooms[k].kind->held != NULL)
+            most = fmax(most,
+                        model->rooms[k].kind->held(&model->rooms[k], model->on_spheres[k] ? model_spheres(model) : b));
+    return 2.0 * most;
+}
+
 /** The energy that two bodies bring to where they meet, at most. */
 static double energy_to_meet(const struct model *model, const vti_bodies *b)
 {
     double most = 0.0, whole[3], g[3];
     velocity_of_whole(model, b, whole);
     fields_of(model, g);
-    const int falls = vti_norm(g) > 0.0 && has_planes(model);
+    const int falls = vti_norm(g) > 0.0 && has_walls(model);
     const vti_bodies *spheres = model_has_clumps(model) ? model_spheres(model) : b;
     for (int64_t s = 0; s < spheres->count && model->translates; ++s) {
         const int64_t i = model_has_clumps(model) ? model->clumps.list.body[s] : s;
@@ -118,25 +163,26 @@ static vti_deformation deformation_by(const struct model *model, const vti_bodie
 }
 
 /** m g D, by which the weight of what overlaps rises with the overlap, of the heaviest; 0 where nothing falls to a
- *  plane. */
+ *  wall. */
 static double weight_to_sink(const struct model *model, const vti_bodies *b)
 {
     double most = 0.0, g[3];
     fields_of(model, g);
     const vti_bodies *spheres = model_has_clumps(model) ? model_spheres(model) : b;
-    for (int64_t s = 0; s < spheres->count && model->translates && has_planes(model); ++s) {
+    for (int64_t s = 0; s < spheres->count && model->translates && has_walls(model); ++s) {
         const int64_t i = model_has_clumps(model) ? model->clumps.list.body[s] : s;
         most = fmax(most, scalar(&b->mass, i) * vti_norm(g) * scalar(&model->diameter, s));
     }
     return most;
 }
 
-/** Bodies that touch a plane and have no energy sink into it from rest, until the springs hold what that sets free. The
+/** Bodies that touch a wall and have no energy sink into it from rest, until the springs hold what that sets free. The
  *  overlap is that energy's, which grows as its power 2/5: a fixed point to which any start comes. */
 vti_deformation model_deformation(const struct model *model, const vti_bodies *bodies)
 {
     enum { TIMES = 16 };
-    const double energy = energy_to_meet(model, bodies), weight = weight_to_sink(model, bodies);
+    const double energy = energy_to_meet(model, bodies) + energy_held(model, bodies);
+    const double weight = weight_to_sink(model, bodies);
     vti_deformation at = deformation_by(model, bodies, weight);
     if (!(energy < weight))
         return deformation_by(model, bodies, energy);

@@ -199,6 +199,34 @@ TEST(overlaps_and_stable_steps)
     make_model(CHAIN ", v: [1e9, 0, 0]}\nwall: {stiffness: 1e-9, planes: [[-1, 0, 0, -100]]}\n" TIME, &scene, &model);
     assert_true(overlap(&model) == 1.0); /* no deeper than the centre */
     model_destroy(&model);
+    /* a cylinder is fallen into down to its lowest line, along its axis as far as to a plane; where it is not met in
+     * falling nothing is */
+#define IN                                                                                                             \
+    "bodies: {mass: 2, diameter: 1, x: [-2, 0.5, 1], v: [0, 0, 0]}\ngravity: [0, 0, -10]\nwall: {stiffness: 1e5, "
+    make_model(IN "cylinders: [[0, 1, 0, 0, 0, 0, 3]]}\n" TIME, &scene, &model);
+    assert_close(overlap(&model), pow(2.5 * 20.0 * 3.5 / 1e5, 0.4), 1e-14);
+    model_destroy(&model);
+    make_model(IN "cylinders: [[0, 0, 1, 0, 0, 0, 3]], planes: [[0, 0, 1, -9]]}\n" TIME, &scene, &model);
+    assert_close(overlap(&model), pow(2.5 * 20.0 * 9.5 / 1e5, 0.4), 1e-14);
+    model_destroy(&model);
+    make_model(IN "cylinders: [[0, 3, 4, 0, 0, 0, 30]]}\n" TIME, &scene, &model);
+    /* the axis is (0, 0.6, 0.8), and of (0, 0, -1) it leaves (0, 0.48, -0.36) across it */
+    const double across = 0.6;
+    const double rho2 = 4.0 + 0.25 + 1.0 - 1.1 * 1.1, along = 0.5 * 0.48 - 1.0 * 0.36;
+    const double straight = (sqrt(along * along + across * across * (29.5 * 29.5 - rho2)) - along) / (across * across);
+    assert_close(overlap(&model), pow(2.5 * 20.0 * straight / 1e5, 0.4), 1e-14);
+    model_destroy(&model);
+#undef IN
+    /* what a spring holds already may go to one body: 2 U in place of m v^2 */
+    make_model("bodies: {chain: {count: 2, spacing: 0.6}, mass: 1, diameter: 1}\ncontact: {stiffness: 1e3}\n" TIME,
+               &scene, &model);
+    assert_close(overlap(&model), 0.4 * pow(2.0, 0.4), 1e-14);
+    model_destroy(&model);
+    make_model("bodies: {mass: 1, diameter: 1, x: [0, 0, 0.4], v: [0, 0, 0]}\n"
+               "wall: {stiffness: 1e3, planes: [[0, 0, 1, 0]]}\n" TIME,
+               &scene, &model);
+    assert_close(overlap(&model), 0.2 * pow(2.0, 0.4), 1e-14);
+    model_destroy(&model);
     make_model(CHAIN "}\nbinder: {axial: 100}\n" TIME, &scene, &model);
     /* inner bodies have two bonds: omega^2 = K (2/m + 2/m)/L0^2 */
     assert_close(stable(&model), 2.0 / sqrt(400.0), 1e-16);
@@ -243,7 +271,15 @@ TEST(what_energies_allow)
         {"bodies: {mass: 1, diameter: 1, table: press.csv}\n"
          "binder: {table: bond.csv, axial: 1, shear: {stiffness: 100}}\nh: 0.05\nt_end: 20\n",
          0, 100},
+        {"bodies: {mass: 1, diameter: 1, x: [-2, 0, 31], v: [0, 0, 0]}\ngravity: [0, 0, -9.81]\n"
+         "wall: {stiffness: 1e5, cylinders: [[0, 1, 0, 0, 0, 30, 3]]}\nh: 0.0075\nt_end: 20\n",
+         0.0075, 10},
+        {"bodies: {mass: 1, diameter: 1, table: pull.csv}\nbinder: {table: long.csv, axial: 1e4}\n"
+         "wall: {stiffness: 1e6, planes: [[1, 0, 0, -1]]}\nh: 2^-6\nt_end: 20\n",
+         0x1p-6, 10},
     };
+    write_text("pull.csv", "x,y,z,vx,vy,vz\n0,0,0,0,0,0\n1,0,0,0,0,0\n");
+    write_text("long.csv", "i,j,length,nx,ny,nz,turn_x,turn_y,turn_z,turn_w\n1,0,2,1,0,0,0,0,0,1\n");
     write_text("meet.csv", "x,y,z,vx,vy,vz\n0,0,0,0.5,0,0\n2,0,0,-0.5,0,0\n");
     write_text("press.csv", "x,y,z,vx,vy,vz\n0,0,0,0.65,0.001,0\n1,0,0,-0.65,0,0.001\n");
     write_text("bond.csv", "i,j\n0,1\n");

@@ -32,7 +32,7 @@ static const struct {
     {"chain", "binder", 10, 9, 0.15513524476909824, 1e-16, 100, 1e-3},
     {"column", "contact wall friction dashpot gravity", 300, 0, 0.004706575993664864, 1e-16, 800, 2e-6},
     {"heap", "contact wall friction dashpot gravity", 200, 0, 8104.50916902587, 2e-11, 800, 4e-5},
-    {"drum", "contact wall friction dashpot gravity", 77, 0, -0.0003058941845198765, 1e-18, 1600, 2.5e-3},
+    {"drum", "contact wall friction dashpot gravity", 77, 0, -0.0003058941845198765, 1e-18, 2000, 2.5e-3},
     {"incline", "contact wall friction dashpot gravity", 1, 0, 1.309e-3 * 9.81 * 0.004, 1e-20, 400, 2e-6},
     {"pile", "contact wall gravity", 128, 0, 5603.704761919232, 1e-11, 800, 4e-5},
     {"pendulum", "pendulum", 1, 0, 0.74710678118654752, 4e-16, 100, 4e-5},

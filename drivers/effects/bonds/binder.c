@@ -83,20 +83,41 @@ static void limit(const struct effect *e, const vti_deformation *at, const vti_s
                  (long long)stable->j);
 }
 
+/** How far bond k is stretched now, as a share of its length, and its axial stiffness K; 0 without. */
+static double strain_of(const vti_bonds *p, const vti_bodies *b, int64_t k, double *stiffness)
+{
+    const int64_t i = p->pair[2 * k] * b->x.stride, j = p->pair[2 * k + 1] * b->x.stride;
+    const double d[3] = {b->x.c[0][i] - b->x.c[0][j], b->x.c[1][i] - b->x.c[1][j], b->x.c[2][i] - b->x.c[2][j]};
+    *stiffness = p->axial.p != NULL ? p->axial.p[k * p->axial.stride] : 0.0;
+    return vti_norm(d) / p->rest[4 * k + 3] - 1.0;
+}
+
+static const double rounding = 1e-20; /* of strains squared: what it makes of positions is none */
+
 /** A strain s at which the axial spring has taken up the energy and what is in it now, K/2 s^2. */
 static void deform(const struct effect *e, const vti_bodies *b, double energy, vti_deformation *at)
 {
     const vti_bonds *p = &((const struct binder_self *)e->self)->bonds;
-    double most = 0.0;
-    for (int64_t k = 0; p->axial.p != NULL && k < p->count; ++k) {
-        const int64_t i = p->pair[2 * k] * b->x.stride, j = p->pair[2 * k + 1] * b->x.stride;
-        const double d[3] = {b->x.c[0][i] - b->x.c[0][j], b->x.c[1][i] - b->x.c[1][j], b->x.c[2][i] - b->x.c[2][j]};
-        const double now = vti_norm(d) / p->rest[4 * k + 3] - 1.0, stiffness = p->axial.p[k * p->axial.stride];
+    double most = 0.0, stiffness;
+    for (int64_t k = 0; k < p->count; ++k) {
+        const double now = strain_of(p, b, k, &stiffness);
         if (stiffness > 0.0)
             most = fmax(most, now * now + 2.0 * energy / stiffness);
     }
-    if (most > 1e-20) /* what rounding makes of positions is no strain */
+    if (most > rounding)
         at->strain = fmax(at->strain, fmin(sqrt(most), 1.0));
+}
+
+/** That of the axial spring. */
+static double held(const struct effect *e, const vti_bodies *b)
+{
+    const vti_bonds *p = &((const struct binder_self *)e->self)->bonds;
+    double most = 0.0, stiffness;
+    for (int64_t k = 0; k < p->count; ++k) {
+        const double now = strain_of(p, b, k, &stiffness);
+        most = fmax(most, now * now > rounding ? 0.5 * stiffness * now * now : 0.0);
+    }
+    return most;
 }
 
 /* ---- together ---------------------------------------------------------------------------------------------------- */
@@ -129,6 +150,7 @@ const struct effect_kind effect_binder = {.number = EFFECT_binder,
                                           .say = say,
                                           .limit = limit,
                                           .deform = deform,
+                                          .held = held,
                                           .lines = &binder_lines,
                                           .bonds = bonds,
                                           .watch = &binder_watch,
