@@ -309,6 +309,9 @@ TEST(slowed)
      * digits */
     const double mass = PI / 3.0, across = mass * (0.1 + 2.25);
     assert_close(slowing_of(rod, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
+    static const char slanted[] = "clumps: {spheres: [[0, 0, 0, 1], [0, 2.4, 1.8, 1]], density: 1}, x: [0, 0, 0], "
+                                  "v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0]";
+    assert_close(slowing_of(slanted, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
     static const char pair[] = "table: three.csv, inertia: 0.1, diameter: 1";
 #define BOND "binder: {table: bond.csv, axial: 8, shear: {stiffness: 18}, moment: 5}\nbond_dashpot: "
     const double m = 1.0 / 5.0 + 1.0 / 2.0, t = m + 2.0 * 2.25 / 0.1, r = 2.0 / 0.1; /* L0 = 3 */
