@@ -133,12 +133,6 @@ static int default_scene(struct message *message)
     return 0;
 }
 
-static int read_tables_too(const char *path, const char *const *overrides, int n, struct scene *scene,
-                           struct tables *tables, struct message *message)
-{
-    return scene_read(path, overrides, n, scene, message) != 0 ? -1 : tables_read(scene, tables, message);
-}
-
 /** What is the same for all scenes. */
 static int read_plan(struct plan *plan, struct message *message)
 {
@@ -154,8 +148,8 @@ static int read_plan(struct plan *plan, struct message *message)
 
 static int make_plan(struct scene *scene, struct tables *tables, struct plan *plan, struct message *message)
 {
-    if (default_scene(message) != 0 || read_tables_too(scenes[0], sets.text, sets.count, scene, tables, message) != 0 ||
-        read_plan(plan, message) != 0)
+    if (default_scene(message) != 0 || scene_read(scenes[0], sets.text, sets.count, scene, message) != 0 ||
+        tables_read(scene, tables, message) != 0 || read_plan(plan, message) != 0)
         return -1;
     plan->scene = scene;
     if (end_times == NULL)
@@ -170,6 +164,7 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
 {
     static struct scene read[SURVEY_SCENES]; /* with their tables to the end of the program */
     static struct tables tables[SURVEY_SCENES];
+    static struct survey_files files;
     static struct plan common;
     if (default_scene(message) != 0 || read_plan(&common, message) != 0)
         return -1;
@@ -191,8 +186,8 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
                                  .first = read,
                                  .sets_count = sets.count,
                                  .sweep = sweep,
-                                 .read = read_tables_too,
-                                 .forget = tables_destroy};
+                                 .files = &files,
+                                 .read_tables = tables_read};
     for (int k = 0; k < scenes_count; ++k) {
         plan->each[k] = common;
         if (survey_read_first(plan, k, &read[k], &tables[k], message) != 0)

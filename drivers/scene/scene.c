@@ -57,16 +57,27 @@ static int read_scene(const struct scene_reader *reader, const char *path, struc
     return scene->name[0] != '\0' ? 0 : take_name_of_file(reader, path, scene);
 }
 
-int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message)
+int scene_read_text(const char *path, const struct scene_text *text, const char *const *overrides, int n,
+                    struct scene *scene, struct message *message)
 {
     struct scene_reader reader;
     memset(scene, 0, sizeof *scene);
     message->text[0] = '\0';
     if (kinds_check(message) != 0)
         return -1;
-    int result = scene_reader_open(&reader, path, overrides, n, message);
+    int result = scene_reader_open(&reader, path, text, overrides, n, message);
     if (result == 0)
         result = read_scene(&reader, path, scene);
     scene_reader_close(&reader);
+    return result;
+}
+
+int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message)
+{
+    struct scene_text text;
+    if (scene_text_read(path, &text, message) != 0)
+        return -1;
+    const int result = scene_read_text(path, &text, overrides, n, scene, message);
+    scene_text_destroy(&text);
     return result;
 }

@@ -128,6 +128,18 @@ struct scene {
  *  from an override is placed by "--set path=value" instead of file, line and column. *scene needs no freeing. */
 int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message);
 
+/** The file of a scene as it was read, for those that read it more than once: it may be edited meanwhile. */
+struct scene_text {
+    char *bytes;
+    size_t size;
+};
+/** Returns 0 and scene_text_destroy is due, or -1 with one line in *message. */
+int scene_text_read(const char *path, struct scene_text *text, struct message *message);
+void scene_text_destroy(struct scene_text *text);
+/** As scene_read. path is what messages name, and where the paths in the scene begin. */
+int scene_read_text(const char *path, const struct scene_text *text, const char *const *overrides, int n,
+                    struct scene *scene, struct message *message);
+
 /** What a unit is that the scene gives, or leaves out as 0: 1. */
 static inline double scene_unit(double given)
 {

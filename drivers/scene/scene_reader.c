@@ -7,17 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene.h"
+
 enum { NAME_SIZE = 240, FILE_MAX = 1 << 20 };
 
 /* ---- the file and the --set arguments ---------------------------------------------------------------------------- */
 
-/** The whole file into text, which takes a byte more than a scene may have. */
-static int read_file(const struct scene_reader *reader, char *text, size_t *size)
+/** The whole file into bytes, which take one more than a scene may have. */
+static int read_file(const struct scene_reader *reader, char *bytes, size_t *size)
 {
     char problem[SCENE_TEXT_SIZE];
     errno = 0;
     FILE *file = fopen(reader->path, "rb");
-    *size = file != NULL ? fread(text, 1, FILE_MAX + 1, file) : 0;
+    *size = file != NULL ? fread(bytes, 1, FILE_MAX + 1, file) : 0;
     const int failed = file == NULL || ferror(file), error = errno;
     if (file != NULL)
         fclose(file);
@@ -28,15 +30,22 @@ static int read_file(const struct scene_reader *reader, char *text, size_t *size
                             failed ? problem : "is larger than 1 MiB; a scene is short, is this the right file?");
 }
 
-static int load_file(struct scene_reader *reader)
+int scene_text_read(const char *path, struct scene_text *text, struct message *message)
 {
-    size_t size = 0;
-    char *text = malloc(FILE_MAX + 1);
-    if (text == NULL)
-        return scene_reader_say(reader, NULL, NULL, "", "out of memory");
-    const int result = read_file(reader, text, &size) == 0 ? scene_load(reader, NULL, "", text, size) : -1;
-    free(text);
+    const struct scene_reader reader = {.path = path, .message = message};
+    char *bytes = malloc(FILE_MAX + 1);
+    const int result = bytes == NULL ? scene_reader_say(&reader, NULL, NULL, "", "out of memory")
+                                     : read_file(&reader, bytes, &text->size);
+    if (result != 0)
+        free(bytes);
+    text->bytes = result == 0 ? bytes : NULL;
     return result;
+}
+
+void scene_text_destroy(struct scene_text *text)
+{
+    free(text->bytes);
+    text->bytes = NULL;
 }
 
 static int load_set(struct scene_reader *reader, const char *set)
@@ -54,8 +63,8 @@ static int load_set(struct scene_reader *reader, const char *set)
     return scene_load(reader, set, path, text, strlen(text));
 }
 
-int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
-                      struct message *message)
+int scene_reader_open(struct scene_reader *reader, const char *path, const struct scene_text *text,
+                      const char *const *sets, int n, struct message *message)
 {
     size_t rows = 0;
     while (scene_field_at((int)rows) != NULL)
@@ -66,7 +75,7 @@ int scene_reader_open(struct scene_reader *reader, const char *path, const char 
     reader->values = calloc(rows, sizeof *reader->values);
     if (reader->values == NULL)
         return scene_reader_say(reader, NULL, NULL, "", "out of memory");
-    int result = load_file(reader);
+    int result = scene_load(reader, NULL, "", text->bytes, text->size);
     for (int k = 0; k < n && result == 0; ++k)
         result = load_set(reader, sets[k]);
     return result;

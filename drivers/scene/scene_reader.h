@@ -76,6 +76,7 @@ struct scene_value {
     struct scene_item *items;
 };
 
+struct scene_text; /* scene.h */
 struct scene_reader {
     const char *path;           /* of the file */
     struct place start;         /* of the scene in it */
@@ -83,10 +84,11 @@ struct scene_reader {
     struct message *message;
 };
 
-/** Reads the file and the n --set arguments, which replace or add single values. Returns 0, or -1 with one line in
- *  *message. path, sets and *message must live as long as the reader. scene_reader_close must follow in any case. */
-int scene_reader_open(struct scene_reader *reader, const char *path, const char *const *sets, int n,
-                      struct message *message);
+/** Reads the text of the file and the n --set arguments, which replace or add single values. Returns 0, or -1 with one
+ *  line in *message. path, sets and *message must live as long as the reader. scene_reader_close must follow in any
+ *  case. */
+int scene_reader_open(struct scene_reader *reader, const char *path, const struct scene_text *text,
+                      const char *const *sets, int n, struct message *message);
 void scene_reader_close(struct scene_reader *reader);
 
 /** Takes a text as the value at a path of the table, "" being the whole scene; set is the --set argument that it is

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "queue.h"
-#include "table.h"
 
 const char *const survey_errors[SURVEY_ERRORS] = {"e_error", "q_error", "h1_error", "attitude_error", "momentum_error"};
 
@@ -66,91 +65,6 @@ int64_t survey_bytes(const struct survey_plan *plan)
     return (int64_t)sizeof(struct survey_point) + most * (int64_t)sizeof(struct survey_run);
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
-
-/** The scene of a place of the sweep, which is to be forgotten after. */
-static int read_scene(const struct survey_plan *plan, int k, int64_t place, struct scene *scene, struct tables *tables,
-                      struct message *message)
-{
-    static char swept[SWEEP_AXES][SWEEP_TEXT];
-    const char **overrides = calloc((size_t)plan->sets_count + SWEEP_AXES, sizeof *overrides);
-    if (overrides == NULL)
-        return message_set(message, "out of memory");
-    for (int i = 0; i < plan->sets_count; ++i)
-        overrides[i] = plan->sets[i];
-    sweep_overrides(plan->sweep, place, swept);
-    for (int i = 0; i < plan->sweep->count; ++i)
-        overrides[plan->sets_count + i] = swept[i];
-    const int failed =
-        plan->read(plan->scenes[k], overrides, plan->sets_count + plan->sweep->count, scene, tables, message);
-    free((void *)overrides);
-    return failed;
-}
-
-/** The plan of a scene as it was read. */
-static struct plan plan_of(const struct survey_plan *plan, int k, const struct scene *scene)
-{
-    struct plan each = plan->each[k];
-    each.scene = scene;
-    each.t_end = each.t_end > 0.0 ? each.t_end : scene->t_end;
-    return each;
-}
-
-/** A message that blames --set for what a sweep has set. */
-static int blame_sweep(const struct survey_plan *plan, struct message *message)
-{
-    static const char set[] = "--set ";
-    const struct message said = *message;
-    const char *at = strstr(said.text, set);
-    for (int i = 0; at != NULL && i < plan->sweep->count; ++i) {
-        const char *key = plan->sweep->axis[i].key;
-        if (strncmp(at + strlen(set), key, strlen(key)) == 0)
-            return message_set(message, "%.*s--sweep %s", (int)(at - said.text), said.text, at + strlen(set));
-    }
-    return -1;
-}
-
-int survey_read_first(const struct survey_plan *plan, int k, struct scene *scene, struct tables *tables,
-                      struct message *message)
-{
-    return read_scene(plan, k, 0, scene, tables, message) != 0 ? blame_sweep(plan, message) : 0;
-}
-
-static int check_place(const struct survey_plan *plan, int k, int64_t place, struct message *message)
-{
-    static struct scene scene;
-    static struct tables tables;
-    if (read_scene(plan, k, place, &scene, &tables, message) != 0)
-        return blame_sweep(plan, message);
-    const struct plan each = plan_of(plan, k, &scene);
-    const int failed = study_check(&each, message);
-    plan->forget(&tables);
-    return failed;
-}
-
-int survey_check(const struct survey_plan *plan, struct message *message)
-{
-    const struct sweep *sweep = plan->sweep;
-    if (survey_runs(plan) > SWEEP_MOST)
-        return message_set(
-            message, "--sweep: more than %d runs: steppers x steps x values x scenes; use fewer, or several studies",
-            SWEEP_MOST);
-    for (int k = 0; k < plan->scenes_count; ++k) {
-        int64_t stride = 1;
-        if (check_place(plan, k, 0, message) != 0)
-            return -1;
-        for (int i = 0; i < k; ++i)
-            if (strcmp(plan->first[i].name, plan->first[k].name) == 0)
-                return message_set(message, "%s: two scenes have the name %s; give them different names",
-                                   plan->scenes[k], plan->first[k].name);
-        for (int i = 0; i < sweep->count; stride *= sweep->axis[i++].count)
-            for (int64_t v = sweep->axis[i].list != NULL ? 1 : sweep->axis[i].count - 1; v < sweep->axis[i].count; ++v)
-                if (v > 0 && check_place(plan, k, v * stride, message) != 0)
-                    return -1;
-    }
-    return 0;
-}
-
 /* ---- one point --------------------------------------------------------------------------------------------------- */
 
 static void fail_run(struct survey_run *run, const char *reason)
@@ -202,17 +116,19 @@ static void run_point(const struct survey_plan *plan, int64_t p, queue_poll poll
     struct message message = {""};
     const int k = survey_scene(plan, p);
     memset(point, 0, (size_t)survey_bytes(plan));
-    if (read_scene(plan, k, p % sweep_points(plan->sweep), &scene, &tables, &message) != 0) {
+    const int failed = survey_read(plan, k, p % sweep_points(plan->sweep), &scene, &tables, &message);
+    if (failed != 0) {
         fail_point(point, &plan->each[k], message.text);
+        point->ends_all = failed == SURVEY_CHANGED;
         return;
     }
-    const struct plan each = plan_of(plan, k, &scene);
+    const struct plan each = survey_plan_with(plan, k, &scene);
     if (study_alone(&each, poll, poll_self, &study, &message) == 0)
         take_study(&study, point);
     else
         fail_point(point, &each, message.text);
     study_destroy(&study);
-    plan->forget(&tables);
+    tables_destroy(&tables);
 }
 
 /* ---- points as tasks --------------------------------------------------------------------------------------------- */
@@ -252,6 +168,9 @@ static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self,
 static int task_done(void *self, int64_t task, int rank, const void *result)
 {
     struct work *w = self;
+    const struct survey_point *point = result;
+    if (point->ends_all)
+        return message_set(w->message, "%s", point->run[0].reason);
     ++w->done;
     show(w);
     return w->store->keep(w->store->self, task, rank, result, w->message);

@@ -10,11 +10,26 @@
 #include "store.h"
 #include "study.h"
 #include "sweep.h"
+#include "table.h"
 
 enum { SURVEY_SCENES = 32, SURVEY_REASON = 240, SURVEY_ERRORS = STUDY_MEASURES + 1 };
 
 /** What runs are measured by: study_measures, then "momentum_error". */
 extern const char *const survey_errors[SURVEY_ERRORS];
+
+/** A table when it was first read. */
+struct survey_table {
+    char path[SCENE_PATH_SIZE];
+    int kind; /* its number among those of a scene */
+    uint64_t digest;
+};
+
+/** What the files held as they were first read. Zeros: none has been. To the end of the program. */
+struct survey_files {
+    struct scene_text scene[SURVEY_SCENES];
+    struct survey_table *tables; /* [tables_count] in the order of reading, which survey_check does */
+    int64_t tables_count;
+};
 
 /** What is asked for. */
 struct survey_plan {
@@ -25,10 +40,8 @@ struct survey_plan {
     int sets_count;
     const struct sweep *sweep;
     struct plan each[SURVEY_SCENES]; /* of each scene, but for the scene itself; t_end = 0: the scene's own */
-    /** Reads a scene with its tables, as scene_read does. */
-    int (*read)(const char *path, const char *const *overrides, int n, struct scene *scene, struct tables *tables,
-                struct message *message);
-    void (*forget)(struct tables *tables);
+    struct survey_files *files;
+    int (*read_tables)(struct scene *scene, struct tables *tables, struct message *message); /* io/table_hdf5.h */
 };
 
 /** A run as it is kept. Flat. */
@@ -49,6 +62,7 @@ struct survey_facts {
 /** A point as it is kept. Flat. */
 struct survey_point {
     struct survey_facts facts;
+    int64_t ends_all;        /* not kept: the survey ends for the reason of the first run */
     struct survey_run run[]; /* stepper r / h_count at h r % h_count */
 };
 
@@ -71,6 +85,18 @@ int64_t survey_runs(const struct survey_plan *plan);
 int64_t survey_groups(const struct survey_plan *plan);
 /** Of a struct survey_point with as many runs as a point has at most. */
 int64_t survey_bytes(const struct survey_plan *plan);
+
+/* ---- scenes at their points -------------------------------------------------------------------------------------- */
+
+enum { SURVEY_CHANGED = -2 };
+
+/** Reads scene k at a place of the sweep; tables_destroy(tables) is due. Returns 0, or with one line in *message -1 if
+ *  the scene is refused, or SURVEY_CHANGED if a table is not what it was when it was first read. */
+int survey_read(const struct survey_plan *plan, int k, int64_t place, struct scene *scene, struct tables *tables,
+                struct message *message);
+
+/** The plan of scene k as it was read so. */
+struct plan survey_plan_with(const struct survey_plan *plan, int k, const struct scene *scene);
 
 /** Reads scene k at its first point. Returns 0, or -1 with one line in *message. */
 int survey_read_first(const struct survey_plan *plan, int k, struct scene *scene, struct tables *tables,

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "digest.h"
 #include "kind.h"
 #include "quote.h"
 
@@ -76,6 +77,18 @@ void tables_destroy(struct tables *tables)
 {
     for (int k = 0; k < TABLES; ++k)
         table_destroy(tables_at(tables, k));
+}
+
+uint64_t tables_digest(const struct tables *tables, int k)
+{
+    const struct table *table = k == 0 ? &tables->bodies : &tables->effect[k - 1];
+    uint64_t digest = DIGEST_START;
+    for (int64_t c = 0; c < TABLE_COLUMNS; ++c)
+        if (table_has(table, (int)c)) {
+            digest = digest_add(digest, &c, sizeof c);
+            digest = digest_add(digest, table->column[c], sizeof(double) * (size_t)table->rows);
+        }
+    return digest;
 }
 
 /* ---- columns ----------------------------------------------------------------------------------------------------- */

@@ -80,6 +80,8 @@ typedef int table_reader(const char *path, const struct table_kind *kind, struct
  *  case. */
 int tables_read_by(table_reader *read, const struct scene *scene, struct tables *tables, struct message *message);
 void tables_destroy(struct tables *tables);
+/** Of what table k holds, wherever it lies (digest.h). */
+uint64_t tables_digest(const struct tables *tables, int k);
 
 /** The name of column k, NULL behind the last. */
 const char *table_column(const struct table_kind *kind, int k);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """vti-study --sweep: each point has the bytes of a study of its own, any number of ranks gives the same, means and spreads
-are those of the rows, what fails is a row, what is wrong is said before the start, an interrupted sweep goes on, and
-memory does not grow with the points.      test_sweep.py VTI_STUDY MPIRUN SCENES"""
+are those of the rows, what fails is a row, what is wrong is said before the start, an interrupted sweep goes on, what
+is edited meanwhile changes no point, and memory does not grow with the points.      test_sweep.py VTI_STUDY MPIRUN SCENES"""
 import csv
 import os
 import shutil
@@ -204,6 +204,58 @@ def interrupted(base):
     check(contents(f"{base}/legs", ["timing.csv"]) == contents(f"{base}/whole", ["timing.csv"]), "... to the same bytes")
 
 
+def start(folder, done, *arguments):
+    """A sweep that has kept something and goes on."""
+    child = subprocess.Popen([STUDY, "--no-plot", *arguments, "-o", folder], env=ENVIRONMENT, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True)
+    while child.poll() is None and not holds(f"{folder}/study.journal"):
+        time.sleep(0.001)
+    check(child.poll() is None, f"{done} while it runs")
+    return child
+
+
+def edited(base):
+    """What scenes and tables say when it begins counts at all points. A scene may be edited while it runs; a table that is, or that
+    cannot be read for a while, ends it, and with what it was the sweep goes on to the bytes of one that nobody disturbed."""
+    with open(CHAIN, encoding="ascii") as file:
+        scene = file.read()
+    arguments = ["--h", "1/64,1/128", "--t-end", "5", "--steppers", "vti2", "--sweep", "bodies.random.seed=1:60"]
+    for name, text in (("scene", scene), ("same", scene)):
+        os.mkdir(f"{base}/{name}")
+        with open(f"{base}/{name}/chain.yaml", "w", encoding="ascii") as file:
+            file.write(text)
+    child = start(f"{base}/edited", "a scene is edited", f"{base}/scene/chain.yaml", *arguments)
+    with open(f"{base}/scene/chain.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {x: [0, 0, 0]}\n")
+    child.communicate(timeout=120)
+    study(2, f"{base}/same/chain.yaml", *arguments, folder=f"{base}/whole")
+    check(child.returncode == 0 and contents(f"{base}/edited", ["timing.csv"]) == contents(f"{base}/whole", ["timing.csv"]),
+          "... and all points are of the scene as it was")
+
+    def table(name, axial):
+        with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
+            file.write("i,j,axial\n" + "".join(f"{k},{k + 1},{axial}\n" for k in range(9)))
+    for name, axial in (("a", 100), ("b", 200)):
+        table(name, axial)
+    with open(f"{base}/table.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {chain: {count: 10, spacing: 1}, mass: 1, random: {seed: 1, v: 0.1}}\nbinder: {table: a.csv}\n"
+                   "h: 1/64\nt_end: 5\n")
+    arguments = [f"{base}/table.yaml", "--h", "1/64,1/128", "--steppers", "vti2", "--sweep", "bodies.random.seed=1:60",
+                 "--sweep", "binder.table=a.csv,b.csv"]
+    study(2, *arguments, folder=f"{base}/tables")
+    for what, change in (("changes", lambda: table("b", 300)), ("is gone", lambda: os.remove(f"{base}/b.csv"))):
+        child = start(f"{base}/{what}", f"a table {what}", *arguments)
+        change()
+        words = child.communicate(timeout=120)[1]
+        check(child.returncode == 1 and words.count("\n") == 1 and "b.csv" in words and os.listdir(f"{base}/{what}") == ["study.journal"],
+              f"... and ends it: {words.strip()}")
+        table("b", 200)
+        result = study(3, *arguments, "--resume", folder=f"{base}/{what}")
+        check(result.returncode == 0 and "goes on: " in result.stdout and
+              contents(f"{base}/{what}", ["timing.csv"]) == contents(f"{base}/tables", ["timing.csv"]),
+              f"... and with these goes on to the same bytes {result.stderr.strip()}")
+
+
 def memory(base):
     """What 10000 more runs take: a struct of a run is 360 bytes, so that all would take 3600 kB."""
     def most(points):
@@ -216,7 +268,7 @@ def memory(base):
     check(not MEMORY_TELLS or many - few < 1500, f"{few} kB for 5000 runs, {many} kB for 15000")
 
 
-for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, memory):
+for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
