@@ -40,7 +40,7 @@ static const char *before_scene(int64_t k, char text[32])
     return text;
 }
 
-/** Of the scenes at their first points, and of what is swept. */
+/** Of the scenes at their first points, of what is swept, and of the tables of all points. */
 void survey_identify(FILE *text, const void *self)
 {
     const struct survey_plan *plan = self;
@@ -54,6 +54,9 @@ void survey_identify(FILE *text, const void *self)
         fprintf(text, "--sweep %d: %s=%s %s %s %lld\n", k + 1, axis->key, axis->list != NULL ? axis->list : "",
                 NUMBER(axis->from), NUMBER(axis->step), (long long)axis->count);
     }
+    for (int64_t k = 0; k < plan->files->tables_count; ++k)
+        fprintf(text, "table %lld of the points, of %s: digest %016llx\n", (long long)k + 1,
+                tables_kind(plan->files->tables[k].kind)->rows, (unsigned long long)plan->files->tables[k].digest);
 }
 
 /** How often times are taken is no part of it. */

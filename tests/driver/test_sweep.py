@@ -249,6 +249,10 @@ def edited(base):
         words = child.communicate(timeout=120)[1]
         check(child.returncode == 1 and words.count("\n") == 1 and "b.csv" in words and os.listdir(f"{base}/{what}") == ["study.journal"],
               f"... and ends it: {words.strip()}")
+        if what == "changes":
+            other = study(1, *arguments, "--resume", folder=f"{base}/{what}")
+            check(one_line(other, "another study", "table 2 of the points, of bonds"),
+                  f"... it goes on with none but the tables that it began with: {other.stderr.strip()}")
         table("b", 200)
         result = study(3, *arguments, "--resume", folder=f"{base}/{what}")
         check(result.returncode == 0 and "goes on: " in result.stdout and
