@@ -214,8 +214,10 @@ static void say_start(struct run *run, FILE *file)
 /** That the run was complete before. */
 static void say_done(const struct run *run, FILE *file)
 {
-    fprintf(file, "%s: the run is complete, to t = %.10g; there is nothing to do (a later --t-end prolongs it)\n",
-            run->output, (double)run->steps * run->scene.h);
+    fprintf(file,
+            "%s: the run is complete, to t = %.10g; there is nothing to do (a later --t-end prolongs it)\n"
+            "verdict: %s\n",
+            run->output, (double)run->steps * run->scene.h, verdict_word(run->record.judgement.verdict));
 }
 
 /* ---- after ------------------------------------------------------------------------------------------------------ */

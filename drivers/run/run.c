@@ -184,6 +184,7 @@ static int open_restart(struct run *run, char path[FOLDER_PATH], struct message 
     else if (result > 0 && take_bytes(run, restart.bytes, restart.size) != 0)
         result = message_set(message,
                              "%.600s: is damaged; start anew without --resume, or choose another place with -o", path);
+    run->record.judgement.verdict = restart.verdict; /* of the end that it has */
     run_restart_free(&restart);
     return result;
 }

@@ -101,6 +101,7 @@ struct run_restart {
     char *identity;       /* text (identity.h) */
     unsigned char *bytes; /* of the checkpoint */
     size_t size;
+    int64_t verdict; /* enum verdict_grade */
 };
 
 /** What the file of the run says of its end; run_restart_free is due. Returns 1, 0 if there is no such file, or -1 with

@@ -8,6 +8,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "hdf5_sink.h"
+
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 /** Rows first ... first + count - 1 of a dataset with so many columns, or of one dimension with columns 1. */
@@ -46,6 +48,20 @@ static unsigned char *read_bytes(hid_t file, const char *name, size_t *size)
     return bytes;
 }
 
+/** The grade that an attribute of the file says in a word; bad if it says none. */
+static int64_t read_verdict(hid_t file)
+{
+    char word[16] = "";
+    int64_t grade = VERDICT_GOOD;
+    const hid_t attribute = H5Aopen(file, "verdict", H5P_DEFAULT), type = hdf5_text_type(sizeof word - 1);
+    H5Aread(attribute, type, word);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    while (grade < VERDICT_BAD && strcmp(verdict_word(grade), word) != 0)
+        ++grade;
+    return grade;
+}
+
 void run_restart_free(struct run_restart *restart)
 {
     free(restart->identity);
@@ -65,6 +81,7 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
         const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
         restart->identity = (char *)read_bytes(file, "restart/identity", &size);
         restart->bytes = read_bytes(file, "restart/checkpoint", &restart->size);
+        restart->verdict = read_verdict(file);
         H5Fclose(file);
     }
     H5E_END_TRY;

@@ -157,6 +157,13 @@ def resumed(base):
     check(whole.returncode == parts.returncode == 3 and all(same.values()), f"prolonged: the same bytes, bad {same}")
     check(whole.stdout.splitlines()[-1] == parts.stdout.splitlines()[-1], "and the same line")
     check(attributes(f"{base}/whole.h5")["bonds_turned"] > 0, "of bonds that turned, too")
+    for name, options, word, code in (("whole", [f"{base}/block.yaml", "--no-dump"], "bad", 3),
+                                      ("turns", [f"{base}/spin.yaml", "--stepper", "exact"], "doubtful", 0),
+                                      ("spin", [f"{SCENES}/spin.yaml"], "good", 0)):
+        first = run(RUN, *options, "-o", f"{base}/{name}.h5") if name != "whole" else whole
+        again = run(RUN, *options, "-o", f"{base}/{name}.h5", "--resume")
+        check(again.returncode == first.returncode == code and "nothing to do" in again.stdout and
+              again.stdout.splitlines()[-1] == f"verdict: {word}", f"complete, and again with --resume: {word}, {code} {again.stdout}")
 
 
 def study(base):
