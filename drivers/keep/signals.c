@@ -29,6 +29,7 @@ void run_signals_catch(void)
     }
     action.sa_handler = SIG_IGN;
     sigaction(SIGXFSZ, &action, NULL);
+    sigaction(SIGPIPE, &action, NULL);
 }
 
 const char *run_signals_seen(void)

@@ -310,6 +310,22 @@ def refused_ends(base):
     refusal("a run that broke off", ["no run that came to its end", "without --resume"])
 
 
+def unheard(base):
+    """Who reads standard output has gone: it is said, and the files are there."""
+    arguments = [scene("torus"), "--t-end", "0.1"]
+    run(RUN, *arguments, "-o", f"{base}/whole/out.h5")
+    for lines in (0, 1):
+        with subprocess.Popen([RUN, *arguments, "-o", f"{base}/{lines}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, preexec_fn=lambda: as_usual(signal.SIGPIPE)) as process:
+            for _ in range(lines):
+                process.stdout.readline()
+            process.stdout.close()
+            words = process.stderr.read()
+        check(process.returncode == 1 and words.count("\n") == 1 and "standard output: cannot be written" in words and
+              contents(f"{base}/{lines}/out") == contents(f"{base}/whole/out") and
+              len(os.listdir(f"{base}/{lines}")) == len(os.listdir(f"{base}/whole")), f"{lines} lines are read: {words.strip()}")
+
+
 def prolonged_from_nothing(base):
     """A run whose last checkpoint is before its first step, but after a lagging stepper had moved its velocities."""
     arguments = [scene("pendulum"), "--stepper", "vti3-leapfrog", "--h", "1e-3", "--record", "1", "--frames", "1"]
@@ -457,7 +473,7 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged, fields, continued,
-          refused_ends, prolonged_from_nothing, broken, refused_resumes, refused]
+          refused_ends, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
