@@ -208,6 +208,17 @@ static int64_t about_rows(const struct run *run)
     return travel_tally(&run->travel, &tally) ? 100 : 1000;
 }
 
+/** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before the
+ *  first checkpoint, another run would else be taken for it, and replace its files. */
+static int go_on(struct run *run, const char *path, struct message *message)
+{
+    int64_t count;
+    const double *more = travel_state(&run->travel, &count);
+    if (run_restart_fill(path, &run->record, &run->checkpoint, message) != 0)
+        return -1;
+    return checkpoint_write(&run->journal, &run->checkpoint, &run->model.bodies, &run->verdict, more, count, message);
+}
+
 /** Where the run begins, and with what in its journal. */
 static int open_checkpoint(struct run *run, struct message *message)
 {
@@ -238,7 +249,7 @@ static int open_checkpoint(struct run *run, struct message *message)
         journal_start(&run->journal, run->restored || !found ? no_rows : c->rows,
                       run->restored || !found ? no_frames : c->frames, message) != 0)
         return -1;
-    return run->restored && !run->done ? run_restart_fill(path, &run->record, c, message) : 0;
+    return run->restored && !run->done ? go_on(run, path, message) : 0;
 }
 
 int run_open(const struct run_request *request, struct run *run, struct message *message)

@@ -310,6 +310,22 @@ def refused_ends(base):
     refusal("a run that broke off", ["no run that came to its end", "without --resume"])
 
 
+def prolonged_and_killed(base):
+    """A complete run that goes on and is killed before its first checkpoint: it is no other run's to replace, and goes on."""
+    arguments = [scene("pendulum"), "--stepper", "vti2", "--record", "16", "--frames", "64", "-o", f"{base}/out.h5"]
+    run(RUN, *arguments, "--t-end", "2")
+    before = contents(f"{base}/out")
+    with subprocess.Popen([RUN, *arguments, "--t-end", "1e6", "--resume"], stdout=subprocess.PIPE, text=True) as process:
+        line = next((line for line in process.stdout if "goes on from" in line), "")
+        process.kill()
+    result = run(RUN, *arguments, "--t-end", "2", "--h", "1/2048", "--resume")
+    check(line != "" and result.returncode == 1 and one_line(result, "another run: h: ") and contents(f"{base}/out") == before,
+          f"killed while it goes on, another run leaves it: {result.stderr.strip()}")
+    result = run(RUN, *arguments, "--t-end", "3", "--resume")
+    run(RUN, *arguments[:-1], f"{base}/whole/out.h5", "--t-end", "3")
+    check(result.returncode == 0 and contents(f"{base}/out") == contents(f"{base}/whole/out"), f"... and it goes on {result.stderr}")
+
+
 def unheard(base):
     """Who reads standard output has gone: it is said, and the files are there."""
     arguments = [scene("torus"), "--t-end", "0.1"]
@@ -473,7 +489,7 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged, fields, continued,
-          refused_ends, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
+          refused_ends, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
