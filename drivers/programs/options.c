@@ -192,6 +192,15 @@ enum options_end options_read(const struct options *options, int argc, char **ar
     return OPTIONS_GO;
 }
 
+int options_refuse_set(const struct option_list *sets, const char *key, const char *instead, struct message *message)
+{
+    const size_t n = strlen(key);
+    for (int k = 0; k < sets->count; ++k)
+        if (strncmp(sets->text[k], key, n) == 0 && sets->text[k][n] == '=')
+            return message_set(message, "--set %.200s: does nothing here; %s", sets->text[k], instead);
+    return 0;
+}
+
 int output_end(struct message *message)
 {
     const int before = ferror(stdout);

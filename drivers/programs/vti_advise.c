@@ -302,6 +302,15 @@ static int give_advice(struct scene *scene, struct message *message)
     return 0;
 }
 
+/** What it finds itself. */
+static int check_sets(struct message *message)
+{
+    return options_refuse_set(&sets, "stepper", "steppers are chosen; --steppers names those to choose from",
+                              message) != 0
+               ? -1
+               : options_refuse_set(&sets, "h", "the step is found", message);
+}
+
 int main(int argc, char **argv)
 {
     static struct scene scene;
@@ -316,6 +325,8 @@ int main(int argc, char **argv)
         return 0;
     if (failed == 0 && count == 0)
         failed = message_set(&message, "no scene is named; see vti-advise --help");
+    if (failed == 0)
+        failed = check_sets(&message);
     if (failed == 0)
         failed = scene_read(scenes[0], sets.text, sets.count, &scene, &message);
     if (failed == 0 && scene.tolerance > 0.0)

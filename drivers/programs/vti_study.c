@@ -89,6 +89,15 @@ static const struct options options = {
     "mpirun -n RANKS vti-study --cost [options] [SCENE.yaml[@T,...]]...",
     rows, -1};
 
+/** Values of the scene that no run would have, as options have others in their place. */
+static int check_sets(struct message *message)
+{
+    if (options_refuse_set(&sets, "stepper", "use --steppers", message) != 0 ||
+        (steps != NULL && options_refuse_set(&sets, "h", "--h has the steps", message) != 0))
+        return -1;
+    return end_times != NULL ? options_refuse_set(&sets, "t_end", "--t-end has the end", message) : 0;
+}
+
 /** The command line. What is asked for beyond its options must go together. */
 static enum options_end read_arguments(int argc, char **argv, int rank, struct message *message)
 {
@@ -97,6 +106,8 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
         message_set(message, "--sweep: does not go with --cost; leave one of them out");
         return OPTIONS_WRONG;
     }
+    if (asked == OPTIONS_GO && check_sets(message) != 0)
+        return OPTIONS_WRONG;
     if (asked != OPTIONS_GO || cost)
         return asked;
     if (most_evals > 0 || repeats > 0)

@@ -365,12 +365,25 @@ def general_inertia():
               f"{name}: {advice['stepper']} errs by {found:.2g}, in {advice['interval']}")
 
 
+made = tempfile.TemporaryDirectory()  # pylint: disable=consider-using-with
+
+
+def longest_steps():
+    """The pendulum with a step so long that its end is never more than 2^53 of them."""
+    path = os.path.join(made.name, "pendulum.yaml")
+    with open(scene("pendulum"), encoding="utf-8") as file:
+        text = file.read()
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text.replace("h: 1/64", "h: 1e12"))
+    return path
+
+
 def as_long_as_can_be():
     """To as many steps as can be counted, 2^53, and nearly as many: what is advised is stable and can be counted (the longest
     stable step of the pendulum is 3.5, of srkn14; that of exact 2), and the budget is kept."""
     for t_end in ("1e13", "4e15", "1e16"):
         begin = time.monotonic()
-        done = run(advise, "--json", "--set", "h=1e12", "--t-end", t_end, "--budget", "1", scene("pendulum"))
+        done = run(advise, "--json", "--t-end", t_end, "--budget", "1", longest_steps())
         took = time.monotonic() - begin
         told = json.loads(done.stdout or '{"h": NaN, "alternatives": []}')
         offers = [o["h"] for o in [told] + told["alternatives"] if o["h"] is not None]
@@ -394,8 +407,10 @@ def refusals():
     refuses("bad measure", "--measure", "spin", pendulum, says="--measure: 'spin' is none; take attitude")
     refuses("more steps than are counted", "--t-end", "1e17", "--budget", "1", pendulum,
             says="t_end: '1e17' is more than 2^53 steps of h = 1/64; take a larger h")
-    refuses("... of the stable step", "--set", "h=1e12", "--t-end", "1e19", "--budget", "1", pendulum,
+    refuses("... of the stable step", "--t-end", "1e19", "--budget", "1", longest_steps(),
             says="pendulum: t_end: '1e+19' is more than 2^53 steps of h = 1.56")
+    refuses("a stepper, which is chosen", "--set", "stepper=vti2", pendulum, says="--set stepper=vti2: does nothing here; steppers are chosen; --steppers names")
+    refuses("a step, which is found", "--set", "h=1/64", pendulum, says="--set h=1/64: does nothing here; the step is found")
     refuses("missing measure", "--measure", "position", pendulum, says="pendulum has no position; take attitude")
 
 
