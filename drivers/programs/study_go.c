@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "hdf5_sink.h"
 #include "identity.h"
@@ -47,13 +48,37 @@ static int check_files(const struct study_place *place, const char *name, int le
                            message);
 }
 
+/** Pictures do not say whose they are: they are ours where study.h5 is, which they are drawn of. */
+static int check_pictures(const struct study_place *place, struct message *message)
+{
+    static const struct mark hdf5 = {NULL, NULL, NULL};
+    char path[FOLDER_PATH];
+    struct stat info;
+    if (place->pictures == NULL || place->force)
+        return 0;
+    if (folder_output(place->folder, "study.h5", 0, path, message) != 0)
+        return -1;
+    const int ours = mark_is_ours(path, &hdf5);
+    for (const char *const *name = place->pictures; *name != NULL && !ours; ++name) {
+        if (folder_path(place->folder, *name, 0, path, message) != 0)
+            return -1;
+        if (lstat(path, &info) == 0)
+            return message_set(message,
+                               "%.600s: is there already and is no picture of a study; choose another place with -o, "
+                               "replace it with --force, or draw none with --no-plot",
+                               path);
+    }
+    return 0;
+}
+
 static int check_start(const struct study_place *place, const char *name, const struct output *files, int count,
                        struct message *message)
 {
     char path[FOLDER_PATH];
     if (folder_path(place->folder, name, 0, path, message) != 0)
         return -1;
-    return check_files(place, name, left_is_there(path), files, count, message);
+    return check_files(place, name, left_is_there(path), files, count, message) != 0 ? -1
+                                                                                     : check_pictures(place, message);
 }
 
 /** On rank 0; identify writes what the study is. */

@@ -19,6 +19,7 @@ struct study_place {
     int force; /* replace files that are not ours */
     const struct input *inputs;
     int inputs_count;
+    const char *const *pictures; /* that will be drawn of study.h5 there, up to NULL; may be NULL itself */
 };
 
 /** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */

@@ -15,6 +15,10 @@
 
 enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
 
+/* What vti-plot makes of study.h5, of a study and of a sweep. */
+static const char *const study_pictures[] = {"convergence.png", "invariants.png", NULL};
+static const char *const survey_pictures[] = {"ensemble.png", NULL};
+
 /** What the program reads. */
 struct study_inputs {
     struct input input[INPUTS_OF_SCENE * COST_CASES];
@@ -224,7 +228,7 @@ static int run_survey(int rank, char folder[FOLDER_PATH], int *wants_plot)
         snprintf(folder, FOLDER_PATH, "%s", output);
     else
         snprintf(folder, FOLDER_PATH, "sweep-%s", plan.first[0].name);
-    const struct study_place place = {folder, resume, force, inputs.input, inputs.count};
+    const struct study_place place = {folder, resume, force, inputs.input, inputs.count, plot ? survey_pictures : NULL};
     failed = survey_go(&plan, &place, rank);
     *wants_plot = rank == 0 && plot;
     return failed;
@@ -253,7 +257,8 @@ static int run_cost(int rank)
     int failed = study_agree(make_cost_plan(&read, &plan, &message), rank, &message);
     for (int k = 0; k < read.count; ++k)
         inputs.count += inputs_of(read.paths[k], &read.scenes[k], inputs.input + inputs.count);
-    const struct study_place place = {output != NULL ? output : "cost", resume, force, inputs.input, inputs.count};
+    const struct study_place place = {
+        output != NULL ? output : "cost", resume, force, inputs.input, inputs.count, NULL};
     if (failed == 0)
         failed = cost_go(&plan, &place, rank);
     cost_scenes_destroy(&read);
@@ -282,7 +287,8 @@ static int run(int argc, char **argv, int rank, char folder[FOLDER_PATH], int *w
         else
             snprintf(folder, FOLDER_PATH, "study-%s", scene.name);
         inputs.count = inputs_of(scenes[0], &scene, inputs.input);
-        const struct study_place place = {folder, resume, force, inputs.input, inputs.count};
+        const struct study_place place = {folder,       resume,       force,
+                                          inputs.input, inputs.count, plot ? study_pictures : NULL};
         failed = study_go(&plan, &place, rank);
         *wants_plot = rank == 0 && plot;
     }

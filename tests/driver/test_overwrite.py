@@ -123,6 +123,25 @@ def foreign(base):
             check(run(*arguments).returncode == 0, "... and what is ours is replaced")
 
 
+def pictures(base):
+    """Somebody's pictures stay where there is no study of ours that they could be of."""
+    common = ["--h", "1/64,1/128", "--t-end", "1", "--steppers", "vti2", "-o", ".", f"{SCENES}/pendulum.yaml"]
+    sweep = ["--sweep", "bodies.inertia=1,2", *common]
+    for name, arguments in (("convergence.png", common), ("invariants.png", common), ("ensemble.png", sweep)):
+        folder = f"{base}/{name}"
+        write(f"{folder}/{name}", "mine\n")
+        refused(f"somebody's {name}", folder, [name, "--force", "--no-plot"], STUDY, *arguments)
+        result = run(STUDY, "--no-plot", *arguments, cwd=folder)
+        check(result.returncode == 0 and contents(folder)[name] == b"mine\n", "... --no-plot lets it be")
+        for left in ("study.h5", "study.csv", "timing.csv"):
+            os.remove(f"{folder}/{left}")
+        result = run(STUDY, "--force", *arguments, cwd=folder)
+        drawn = contents(folder)[name]
+        check(result.returncode == 0 and drawn[:4] == b"\x89PNG", f"... --force replaces it {result.stderr}")
+        write(f"{folder}/{name}", "of an earlier study\n")
+        check(run(STUDY, *arguments, cwd=folder).returncode == 0 and contents(folder)[name] == drawn, "... and a study's own are drawn anew")
+
+
 def meanwhile(base):
     """Names that files have for a while are somebody's too, unless a run that was interrupted has left them."""
     for name in ("o.h5.part", "o.csv.part", "o.xdmf.part", "o.dump.part", "o.run-journal", "o.run-wal", "o.run-shm"):
@@ -217,7 +236,7 @@ def planted(base):
           there == contents(f"{base}/plain"), "two planted links: each output is a file of its own, and the links' is untouched")
 
 
-for topic in (own_inputs, foreign, meanwhile, spheres, links, planted):
+for topic in (own_inputs, foreign, pictures, meanwhile, spheres, links, planted):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
