@@ -43,11 +43,14 @@ static const struct scene_field fields[] = {
 };
 #undef NUMBER_AT
 
-/** A coefficient and its stiffness go together. */
+/** A coefficient and its stiffness go together; one that is 0 is what somebody may want to see. */
 static int check_pair(const struct scene_reader *reader, const char *limit, double value, const char *stiffness)
 {
     if (value > 0.0 && !scene_reader_has(reader, stiffness))
         return scene_reader_fail(reader, limit, "has no stiffness; give %s", stiffness);
+    if (scene_reader_has(reader, stiffness) && !scene_reader_has(reader, limit))
+        return scene_reader_fail(reader, stiffness, "has no limit, and would do nothing; give %s, or leave it out",
+                                 limit);
     return 0;
 }
 
@@ -67,6 +70,9 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
     if (f->sliding > 0.0 && !linear && !mindlin)
         return scene_reader_fail(reader, "friction.sliding",
                                  "has no stiffness; give friction.stiffness or friction.poisson");
+    if ((linear || mindlin) && !scene_reader_has(reader, "friction.sliding"))
+        return scene_reader_fail(reader, linear ? "friction.stiffness" : "friction.poisson",
+                                 "has no limit, and would do nothing; give friction.sliding, or leave it out");
     if (f->poisson > 0.5)
         return scene_reader_fail(reader, "friction.poisson", "'%s' is above 0.5; no material has that",
                                  scene_reader_value(reader, "friction.poisson"));
