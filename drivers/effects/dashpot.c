@@ -63,6 +63,13 @@ static const struct scene_field fields[] = {
 };
 #undef NUMBER_AT
 
+/** Whether the normal motion may be damped: a number that is given counts, as below. */
+static int has_normal(const struct scene_reader *reader, const struct dashpot_settings *d)
+{
+    return scene_reader_has(reader, "dashpot.restitution") || scene_reader_has(reader, "dashpot.zeta") ||
+           scene_reader_has(reader, "dashpot.normal") || d->walls.count > 0;
+}
+
 /** Whether there is a coefficient; a restitution of 1 and a zeta of 0 are what somebody may want to see. */
 static int has_coefficient(const struct scene_reader *reader, const struct dashpot_settings *d)
 {
@@ -79,6 +86,10 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
         return scene_reader_fail(reader, "dashpot", "no coefficient above 0; give restitution, zeta or normal");
     if (scene_reader_has(reader, "dashpot.restitution") && scene_reader_has(reader, "dashpot.zeta"))
         return scene_reader_fail(reader, "dashpot.restitution", "given with dashpot.zeta; keep one of them");
+    if (d->ratio > 0.0 && !has_normal(reader, d))
+        return scene_reader_fail(reader, "dashpot.ratio",
+                                 "there is no normal coefficient that it could be a share of; give restitution, zeta "
+                                 "or normal, or leave it out");
     if (d->restitution > 1.0)
         return scene_reader_fail(reader, "dashpot.restitution", "'%s' is above 1; give a share of the velocity",
                                  scene_reader_value(reader, "dashpot.restitution"));

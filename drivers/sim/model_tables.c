@@ -128,6 +128,11 @@ static int check_moments(const struct scene *s, const struct table *bodies, stru
                     "no columns moment_a, moment_b, moment_c, whose axes principal_x, principal_y, principal_z are; "
                     "give them, or bodies.moments%s",
                     "");
+    if (s->rotor != 0 && !table_has(bodies, BODY_MOMENTS) && s->moments[0] == 0.0 && !s->clumps.given)
+        return fail(bodies, message,
+                    "no columns moment_a, moment_b, moment_c; rotor is for such bodies, as a sphere's turn is one, of "
+                    "any order: give them, or leave it out%s",
+                    "");
     for (int64_t i = 0; table_has(bodies, BODY_MOMENTS) && i < bodies->rows; ++i) {
         double m[3];
         vti_bodies body = vti_bodies_none(1);

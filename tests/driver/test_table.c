@@ -172,6 +172,10 @@ static const struct {
      "b.csv: no column inertia; bodies that turn need it, or bodies.inertia"},
     {"bodies: {table: b.csv}\n", "mass\n1\n", "",
      "b.csv: nothing moves; give columns x, y, z or omega_x, omega_y, omega_z"},
+    {"bodies: {table: b.csv, inertia: 1}\nrotor: 4\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
+     "b.csv: no columns moment_a, moment_b, moment_c; rotor is for such bodies, as a sphere's turn is one, of any "
+     "order: "
+     "give them, or leave it out"},
     {BODIES "contact: {}\n", "x,y,z,diameter\n0,0,0,1\n", "",
      "b.csv: no columns young and poisson; contact needs them, or contact.stiffness, or contact.young and "
      "contact.poisson"},
