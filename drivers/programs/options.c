@@ -30,16 +30,13 @@ static int add(struct option_list *list, const struct option_row *row, const cha
     return 0;
 }
 
-/** "t_end=10" for --t-end 10. */
+/** "--t-end=10" for --t-end 10. */
 static int add_key(const struct option_row *row, const char *value, struct message *message)
 {
-    const char *name = row->name + 2;
-    char *text = malloc(strlen(name) + strlen(value) + 2);
+    char *text = malloc(strlen(row->name) + strlen(value) + 2);
     if (text == NULL)
         return message_set(message, "%s: there is no memory left", row->name);
-    sprintf(text, "%s=%s", name, value);
-    for (char *at = text; *at != '='; ++at)
-        *at = *at == '-' ? '_' : *at;
+    sprintf(text, "%s=%s", row->name, value);
     const int result = add(row->to, row, text, message);
     if (result != 0)
         free(text);

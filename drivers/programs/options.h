@@ -14,7 +14,7 @@ enum option_kind {
     OPTION_OFF,    /* takes no value; *(int *)to becomes 0 */
     OPTION_TEXT,   /* *(const char **)to becomes the value */
     OPTION_EACH,   /* the value is added to *(struct option_list *)to; may be repeated */
-    OPTION_KEY,    /* the scene's key of that name: --t-end 10 adds "t_end=10" to *(struct option_list *)to */
+    OPTION_KEY,    /* the scene's key of that name: --t-end 10 adds "--t-end=10" to *(struct option_list *)to */
     OPTION_NUMBER, /* *(double *)to becomes a number above 0, and from least to most (number.h) */
     OPTION_WHOLE   /* *(int64_t *)to becomes a whole number from 1 to most */
 };

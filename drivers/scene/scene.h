@@ -125,7 +125,8 @@ struct scene {
  *  replace or add single values before the check, the later one counts, and a value is written as in the file ("[0, 0,
  *  1]", "1/64"). Anchors are passed over, aliases refused. Returns 0, or -1 with one line in *message such as
  *  "pendulum.yaml:6:12: bodies.inertia: 'two' is not a number; write 0.01, 1e-3, 1/64 or 2^-6", where a value that came
- *  from an override is placed by "--set path=value" instead of file, line and column. *scene needs no freeing. */
+ *  from an override is placed by "--set path=value" instead of file, line and column. An override that is an option of
+ *  its own is written "--t-end=10", and placed by that. *scene needs no freeing. */
 int scene_read(const char *path, const char *const *overrides, int n, struct scene *scene, struct message *message);
 
 /** The file of a scene as it was read, for those that read it more than once: it may be edited meanwhile. */

@@ -48,15 +48,22 @@ void scene_text_destroy(struct scene_text *text)
     text->bytes = NULL;
 }
 
+static int is_option(const char *set)
+{
+    return strncmp(set, "--", 2) == 0;
+}
+
 static int load_set(struct scene_reader *reader, const char *set)
 {
     char path[SCENE_KEYS_SIZE];
-    const char *equals = strchr(set, '=');
-    const size_t n = equals != NULL ? (size_t)(equals - set) : 0;
+    const char *key = set + (is_option(set) ? 2 : 0), *equals = strchr(key, '=');
+    const size_t n = equals != NULL ? (size_t)(equals - key) : 0;
     if (n == 0 || n >= sizeof path)
         return scene_reader_say(reader, set, NULL, "", "is not path=value; write h=1e-3 or bodies.omega=[0,0,1], say");
-    memcpy(path, set, n);
+    memcpy(path, key, n);
     path[n] = '\0';
+    for (char *at = path; is_option(set) && *at != '\0'; ++at)
+        *at = *at == '-' ? '_' : *at;
     const char *text = equals + 1;
     if (text[strspn(text, " \t")] == '\0')
         text = "''"; /* nothing at all is an empty text, as it is in the file */
@@ -125,7 +132,8 @@ int scene_reader_say(const struct scene_reader *reader, const char *set, const s
     const char *colon = path[0] != '\0' ? ": " : "";
     quote(shown, sizeof shown, path);
     if (set != NULL)
-        return message_set(reader->message, "--set %s%s%s: %s", quote(name, sizeof name, set), colon, shown, text);
+        return message_set(reader->message, "%s%s%s%s: %s", is_option(set) ? "" : "--set ",
+                           quote(name, sizeof name, set), colon, shown, text);
     if (place != NULL)
         snprintf(lines, sizeof lines, ":%lu:%lu", (unsigned long)place->line, (unsigned long)place->column);
     return message_set(reader->message, "%s%s%s%s: %s", quote_tail(name, sizeof name, reader->path), lines, colon,

@@ -69,7 +69,7 @@ static char *list_steppers(char *out, size_t size)
 static int read_stepper(const struct scene_reader *reader, const struct scene_field *field, const char *name,
                         const vti_stepper **stepper)
 {
-    char shown[QUOTE_SIZE], known[512];
+    char shown[QUOTE_SIZE], known[768];
     quote(shown, sizeof shown, name);
     list_steppers(known, sizeof known);
     const vti_stepper *found = scene_stepper_find(name);

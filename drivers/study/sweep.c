@@ -161,12 +161,14 @@ int sweep_add(struct sweep *sweep, const char *text, struct message *message)
 
 int sweep_check_set(const struct sweep *sweep, const char *set, struct message *message)
 {
-    const size_t n = strcspn(set, "=");
+    const int option = strncmp(set, "--", 2) == 0; /* "--tolerance=1e-6" (scene.h) */
+    const char *given = set + (option ? 2 : 0);
+    const size_t n = strcspn(given, "=");
     for (int k = 0; k < sweep->count; ++k)
-        if (strlen(sweep->axis[k].key) == n && strncmp(sweep->axis[k].key, set, n) == 0)
+        if (strlen(sweep->axis[k].key) == n && strncmp(sweep->axis[k].key, given, n) == 0)
             return message_set(message,
-                               "--set %.200s: %s is swept, and no run would have that value; leave one of them out",
-                               set, sweep->axis[k].key);
+                               "%s%.200s: %s is swept, and no run would have that value; leave one of them out",
+                               option ? "" : "--set ", set, sweep->axis[k].key);
     return 0;
 }
 

@@ -176,6 +176,8 @@ def refused(base):
                                    ("end time twice", ["--sweep", "t_end=1,2", "--t-end", "1"], ["--t-end"]),
                                    ("set besides", ["--sweep", "bodies.inertia=1,2", "--set", "bodies.inertia=3"],
                                     ["--set bodies.inertia=3", "bodies.inertia is swept", "leave one of them out"]),
+                                   ("tolerated besides", ["--sweep", "tolerance=1e-3,1e-4", "--tolerance", "1e-5"],
+                                    ["vti-study: --tolerance=1e-5", "tolerance is swept", "leave one of them out"]),
                                    ("with --cost", ["--cost", "--sweep", "t_end=1,2"], ["--sweep", "--cost"]),
                                    ("one name", [PENDULUM], ["two scenes have the name pendulum"]),
                                    ("h", ["--sweep", "pendulum.weight=1,2", "--h", "100"], ["--h", "longer than t_end"])):
