@@ -37,6 +37,7 @@ int study_agree(int failed, int rank, const struct message *message)
 /* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
 
 static struct tasks tasks;
+static const char *results = "runs"; /* what one of them is, for people */
 static const char study_journal[] = "study.journal", cost_journal[] = "cost.journal";
 
 /** name is where results are kept, and left says whether it is ours (overwrite.h). */
@@ -115,9 +116,9 @@ static int open_tasks(const struct study_place *place, const char *name, const s
     if (study_agree(failed, rank, &message) != 0)
         return -1;
     if (rank == 0 && place->resume && tasks.kept > 0)
-        printf("goes on: %lld of %lld runs are there already\n", (long long)tasks.kept, (long long)all);
+        printf("goes on: %lld of %lld %s are there already\n", (long long)tasks.kept, (long long)all, results);
     else if (rank == 0 && place->resume)
-        printf("no runs are there yet: starts\n");
+        printf("no %s are there yet: starts\n", results);
     fflush(stdout);
     return 0;
 }
@@ -159,8 +160,8 @@ static int say_stopped(int64_t all, struct message *message)
     if (tasks.kept == 0)
         return message_set(message,
                            "stopped before the first run was done; the same command with --resume starts again");
-    return message_set(message, "stopped; %lld of %lld runs are kept in %.300s: go on with --resume",
-                       (long long)tasks.kept, (long long)all, tasks.keep.path);
+    return message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume",
+                       (long long)tasks.kept, (long long)all, results, tasks.keep.path);
 }
 
 /** The end of a study of so many runs that returned failed, on all ranks. */
@@ -301,6 +302,7 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     struct survey_counts counts = {{0}, 0};
     struct message message = {""}, problem = {""};
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
+    results = "points";
     if (open_tasks(place, study_journal, study_outputs, STUDY_FILES, survey_identify, plan, survey_points(plan),
                    (size_t)survey_bytes(plan), rank) != 0)
         return -1;
@@ -346,6 +348,7 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
     struct message message = {""}, problem = {""};
     const int64_t all = plan->cases_count * plan->methods_count;
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
+    results = "ladders";
     if (open_tasks(place, cost_journal, cost_outputs, COST_FILES, cost_identify, plan, all, sizeof(struct cost_ladder),
                    rank) != 0)
         return -1;

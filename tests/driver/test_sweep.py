@@ -5,6 +5,7 @@ are those of the rows, what fails is a row, what is wrong is said before the sta
 is edited meanwhile changes no point, and memory does not grow with the points.      test_sweep.py VTI_STUDY MPIRUN SCENES"""
 import csv
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -197,12 +198,13 @@ def interrupted(base):
         while child.poll() is None and not (holds(f"{base}/legs/study.journal") and size_of(f"{base}/legs/study.journal") > before):
             time.sleep(0.001)
         child.send_signal(ending)
-        child.communicate(timeout=60)
+        words = child.communicate(timeout=60)[1].decode()
+        check(ending == signal.SIGKILL or re.search(r"stopped; \d+ of 65 points are kept", words), f"it tells of points {words.strip()}")
         check(child.returncode in (75, -signal.SIGKILL), f"it ends by {ending.name} with {child.returncode}")
     other = study(1, *arguments[:2], "pendulum.weight=1:2:1/32", *arguments[3:], "--resume", folder=f"{base}/legs")
     check(one_line(other, "study.journal", "another study"), f"another sweep is refused: {other.stderr.strip()[:200]}")
     result = study(3, *arguments, "--resume", folder=f"{base}/legs")
-    check(result.returncode == 0 and "goes on: " in result.stdout, f"it goes on {result.stdout[:100]} {result.stderr}")
+    check(result.returncode == 0 and re.match(r"goes on: \d+ of 65 points", result.stdout), f"it goes on {result.stdout[:100]} {result.stderr}")
     check(contents(f"{base}/legs", ["timing.csv"]) == contents(f"{base}/whole", ["timing.csv"]), "... to the same bytes")
 
 
