@@ -143,7 +143,6 @@ static void say_advice(const struct scene *scene, const struct advice *a, FILE *
     fprintf(file, " and %.3g force evaluations\n", a->evals);
 }
 
-/** One line each for what should give pause. */
 /** Why the error is far below what was asked for, if it is. */
 static void say_small(const struct offer *best, double asked, double stable, FILE *file)
 {
@@ -154,10 +153,11 @@ static void say_small(const struct offer *best, double asked, double stable, FIL
                 best->missed);
     else
         fprintf(file, "note: %s: the error is %.1e\n",
-                isfinite(stable) ? "stability, not the error, sets the step" : "fewer steps are not tried",
+                best->h > 0.5 * stable ? "stability, not the error, sets the step" : "fewer steps are not tried",
                 best->error);
 }
 
+/** One line each for what should give pause. */
 static void say_warnings(const struct scene *scene, const struct advice *a, FILE *file)
 {
     const struct offer *best = &a->offers[0];
@@ -179,8 +179,9 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
             a->checked->name, nominal, a->order, kink);
     if (best->h > 0.95 * stable_least(&a->limits, best->stepper))
         fprintf(file,
-                "warning: h = %.4g is near the stable step %.4g: what is off by less than the error may still grow\n",
-                best->h, stable_least(&a->limits, best->stepper));
+                "warning: h = %.4g is %s the stable step %.4g: what is off by less than the error may still grow\n",
+                best->h, best->h > 1.05 * stable_least(&a->limits, best->stepper) ? "above" : "near",
+                stable_least(&a->limits, best->stepper));
     if (best->h * a->max_omega > 1.0)
         fprintf(file, "warning: bodies turn by up to %.2g radians per step\n", best->h * a->max_omega);
     if (vti_multistep_find(best->stepper->name) != NULL)
@@ -265,12 +266,24 @@ static void show(const char *stepper, int64_t steps)
         fprintf(stderr, "\r\033[Ktrying %s in %lld steps", stepper, (long long)steps);
 }
 
+static int check_steppers(const vti_stepper *const *list, int64_t listed, struct message *message)
+{
+    for (int64_t k = 0; k < listed; ++k)
+        if (method_chooses(list[k]))
+            return message_set(
+                message, "--steppers: %s chooses its steps itself, and advice is on steps of one length; leave it out",
+                list[k]->name);
+    return 0;
+}
+
 static int give_advice(struct scene *scene, struct message *message)
 {
     static const vti_stepper *list[ADVICE_MOST];
     int64_t listed = 0;
     static struct advice advice;
     if (steppers != NULL && (listed = methods_read("--steppers", steppers, list, ADVICE_MOST, message)) < 0)
+        return -1;
+    if (check_steppers(list, listed, message) != 0)
         return -1;
     const struct advise_request request = {.scene = scene,
                                            .target = target,

@@ -165,6 +165,12 @@ int method_is_varied(const vti_stepper *stepper)
     return varied_way(stepper) != NULL;
 }
 
+int method_chooses(const vti_stepper *stepper)
+{
+    const struct rival *way = method_way(stepper);
+    return way != NULL && way->tally != NULL;
+}
+
 const char *method_kind(const vti_stepper *stepper)
 {
     return method_rival(stepper) != NULL ? "rival" : strncmp(stepper->name, "vti", 3) == 0 ? "paper" : "ours";

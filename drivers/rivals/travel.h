@@ -36,6 +36,8 @@ const vti_stepper *method_for(const struct scene *scene, const vti_stepper *step
 const struct rival *method_way(const vti_stepper *stepper);
 /** Whether its steps follow how fast bodies turn. */
 int method_is_varied(const vti_stepper *stepper);
+/** Whether it is one of ours that chooses its steps itself. */
+int method_chooses(const vti_stepper *stepper);
 /** Whether it has an estimate of what a step errs by. */
 int method_estimates(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */

@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 import time
@@ -365,6 +366,17 @@ def general_inertia():
               f"{name}: {advice['stepper']} errs by {found:.2g}, in {advice['interval']}")
 
 
+def says_why():
+    """Why the error is far below what was asked for, and where h stands beside the stable step: the words fit the numbers. The
+    pendulum's step to t = 1/8 is a sixteenth of the stable one, 2; the chain's is as long as can be."""
+    for name, t_end, words in (("pendulum", "1/8", "fewer steps are not tried"), ("chain", "4", "stability, not the error, sets the step")):
+        said = run(advise, "--error", "0.1", "--steppers", "vti2", "--t-end", t_end, scene(name)).stdout
+        check(f"note: {words}" in said, f"{name} to {t_end}: {words}")
+    said = run(advise, "--error", "0.1", "--steppers", "exact", "--t-end", "4", scene("torus")).stdout
+    found = re.search("warning: h = (\\S+) is (near|above) the stable step (\\S+):", said)
+    check(found and (float(found[1]) > 1.05 * float(found[3])) == (found[2] == "above"), f"near or above: {found and found[0]}")
+
+
 made = tempfile.TemporaryDirectory()  # pylint: disable=consider-using-with
 
 
@@ -409,6 +421,8 @@ def refusals():
             says="t_end: '1e17' is more than 2^53 steps of h = 1/64; take a larger h")
     refuses("... of the stable step", "--t-end", "1e19", "--budget", "1", longest_steps(),
             says="pendulum: t_end: '1e+19' is more than 2^53 steps of h = 1.56")
+    for name in ("srkn11-tol", "srkn6-tol"):
+        refuses("steps that it chooses itself", "--steppers", f"vti2,{name}", pendulum, says=f"--steppers: {name} chooses its steps itself")
     refuses("a stepper, which is chosen", "--set", "stepper=vti2", pendulum, says="--set stepper=vti2: does nothing here; steppers are chosen; --steppers names")
     refuses("a step, which is found", "--set", "h=1/64", pendulum, says="--set h=1/64: does nothing here; the step is found")
     refuses("missing measure", "--measure", "position", pendulum, says="pendulum has no position; take attitude")
@@ -437,5 +451,6 @@ measures()
 damped()
 general_inertia()
 as_long_as_can_be()
+says_why()
 refusals()
 conclude()
