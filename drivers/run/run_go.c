@@ -29,7 +29,7 @@ static int broken(struct run *run, int64_t step, double t, const vti_bodies *bod
         while (row != NULL && c < columns->total && isfinite(row[c]))
             ++c;
         message_set(&what, "all bodies are finite, but the energy '%s' is %g", columns->name[c],
-                    row != NULL ? row[c] : 0.0);
+                    row != NULL ? number_plain(row[c]) : 0.0);
     }
     if (step == 0)
         message_set(run->message,

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
+
 enum { VIEWS = 10 };
 
 static const char *const names[VIEWS] = {"position",          "velocity",
@@ -80,7 +82,7 @@ int state_watch(const vti_bodies *bodies, double most, struct message *message)
             for (int k = 0; view[q] != NULL && k < 3; ++k) {
                 const double value = view[q]->c[k][i * view[q]->stride];
                 if (!isfinite(value) || fabs(value) > most)
-                    return message_set(message, "body %lld has %s %g", (long long)i, names[q], value);
+                    return message_set(message, "body %lld has %s %g", (long long)i, names[q], number_plain(value));
             }
     return 0;
 }

@@ -365,6 +365,8 @@ def broken(base):
           f"... what was recorded is there: {len(rows)} rows")
     with h5py.File(f"{base}/blown/out.h5") as file:
         check(file.attrs["complete"] == 0, "... and they say that it broke off")
+    result = run(RUN, scene("pair"), "--stepper", "gear", "--h", "1", "--t-end", "2000", "--record", "1", "-o", f"{base}/nan/out.h5")
+    check(result.returncode == 1 and one_line(result, "body 0 has angular velocity nan; "), f"NaN has no sign: {result.stderr.strip()}")
     result = run(RUN, scene("pendulum"), "--stepper", "vti1", "--h", "1", "-o", f"{base}/turned/out.h5")
     check(result.returncode == 1 and one_line(result, "vti1", "step ", "body 0", "h|Omega|"),
           f"VTI-1 turns too far: {result.stderr.strip()}")
