@@ -135,6 +135,8 @@ static int open_files(struct run *run, struct message *message)
 {
     char path[FOLDER_PATH];
     const int asked = run->request->output != NULL;
+    if (asked && strlen(run->request->output) >= sizeof run->output)
+        return message_set(message, "-o: '%.200s...' is too long; use a shorter path", run->request->output);
     snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
              asked ? "" : ".h5");
     if (run_files_name(&run->files, run->output, run->request->dump, message) != 0)

@@ -472,6 +472,7 @@ def refused(base):
         ("a name that is no text", [scene("spin"), "-o", os.fsdecode(f"{base}/".encode() + b"a\xe9.h5")], ["-o", "\\xe9", "UTF-8"]),
         ("a name of half a character", [scene("spin"), "-o", os.fsdecode(f"{base}/".encode() + b"a\xc3.h5")], ["\\xc3", "UTF-8"]),
         ("a name that XML has no letter for", [scene("spin"), "-o", f"{base}/a\x02.h5"], ["-o", "'a?.h5'", "byte 2"]),
+        ("a name of 6000 letters", [scene("spin"), "-o", f"{base}/{6000 * 'a'}/o.h5"], ["-o", "is too long; use a shorter path"]),
         ("wrong ending", [scene("spin"), "-o", f"{base}/out.yaml"], ["-o", "out.yaml", ".h5"]),
         ("unwritable place", [scene("spin"), "-o", f"{blocked}/out.h5"], [blocked, "-o"]),
         ("a file in the journal's place", [scene("spin"), "-o", f"{blocked}.h5"], [f"{blocked}.run"]),

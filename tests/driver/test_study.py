@@ -141,6 +141,7 @@ def refused(base):
             shutil.rmtree(folder, ignore_errors=True)
             one_refusal(f"{what}, {ranks} ranks", study(ranks, *arguments(), folder=folder), expected, folder)
     for ranks in (1, 3):
+        one_refusal(f"a name of 6000 letters, {ranks} ranks", study(ranks, scene, folder=f"{base}/{6000 * 'a'}"), ["-o", "is too long"], None)
         one_refusal(f"option without value, {ranks} ranks", study(ranks, scene, "-o"), ["-o", "needs a value"], None)
         one_refusal(f"unwritable folder, {ranks} ranks", study(ranks, scene, "--h", "1/64", folder=f"{blocked}/out"),
                     [f"{blocked}/out", "-o"], None)
