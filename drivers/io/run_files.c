@@ -136,9 +136,27 @@ static void remove_earlier(const struct run_files *files, int kind)
         unlink(path);
 }
 
+static int wants_xdmf(const struct run_files *files, int64_t frames)
+{
+    return files->xdmf || frames <= RUN_XDMF_FRAMES;
+}
+
 int run_files_has_xdmf(const struct run_files *files, const struct record *record)
 {
-    return files->xdmf || record->journal->frames.mark.count <= RUN_XDMF_FRAMES;
+    return wants_xdmf(files, record->journal->frames.mark.count);
+}
+
+int run_files_are_there(const struct run_files *files, int64_t frames)
+{
+    const int wanted[KINDS] = {1, 1, wants_xdmf(files, frames), files->dump, files->spheres};
+    char name[264], path[FOLDER_PATH];
+    struct message ignored;
+    for (int kind = 0; kind < KINDS; ++kind) {
+        name_of(files, kind, name);
+        if (wanted[kind] && (folder_output(files->folder, name, 0, path, &ignored) != 0 || access(path, F_OK) != 0))
+            return 0;
+    }
+    return 1;
 }
 
 int run_files_write(const struct run_files *files, const struct record *record, struct message *message)

@@ -187,6 +187,7 @@ static int open_restart(struct run *run, char path[FOLDER_PATH], struct message 
         result = message_set(message,
                              "%.600s: is damaged; start anew without --resume, or choose another place with -o", path);
     run->record.judgement.verdict = restart.verdict; /* of the end that it has */
+    run->fields_there = restart.fields;
     run_restart_free(&restart);
     return result;
 }
@@ -208,6 +209,14 @@ static int64_t about_rows(const struct run *run)
 {
     struct travel_tally tally;
     return travel_tally(&run->travel, &tally) ? 100 : 1000;
+}
+
+/** Whether the files of a complete run are all that are asked for: a file may have been removed, a field or OUT.xdmf be
+ *  wanted now. */
+static int has_files(const struct run *run)
+{
+    const int64_t frames = run->checkpoint.frames.count + 1; /* that of the end follows the checkpoint */
+    return (run->request->fields & FIELD_LOADS & ~run->fields_there) == 0 && run_files_are_there(&run->files, frames);
 }
 
 /** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before the
@@ -239,7 +248,7 @@ static int open_checkpoint(struct run *run, struct message *message)
         return -1;
     run->from = c->step;
     travel_resume(&run->travel, run->from);
-    run->done = run->restored && run->from == run->steps;
+    run->done = run->restored && run->from == run->steps && has_files(run);
     if (run->steps < run->from)
         return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",

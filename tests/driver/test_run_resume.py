@@ -16,7 +16,7 @@ import h5py
 
 import programs
 from programs import run
-from run_support import contents, read_csv, read_vtkhdf, same
+from run_support import contents, read_csv, read_vtkhdf, read_xdmf, same
 from tally import check, conclude
 
 RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
@@ -310,6 +310,29 @@ def refused_ends(base):
     refusal("a run that broke off", ["no run that came to its end", "without --resume"])
 
 
+def completed(base):
+    """What a complete run lacks of the files and fields that are asked for is made by --resume, and nothing else changes."""
+    whole = [scene("torus"), "--t-end", "0.1", "-o"]
+    run(RUN, *whole, f"{base}/plain/out.h5")
+    run(RUN, *whole, f"{base}/force/out.h5", "--fields", "force")
+    run(RUN, *whole, f"{base}/out.h5")
+    for ending in (".csv", ".xdmf", ".dump"):
+        os.remove(f"{base}/out{ending}")
+        result = run(RUN, *whole, f"{base}/out.h5", "--resume")
+        check(result.returncode == 0 and contents(f"{base}/out") == contents(f"{base}/plain/out"), f"out{ending} is made {result.stderr}")
+    result = run(RUN, *whole, f"{base}/out.h5", "--resume", "--fields", "force")
+    check(result.returncode == 0 and contents(f"{base}/out") == contents(f"{base}/force/out"), f"... and a field {result.stderr}")
+    times = os.stat(f"{base}/out.h5").st_mtime_ns
+    result = run(RUN, *whole, f"{base}/out.h5", "--resume", "--fields", "force")
+    check(result.returncode == 0 and "nothing to do" in result.stdout and os.stat(f"{base}/out.h5").st_mtime_ns == times, "... once")
+    many = [scene("spin"), "--t-end", "5", "--h", "1/512", "--frames", "1", "-o", f"{base}/many.h5"]  # 2561 frames
+    run(RUN, *many)
+    result = run(RUN, *many, "--resume")
+    check("nothing to do" in result.stdout and not os.path.exists(f"{base}/many.xdmf"), "an index of many frames is none that is missed")
+    result = run(RUN, *many, "--resume", "--xdmf")
+    check(result.returncode == 0 and os.path.exists(f"{base}/many.xdmf") and len(read_xdmf(f"{base}/many.xdmf")) > 0, "... with --xdmf it is")
+
+
 def prolonged_and_killed(base):
     """A complete run that goes on and is killed before its first checkpoint: it is no other run's to replace, and goes on."""
     arguments = [scene("pendulum"), "--stepper", "vti2", "--record", "16", "--frames", "64", "-o", f"{base}/out.h5"]
@@ -495,7 +518,7 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged, fields, continued,
-          refused_ends, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
+          refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
