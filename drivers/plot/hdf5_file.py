@@ -84,6 +84,12 @@ class Reader:
             raise self.trouble(f"dataset {name} does not hold numbers")
         return dataset[rows].astype(float)
 
+    def finite(self, name, dimensions=1, rows=slice(None)):
+        numbers = self.numbers(name, dimensions, rows)
+        if not np.all(np.isfinite(numbers)):
+            raise self.trouble(f"dataset {name} has a number that is not finite")
+        return numbers
+
     def texts(self, name):
         return np.array([text(value) for value in self.dataset(name)[()]], dtype=object)
 

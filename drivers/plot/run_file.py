@@ -108,8 +108,8 @@ class Run:
         rows = slice(k * self.bodies, (k + 1) * self.bodies)
         with opened(self.path) as file:
             reader = Reader(self.path, file, RUN)
-            x = reader.numbers("/VTKHDF/Points", 2, rows)
-            attitude = reader.numbers("/VTKHDF/PointData/attitude_xyzw", 2, rows) if self.turns else None
+            x = reader.finite("/VTKHDF/Points", 2, rows)
+            attitude = reader.finite("/VTKHDF/PointData/attitude_xyzw", 2, rows) if self.turns else None
             shapes = self._shapes(reader, rows, x, attitude)
             if not self.breaks:
                 return Frame(float(self.times[k]), x, attitude, self.lines, **shapes)
@@ -123,7 +123,7 @@ class Run:
             body = self.clumps.body
             return {"spheres": x[body] + outlines.turned(attitude[body], self.clumps.offset)}
         if self.ellipsoids:
-            return {"ellipsoid": reader.numbers("/VTKHDF/PointData/ellipsoid", 2, rows).reshape(-1, 3, 3)}
+            return {"ellipsoid": reader.finite("/VTKHDF/PointData/ellipsoid", 2, rows).reshape(-1, 3, 3)}
         return {}
 
 
@@ -144,7 +144,7 @@ def read_run(path):
         diameter = None
         if "diameter" in data:
             _must_have_shape(reader, "/VTKHDF/PointData/diameter", (bodies,))
-            diameter = reader.numbers("/VTKHDF/PointData/diameter")
+            diameter = reader.finite("/VTKHDF/PointData/diameter")
         lines = reader.numbers("/VTKHDF/Lines/Connectivity").astype(int)
         if len(lines) % 2 or len(lines) and not 0 <= lines.min() <= lines.max() < bodies:
             raise reader.trouble("/VTKHDF/Lines/Connectivity names a body that does not exist, or none")
@@ -188,7 +188,7 @@ def _clumps(reader, bodies):
     _must_have_shape(reader, "/clumps/diameter", (len(body),))
     if len(body) == 0 or not 0 <= body.min() <= body.max() < bodies:
         raise reader.trouble("/clumps/body names a body that does not exist, or none")
-    return Clumps(body, reader.numbers("/clumps/offset", 2), reader.numbers("/clumps/diameter"))
+    return Clumps(body, reader.finite("/clumps/offset", 2), reader.finite("/clumps/diameter"))
 
 
 def _walls(reader, names):
@@ -208,7 +208,7 @@ def _walls(reader, names):
 
 
 def _rows(reader, name, columns):
-    found = reader.numbers(name, 2)
+    found = reader.finite(name, 2)
     if found.shape[1] != columns:
         raise reader.trouble(f"{name} has {found.shape[1]} columns instead of {columns}")
     return found

@@ -296,6 +296,11 @@ def test_refusals(program, folder):
                     ("VTKHDF/PointData/diameter", np.ones(3), "/VTKHDF/PointData/diameter"),
                     ("VTKHDF/PointData/attitude_xyzw", np.ones((100, 4)), "/VTKHDF/PointData/attitude_xyzw"),
                     ("walls", np.ones((1, 3)), "/walls has 3 columns")])
+    for name in ("VTKHDF/Points", "VTKHDF/PointData/attitude_xyzw", "VTKHDF/PointData/diameter", "walls"):
+        write_run(path)
+        with h5py.File(path, "a") as file:
+            file[name][...] = np.nan
+        refuses(program, path, path, f"dataset /{name} has a number that is not finite")
     for name, shape, words in (("wall_cylinders", (1, 6), "/wall_cylinders has 6 columns"),
                                ("wall_velocities", (1, 3), "/wall_velocities has the shape (1, 3)")):
         write_run(path)
