@@ -6,13 +6,14 @@ import csv
 import os
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 
 import h5py
 import numpy
 
-from programs import contents, one_line, run
+from programs import ENVIRONMENT, contents, one_line, run
 from tally import check, conclude
 
 STUDY, MPIRUN = sys.argv[1:3]
@@ -214,6 +215,16 @@ def one_refusal(what, result, expected, folder):
     check(left == [], f"{what}: leaves nothing behind {left}")
 
 
+def unheard(base):
+    """Who reads standard output has gone: it is said, and the files are there."""
+    with subprocess.Popen([STUDY, "--no-plot", "--steppers", "vti2", "--h", "1/64", "--t-end", "1", "-o", f"{base}/unheard"], env=ENVIRONMENT,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        process.stdout.close()
+        words = process.stderr.read()
+    check(process.returncode == 1 and words.count("\n") == 1 and "standard output: cannot be written" in words and
+          sorted(os.listdir(f"{base}/unheard")) == ["study.csv", "study.h5", "timing.csv"], f"nobody listens: {words.strip()}")
+
+
 def at_rest(base):
     """Bodies that rest in the origin: all norms and scales are 0, nothing changes, and no error is 0/0; of many, whose reference
     is known at intervals, too."""
@@ -306,6 +317,7 @@ with tempfile.TemporaryDirectory() as base:
     without_orders(base)
     stiff_energies(base)
     from_tables(base)
+    unheard(base)
     at_rest(base)
     far_from_the_origin(base)
     rivals(base)

@@ -84,7 +84,7 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | outputs that are inputs, links and hard links too | vti-run, vti-study | refused, --force or not | overwrite |
 | outputs that are there and no results of vti | the same | refused, but with --force | overwrite |
 | standard output cannot be written | vti-run, vti-study, vti-advise | reported, 1 | hard trouble |
-| standard output is a pipe that nobody reads any more | vti-run, vti-study | reported, 1; the files are there | run_resume |
+| standard output is a pipe that nobody reads any more | vti-run, vti-study | reported, 1; the files are there | run_resume, study |
 | kill -9 of any rank | vti-study | mpirun ends with a message (that of Debian 12 stays after one kill in a hundred, though all ranks are gone: PMIx 4.2.2 locks itself out at its end; end it by hand); the same bytes after --resume | hard study_resume |
 | Ctrl-C, SIGTERM or SIGUSR1, to `./dev study` or to any rank | vti-study | ends with 75, by `mpirun` itself with 1 but after SIGUSR1 (that of Open MPI 5 holds our message back then); what is done is kept; the same bytes after --resume | study_terminal, hard study_resume |
 | a reference that does not fit into memory | vti-study | is held in windows of up to --memory, which each run integrates again | study_windows |
