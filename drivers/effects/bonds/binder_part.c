@@ -38,7 +38,7 @@ struct range {
 
 static struct range find_range(const vti_bonds *all, const vti_bodies *slice)
 {
-    struct range r = {all->count, 0, 0};
+    struct range r = {0, 0, 0};
     for (int64_t k = 0; k < all->count; ++k)
         if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) > 0) {
             r.first = r.count == 0 ? k : r.first;
