@@ -145,9 +145,10 @@ static int64_t fly(struct flight *f, const struct trial *trial)
 {
     struct pilot *pilot = f->pilot;
     const int64_t steps = trial->steps;
-    const struct observer observers[] = {{see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL},
-                                         {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL},
-                                         {look, f, look_every(&f->run.model, steps), 0, NULL}};
+    const struct observer observers[] = {
+        {see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL, NULL},
+        {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL, NULL},
+        {look, f, look_every(&f->run.model, steps), 0, NULL, NULL}};
     pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent && pilot->parted == 0;
     pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
     pilot->force_evals = travel_force_evals(&f->run.travel);

@@ -58,7 +58,7 @@ static int go(struct pass *p, struct message *message)
 {
     const struct sampled *s = p->sampled;
     struct travel travel;
-    const struct observer observer = {see, p, 1, 0, NULL};
+    const struct observer observer = {see, p, 1, 0, NULL, NULL};
     if (model_create(s->model->scene, &p->model, message) != 0)
         return -1;
     int failed = travel_create(&travel, vti_stepper_find("chin4"), &p->model, p->h, message);

@@ -11,6 +11,7 @@
 
 struct course;
 struct travel_tally; /* travel.h */
+struct observer;     /* loop.h */
 
 /** evals: of a step; 0 where they vary. reach: as in vti_stepper, NaN where nobody has worked it out. */
 #define RIVAL_STEPPER(NAME, ORDER, LAG, EVALS, REACH, ABOUT)                                                           \
@@ -77,7 +78,8 @@ struct course {
     void *tool;     /* whatever a rival needs that is not numbers, or can be made anew */
     int begun;      /* forces are those of the bodies as they stand */
     int ends;       /* 1: the next go ends where observers look only because the run ends there */
-    int64_t cut_at_end; /* steps that were tried for that, of those by a tolerance */
+    const struct observer *wants; /* who may want steps of variable length to end sooner; NULL: nobody */
+    int64_t cut_at_end;           /* steps that were tried for that, of those by a tolerance */
     vti_fault fault;
 };
 

@@ -187,12 +187,13 @@ static const vti_bodies *keep_seen(vti_bodies *kept, vti_bodies b)
     return kept;
 }
 
-static int show(struct travel *travel, int64_t last, const struct observer *observers, int n)
+/** sooner: before the step at which somebody is due, to those who want that. */
+static int show(struct travel *travel, int sooner, int64_t last, const struct observer *observers, int n)
 {
     const vti_bodies *in_time = keep_seen(&travel->seen[0], turned_to_alpha(travel, travel_bodies(travel))),
                      *raw = keep_seen(&travel->seen[1], turned_to_alpha(travel, *course_bodies(travel->course)));
     for (int k = 0; k < n; ++k)
-        if (is_due(&observers[k], travel->steps, last) &&
+        if ((sooner ? observers[k].wants != NULL : is_due(&observers[k], travel->steps, last)) &&
             observers[k].see(observers[k].self, travel->steps, (double)travel->steps * travel->h,
                              observers[k].raw ? raw : in_time) != 0)
             return 1;
@@ -219,19 +220,29 @@ static int is_looked_at(int64_t step, const struct observer *observers, int n)
     return looked;
 }
 
+static const struct observer *who_wants(const struct observer *observers, int n)
+{
+    for (int k = 0; k < n; ++k)
+        if (observers[k].wants != NULL)
+            return &observers[k];
+    return NULL;
+}
+
 static int course_show(struct travel *travel, int64_t last, const struct observer *observers, int n,
                        struct message *message)
 {
     if (travel->steps > 0 && course_begin(travel->course, message) != 0)
         return -1;
-    int stopped = n > 0 && show(travel, last, observers, n);
+    int stopped = n > 0 && show(travel, 0, last, observers, n);
     while (!stopped && travel->steps < last) {
         const int64_t steps = steps_to_look(travel->steps, last, observers, n);
         travel->course->ends = !is_looked_at(travel->steps + steps, observers, n);
+        travel->course->wants = who_wants(observers, n);
         if (course_go(travel->course, steps, message) != 0)
             return -1;
-        travel->steps += steps;
-        stopped = n > 0 && show(travel, last, observers, n);
+        const int64_t made = travel->course->rival->tally != NULL ? travel->course->steps - travel->steps : steps;
+        travel->steps += made;
+        stopped = n > 0 && show(travel, made < steps, last, observers, n);
     }
     return stopped;
 }

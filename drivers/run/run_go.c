@@ -62,7 +62,8 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
 struct poll {
     struct run *run;
     void (*progress)(int64_t done, int64_t all, double seconds);
-    int looks; /* at this step */
+    int looks;     /* at this step */
+    int64_t asked; /* poll_wants */
 };
 
 /** Signals come at any time: what is decided here holds until poll is called. */
@@ -72,6 +73,16 @@ static int poll_looks(void *self, int64_t step)
     const struct run *run = p->run;
     p->looks = step == run->steps || run_signals_seen() != NULL || step % run->poll_every == 0;
     return p->looks;
+}
+
+/** Of steps of variable length: rows and frames may be far away. */
+static int poll_wants(void *self)
+{
+    enum { SELDOM = 16 }; /* a step of one body takes as long as a few looks at the clock */
+    struct poll *p = self;
+    const struct run *run = p->run;
+    return run_signals_seen() != NULL ||
+           (++p->asked % SELDOM == 0 && keep_now() - run->saved >= run->request->checkpoint_seconds);
 }
 
 /** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the
@@ -206,16 +217,17 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
                     struct message *message)
 {
     enum { POLL_BODIES = 8192 };
-    struct poll poller = {run, progress, 1};
+    struct poll poller = {run, progress, 1, 0};
+    struct travel_tally varied;
     const int64_t every = look_every(run);
-    const struct observer observers[] = {{poll, &poller, every, 1, poll_looks},
-                                         {see_step, run, every, 1, never_looks},
-                                         {see_row, run, run->checkpoint.record_every, 0, NULL},
-                                         {see_frame, run, run->checkpoint.frames_every, 0, NULL}};
+    const struct observer observers[] = {{poll, &poller, every, 1, poll_looks, poll_wants},
+                                         {see_step, run, every, 1, never_looks, NULL},
+                                         {see_row, run, run->checkpoint.record_every, 0, NULL, NULL},
+                                         {see_frame, run, run->checkpoint.frames_every, 0, NULL, NULL}};
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = keep_now();
-    run->poll_every = every > 1 ? every : 1 + POLL_BODIES / (run->model.bodies.count + 1);
+    run->poll_every = travel_tally(&run->travel, &varied) ? 1 : 1 + POLL_BODIES / (run->model.bodies.count + 1);
     if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {

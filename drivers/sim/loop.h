@@ -16,6 +16,9 @@ struct observer {
      *  bodies with the same bits, and the velocities are of neither: a kick over the model's owed by the loads brings
      *  copies of them there, with the same bits. */
     int (*looks)(void *self, int64_t step);
+    /** Whether it is to be called soon, between its steps too; NULL: never. Asked after each step of variable length,
+     *  many of which may lie between two calls. */
+    int (*wants)(void *self);
 };
 
 /** Steps are counted in a double (t = step h), which holds whole numbers up to this. */

@@ -116,6 +116,14 @@ static int never_looks(void *self, int64_t step)
     return 0;
 }
 
+/** Steps of h between polls; of those of variable length many may fit into one. */
+static int64_t poll_every(const struct trial_run *run)
+{
+    enum { POLL_BODIES = 4096 };
+    struct travel_tally varied;
+    return travel_tally(&run->travel, &varied) ? 1 : 1 + POLL_BODIES / (run->model.bodies.count + 1);
+}
+
 static int poll_on_the_way(void *self, double share)
 {
     const struct poller *p = self;
@@ -127,12 +135,9 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
                 struct reference *reference, int (*poll)(void *self, int64_t step), void *poll_self,
                 struct outcome *outcome)
 {
-    enum { POLL_EVERY = 2048 };
     struct trial_run run;
     struct measures measures;
     struct poller poller = {poll, poll_self, 0};
-    const struct observer observers[] = {{measure, &measures, 1, 0, measure_looks},
-                                         {poll_see, &poller, POLL_EVERY, 0, never_looks}};
 
     memset(outcome, 0, sizeof *outcome);
     outcome->steps = trial->steps;
@@ -144,6 +149,8 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     outcome->failed = measures_begin(&measures, &run.model, reference, &taken, compare_every, outcome) != 0;
     measures.travel = &run.travel;
     measures.watch = (struct watch){poll_on_the_way, &poller};
+    const struct observer observers[] = {{measure, &measures, 1, 0, measure_looks, NULL},
+                                         {poll_see, &poller, poll_every(&run), 0, never_looks, NULL}};
     if (!outcome->failed)
         outcome->failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
     if (!outcome->failed)

@@ -27,8 +27,8 @@ struct outcome {
 };
 
 /** Runs the trial, compared with the reference every compare_every steps: those from one state that it knows to the
- *  next. poll (may be NULL) is called with poll_self and the steps taken so far every few thousand steps, and while
- *  a piece of the reference is made; non-zero stops the run, which then has failed for no reason. Never fails as
+ *  next. poll (may be NULL) is called with poll_self and the steps taken so far every few milliseconds, and while a
+ *  piece of the reference is made; non-zero stops the run, which then has failed for no reason. Never fails as
  *  such: look at outcome->failed. */
 void outcome_of(const struct scene *scene, const struct trial *trial, int64_t compare_every,
                 struct reference *reference, int (*poll)(void *self, int64_t step), void *poll_self,

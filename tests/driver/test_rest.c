@@ -38,7 +38,7 @@ static void assert_rests(const char *name, double rest_from, double end, double 
     struct watch w = {.model = &model, .rest_from = rest_from * scene.t_end};
     w.start = vti_kinetic_translation(&model.bodies) + vti_kinetic_rotation(&model.bodies);
     w.total = model_energy(&model, &model.bodies);
-    const struct observer observer = {see, &w, 16, 0, NULL};
+    const struct observer observer = {see, &w, 16, 0, NULL, NULL};
     const int64_t steps = (int64_t)(end * scene.t_end / scene.h + 0.5);
     assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, steps, &observer, 1, &message), 0);
     print_message(

@@ -173,6 +173,46 @@ def signals(base):
               contents(stem) == contents(f"{base}/whole/out"), f"... and it goes on to the same bytes, step {step + 500}")
 
 
+def stopped(arguments, seconds):
+    """A run that SIGTERM is sent after so many seconds, and SIGKILL 20 later: its code, and what it says on either stream."""
+    with subprocess.Popen([RUN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
+        time.sleep(seconds)
+        process.terminate()
+        try:
+            said, words = process.communicate(timeout=20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            said, words = process.communicate()
+    return process.returncode, said, words
+
+
+def between_rows(base):
+    """Steps of variable length whose rows are hours apart: signals and checkpoints do not wait for them, and the bytes and what is
+    said of the steps are those of a run that nobody stopped."""
+    for number, case in enumerate((("srkn11", "--tolerance", "1e-12", "--errors"), ("srkn6", "--control", "integrating"),
+                                   ("srkn6", "--control", "naive"))):
+        stem, far = f"{base}/{number}/out", str(2**33)
+        options = [scene("pendulum"), "--stepper", *case, "--h", "1/4", "--record", far, "--frames", far, "--checkpoint", "0.05"]
+        endless, steps = [*options, "--t-end", "4e9", "-o", stem + ".h5"], []
+        for _ in range(3):
+            code, _, words = stopped([*endless, "--resume"], 0.25)
+            steps.append(int(words.split("at step ")[1].split()[0]) if "at step " in words else 0)
+            check(code == RESUME and (steps[-1] > max(steps[:-1], default=0)), f"{' '.join(case)}: code {code}, {words.strip()}")
+            if code != RESUME:
+                return
+        killed([*endless, "--resume"], 0.4)
+        code, said, words = stopped([*endless, "--resume"], 0.25)
+        check(code == RESUME and int(said.split("goes on from step ")[1].split(",")[0]) > steps[-1], "... a checkpoint before SIGKILL, too")
+        ends = ["--t-end", f"{int(words.split('at step ')[1].split()[0]) + 500}/4"]
+        parts = run(RUN, *options, *ends, "-o", stem + ".h5", "--resume")
+        whole = run(RUN, *options, *ends, "-o", f"{base}/whole{number}/out.h5")
+        check(parts.returncode == whole.returncode == 0 and contents(stem) == contents(f"{base}/whole{number}/out"),
+              f"... and it goes on to the same bytes {parts.stderr}")
+        tallies = [[line for line in result.stdout.splitlines() if "force evaluations" in line] for result in (parts, whole)]
+        check(tallies[0] == tallies[1] and tallies[0], f"... and the same steps: {tallies[0]}")
+
+
 def with_limit(kilobytes):
     """A run whose files can only become so large, as on a disk that is full."""
     def limit():
@@ -517,8 +557,8 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged, fields, continued,
-          refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
+          signals, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
+          fields, continued, refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)

@@ -188,7 +188,7 @@ static struct flip flips(double h)
     f.rate = sqrt((m[1] - m[0]) * (energy2 * m[2] - square) / (m[0] * m[1] * m[2]));
     f.k2 = (m[2] - m[1]) * (square - energy2 * m[0]) / ((m[1] - m[0]) * (energy2 * m[2] - square));
     f.at0 = gsl_sf_ellint_Kcomp(sqrt(f.k2), GSL_PREC_DOUBLE);
-    const struct observer observer = {see_flip, &f, 1, 0, NULL};
+    const struct observer observer = {see_flip, &f, 1, 0, NULL, NULL};
     go(&model, "vti2", h, 0, (int64_t)(21.0 / h), &observer);
     for (int k = 0; k < 3; ++k)
         assert_true(model.bodies.spin.c[k][0] == m[k] * w[k]);
@@ -232,7 +232,7 @@ TEST(heavy_top)
     struct scene scene;
     struct model model;
     struct top top = {3.0, -1.0, 1.0, 0.0};
-    const struct observer observer = {see_top, &top, 1, 0, NULL};
+    const struct observer observer = {see_top, &top, 1, 0, NULL, NULL};
     open_scene(folder, "heavy-top", &scene, &model);
     go(&model, "vti2", scene.h, 0, (int64_t)(scene.t_end / scene.h), &observer);
     const double a = 9.0 / 2.0, lowest = 0.5 * (a - sqrt(a * a - 4.0 * (0.5 * a - 1.0)));
@@ -281,7 +281,7 @@ TEST(slender)
     struct model model;
     open_scene(folder, "slender", &scene, &model);
     struct band band = {&model, model_energy(&model, &model.bodies), {0.0}, STEPS};
-    const struct observer observer = {see_band, &band, 1, 0, NULL};
+    const struct observer observer = {see_band, &band, 1, 0, NULL, NULL};
     go(&model, "vti2", scene.h, 0, STEPS, &observer);
     const double euler = energy_of_euler(&scene, 125);
     print_message("slender: energy off by %.3g in the first tenth, %.3g in the last; Euler's %.3g of it\n",
@@ -307,7 +307,7 @@ TEST(what_a_run_goes_on_from)
         struct model whole, half;
         double numbers[3][NUMBERS];
         struct band band = {&whole, 18.5, {0.0}, 200};
-        const struct observer observer = {see_band, &band, 1, 0, NULL};
+        const struct observer observer = {see_band, &band, 1, 0, NULL, NULL};
         open_scene(folder, "heavy-top", &scene, &whole);
         assert_int_equal(state_size(&whole.bodies), NUMBERS);
         go(&whole, stepper, scene.h, 0, 100, &observer);

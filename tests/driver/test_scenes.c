@@ -120,7 +120,7 @@ static double energy_error(int k, int64_t divisor)
     struct model model;
     struct message message;
     struct watch watch = {&model, 0.0, 0.0};
-    const struct observer observer = {see, &watch, 1, 0, NULL};
+    const struct observer observer = {see, &watch, 1, 0, NULL, NULL};
     open_scene(folder, scenes[k].name, &scene, &model);
     watch.start = model_energy(&model, &model.bodies);
     assert_int_equal(loop_run(&model, scene.stepper, scene.h / (double)divisor, 0, divisor * scenes[k].steps, &observer,

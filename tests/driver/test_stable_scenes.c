@@ -52,7 +52,7 @@ static int see(void *self, int64_t step, double t, const vti_bodies *bodies)
 static struct watch run(double zero, double h, int64_t steps, int64_t every)
 {
     struct watch w = {zero, model_energy(&model, &model.bodies) - zero, 0.0, every, INFINITY};
-    const struct observer observer = {see, &w, 1, 0, NULL};
+    const struct observer observer = {see, &w, 1, 0, NULL, NULL};
     assert_int_equal(model_forces(&model, &model.bodies), VTI_OK);
     if (loop_run(&model, scene.stepper, h, 0, steps, &observer, 1, &message) < 0)
         w.most = INFINITY;

@@ -29,6 +29,8 @@ HOURS = ("--h", "2^-9:2^-27", "--no-plot")
 HOURS_TO_COMPARE = ("--h", "1e6", "--t-end", "1e6", "--no-plot")  # the reference of the only interval takes as long
 SECONDS = ("--h", "2^-4:2^-15", "--no-plot")  # a bar is drawn ten times per second at most
 
+HOURS_OF_FEW = ("--h", "1/16", "--t-end", "40", "--steppers", "srkn6", "--set", "tolerance=1e-18", "--no-plot")  # 640 steps of h
+
 
 class Terminal:
     """A program on a terminal of its own, whose controlling terminal it is; stderr and stdout may go elsewhere."""
@@ -159,9 +161,12 @@ def signals(base):
         process.send_signal(number)
         _, said = process.communicate(timeout=PATIENCE)
         check(process.returncode == 75 and stopped_words(said), f"{what}: code {process.returncode}, {said.strip()[:200]}")
-    for what, command, number in (("USR1 to mpirun", mpirun(), signal.SIGUSR1), ("TERM without mpirun", [STUDY], signal.SIGTERM)):
-        process = begin(*command, *HOURS_TO_COMPARE, "-o", f"{base}/interval", TORUS)
-        time.sleep(0.5)
+    usr1, term = ("USR1 to mpirun", mpirun(), signal.SIGUSR1), ("TERM without mpirun", [STUDY], signal.SIGTERM)
+    interval = (0.5, *HOURS_TO_COMPARE, TORUS), "within an interval of the reference"
+    few = (4, *HOURS_OF_FEW, CHAIN), "in a run of few steps of h, each of very many by a tolerance"
+    for (what, command, number), ((seconds, *options), where) in ((usr1, interval), (term, interval), (term, few)):
+        process = begin(*command, *options, "-o", f"{base}/interval")
+        time.sleep(seconds)
         process.send_signal(number)
         try:
             _, said = process.communicate(timeout=PATIENCE / 4)
@@ -169,7 +174,7 @@ def signals(base):
             process.kill()
             _, said = process.communicate()
         check(process.returncode == 75 and stopped_words(said),
-              f"{what} within an interval of the reference: code {process.returncode}, {said.strip()[:200]}")
+              f"{what} {where}: code {process.returncode}, {said.strip()[:200]}")
     process = begin(*mpirun(), *HOURS, "-o", f"{base}/one", CHAIN)
     worker = rank_of(f"{base}/one", "1")
     os.kill(worker, signal.SIGTERM)

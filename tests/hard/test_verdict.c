@@ -54,7 +54,7 @@ static void judge(const struct scene *scene, double h, int64_t steps, int64_t ev
     columns_of(&model, scene->stepper, &j->columns);
     if (verdict_create(&j->verdict, &model, scene->stepper, h, &j->columns, &message) != 0)
         fail_msg("%s", message.text);
-    const struct observer observers[] = {{see_step, j, 1, 1, NULL}, {see_row, j, every, 0, NULL}};
+    const struct observer observers[] = {{see_step, j, 1, 1, NULL, NULL}, {see_row, j, every, 0, NULL, NULL}};
     j->broken = loop_run(&model, scene->stepper, h, 0, steps, observers, 2, &message) != 0;
     j->judgement = verdict_judge(&j->verdict, j->broken, &j->line);
     verdict_destroy(&j->verdict);

@@ -77,7 +77,7 @@ static void swings(const char *text, const char *stepper, double h, double swing
     columns_of(&model, method, &s.columns);
     assert_true(s.columns.modified == s.columns.total + 1);
     assert_int_equal(verdict_create(&s.verdict, &model, method, h, &s.columns, &message), 0);
-    const struct observer observer = {see, &s, 1, 0, NULL};
+    const struct observer observer = {see, &s, 1, 0, NULL, NULL};
     assert_int_equal(loop_run(&model, method, h, 0, loop_steps(4.0, h), &observer, 1, &message), 0);
     for (int k = 0; k < 2; ++k)
         swing[k] = s.most[k] - s.least[k];
@@ -189,7 +189,7 @@ static int64_t turned(double share, double h)
     make_model(text, &scene, &model);
     columns_of(&model, scene.stepper, &columns);
     assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
-    const struct observer observer = {follow, &v, 1, 0, NULL};
+    const struct observer observer = {follow, &v, 1, 0, NULL, NULL};
     assert_int_equal(loop_run(&model, scene.stepper, scene.h, 0, (int64_t)(3.0 / h), &observer, 1, &message), 0);
     const struct judgement judgement = verdict_judge(&v, 0, &message);
     assert_int_equal(judgement.verdict, judgement.bonds_turned > 0 ? VERDICT_DOUBTFUL : VERDICT_GOOD);

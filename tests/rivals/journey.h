@@ -155,6 +155,64 @@ static inline void journey_errors(const struct scene *scene, const vti_stepper *
     end(&j);
 }
 
+/* ---- steps of variable length that end sooner than at the next look ------------------------------------------------ */
+
+/** Somebody who is due every 32 steps and wants to be called sooner at each third question. */
+struct impatient {
+    int64_t asked, calls, sooner, last;
+};
+
+static inline int impatient_see(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    struct impatient *w = self;
+    (void)t, (void)b;
+    w->sooner += step % 32 != 0;
+    assert_true(w->calls++ == 0 || step > w->last);
+    w->last = step;
+    return 0;
+}
+
+static inline int impatient_wants(void *self)
+{
+    return ++((struct impatient *)self)->asked % 3 == 0;
+}
+
+static inline int patient_see(void *self, int64_t step, double t, const vti_bodies *b)
+{
+    (void)self, (void)t, (void)b;
+    assert_int_equal(step % 32, 0);
+    return 0;
+}
+
+/** 64 steps with somebody who is impatient beside one who is not. */
+static inline struct impatient go_with_impatient(struct journey *j)
+{
+    struct impatient w = {0, 0, 0, 0};
+    const struct observer observers[] = {{impatient_see, &w, 32, 1, NULL, impatient_wants},
+                                         {patient_see, NULL, 32, 0, NULL, NULL}};
+    if (travel_show(&j->travel, 64, observers, 2, &j->message) != 0)
+        fail_msg("%s", j->message.text);
+    assert_true(w.sooner > 3 && w.calls == w.sooner + 3 && w.last == 64);
+    return w;
+}
+
+/** ... and with nobody but one who looks as often: bodies, steps and evaluations are the same. */
+static inline void assert_impatience_changes_nothing(struct journey *with, struct journey *without)
+{
+    const struct observer observer = {patient_see, NULL, 32, 0, NULL, NULL};
+    struct travel_tally a, b;
+    go_with_impatient(with);
+    if (travel_show(&without->travel, 64, &observer, 1, &without->message) != 0)
+        fail_msg("%s", without->message.text);
+    assert_int_equal(travel_tally(&with->travel, &a) + travel_tally(&without->travel, &b), 2);
+    const vti_bodies p = travel_bodies(&with->travel), q = travel_bodies(&without->travel);
+    assert_same_bits(p.x.c[0], q.x.c[0], (size_t)(3 * p.count));
+    assert_same_bits(p.omega.c[0], q.omega.c[0], (size_t)(3 * p.count));
+    assert_true(a.accepted == b.accepted && a.rejected == b.rejected && a.cut == b.cut && a.evals == b.evals);
+    assert_same_bits(&a.longest, &b.longest, 1);
+    assert_int_equal(travel_force_evals(&with->travel), travel_force_evals(&without->travel));
+}
+
 /** A program of tests whose argument is the folder of the scenes. */
 #define RUN_TESTS_OF_SCENES(...)                                                                                       \
     int main(int argc, char **argv)                                                                                    \

@@ -145,7 +145,7 @@ TEST(momenta)
     struct scene scene;
     struct journey j;
     struct watched w = {.looks = 0};
-    const struct observer observer = {see, &w, 1, 0, NULL};
+    const struct observer observer = {see, &w, 1, 0, NULL, NULL};
     read_scene("chain", &scene);
     scene.tolerance = 1e-8;
     begin(&j, &scene, method_of("srkn11"), 1.0 / 8);
@@ -183,6 +183,21 @@ TEST(refused)
     assert_refused("drum", "srkn11-tol", 0.0, "take vti2, vti1, exact or chin4");
 }
 
+TEST(wanted_sooner)
+{
+    for (int64_t i = 0; i < 3; ++i) {
+        struct scene scene;
+        struct journey with, without;
+        read_scene("chain", &scene);
+        scene.tolerance = 1e-8;
+        begin(&with, &scene, &controlled_at(i)->stepper, 1.0 / 16);
+        begin(&without, &scene, &controlled_at(i)->stepper, 1.0 / 16);
+        assert_impatience_changes_nothing(&with, &without);
+        end(&with);
+        end(&without);
+    }
+}
+
 /** A tolerance below rounding is not met by any step. */
 TEST(no_step_is_short_enough)
 {
@@ -198,4 +213,5 @@ TEST(no_step_is_short_enough)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
-                    cmocka_unit_test(refused), cmocka_unit_test(no_step_is_short_enough))
+                    cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
+                    cmocka_unit_test(no_step_is_short_enough))

@@ -341,7 +341,7 @@ TEST(goes_on)
         assert_true(state_size(&whole.model.bodies) <= 64);
         memset(kept, 0, sizeof kept);
         struct keeper keeper = {20, kept[0]};
-        const struct observer observer = {keep, &keeper, 1, 1, NULL};
+        const struct observer observer = {keep, &keeper, 1, 1, NULL, NULL};
         assert_int_equal(travel_show(&looked.travel, 20, &observer, 1, &looked.message), 0);
         const double *memory = travel_state(&looked.travel, &count);
         memcpy(travel_state(&second.travel, &again), memory, (size_t)count * sizeof *memory);
@@ -351,7 +351,7 @@ TEST(goes_on)
         struct journey *const all[] = {&whole, &looked, &second};
         for (int k = 0; k < 3; ++k) {
             struct keeper last = {50, kept[k + 1]};
-            const struct observer at_end = {keep, &last, 50, 1, NULL};
+            const struct observer at_end = {keep, &last, 50, 1, NULL, NULL};
             assert_int_equal(travel_show(&all[k]->travel, k == 0 ? 50 : 30, &at_end, 1, &all[k]->message), 0);
             end(all[k]);
         }

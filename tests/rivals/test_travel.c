@@ -187,7 +187,7 @@ TEST(observed)
         struct scene scene;
         struct journey j;
         struct eye eye = {0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, seventh = eye;
-        const struct observer observers[] = {{see, &eye, 5, 0, NULL}, {see, &seventh, 7, 1, NULL}};
+        const struct observer observers[] = {{see, &eye, 5, 0, NULL, NULL}, {see, &seventh, 7, 1, NULL, NULL}};
         read_scene("chain", &scene);
         begin(&j, &scene, method_at(i), 1.0 / 512);
         assert_int_equal(travel_show(&j.travel, 23, observers, 2, &j.message), 0);
@@ -262,7 +262,7 @@ static void glance_at(const vti_stepper *method, const char *where, double h, in
 {
     struct scene scene;
     struct journey j;
-    const struct observer observer = {glance_see, g, 1, 0, looks};
+    const struct observer observer = {glance_see, g, 1, 0, looks, NULL};
     read_scene(where, &scene);
     begin(&j, &scene, method, h);
     g->model = &j.model;
@@ -357,7 +357,7 @@ static void assert_resumes(const vti_stepper *method, const char *where, double 
     const size_t n = (size_t)(12 * first.model.bodies.count);
     double *bodies = calloc(n, sizeof *bodies);
     struct keeper keeper = {at, bodies};
-    const struct observer observer = {keep, &keeper, 1, 1, NULL};
+    const struct observer observer = {keep, &keeper, 1, 1, NULL, NULL};
     assert_int_equal(travel_show(&first.travel, 30, &observer, 1, &first.message), 0);
     end(&first);
     begin(&first, &scene, method, h);

@@ -144,7 +144,7 @@ static struct energies long_way(const char *name, int64_t control, int64_t steps
     const struct scene scene = scene_with("pendulum", control, sqrt(0.5));
     struct journey j;
     struct energies e = {.last = steps};
-    const struct observer observer = {see_energy, &e, 7, 0, NULL};
+    const struct observer observer = {see_energy, &e, 7, 0, NULL, NULL};
     begin(&j, &scene, method_of(name), sqrt(0.5));
     assert_int_equal(travel_show(&j.travel, steps, &observer, 1, &j.message), 0);
     print_message("%s, %d steps: |E - E_0| at most %.2e, means of its halves %.3e and %.3e\n", j.travel.stepper->name,
@@ -212,6 +212,19 @@ TEST(looking_and_stopping)
     }
 }
 
+TEST(wanted_sooner)
+{
+    for (int naive = 0; naive < 2; ++naive) {
+        const struct scene scene = scene_with("chain", naive ? SCENE_NAIVE : SCENE_INTEGRATING, 0.1);
+        struct journey with, without;
+        begin(&with, &scene, method_of("srkn11"), 1.0 / 16);
+        begin(&without, &scene, method_of("srkn11"), 1.0 / 16);
+        assert_impatience_changes_nothing(&with, &without);
+        end(&with);
+        end(&without);
+    }
+}
+
 /* ---- what there is not ------------------------------------------------------------------------------------------- */
 
 static void assert_refused(const char *where, const char *name, const char *words)
@@ -246,4 +259,5 @@ TEST(too_long)
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(equation), cmocka_unit_test(many_bodies), cmocka_unit_test(no_drift),
-                    cmocka_unit_test(looking_and_stopping), cmocka_unit_test(refused), cmocka_unit_test(too_long))
+                    cmocka_unit_test(looking_and_stopping), cmocka_unit_test(wanted_sooner), cmocka_unit_test(refused),
+                    cmocka_unit_test(too_long))

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "loop.h"
 #include "rival.h"
 
 /** What the bodies are: those of a step that was not cut, or for whom it was. */
@@ -15,6 +16,21 @@ enum { NOT_CUT, CUT_TO_LOOK, CUT_AT_END };
 
 /** Doubles of a body's copy. */
 enum { KEEPS = 19 };
+
+/** When so many steps of h end. If somebody wants that sooner, they become fewer, to the first multiple of h that is
+ *  after t: the run goes on from there as from its end. */
+static inline double cut_end(struct course *c, double t, int64_t *steps)
+{
+    if (c->wants != NULL && c->wants->wants(c->wants->self)) {
+        int64_t sooner = (int64_t)(t / c->h) - c->steps;
+        while (sooner < 1 || (double)(c->steps + sooner) * c->h <= t)
+            ++sooner;
+        c->ends |= sooner < *steps;
+        *steps = sooner < *steps ? sooner : *steps;
+        c->wants = NULL;
+    }
+    return (double)(c->steps + *steps) * c->h;
+}
 
 /** The copy of all bodies behind so many doubles per body of own. */
 static inline vti_kept cut_kept(const struct course *c, int64_t behind)

@@ -53,11 +53,11 @@ static int choose_step(struct course *c, int first)
     return status == VTI_E_TIME ? RIVAL_E_SPARSE : status;
 }
 
-/** All steps that end before the time end. */
-static int free_steps(struct course *c, double end)
+/** All steps that end before so many of h. */
+static int free_steps(struct course *c, int64_t *steps)
 {
     int status = c->number[STEP] > 0.0 ? VTI_OK : choose_step(c, 1);
-    while (status == VTI_OK && c->number[TIME] + c->number[STEP] < end) {
+    while (status == VTI_OK && c->number[TIME] + c->number[STEP] < cut_end(c, c->number[TIME], steps)) {
         const double h = c->number[STEP];
         status = course_step(c, c->rival->table, h);
         if (status == VTI_OK)
@@ -72,17 +72,16 @@ static int free_steps(struct course *c, double end)
 static int go_varied(struct course *c, int64_t steps)
 {
     const vti_kept kept = cut_kept(c, 0);
-    const double end = (double)(c->steps + steps) * c->h;
     if (c->number[IS_CUT] != NOT_CUT) {
         vti_step_undo(&c->bodies, &kept);
         c->evals -= ((const vti_stepper *)c->rival->table)->evals;
     }
     c->number[LONGEST] = c->number[IS_CUT] == CUT_AT_END ? c->number[LONGEST] : 0.0;
-    int status = free_steps(c, end);
+    int status = free_steps(c, &steps);
     if (status == VTI_OK)
         status = vti_step_keep(&c->bodies, &kept);
     if (status == VTI_OK)
-        status = course_step(c, c->rival->table, end - c->number[TIME]);
+        status = course_step(c, c->rival->table, (double)(c->steps + steps) * c->h - c->number[TIME]);
     c->number[IS_CUT] = c->ends ? CUT_AT_END : CUT_TO_LOOK;
     c->cut_at_end = c->ends;
     c->number[CUTS] += !c->ends;

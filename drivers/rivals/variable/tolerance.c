@@ -98,12 +98,12 @@ static int try_step(struct course *c, vti_control *control, double t, double h, 
     return judged == VTI_OK || status == VTI_OK ? judged : status;
 }
 
-/** All steps that end before the time end. */
-static int free_steps(struct course *c, double end)
+/** All steps that end before so many of h. */
+static int free_steps(struct course *c, int64_t *steps)
 {
     vti_control control = control_of(c);
     int status = VTI_OK;
-    while (status == VTI_OK && c->number[TIME] + control.h < end) {
+    while (status == VTI_OK && c->number[TIME] + control.h < cut_end(c, c->number[TIME], steps)) {
         const double h = control.h;
         int64_t accepted;
         status = try_step(c, &control, c->number[TIME], h, &accepted);
@@ -141,20 +141,19 @@ static int cut_step(struct course *c, double end)
 static int go_controlled(struct course *c, int64_t steps)
 {
     const vti_kept kept = cut_kept(c, SUMS + KEEPS);
-    const double end = (double)(c->steps + steps) * c->h;
     if (c->number[IS_CUT] != NOT_CUT)
         vti_step_undo(&c->bodies, &kept);
     step_errors_uncut(c->model->errors);
     c->evals -= (int64_t)c->number[CUT_EVALS];
     c->number[LONGEST] = c->number[IS_CUT] == CUT_AT_END ? c->number[LONGEST] : 0.0;
     c->number[IS_CUT] = NOT_CUT;
-    int status = free_steps(c, end);
+    int status = free_steps(c, &steps);
     const int64_t evals = c->evals;
     if (status == VTI_OK)
         status = vti_step_keep(&c->bodies, &kept);
     c->number[IS_CUT] = c->ends ? CUT_AT_END : CUT_TO_LOOK;
     if (status == VTI_OK)
-        status = cut_step(c, end);
+        status = cut_step(c, (double)(c->steps + steps) * c->h);
     c->number[CUT_EVALS] = (double)(c->evals - evals);
     c->steps += status == VTI_OK ? steps : 0;
     return status;
