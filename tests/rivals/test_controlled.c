@@ -198,6 +198,24 @@ TEST(wanted_sooner)
     }
 }
 
+/** Where numbers are h apart, t does not move by the steps that the tolerance allows. */
+TEST(too_late)
+{
+    enum { TIME = 1 }; /* of what a checkpoint has */
+    const int64_t late = (int64_t)1 << 52;
+    struct scene scene;
+    struct journey j;
+    int64_t doubles;
+    read_scene("chain", &scene);
+    scene.tolerance = 1e-8;
+    begin(&j, &scene, method_of("srkn11"), 1.0 / 4);
+    travel_state(&j.travel, &doubles)[TIME] = (double)late / 4.0;
+    travel_resume(&j.travel, late);
+    assert_int_equal(travel_go(&j.travel, 2, &j.message), -1);
+    assert_non_null(strstr(j.message.text, "end the run sooner"));
+    end(&j);
+}
+
 /** A tolerance below rounding is not met by any step. */
 TEST(no_step_is_short_enough)
 {
@@ -213,5 +231,5 @@ TEST(no_step_is_short_enough)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
-                    cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
+                    cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner), cmocka_unit_test(too_late),
                     cmocka_unit_test(no_step_is_short_enough))

@@ -225,6 +225,24 @@ TEST(wanted_sooner)
     }
 }
 
+/** Where numbers are h apart, t does not move by steps that are shorter. */
+TEST(too_late)
+{
+    enum { TIME = 0 }; /* of what a checkpoint has */
+    const int64_t late = (int64_t)1 << 52;
+    for (int naive = 0; naive < 2; ++naive) {
+        const struct scene scene = scene_with("pendulum", naive ? SCENE_NAIVE : SCENE_INTEGRATING, 0.1);
+        struct journey j;
+        int64_t doubles;
+        begin(&j, &scene, method_of("srkn11"), 1.0 / 16);
+        travel_state(&j.travel, &doubles)[TIME] = (double)late / 16.0;
+        travel_resume(&j.travel, late);
+        assert_int_equal(travel_go(&j.travel, 2, &j.message), -1);
+        assert_non_null(strstr(j.message.text, "end the run sooner"));
+        end(&j);
+    }
+}
+
 /* ---- what there is not ------------------------------------------------------------------------------------------- */
 
 static void assert_refused(const char *where, const char *name, const char *words)
@@ -259,5 +277,5 @@ TEST(too_long)
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(equation), cmocka_unit_test(many_bodies), cmocka_unit_test(no_drift),
-                    cmocka_unit_test(looking_and_stopping), cmocka_unit_test(wanted_sooner), cmocka_unit_test(refused),
-                    cmocka_unit_test(too_long))
+                    cmocka_unit_test(looking_and_stopping), cmocka_unit_test(wanted_sooner), cmocka_unit_test(too_late),
+                    cmocka_unit_test(refused), cmocka_unit_test(too_long))

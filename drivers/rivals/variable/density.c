@@ -59,6 +59,8 @@ static int free_steps(struct course *c, int64_t *steps)
     int status = c->number[STEP] > 0.0 ? VTI_OK : choose_step(c, 1);
     while (status == VTI_OK && c->number[TIME] + c->number[STEP] < cut_end(c, c->number[TIME], steps)) {
         const double h = c->number[STEP];
+        if (!(c->number[TIME] + h > c->number[TIME]))
+            return RIVAL_E_LATE;
         status = course_step(c, c->rival->table, h);
         if (status == VTI_OK)
             status = choose_step(c, 0);

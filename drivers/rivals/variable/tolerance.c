@@ -7,6 +7,7 @@
 
 #include "cut.h"
 #include "plain.h"
+#include "rivals.h"
 #include "scene.h"
 #include "step_errors.h"
 #include "travel.h"
@@ -84,6 +85,8 @@ static int try_step(struct course *c, vti_control *control, double t, double h, 
     const vti_kept before = cut_kept(c, SUMS);
     double error[2] = {NAN, NAN};
     *accepted = 0;
+    if (!(t + h > t))
+        return RIVAL_E_LATE;
     int status = vti_step_keep(&c->bodies, &before);
     if (status != VTI_OK)
         return status;
