@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist, and threads share
- * them. */
+ * Cells: which spheres are near each other, each pair once. Only cells with bodies in them exist, wide ones for long
+ * bodies and, where these are few, narrow ones for short bodies; threads share them. */
 #ifndef VTI_CELLS_H
 #define VTI_CELLS_H
 
@@ -13,12 +13,17 @@ struct pairs {
     int64_t *pair; /* [room][2], of which count are used */
 };
 
+/** Of cells by their widths: the least is 4^-15 of the widest. */
+enum { CELLS_LEVELS = 16 };
+
 struct cells {
     int64_t n;      /* bodies */
     double *radius; /* [n] > 0, for the caller to fill in */
     double *x;      /* [n][3] finite, likewise */
-    double width;
-    int64_t *home; /* [n] cell of a body */
+    int64_t levels; /* that there are: one, where few bodies share a cell of it */
+    double width[CELLS_LEVELS];
+    int64_t on_level[CELLS_LEVELS]; /* cells that there are of it */
+    int64_t *home;                  /* [n] cell of a body */
     struct cell *cell;
     int64_t count;         /* of cells, at most n */
     struct member *member; /* [n] by cell */

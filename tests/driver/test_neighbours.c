@@ -4,6 +4,7 @@
 
 #include <sys/resource.h>
 
+#include "cells.h"
 #include "threads.h"
 
 static packing b;
@@ -43,6 +44,53 @@ TEST(finds_the_near_of_random_packings)
     }
     threads_use(1);
     assert_true(found > 10000);
+}
+
+/** Of diameters from 1 to 200, most of them small, a few among the long ones; the long ones overlap many. */
+TEST(finds_the_near_of_any_sizes)
+{
+    int64_t found = 0;
+    for (uint64_t seed = 1; seed <= 80; ++seed) {
+        rng g = rng_seed(1000 + seed);
+        const double most = seed % 2 == 0 ? 200.0 : 10.0, far = seed % 8 == 0 ? 1e15 : seed % 8 == 1 ? -1e300 : 0.0;
+        packing_scatter(&b, &g, 1 + rng_below(&g, PACKING_MAX), uniform(&g, 4.0, 40.0), 1.0);
+        for (int i = 0; i < b.n; ++i) {
+            const double u = uniform(&g, 0.0, 1.0);
+            b.diameter[i] = seed % 3 == 0 ? (u < 0.01 ? most : 1.0 + u) : pow(most, seed % 3 == 1 ? u : u * u * u);
+            b.x[i][i % 3] += i % 2 == 0 ? far : 0.0;
+        }
+        threads_use(1 + (int64_t)(seed % 4));
+        found += holds_the_near(seed % 5 == 0 ? 0.0 : uniform(&g, 0.01, 3.0));
+    }
+    threads_use(1);
+    assert_true(found > 100000);
+}
+
+/** A long sphere beside a lattice of short ones: they stay in cells of a few, and so does the work. */
+TEST(a_long_one_widens_no_cell)
+{
+    enum { SIDE = 20, SMALL = SIDE * SIDE * SIDE, FEW = 4 * 4 * 4 };
+    static int64_t members[SMALL + 1];
+    struct cells cells;
+    struct pairs found = {0, 0, NULL};
+    assert_int_equal(cells_create(&cells, SMALL + 1), 0);
+    for (int i = 0; i < SMALL; ++i) {
+        cells.x[3 * i] = 1.3 * (i % SIDE);
+        cells.x[3 * i + 1] = 1.3 * (i / SIDE % SIDE);
+        cells.x[3 * i + 2] = 1.3 * (i / SIDE / SIDE);
+        cells.radius[i] = 0.5;
+    }
+    cells.x[3 * SMALL + 2] = -50.6; /* just in reach of the corner and a few around it */
+    cells.radius[SMALL] = 50.0;
+    assert_int_equal(cells_search(&cells, 50.0, 0.2, &found), 0);
+    assert_int_equal(found.count, 8); /* up to (50.7^2 - 50.6^2)^(1/2) = 2.4 (1.3) from the corner */
+    for (int64_t k = 0; k < found.count; ++k)
+        assert_int_equal(found.pair[2 * k + 1], SMALL);
+    /* cells are less than four times as wide as a short pair needs, 4 (1 + 0.2): four bodies along each axis */
+    for (int64_t i = 0; i <= SMALL; ++i)
+        assert_true(++members[cells.home[i]] <= FEW);
+    free(found.pair);
+    cells_destroy(&cells);
 }
 
 TEST(finds_the_near_in_any_place)
@@ -227,6 +275,7 @@ TEST(tells_when_memory_is_out)
 }
 
 RUN_TESTS(cmocka_unit_test(finds_the_near_of_random_packings), cmocka_unit_test(finds_the_near_in_any_place),
+          cmocka_unit_test(finds_the_near_of_any_sizes), cmocka_unit_test(a_long_one_widens_no_cell),
           cmocka_unit_test(finds_the_near_of_lattices), cmocka_unit_test(finds_the_near_across_faces),
           cmocka_unit_test(few_bodies_and_coincident_ones),
           cmocka_unit_test(default_skin_is_a_share_of_the_mean_diameter),
