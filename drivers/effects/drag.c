@@ -139,7 +139,7 @@ static void fill(vti_drag *drag, const struct drag_settings *settings, vti_sum *
 static vti_effect draft(const void *settings, const struct table *table)
 {
     static vti_sum none[VTI_DRAG_BOOKS];
-    vti_drag drag;
+    vti_drag drag = {.by_body = NULL};
     (void)table;
     fill(&drag, settings, none);
     vti_effect effect = vti_drag_effect(&drag);
