@@ -63,7 +63,8 @@ static const struct option_row rows[] = {
      "for any number, and a resumed run may have another one"},
     {"--renumber", NULL, OPTION_ON, &request.renumber, OPTION_ANY,
      "work on the bodies and bonds of tables in an order in which neighbours are near each other: faster where tables "
-     "have them in any order; files have the tables' numbers, and sums over bonds differ in their last digits"},
+     "have them in any order; files have the tables' numbers, and sums over bonds differ in their last digits, results "
+     "with dashpots, which act pair after pair, by as much as a step errs"},
     {"--resume", NULL, OPTION_ON, &request.resume, OPTION_ANY,
      "go on from the last checkpoint, or with a later --t-end from the end of a complete run; if there is neither, "
      "start"},

@@ -83,6 +83,25 @@ def same_motion():
     check(any(not np.array_equal(one, moved[name]) for name, one in plain.items()), "... and later in other bits")
 
 
+def last_places(folder):
+    found = arrays(f"{folder}/out.h5")
+    last = {name.split("/")[-1]: int(values.ravel()[-1]) for name, values in found.items() if name.endswith("/PointOffsets")}
+    begin, bodies = last["PointOffsets"], COUNTS[0] * COUNTS[1] * COUNTS[2]
+    return next(values for name, values in found.items() if name.endswith("/Points"))[begin:begin + bodies]
+
+
+def order_of_dashpots():
+    """Dashpots act pair after pair, whose order is another one: what differs is of the order of the step, 2."""
+    for dashpots in ("bond_dashpot: {zeta: 0.2}", "dashpot: {zeta: 0.2, ratio: 0.5}"):
+        differ = []
+        for h in (8, 9):
+            write_scene(SCENE.replace("h: 2^-8", f"h: 2^-{h}\n{dashpots}"))
+            check(go("listed").returncode == 0 and go("sorted", "--renumber").returncode == 0, f"{dashpots}, h = 2^-{h}")
+            differ.append(np.max(np.abs(last_places("listed") - last_places("sorted"))))
+        check(abs(np.log2(differ[0] / differ[1]) - 2) < 0.2, f"... another order of pairs: {differ[0]:.3g} and {differ[1]:.3g}, of order 2")
+    write_scene(SCENE)
+
+
 def same_bytes():
     one = contents("moved")
     go("three", "--renumber", "--threads", "3", "--fields", "lost")
@@ -130,6 +149,7 @@ with tempfile.TemporaryDirectory() as root:
     write_tables()
     write_scene(SCENE)
     same_motion()
+    order_of_dashpots()
     same_bytes()
     same_numbers()
     refusals()
