@@ -558,7 +558,8 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
           signals, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
-          fields, continued, refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken, refused_resumes, refused]
+          fields, continued, refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken,
+          refused_resumes, refused]
 for topic in TOPICS:
     with tempfile.TemporaryDirectory() as root:
         topic(root)
