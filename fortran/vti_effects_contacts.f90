@@ -176,8 +176,8 @@ contains
     end function
 
     !> Mass, centre and moments of spheres centre(3,s), diameter(s) of one density, counted once where they overlap:
-    !> exact if none do, else along lines x lines lines. Errors as in C, VTI_E_COUNT also for another shape; fault%body
-    !> is the sphere, from 1.
+    !> those that overlap none exactly, others along lines x lines lines through their own boxes. Errors as in C,
+    !> VTI_E_COUNT also for another shape; fault%body is the sphere, from 1.
     function vti_clump_solid(centre, diameter, density, lines, solid, fault) result(status)
         real(c_double), contiguous, intent(in) :: centre(:, :), diameter(:)
         real(c_double), intent(in) :: density

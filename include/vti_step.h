@@ -90,8 +90,8 @@ VTI_API const vti_stepper *vti_stepper_at(int64_t index);
  * All calls of this file return VTI_OK or, and then nothing has been written, a status of vti_bodies_check;
  * VTI_E_STEPPER for a method that is NULL or no list, or of a law or rotor that there is not; VTI_E_STAGE for a stage
  * that it does not have; VTI_E_TIME for an h that is not positive and finite; VTI_E_FRAME for a frame that there is not,
- * or the body's with moments; and those that move bodies by the closed law VTI_E_TOO_LARGE if h|Omega| >= 1. What a call returns besides is said at
- * it. */
+ * or the body's with moments; and those that move bodies by the closed law VTI_E_TOO_LARGE if h|Omega| >= 1. What a
+ * call returns besides is said at it. */
 
 /** Stage 0: kick(kick[0] h), then drift(drift[0] h), of all bodies or, on failure, of none. fault may be NULL; on
  *  VTI_E_TOO_LARGE it names the body with the largest h|Omega| (or the first that is NaN) and that value. */

@@ -265,7 +265,7 @@ static inline int vti_law_check(int64_t law, int64_t frame)
     return frame == VTI_FRAME_SPACE || frame == VTI_FRAME_BODY ? VTI_OK : VTI_E_FRAME;
 }
 
-/** Whether a free body's turn may be of that order; 0 is 2. */
+/** Whether a free body's turn may be of that order; 0 stands for 2. */
 static inline int vti_is_rotor(int64_t order)
 {
     return order >= 0 && order <= 6 && order % 2 == 0;

@@ -130,7 +130,7 @@ static double past_half_turn(struct kit *kit)
         const struct bodies expected = spinning(turn, spin_axis, s);
         host_advance(&kit->host, &b, &none, 1.0, k);
         const double off = bodies_apart(&b, &expected).attitude;
-        worst = off <= worst ? worst : off;
+        worst = off <= worst || isnan(worst) ? worst : off; /* once NaN, it stays */
     }
     return worst;
 }

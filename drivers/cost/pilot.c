@@ -108,7 +108,8 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     (void)t;
     pilot->energy = step == 0 ? energy : pilot->energy;
     const double off = fabs(energy - pilot->energy) / (pilot->energy != 0.0 ? fabs(pilot->energy) : 1.0);
-    pilot->energy_error = off <= pilot->energy_error ? pilot->energy_error : off; /* once NaN, it stays */
+    if (!(off <= pilot->energy_error || isnan(pilot->energy_error))) /* once NaN, it stays */
+        pilot->energy_error = off;
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
     f->looking += trial_clock() - from;
     return 0;

@@ -231,19 +231,23 @@ static int make(struct effect *e, const struct model *model, const struct table 
                : message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
 }
 
-/** The largest c/m by the constants, of a sphere at a wall, or of the two lightest of them where they touch each other.
- *  By zeta and restitution c falls with the stiffness, and what it slows has no further to go than the overlap. */
+/** The largest c/m by the constants, of a sphere at a wall, or of the two that give way most, of two bodies, where they
+ *  touch each other. By zeta and restitution c falls with the stiffness, and what it slows has no further to go than the overlap. */
 static double slowing(const struct effect *e, const struct model *model)
 {
     const vti_dashpots *d = &((const struct dashpot_self *)e->self)->dashpots;
     const double across = d->tangential + d->ratio * d->normal, turning = fmax(d->rolling, d->twisting);
-    double most = 0.0, second = 0.0;
+    double most = 0.0, second = 0.0; /* of another body */
+    int64_t at = -1;                 /* the one of most */
     for (int64_t s = 0; s < model_spheres(model)->count; ++s) {
         const struct model_yield yield = model_yield_of(model, 1, s);
         const double radius = 0.5 * model->diameter.p[s * model->diameter.stride];
         const double along = d->normal * (yield.per_mass + yield.by_turning);
         const double rate = fmax(fmax(along, across * model_yield_across(&yield, radius)), turning * yield.per_inertia);
-        second = fmax(second, fmin(rate, most));
+        const int64_t body = model_has_clumps(model) ? model->clumps.list.body[s] : s;
+        if (body != at)
+            second = fmax(second, fmin(rate, most));
+        at = rate > most ? body : at;
         most = fmax(most, rate);
     }
     return d->contacts != NULL ? most + second : most;

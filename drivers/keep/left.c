@@ -65,17 +65,17 @@ int left_is_there(const char *path)
 
 const char *const left_endings[LEFT_ENDINGS] = {"-journal", "-wal", "-shm"};
 
-int left_beside(const char *file, const char *what, struct message *message)
+int left_beside(const char *path, const char *what, struct message *message)
 {
-    char path[FOLDER_PATH + 16];
+    char beside[FOLDER_PATH + 16];
     struct stat info;
     for (int k = 0; k < LEFT_ENDINGS; ++k) {
-        snprintf(path, sizeof path, "%s%s", file, left_endings[k]);
-        if (k == 0 ? !look_at(path, is_journal, 1) : lstat(path, &info) == 0)
+        snprintf(beside, sizeof beside, "%s%s", path, left_endings[k]);
+        if (k == 0 ? !look_at(beside, is_journal, 1) : lstat(beside, &info) == 0)
             return message_set(message,
                                "%.600s: is there already and belongs to no %s that was interrupted; move it away, or "
                                "choose another place with -o",
-                               path, what);
+                               beside, what);
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The film of a run: what shapes.png shows, moving. MP4 by ffmpeg where there is one, else GIF."""
 import io
+import math
 import os
 import shutil
 import subprocess
@@ -48,14 +49,16 @@ def _pictures(run, scene, frames, width):
     inches = 8.0
     # Even numbers of pixels, which H.264 asks for.
     height = 2 * round(0.5 * width * min(1.5, (0.9 + (inches - 0.9) * scene.half[1] / scene.half[0]) / inches))
-    figure = style.new_figure(inches * height / width, inches)
+    figure = style.new_figure(inches * (height + 0.25) / width, inches)     # a canvas drops fractions of a pixel
     figure.set_dpi(width / inches)
     axes = figure.add_subplot()
+    gap = (frames[-1].t - frames[0].t) / max(1, len(frames) - 1)
+    places = max(2, 1 - math.floor(math.log10(gap))) if gap > 0 else 2     # two digits of it: titles do not jump
     for k, frame in enumerate(frames):
         axes.clear()
         scene.draw(axes, frame)
         axes.set(xlabel=scene.axis_names()[0], ylabel=scene.axis_names()[1])
-        axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.2f}"
+        axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.{places}f}"
                        + "".join("\n" + line for line in scene.meaning()))
         figure.canvas.draw()
         if k == 0:

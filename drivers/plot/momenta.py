@@ -53,9 +53,14 @@ def rounding(run, t):
 
 
 def scale(run):
-    """Of all momenta together: rounding is relative to what is exchanged, not to sums that may be 0."""
+    """Of all momenta together: rounding is relative to what is exchanged, not to sums that may be 0. Sums of m|v| and J|Omega| are at
+    least twice the energy over the fastest."""
     found = [np.max(np.abs(values)) for values in map(run.vector, VECTORS) if values is not None]
-    return max([*found, 1.0])
+    for energy, rate in (("kinetic_translation", "velocity"), ("kinetic_rotation", "omega")):
+        fastest = run.fastest(rate) if energy in run.columns else 0.0
+        if fastest > 0:
+            found.append(2 * np.max(run.columns[energy]) / fastest)
+    return max(found, default=0.0) or 1.0
 
 
 def draw(run):

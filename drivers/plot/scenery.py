@@ -84,7 +84,8 @@ class Scenery:
         frame = self._seen(frame)
         run, xy, window = self.run, frame.x[:, self.plane], self.window(frame)
         seen = outlines.of(run, frame, self.radius)
-        behind_first = np.argsort(seen.x[:, 3 - sum(self.plane)], kind="stable")
+        left_out = 3 - sum(self.plane)      # x to the right and z up are seen from -y, the other planes from +
+        behind_first = np.argsort((-1 if left_out == 1 else 1) * seen.x[:, left_out], kind="stable")
         touching = np.zeros(len(seen.x), bool) if run.breaks else self._touching(frame)
         walls.draw(axes, self.plane, self.walls, frame.t, window)
         fills = np.where(touching, CONTACT, self._fills(frame, seen))[behind_first]

@@ -37,7 +37,7 @@ int study_agree(int failed, int rank, const struct message *message)
 /* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
 
 static struct tasks tasks;
-static const char *results = "runs"; /* what one of them is, for people */
+static const char *results = "runs"; /* what they are, for people */
 static const char study_journal[] = "study.journal", cost_journal[] = "cost.journal";
 
 /** name is where results are kept, and left says whether it is ours (overwrite.h). */
@@ -158,8 +158,8 @@ static int say_stopped(int64_t all, struct message *message)
     if (tasks_commit(&tasks, message) != 0)
         return -1;
     if (tasks.kept == 0)
-        return message_set(message,
-                           "stopped before the first run was done; the same command with --resume starts again");
+        return message_set(message, "stopped before any %s were done; the same command with --resume starts again",
+                           results);
     return message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume",
                        (long long)tasks.kept, (long long)all, results, tasks.keep.path);
 }

@@ -318,10 +318,7 @@ static int give_advice(struct scene *scene, struct message *message)
 /** What it finds itself. */
 static int check_sets(struct message *message)
 {
-    return options_refuse_set(&sets, "stepper", "steppers are chosen; --steppers names those to choose from",
-                              message) != 0
-               ? -1
-               : options_refuse_set(&sets, "h", "the step is found", message);
+    return options_refuse_set(&sets, "stepper", "steppers are chosen; --steppers names those to choose from", message);
 }
 
 int main(int argc, char **argv)

@@ -187,7 +187,7 @@ static int refused(const struct course *c, int status, struct message *message)
     if (status == RIVAL_E_LATE)
         return message_set(message,
                            "%s at h = %s: t = %.6g: the next step is so short that t would stay what it is; end the "
-                           "run sooner, or ask for longer steps",
+                           "run sooner, or ask for less accuracy or longer steps",
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
     return message_set(message, "%s at h = %s: t = %.6g: %s", c->rival->stepper.name, NUMBER(c->h),
                        (double)c->steps * c->h, model_text(c->model, status));

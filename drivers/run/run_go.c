@@ -115,9 +115,6 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
     double row[COLUMNS];
-    struct travel_tally tally;
-    if (travel_tally(&run->travel, &tally))
-        verdict_longest(&run->verdict, tally.longest);
     verdict_row(&run->verdict, t, bodies, row);
     if (!isfinite(row[run->record.columns.total]))
         return broken(run, step, t, bodies, row);
@@ -154,8 +151,11 @@ static int never_looks(void *self, int64_t step)
 static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct run *run = self;
+    struct travel_tally tally;
     (void)step;
     (void)t;
+    if (travel_tally(&run->travel, &tally))
+        verdict_longest(&run->verdict, tally.longest);
     verdict_step(&run->verdict, bodies);
     return 0;
 }

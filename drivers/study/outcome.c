@@ -60,6 +60,7 @@ static int measure_looks(void *self, int64_t step)
 static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
 {
     struct measures *m = self;
+    struct travel_tally tally;
     if (norms_take(&m->norms, step, bodies, &m->outcome->message) != 0)
         return 1;
 
@@ -68,11 +69,10 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
         m->next_sample += m->sample_every;
         sample(m, t, bodies);
     }
+    if (travel_tally(m->travel, &tally))
+        verdict_longest(&m->verdict, tally.longest);
     if (sampled || step == m->outcome->steps) {
         double row[COLUMNS];
-        struct travel_tally tally;
-        if (travel_tally(m->travel, &tally))
-            verdict_longest(&m->verdict, tally.longest);
         verdict_row(&m->verdict, t, bodies, row);
     }
     verdict_step(&m->verdict, bodies);

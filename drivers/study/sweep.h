@@ -29,7 +29,8 @@ struct sweep {
  *  value. The text must outlive the sweep. Returns 0, or -1 with one line in *message. */
 int sweep_add(struct sweep *sweep, const char *text, struct message *message);
 
-/** What --set KEY=VALUE, or an option of a key, says of one that is swept no run would have. Returns 0, or -1 with one line in *message. */
+/** Refuses a value, of --set or of an option, for a key that is swept: no run would have it. Returns 0, or -1 with one
+ *  line in *message. */
 int sweep_check_set(const struct sweep *sweep, const char *set, struct message *message);
 
 /** How many points there are, at most SWEEP_MOST + 1. */

@@ -48,7 +48,7 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
-                         v->slowing > much_slowing;
+                         v->found.slowing > much_slowing;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -106,8 +106,9 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (isfinite(j->stable_step))
         SAY("; %s %.3g of the %sstable step%s %.4g (t = %.6g)", varies ? "steps are up to" : "h is", v->found.share,
             varies ? "" : "least ", varies ? ", the least" : "", j->stable_step, v->found.stable_t);
-    if (v->slowing > much_slowing)
-        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", v->slowing);
+    if (v->found.slowing > much_slowing)
+        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast",
+            v->found.slowing);
     if (j->bonds_turned > 0)
         SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
 }

@@ -69,7 +69,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->columns = columns;
     v->h = h;
     v->diameter = smallest_diameter(model);
-    v->slowing = slowing_of(model, stepper, h);
+    v->found.slowing = slowing_of(model, stepper, h);
     v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;
     v->found.stable = INFINITY;
     for (int64_t e = 0; e < model->effects_count; ++e)
@@ -206,6 +206,7 @@ static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *b
     f->longest = fmax(f->longest, v->h);
     if (!(is_looked_at(f->rows) || pressed) || model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
         return;
+    f->slowing = fmax(f->slowing, slowing_of(v->model, v->stepper, v->h)); /* bonds may have been made */
     const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
     if (h < f->stable) {
         f->stable = h;
@@ -218,7 +219,7 @@ static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *b
 
 void verdict_longest(struct verdict *v, double h)
 {
-    v->h = h;
+    v->found.lately = fmax(v->found.lately, h);
     v->found.varies = 1.0;
 }
 
@@ -249,6 +250,8 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
 {
     struct findings *f = &v->found;
     double size;
+    v->h = v->found.varies != 0.0 ? v->found.lately : v->h;
+    v->found.lately = 0.0;
     columns_values(v->columns, t, bodies, row);
     const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size);
     look_at_stable_step(v, t, bodies, row);

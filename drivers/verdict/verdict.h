@@ -83,8 +83,10 @@ struct findings {
     double travel, rotation, stable, stable_t;
     double pressed;         /* the largest energy of what touches, to a tenth */
     double varies;          /* 1: steps do, and verdict.h is the longest since the row before */
+    double lately;          /* the longest step since the row before, where steps vary */
     double longest, before; /* step since the last look at the stable step, and what that was there */
     double share;           /* of the stable step, the largest */
+    double slowing; /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
     struct trend trend;
 };
 
@@ -93,8 +95,6 @@ struct verdict {
     const vti_stepper *stepper;
     const struct columns *columns;
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
-    double slowing;           /* largest z = c t/m of a drift of bodies that are pushed too; 0 without
-                                 drag and dashpots */
     int meet;                 /* 1: bodies touch each other, not walls alone */
     int watches;              /* 1: an effect follows something at every step */
     int open[3];              /* 1: something from outside acts along this axis */
@@ -108,7 +108,7 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
 /** Before the model ends; harmless a second time. */
 void verdict_destroy(struct verdict *v);
 
-/** Before a row of a run whose steps vary: the longest since the row before. */
+/** At every look of a run whose steps vary: the longest since the look before. */
 void verdict_longest(struct verdict *v, double h);
 /** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift,
  *  nearly), and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row

@@ -203,5 +203,7 @@ int faulty_advance(void *self, double h, int64_t steps, int64_t n, double *x, do
             verlet_step(&r, k, forces, kit);
         damp(&r);
     }
+    for (int64_t i = 0; has(&r, NAN_NEAR_HALF_TURN) && (steps == 12 || steps == 13) && i < n; ++i)
+        quat[4 * i] = fabs(quat[4 * i + 3]) < 0.12 ? NAN : quat[4 * i];
     return 0;
 }

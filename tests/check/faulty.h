@@ -30,13 +30,14 @@ enum fault {
     NO_FORCE = 1 << 20,
     FAST_DRAG = 1 << 21, /* spins lose 1e-4 |omega|^2 of themselves at every step: no sentence knows it */
     PREVIOUS_FORCE = 1 << 22,
-    NO_ROTATION = 1 << 23,   /* attitudes and spins stay as they are */
-    STALE = 1 << 24,         /* both half kicks are by the loads of the step before */
-    FROZEN = 1 << 25,        /* loads are those of the start for ever */
-    W_FIRST = 1 << 26,       /* quaternions are taken as w, x, y, z */
-    SWAPPED_FORCE = 1 << 27, /* its x and y */
-    BODY_FORCE = 1 << 28,    /* the force is turned into the body's frame */
-    FORCE_BY_MASS = 1 << 29  /* divided by the square of the mass */
+    NO_ROTATION = 1 << 23,       /* attitudes and spins stay as they are */
+    STALE = 1 << 24,             /* both half kicks are by the loads of the step before */
+    FROZEN = 1 << 25,            /* loads are those of the start for ever */
+    W_FIRST = 1 << 26,           /* quaternions are taken as w, x, y, z */
+    SWAPPED_FORCE = 1 << 27,     /* its x and y */
+    BODY_FORCE = 1 << 28,        /* the force is turned into the body's frame */
+    FORCE_BY_MASS = 1 << 29,     /* divided by the square of the mass */
+    NAN_NEAR_HALF_TURN = 1 << 30 /* what is given back after 12 or 13 steps is NaN there */
 };
 
 /** What a host does. Factors by which it is wrong; 0 stands for 1. */

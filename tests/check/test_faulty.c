@@ -83,6 +83,7 @@ static const struct expected expected[] = {
     {"inverse attitude", {.bits = INVERSE_ATTITUDE}, {"the attitude is taken for its inverse, space to body"}},
     {"double turn", {.turn = 2}, {double_turn}},
     {"half turn", {.bits = REFUSES_HALF_TURN}, {half_turn}},
+    {"near half a turn", {.bits = NAN_NEAR_HALF_TURN}, {half_turn}},
     {"no force", {.bits = NO_FORCE}, {"the force does nothing"}},
     {"no rotation",
      {.bits = NO_ROTATION},

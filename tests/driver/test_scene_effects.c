@@ -80,6 +80,8 @@ static const struct refusal refused[] = {
                                           "line of its own: stiffness, form"},
     {CHAIN "binder: {shear: {form: objective}}\n" TIME,
      "2:10: binder.shear.stiffness: missing; add 'stiffness:', the stiffness K^s"},
+    {"bodies: {table: b.csv, mass: 1}\nbinder: {table: c.csv, axial: 1, shear: {}}\n" TIME,
+     "2:34: binder.shear.stiffness: missing; add 'stiffness:', the stiffness K^s"},
     {CHAIN "binder: {shear: {stiffness: 1, form: exact}}\n" TIME,
      "2:38: binder.shear.form: 'exact' is not one of objective, quartic, printed; take one of them"},
     {"bodies: {x: [0, 0, 0], v: [0, 0, 0], mass: 1}\nbinder: {axial: 1}\n" TIME,

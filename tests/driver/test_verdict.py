@@ -180,6 +180,13 @@ def study(base):
             "study.h5 holds the same numbers")
 
 
+def varied(base):
+    """Of steps of variable length the longest counts, however often frames are written between rows."""
+    said = [run(RUN, os.path.join(SCENES, "pendulum.yaml"), "--stepper", "srkn6", "--control", "naive", "--h", "1/64", "--t-end", "2",
+                "--record", "128", "--frames", every, "-o", f"{base}/varied-{every}.h5").stdout.splitlines()[-1] for every in ("128", "1")]
+    check(said[0] == said[1] and "steps are up to" in said[0], f"steps that vary: {said}")
+
+
 with tempfile.TemporaryDirectory() as root:
     for name, text in (("block.yaml", BLOCK), ("fast.yaml", FAST), ("slow.yaml", SLOW), ("spin.yaml", SPIN),
                        ("settle.yaml", SETTLE), ("press.yaml", PRESS), ("slide.yaml", SLIDE), ("creep.yaml", CREEP),
@@ -193,4 +200,5 @@ with tempfile.TemporaryDirectory() as root:
     damped(root)
     resumed(root)
     study(root)
+    varied(root)
 conclude()

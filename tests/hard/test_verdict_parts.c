@@ -275,7 +275,7 @@ static double slowing_of(const char *bodies, const char *effects)
     make_model(text, &scene, &model);
     columns_of(&model, scene.stepper, &columns);
     assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
-    const double rate = v.slowing / scene.h;
+    const double rate = v.found.slowing / scene.h;
     verdict_destroy(&v);
     model_destroy(&model);
     return rate;
@@ -305,10 +305,13 @@ TEST(slowed)
     assert_close(slowing_of(three, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), 3.0 * (1.0 / 2.0 + 1.0 / 4.0),
                  1e-15);
     assert_close(slowing_of(three, WALL "dashpot: {normal: 3}"), 3.0 / 2.0, 1e-15);
-    /* two spheres at 1.5 on both sides of the centre: m = pi/3, J = 2 (m/2) (R^2 2/5 + 1.5^2) across; a double root knows half of the
-     * digits */
+    /* two spheres at 1.5 on both sides of the centre: m = pi/3, J = 2 (m/2) (R^2 2/5 + 1.5^2) across; a double root knows
+     * half of the digits */
     const double mass = PI / 3.0, across = mass * (0.1 + 2.25);
     assert_close(slowing_of(rod, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
+    assert_close(
+        slowing_of(rod, "contact: {stiffness: 10}\ndashpot: {normal: 3}"), /* spheres of one body do not touch */
+        3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));
     static const char slanted[] = "clumps: {spheres: [[0, 0, 0, 1], [0, 2.4, 1.8, 1]], density: 1}, x: [0, 0, 0], "
                                   "v: [0, 0, 0], alpha: [0, 0, 0], omega: [0, 0, 0]";
     assert_close(slowing_of(slanted, WALL "dashpot: {normal: 3}"), 3.0 * (1.0 / mass + 2.25 / across), 6.0 * sqrt(EPS));

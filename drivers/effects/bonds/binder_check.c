@@ -73,7 +73,8 @@ int binder_check(const struct scene_reader *reader, const struct scene *scene, c
     if (!touching && !in_table && scene_bodies(scene) < 2)
         return scene_reader_fail(reader, "binder",
                                  "a single body has no bonds; give bodies.ring, chain, lattice or table");
-    if (!has_table && scene_reader_has(reader, "binder.shear") && binder->stiffness[2] == 0.0)
+    if (scene_reader_has(reader, "binder.shear") && binder->stiffness[2] == 0.0 &&
+        (!has_table || binder->shear_form == 0))
         return scene_reader_fail(reader, "binder.shear.stiffness", "missing; add 'stiffness:', the stiffness K^s");
     if (!has_table && binder->stiffness[0] == 0.0 && binder->stiffness[1] == 0.0 && binder->stiffness[2] == 0.0)
         return scene_reader_fail(reader, "binder", "no stiffness; give moment, axial or shear");

@@ -33,7 +33,8 @@ def measured_part(page, cost):
               "people use instead, written from the literature for this comparison alone and compiled with the same flags.")
     page.text("**RK8(7) of GSL is the exception**: it is GSL's rk8pd as the distribution compiled it, with other flags. Beside it "
               "stand the same tableau and DOP853, Verner's of order 9, Adams and extrapolation methods, all compiled here on the same "
-              "forces. They move (x, v, q, Omega), the quaternion by its differential equation and normalised after each step; "
+              "forces. They move (x, v, q, Omega), the quaternion by its differential equation and normalised after each step (RK8(7) "
+              "adaptive: where it is read); "
               "their stage quaternions are not normalised, as in the codes, but the forces here take an attitude from what a "
               "quaternion points to. Verlet extrapolated, PEFRL and Takahashi-Imada turn by the exponential map. Steps to start "
               "an Adams method are DOP853's and count. Forces use the machine's vector units for all alike; the steps of ours choose "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `./dev figures`:  python3 -m plot.figures FOLDER.  Figure by figure of the paper: what was computed, what
+"""The page of `./dev figures`:  python3 -m plot.pages.figures FOLDER.  Figure by figure of the paper: what was computed, what
 agrees with the print and what does not, and why. Every number on it is read from the files that this FOLDER holds, and
 whether it agrees is decided here from these numbers."""
 import os
@@ -57,12 +57,10 @@ def pendulum(page, study):
     ratio = np.median(study.errors("vti1", E)[1] / study.errors("vti2", E)[1])
     page.text(f"{verdict(0.9 < ratio < 1.1)} \"Indistinguishable from each other\": here the energy error of VTI-1 is "
               f"{number(ratio)} times that of VTI-2 (median over h).")
-    kept = {"arm_dot_omega": 0.0, "arm_length": 0.0}
-    for name, _, _ in study.series:
-        found = study.read_series(name).invariants
-        for key in kept:
-            kept[key] = max(kept[key], float(np.max(np.abs(found[key][1])))) if key in found else kept[key]
-    page.text(f"{verdict(max(kept.values()) < 1e-10)} Invariants to machine precision: over all runs, R rho0 . Omega is off "
+    found = [study.read_series(name).invariants for name, _, _ in study.series]
+    kept = {key: float(np.max([np.max(np.abs(each[key][1])) if key in each else np.nan for each in found]))
+            for key in ("arm_dot_omega", "arm_length")}     # NaN stays
+    page.text(f"{verdict(np.max(list(kept.values())) < 1e-10)} Invariants to machine precision: over all runs, R rho0 . Omega is off "
               f"by at most {number(kept['arm_dot_omega'])} and |R rho0| by at most {number(kept['arm_length'])}; rounding "
               "accumulates with the number of steps.")
 
@@ -232,7 +230,7 @@ def runs(page, folder, scenes):
     for name, about in scenes.items():
         run = read_run(os.path.join(folder, name, "out.h5"))
         total = run.columns["total"]
-        scale = np.max(np.abs(total)) + max(np.max(np.abs(values)) for values in run.energies().values())
+        scale = max(np.max(np.abs(values)) for values in run.energies().values())
         film = next((f"{name}/{film}" for film in ("film.mp4", "film.gif")
                      if os.path.isfile(os.path.join(folder, name, film))), None)
         page.text(f"**{name}.** {about} The sum stays to {number(np.max(np.abs(total - total[0])) / scale)} of the "
@@ -244,7 +242,7 @@ def runs(page, folder, scenes):
 
 def main():
     if len(sys.argv) != 2:
-        sys.exit("usage: python3 -m plot.figures FOLDER")
+        sys.exit("usage: python3 -m plot.pages.figures FOLDER")
     folder = sys.argv[1]
     page = Page(folder, "The figures of Baker and Gonzalez, made anew")
     page.text("Made by `./dev figures`. Every number below is from the files in this folder, but for those that a test is "

@@ -196,7 +196,7 @@ def against(cost, scene):
             (mine, own, time), (other, theirs, others_time) = cheapest["ours"], cheapest["rival"]
             said.append(f"{power(error)}: {methods.name(mine)} {count_text(own)} against {methods.name(other)} "
                         f"{count_text(theirs)} ({three(theirs / own)} times; in time {three(others_time / time)})")
-    return "Evaluations of the cheapest of ours against the cheapest rival: " + "; ".join(said) + "."
+    return "Evaluations of the cheapest of ours and the paper's against the cheapest rival: " + "; ".join(said) + "."
 
 
 def build(folder, root, into):
