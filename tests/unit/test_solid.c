@@ -102,10 +102,11 @@ TEST(disjoint_spheres)
 TEST(tetrapod)
 {
     const double r = sqrt(0.125), m = sphere_mass(1, 1), J = 4 * (0.1 + 2.0 / 3 * 0.375) * m;
-    const double centre[4][3] = {{r, r, r}, {r, -r, -r}, {-r, r, -r}, {-r, -r, r}}, diameter[4] = {1, 1, 1, 1};
+    const double centre[4][3] = {{r, r, r}, {r, -r, -r}, {-r, r, -r}, {-r, -r, r}}, d = 1 + 8 * EPS,
+                 diameter[4] = {d, d, d, d};
     make(4, centre[0], diameter, 1, 256);
     for (int k = 0; k < 3; ++k)
-        assert_close(solid.moments[k], J, 16 * EPS * J); /* rounding has them overlap */
+        assert_close(solid.moments[k], J, 128 * EPS * J); /* rounding has them overlap */
     check_frame();
 }
 
