@@ -17,6 +17,12 @@ static inline double difference(const double a[3], const double b[3])
     return vti_norm(d);
 }
 
+/** The larger; once NaN, it stays. */
+static inline double larger(double most, double x)
+{
+    return isnan(most) || x <= most ? most : x;
+}
+
 /** A state; all in the inertial frame. */
 struct bodies {
     int64_t n;

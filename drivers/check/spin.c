@@ -129,8 +129,7 @@ static double past_half_turn(struct kit *kit)
         const double turn[3] = {k * step * spin_axis[0], k * step * spin_axis[1], k * step * spin_axis[2]};
         const struct bodies expected = spinning(turn, spin_axis, s);
         host_advance(&kit->host, &b, &none, 1.0, k);
-        const double off = bodies_apart(&b, &expected).attitude;
-        worst = off <= worst || isnan(worst) ? worst : off; /* once NaN, it stays */
+        worst = larger(worst, bodies_apart(&b, &expected).attitude);
     }
     return worst;
 }

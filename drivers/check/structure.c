@@ -81,7 +81,7 @@ static double energy_after(struct kit *kit, const struct swing *of, int64_t last
         host_advance(&kit->host, &b, &field, 1.0 / 16.0, last + (int64_t)k * EVERY);
         const double off = bodies_energy(&b, &field) - before;
         sum += off / SAMPLES;
-        *largest = fabs(off) <= *largest || isnan(*largest) ? *largest : fabs(off); /* likewise */
+        *largest = larger(*largest, fabs(off));
     }
     return sum;
 }

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "number.h"
+
 /* at the bodies of a run: each costs about as much as a force evaluation, and the energy may be off within touches
  * alone, in one step of a hundred */
 enum { LOOKS = 64, MOST_LOOKS = 1024, STEPS_OF_LOOK = 16 };
@@ -108,8 +110,7 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     (void)t;
     pilot->energy = step == 0 ? energy : pilot->energy;
     const double off = fabs(energy - pilot->energy) / (pilot->energy != 0.0 ? fabs(pilot->energy) : 1.0);
-    if (!(off <= pilot->energy_error || isnan(pilot->energy_error))) /* once NaN, it stays */
-        pilot->energy_error = off;
+    pilot->energy_error = number_larger(pilot->energy_error, off);
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
     f->looking += trial_clock() - from;
     return 0;

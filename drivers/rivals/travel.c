@@ -114,6 +114,12 @@ int travel_tally(const struct travel *travel, struct travel_tally *tally)
     return 1;
 }
 
+int64_t travel_pause(const struct travel *travel, int64_t moves)
+{
+    struct travel_tally varied;
+    return travel_tally(travel, &varied) ? 1 : 1 + moves / (travel->model->bodies.count + 1);
+}
+
 double *travel_state(struct travel *travel, int64_t *count)
 {
     struct course *course = travel->course;

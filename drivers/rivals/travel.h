@@ -108,6 +108,10 @@ struct travel_tally {
 /** 1, and the tally, of steps of variable length; else 0. */
 int travel_tally(const struct travel *travel, struct travel_tally *tally);
 
+/** Steps of h between looks at what may stop a run, in which bodies are moved so often; of steps of variable length,
+ *  many of which may fit into one of h, 1. */
+int64_t travel_pause(const struct travel *travel, int64_t moves);
+
 void travel_destroy(struct travel *travel);
 
 #endif

@@ -218,7 +218,6 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
 {
     enum { POLL_BODIES = 8192 };
     struct poll poller = {run, progress, 1, 0};
-    struct travel_tally varied;
     const int64_t every = look_every(run);
     const struct observer observers[] = {{poll, &poller, every, 1, poll_looks, poll_wants},
                                          {see_step, run, every, 1, never_looks, NULL},
@@ -227,7 +226,7 @@ enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all,
     run->message = message;
     run->end = RUN_COMPLETE;
     run->began = run->saved = keep_now();
-    run->poll_every = travel_tally(&run->travel, &varied) ? 1 : 1 + POLL_BODIES / (run->model.bodies.count + 1);
+    run->poll_every = travel_pause(&run->travel, POLL_BODIES);
     if (travel_show(&run->travel, run->steps - run->from, observers, 4, message) < 0)
         run->end = RUN_BROKEN;
     if (run->end == RUN_BROKEN && run->journal.rows.mark.count == 0) {

@@ -22,6 +22,12 @@ enum { NUMBER_TEXT = 32 };
  *  text. NaN is nan, whatever its sign. */
 const char *number_text(double value, char text[NUMBER_TEXT]);
 
+/** The larger; once NaN, it stays. */
+static inline double number_larger(double most, double x)
+{
+    return isnan(most) || x <= most ? most : x;
+}
+
 /** value, but NaN without a sign: printf writes -nan where the processor has set one, as x86-64 does in 0/0. */
 static inline double number_plain(double value)
 {

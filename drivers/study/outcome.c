@@ -116,14 +116,6 @@ static int never_looks(void *self, int64_t step)
     return 0;
 }
 
-/** Steps of h between polls; of those of variable length many may fit into one. */
-static int64_t poll_every(const struct trial_run *run)
-{
-    enum { POLL_BODIES = 4096 };
-    struct travel_tally varied;
-    return travel_tally(&run->travel, &varied) ? 1 : 1 + POLL_BODIES / (run->model.bodies.count + 1);
-}
-
 static int poll_on_the_way(void *self, double share)
 {
     const struct poller *p = self;
@@ -135,6 +127,7 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
                 struct reference *reference, int (*poll)(void *self, int64_t step), void *poll_self,
                 struct outcome *outcome)
 {
+    enum { POLL_BODIES = 4096 };
     struct trial_run run;
     struct measures measures;
     struct poller poller = {poll, poll_self, 0};
@@ -149,8 +142,9 @@ void outcome_of(const struct scene *scene, const struct trial *trial, int64_t co
     outcome->failed = measures_begin(&measures, &run.model, reference, &taken, compare_every, outcome) != 0;
     measures.travel = &run.travel;
     measures.watch = (struct watch){poll_on_the_way, &poller};
-    const struct observer observers[] = {{measure, &measures, 1, 0, measure_looks, NULL},
-                                         {poll_see, &poller, poll_every(&run), 0, never_looks, NULL}};
+    const struct observer observers[] = {
+        {measure, &measures, 1, 0, measure_looks, NULL},
+        {poll_see, &poller, travel_pause(&run.travel, POLL_BODIES), 0, never_looks, NULL}};
     if (!outcome->failed)
         outcome->failed = trial_go(&run, trial->steps, observers, poll != NULL ? 2 : 1, &outcome->message) != 0;
     if (!outcome->failed)

@@ -48,7 +48,7 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
-                         v->found.slowing > much_slowing;
+                         f->slowing > much_slowing;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -93,7 +93,8 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
 static void say_steps(const struct verdict *v, const struct judgement *j, struct message *line)
 {
     const double degrees = 57.295779513082320877;
-    const int varies = v->found.varies != 0.0;
+    const struct findings *f = &v->found;
+    const int varies = f->varies != 0.0;
     if (v->diameter > 0.0)
         SAY("; %.2g diameters a step%s", j->travel,
             passes(v)                    ? ": what bodies meet they may pass through"
@@ -104,11 +105,10 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (j->angle_error > turning_tolerance(v->stepper))
         SAY(", by %s off by %.2g of it", v->stepper->name, j->angle_error);
     if (isfinite(j->stable_step))
-        SAY("; %s %.3g of the %sstable step%s %.4g (t = %.6g)", varies ? "steps are up to" : "h is", v->found.share,
-            varies ? "" : "least ", varies ? ", the least" : "", j->stable_step, v->found.stable_t);
-    if (v->found.slowing > much_slowing)
-        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast",
-            v->found.slowing);
+        SAY("; %s %.3g of the %sstable step%s %.4g (t = %.6g)", varies ? "steps are up to" : "h is", f->share,
+            varies ? "" : "least ", varies ? ", the least" : "", j->stable_step, f->stable_t);
+    if (f->slowing > much_slowing)
+        SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", f->slowing);
     if (j->bonds_turned > 0)
         SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
 }

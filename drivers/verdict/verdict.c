@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include <string.h>
 
+#include "number.h"
 #include "step_errors.h"
 #include "verdict_parts.h"
 
@@ -94,12 +95,6 @@ void verdict_destroy(struct verdict *v)
 
 /* ---- rows -------------------------------------------------------------------------------------------------------- */
 
-/** The larger; a NaN wins and stays. */
-static double larger(double most, double x)
-{
-    return isnan(most) || x <= most ? most : x;
-}
-
 /** The velocity of the centre of mass along the axes that nothing from outside acts along; 0 along the others. */
 static void common_velocity(const struct verdict *v, const vti_bodies *bodies, double u[3])
 {
@@ -148,7 +143,7 @@ static double approach(const struct model *model, const double x[3], const doubl
     for (int64_t k = 0; k < model->rooms_count; ++k) {
         const struct effect *e = &model->rooms[k];
         if (e->kind->planes != NULL)
-            most = larger(most, e->kind->planes->approach(e, x, v));
+            most = number_larger(most, e->kind->planes->approach(e, x, v));
     }
     return most;
 }
@@ -166,7 +161,8 @@ double verdict_travel(const struct verdict *v, const vti_bodies *bodies)
         for (int k = 0; k < 3; ++k)
             from[k] = own[k] - sum[k] / v->mass;
         const double apart = v->meet ? vti_norm(from) : 0.0, to_planes = approach(v->model, x, own);
-        most = larger(most, larger(apart, to_planes) + (clumps->count > 0 ? swing(clumps, bodies, s) : 0.0));
+        most =
+            number_larger(most, number_larger(apart, to_planes) + (clumps->count > 0 ? swing(clumps, bodies, s) : 0.0));
     }
     return most * v->h / v->diameter;
 }
@@ -250,8 +246,8 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
 {
     struct findings *f = &v->found;
     double size;
-    v->h = v->found.varies != 0.0 ? v->found.lately : v->h;
-    v->found.lately = 0.0;
+    v->h = f->varies != 0.0 ? f->lately : v->h;
+    f->lately = 0.0;
     columns_values(v->columns, t, bodies, row);
     const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size);
     look_at_stable_step(v, t, bodies, row);
@@ -266,8 +262,8 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     f->size = fmax(f->size, size);
     look_at_energies(v, t, total, e.kicked, e.modified);
     if (v->diameter > 0.0)
-        f->travel = larger(f->travel, verdict_travel(v, bodies));
-    f->rotation = larger(f->rotation, vti_max_turn(v->h, bodies));
+        f->travel = number_larger(f->travel, verdict_travel(v, bodies));
+    f->rotation = number_larger(f->rotation, vti_max_turn(v->h, bodies));
     const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;
     int64_t k = 0;
     for (struct effect *watched; (watched = verdict_next_watch(v->model, &k)) != NULL;)
