@@ -112,10 +112,6 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
     }
     if (asked == OPTIONS_GO && check_sets(message) != 0)
         return OPTIONS_WRONG;
-    if (asked == OPTIONS_GO && output != NULL && strlen(output) >= FOLDER_PATH) {
-        message_set(message, "-o: '%.200s...' is too long; use a shorter path", output);
-        return OPTIONS_WRONG;
-    }
     if (asked != OPTIONS_GO || cost)
         return asked;
     if (most_evals > 0 || repeats > 0)

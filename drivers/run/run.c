@@ -134,12 +134,11 @@ static int open_journal(struct run *run, const char *path, struct message *messa
 static int open_files(struct run *run, struct message *message)
 {
     char path[FOLDER_PATH];
-    const int asked = run->request->output != NULL;
-    if (asked && strlen(run->request->output) >= sizeof run->output)
-        return message_set(message, "-o: '%.200s...' is too long; use a shorter path", run->request->output);
-    snprintf(run->output, sizeof run->output, "%s%s", asked ? run->request->output : run->scene.name,
-             asked ? "" : ".h5");
-    if (run_files_name(&run->files, run->output, run->request->dump, message) != 0)
+    const char *const asked = run->request->output;
+    snprintf(run->output, sizeof run->output, "%s%s", asked != NULL ? asked : run->scene.name,
+             asked != NULL ? "" : ".h5");
+    /* by what is asked for, which may be too long for output */
+    if (run_files_name(&run->files, asked != NULL ? asked : run->output, run->request->dump, message) != 0)
         return -1;
     run->files.spheres = model_has_clumps(&run->model);
     run->files.force = run->request->force;
