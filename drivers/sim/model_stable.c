@@ -125,14 +125,19 @@ static double energy_of_two(const struct model *model, const vti_bodies *b, int6
     return scalar(&b->mass, i) * vti_dot(v, v) + (model_has_clumps(model) ? 2.0 * vti_kinetic_rotation(&one) : 0.0);
 }
 
+/** What effect k acts on: the bodies, or their spheres. */
+static const vti_bodies *acted_on(const struct model *model, int64_t k, const vti_bodies *bodies)
+{
+    return model->on_spheres[k] ? model_spheres(model) : bodies;
+}
+
 /** Twice the largest energy that a single contact, wall or bond holds already, which all may go to one body. */
 static double energy_held(const struct model *model, const vti_bodies *b)
 {
     double most = 0.0;
     for (int64_t k = 0; k < model->rooms_count; ++k)
         if (model->rooms[k].kind->held != NULL)
-            most = fmax(most,
-                        model->rooms[k].kind->held(&model->rooms[k], model->on_spheres[k] ? model_spheres(model) : b));
+            most = fmax(most, model->rooms[k].kind->held(&model->rooms[k], acted_on(model, k, b)));
     return 2.0 * most;
 }
 
@@ -157,8 +162,7 @@ static vti_deformation deformation_by(const struct model *model, const vti_bodie
     vti_deformation at = {0.0, 0.0, 0};
     for (int64_t k = 0; k < model->rooms_count; ++k)
         if (model->rooms[k].kind->deform != NULL)
-            model->rooms[k].kind->deform(&model->rooms[k], model->on_spheres[k] ? model_spheres(model) : bodies, energy,
-                                         &at);
+            model->rooms[k].kind->deform(&model->rooms[k], acted_on(model, k, bodies), energy, &at);
     return at;
 }
 
