@@ -377,8 +377,6 @@ def says_why():
     check(found and (float(found[1]) > 1.05 * float(found[3])) == (found[2] == "above"), f"near or above: {found and found[0]}")
 
 
-
-
 def as_long_as_can_be():
     """To as many steps as can be counted, 2^53, and nearly as many: what is advised is stable and can be counted (the longest
     stable step of the pendulum is 3.5, of srkn14; that of exact 2), and the budget is kept."""

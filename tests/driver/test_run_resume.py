@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 import h5py
@@ -174,17 +175,18 @@ def signals(base):
 
 
 def stopped(arguments, seconds):
-    """A run that SIGTERM is sent after so many seconds, and SIGKILL 20 later: its code, and what it says on either stream."""
+    """A run that SIGTERM is sent so many seconds after its first line, before which it hears none, and SIGKILL 20 later: its code, and
+    what it says on either stream."""
     with subprocess.Popen([RUN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
+        first = process.stdout.readline()
         time.sleep(seconds)
         process.terminate()
-        try:
-            said, words = process.communicate(timeout=20)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            said, words = process.communicate()
-    return process.returncode, said, words
+        killer = threading.Timer(20, process.kill)
+        killer.start()
+        said, words = process.stdout.read(), process.stderr.read()
+        killer.cancel()
+    return process.returncode, first + said, words
 
 
 def between_rows(base):

@@ -210,22 +210,33 @@ TEST(bonds)
 
 /* ---- ways -------------------------------------------------------------------------------------------------------- */
 
-/** verdict_travel at t = 0 of the bodies, and of the effects that they meet by. */
-static double travel_of(const char *bodies, const char *effects)
+static struct model model_at_start;
+static struct verdict verdict_at_start;
+
+/** The verdict at t = 0 of the bodies, and of the effects that they meet by; verdict_over is due. */
+static struct verdict *verdict_of(const char *bodies, const char *effects, const char *h)
 {
     static struct scene scene;
-    static struct model model;
-    static struct verdict v;
     struct columns columns;
     struct message message;
     char text[TEXT_SIZE];
-    snprintf(text, sizeof text, "bodies: {%s}\n%s\nh: 0.01\nt_end: 1\n", bodies, effects);
-    make_model(text, &scene, &model);
-    columns_of(&model, scene.stepper, &columns);
-    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
-    const double travel = verdict_travel(&v, &model.bodies);
-    verdict_destroy(&v);
-    model_destroy(&model);
+    snprintf(text, sizeof text, "bodies: {%s}\n%s\nh: %s\nt_end: 1\n", bodies, effects, h);
+    make_model(text, &scene, &model_at_start);
+    columns_of(&model_at_start, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&verdict_at_start, &model_at_start, scene.stepper, scene.h, &columns, &message), 0);
+    return &verdict_at_start;
+}
+
+static void verdict_over(void)
+{
+    verdict_destroy(&verdict_at_start);
+    model_destroy(&model_at_start);
+}
+
+static double travel_of(const char *bodies, const char *effects)
+{
+    const double travel = verdict_travel(verdict_of(bodies, effects, "0.01"), &model_at_start.bodies);
+    verdict_over();
     return travel;
 }
 
@@ -265,19 +276,8 @@ TEST(ways)
 /** The largest c/m of the dashpots. */
 static double slowing_of(const char *bodies, const char *effects)
 {
-    static struct scene scene;
-    static struct model model;
-    static struct verdict v;
-    struct columns columns;
-    struct message message;
-    char text[TEXT_SIZE];
-    snprintf(text, sizeof text, "bodies: {%s}\n%s\nh: 0.5\nt_end: 1\n", bodies, effects);
-    make_model(text, &scene, &model);
-    columns_of(&model, scene.stepper, &columns);
-    assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
-    const double rate = v.found.slowing / scene.h;
-    verdict_destroy(&v);
-    model_destroy(&model);
+    const double rate = verdict_of(bodies, effects, "0.5")->found.slowing / 0.5;
+    verdict_over();
     return rate;
 }
 

@@ -197,20 +197,25 @@ static inline struct impatient go_with_impatient(struct journey *j)
 }
 
 /** ... and with nobody but one who looks as often: bodies, steps and evaluations are the same. */
-static inline void assert_impatience_changes_nothing(struct journey *with, struct journey *without)
+static inline void assert_impatience_changes_nothing(const struct scene *scene, const vti_stepper *method)
 {
+    struct journey with, without;
     const struct observer observer = {patient_see, NULL, 32, 0, NULL, NULL};
     struct travel_tally a, b;
-    go_with_impatient(with);
-    if (travel_show(&without->travel, 64, &observer, 1, &without->message) != 0)
-        fail_msg("%s", without->message.text);
-    assert_int_equal(travel_tally(&with->travel, &a) + travel_tally(&without->travel, &b), 2);
-    const vti_bodies p = travel_bodies(&with->travel), q = travel_bodies(&without->travel);
+    begin(&with, scene, method, 1.0 / 16);
+    begin(&without, scene, method, 1.0 / 16);
+    go_with_impatient(&with);
+    if (travel_show(&without.travel, 64, &observer, 1, &without.message) != 0)
+        fail_msg("%s", without.message.text);
+    assert_int_equal(travel_tally(&with.travel, &a) + travel_tally(&without.travel, &b), 2);
+    const vti_bodies p = travel_bodies(&with.travel), q = travel_bodies(&without.travel);
     assert_same_bits(p.x.c[0], q.x.c[0], (size_t)(3 * p.count));
     assert_same_bits(p.omega.c[0], q.omega.c[0], (size_t)(3 * p.count));
     assert_true(a.accepted == b.accepted && a.rejected == b.rejected && a.cut == b.cut && a.evals == b.evals);
     assert_same_bits(&a.longest, &b.longest, 1);
-    assert_int_equal(travel_force_evals(&with->travel), travel_force_evals(&without->travel));
+    assert_int_equal(travel_force_evals(&with.travel), travel_force_evals(&without.travel));
+    end(&with);
+    end(&without);
 }
 
 /** A program of tests whose argument is the folder of the scenes. */
