@@ -57,8 +57,7 @@ const struct scene_field binder_fields[BINDER_FIELDS] = {
      NULL},
     {"binder.shear.form", SCENE_WORD, SCENE_MAY, SCENE_ANY, AT(shear_form), "form of the shear energy",
      "objective (default): unchanged by turning the whole; quartic: the same with the paper's exponent; printed: as in "
-     "the "
-     "paper, not objective.",
+     "the paper, not objective.",
      shear_forms},
     {"binder.break", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rupture of bonds",
      "Bonds break at the end of a step where N/normal + V/shear + M_b/bending + M_t/torsion >= 1, or stretch or energy "
