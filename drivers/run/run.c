@@ -186,7 +186,6 @@ static int open_restart(struct run *run, char path[FOLDER_PATH], struct message 
         result = message_set(message,
                              "%.600s: is damaged; start anew without --resume, or choose another place with -o", path);
     run->record.judgement.verdict = restart.verdict; /* of the end that it has */
-    run->fields_there = restart.fields;
     run_restart_free(&restart);
     return result;
 }
@@ -215,7 +214,7 @@ static int64_t about_rows(const struct run *run)
 static int has_files(const struct run *run)
 {
     const int64_t frames = run->checkpoint.frames.count + 1; /* that of the end follows the checkpoint */
-    return (run->request->fields & FIELD_LOADS & ~run->fields_there) == 0 && run_files_are_there(&run->files, frames);
+    return (run->request->fields & ~run->checkpoint.fields) == 0 && run_files_are_there(&run->files, frames);
 }
 
 /** A complete run goes on from its file at path. What it is has to be in the journal at once: if it is killed before the
@@ -248,6 +247,8 @@ static int open_checkpoint(struct run *run, struct message *message)
     run->from = c->step;
     travel_resume(&run->travel, run->from);
     run->done = run->restored && run->from == run->steps && has_files(run);
+    c->fields |= run->request->fields;
+    run->record.fields = (int)c->fields;
     if (run->steps < run->from)
         return message_set(message, "--t-end: %s lies before the %s at t = %.10g; give that or more",
                            NUMBER(run->scene.t_end), run->restored ? "end of the run" : "checkpoint",
@@ -273,7 +274,6 @@ int run_open(const struct run_request *request, struct run *run, struct message 
     run->record.stepper = run->scene.stepper;
     run->record.h = run->scene.h;
     run->record.journal = &run->journal;
-    run->record.fields = request->fields;
     columns_of(&run->model, run->scene.stepper, &run->record.columns);
     if (verdict_create(&run->verdict, &run->model, run->scene.stepper, run->scene.h, &run->record.columns, message) !=
         0)

@@ -58,10 +58,9 @@ struct run {
     struct verdict verdict;
     int64_t from, steps, threads;
     struct travel travel;
-    int done;         /* it was complete before: there is nothing to do */
-    int restored;     /* it goes on from the files of a complete run, */
-    int fields_there; /* whose frames have these FIELD_ */
-    int kept;         /* the journal is to stay */
+    int done;     /* it was complete before: there is nothing to do */
+    int restored; /* it goes on from the files of a complete run */
+    int kept;     /* the journal is to stay */
 
     /* while it goes */
     enum run_end end;
@@ -103,7 +102,6 @@ struct run_restart {
     unsigned char *bytes; /* of the checkpoint */
     size_t size;
     int64_t verdict; /* enum verdict_grade */
-    int fields;      /* FIELD_ that its frames have */
 };
 
 /** What the file of the run says of its end; run_restart_free is due. Returns 1, 0 if there is no such file, or -1 with

@@ -62,12 +62,6 @@ static int64_t read_verdict(hid_t file)
     return grade;
 }
 
-static int read_fields(hid_t file)
-{
-    return (H5Lexists(file, "VTKHDF/PointData/force", H5P_DEFAULT) > 0 ? FIELD_FORCE : 0) |
-           (H5Lexists(file, "VTKHDF/PointData/moment", H5P_DEFAULT) > 0 ? FIELD_MOMENT : 0);
-}
-
 void run_restart_free(struct run_restart *restart)
 {
     free(restart->identity);
@@ -88,7 +82,6 @@ int run_restart_find(const char *path, struct run_restart *restart, struct messa
         restart->identity = (char *)read_bytes(file, "restart/identity", &size);
         restart->bytes = read_bytes(file, "restart/checkpoint", &restart->size);
         restart->verdict = read_verdict(file);
-        restart->fields = read_fields(file);
         H5Fclose(file);
     }
     H5E_END_TRY;

@@ -367,6 +367,9 @@ def completed(base):
     times = os.stat(f"{base}/out.h5").st_mtime_ns
     result = run(RUN, *whole, f"{base}/out.h5", "--resume", "--fields", "force")
     check(result.returncode == 0 and "nothing to do" in result.stdout and os.stat(f"{base}/out.h5").st_mtime_ns == times, "... once")
+    os.remove(f"{base}/out.csv")
+    result = run(RUN, *whole, f"{base}/out.h5", "--resume")
+    check(result.returncode == 0 and contents(f"{base}/out") == contents(f"{base}/force/out"), f"... and stays {result.stderr}")
     many = [scene("spin"), "--t-end", "5", "--h", "1/512", "--frames", "1", "-o", f"{base}/many.h5"]  # 2561 frames
     run(RUN, *many)
     result = run(RUN, *many, "--resume")
