@@ -41,7 +41,7 @@ def measured_part(page, cost):
               "among kernels for them as well, the loops of rivals beside the forces are compiled for every processor of the kind.")
     page.text("These are spheres; bodies of three moments have a page of their own, docs/inertia.md.")
     page.text("An error is the distance from a reference at the end of the run. Its price is found among runs at falling "
-              "steps: the cheapest one from which on the errors stay below, interpolated to the error itself; nothing is "
+              "steps: the cheapest one that has it, and the next two finer ones too, interpolated to the error itself; nothing is "
               "extrapolated. Prices within 5 % of each other are a tie. Times are of the run alone, without observers, one run per "
               "core, the least of several.")
     page.text((f"The machine: {cost.machine}. " if cost.machine else "") + ALONE)
