@@ -2,6 +2,7 @@
 #include "equations.h"
 
 #include <gsl/gsl_errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -225,6 +226,21 @@ double equations_rounding_squared(const struct equations *eq)
 
 /* ---- integration ------------------------------------------------------------------------------------------------- */
 
+static const double first_step = 1e-4;
+
+/** No step passes by a touch. */
+static int bound_steps(struct equations *eq)
+{
+    double longest;
+    struct message ignored;
+    if (model_longest_step(eq->model, &longest, &ignored) != 0)
+        return -1;
+    if (!isfinite(longest))
+        return 0;
+    gsl_odeiv2_driver_reset_hstart(eq->driver, fmin(first_step, longest));
+    return gsl_odeiv2_driver_set_hmax(eq->driver, longest) == GSL_SUCCESS ? 0 : -1;
+}
+
 /** 0 if it cannot be found. */
 static double oscillation_of(const struct model *model)
 {
@@ -235,7 +251,6 @@ static double oscillation_of(const struct model *model)
 
 int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch)
 {
-    static const double first_step = 1e-4;
     memset(eq, 0, sizeof *eq);
     gsl_set_error_handler_off();
     eq->model = model;
@@ -249,7 +264,7 @@ int equations_create(struct equations *eq, struct model *model, double tolerance
     eq->floor.noise = eq->noise;
     eq->driver = gsl_odeiv2_driver_alloc_y_new(&eq->system, gsl_odeiv2_step_rk8pd, first_step, tolerance, tolerance);
     gsl_odeiv2_control *control = control_new(tolerance);
-    if (eq->loads != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL) {
+    if (eq->loads != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL && bound_steps(eq) == 0) {
         gsl_odeiv2_control_free(eq->driver->c);
         eq->driver->c = control;
         return 0;

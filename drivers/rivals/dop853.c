@@ -87,7 +87,7 @@ static int try_step(struct course *c, struct path *p, double h)
         return 0.1 * p->h > p->t * DBL_EPSILON ? VTI_OK : RIVAL_E_DIVERGES;
     }
     const double next = h / fmax(grow, fmin(shrink, factor));
-    p->h = p->held ? fmin(next, h) : next;
+    p->h = fmin(p->held ? fmin(next, h) : next, c->longest);
     p->held = 0;
     p->t += h;
     memcpy(p->y, tool->after, (size_t)tool->room * sizeof *p->y);
@@ -100,7 +100,7 @@ static int prepare(struct course *c, struct message *message)
 {
     const int64_t room = rates_room(c);
     double most;
-    if (course_fastest(c, &most, message) != 0)
+    if (course_fastest(c, &most, message) != 0 || course_longest(c, message) != 0)
         return -1;
     struct tool *tool = calloc(1, sizeof *tool + (size_t)(2 * room) * sizeof(double));
     if (tool == NULL)
@@ -110,7 +110,7 @@ static int prepare(struct course *c, struct message *message)
     tool->after = tool->memory;
     tool->slope = tool->memory + room;
     tool->method = runge_kutta_create(c->rival->table, c->h, room);
-    c->number[STEP] = c->h;
+    c->number[STEP] = fmin(c->h, c->longest);
     c->number[EPSILON] = fmin(fmax(share * plain_power(most, ORDER), least), largest);
     rates_start(c, c->own);
     return tool->method != NULL ? 0 : -1;

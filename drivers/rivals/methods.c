@@ -171,6 +171,11 @@ int method_chooses(const vti_stepper *stepper)
     return way != NULL && way->tally != NULL;
 }
 
+int method_varies(const vti_stepper *stepper)
+{
+    return method_chooses(stepper) || (method_rival(stepper) != NULL && stepper->evals == 0);
+}
+
 const char *method_kind(const vti_stepper *stepper)
 {
     return method_rival(stepper) != NULL ? "rival" : strncmp(stepper->name, "vti", 3) == 0 ? "paper" : "ours";

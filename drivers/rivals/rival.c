@@ -206,6 +206,11 @@ int course_fastest(struct course *c, double *most, struct message *message)
     return 0;
 }
 
+int course_longest(struct course *c, struct message *message)
+{
+    return model_longest_step(c->model, &c->longest, message);
+}
+
 int course_begin(struct course *c, struct message *message)
 {
     if (!c->begun && c->rival->resume != NULL)

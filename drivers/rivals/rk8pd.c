@@ -18,6 +18,7 @@
  * somebody looks. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,11 +85,11 @@ static int prepare(struct course *c, struct message *message)
 static int prepare_adaptive(struct course *c, struct message *message)
 {
     double most;
-    if (prepare(c, message) != 0 || course_fastest(c, &most, message) != 0)
+    if (prepare(c, message) != 0 || course_fastest(c, &most, message) != 0 || course_longest(c, message) != 0)
         return -1;
     const double epsilon = fmax(share * plain_power(most, ORDER), least);
     struct tool *tool = c->tool;
-    c->number[STEP] = c->h;
+    c->number[STEP] = fmin(c->h, c->longest);
     tool->control = control_new(epsilon);
     tool->evolve = gsl_odeiv2_evolve_alloc(tool->system.dimension);
     tool->cut = gsl_odeiv2_evolve_alloc(tool->system.dimension);
@@ -120,9 +121,12 @@ static int go(struct course *c, int64_t steps)
 }
 
 /** A step of GSL's choice, that ends at end if that is nearer. GSL_SUCCESS or not. */
-static int choose_step(struct tool *tool, gsl_odeiv2_evolve *evolve, double *t, double end, double *h, double *y)
+static int choose_step(const struct course *c, gsl_odeiv2_evolve *evolve, double *t, double end, double *h, double *y)
 {
-    return gsl_odeiv2_evolve_apply(evolve, tool->control, tool->step, &tool->system, t, end, h, y);
+    struct tool *tool = c->tool;
+    const int result = gsl_odeiv2_evolve_apply(evolve, tool->control, tool->step, &tool->system, t, end, h, y);
+    *h = fmin(*h, c->longest);
+    return result;
 }
 
 /** The copy's way from the last free step to end. */
@@ -133,7 +137,7 @@ static int cut(const struct course *c, const double *y, double end, double *copy
     memcpy(copy, y, tool->system.dimension * sizeof *copy);
     gsl_odeiv2_evolve_reset(tool->cut);
     while (t < end) {
-        const int failed = choose_step(tool, tool->cut, &t, end, &h, copy);
+        const int failed = choose_step(c, tool->cut, &t, end, &h, copy);
         if (failed != GSL_SUCCESS)
             return failed;
     }
@@ -148,7 +152,7 @@ static int go_adaptive(struct course *c, int64_t steps)
     int failed = GSL_SUCCESS;
     c->evals -= (int64_t)c->number[CUT_EVALS];
     while (failed == GSL_SUCCESS && c->number[TIME] + c->number[STEP] < end)
-        failed = choose_step(tool, tool->evolve, &c->number[TIME], INFINITY, &c->number[STEP], c->own);
+        failed = choose_step(c, tool->evolve, &c->number[TIME], INFINITY, &c->number[STEP], c->own);
     const int64_t evals = c->evals;
     if (failed == GSL_SUCCESS)
         failed = cut(c, c->own, end, c->own + tool->system.dimension);

@@ -38,6 +38,8 @@ const struct rival *method_way(const vti_stepper *stepper);
 int method_is_varied(const vti_stepper *stepper);
 /** Whether it is one of ours that chooses its steps itself. */
 int method_chooses(const vti_stepper *stepper);
+/** The same of rivals too: a step has to be cut wherever somebody looks. */
+int method_varies(const vti_stepper *stepper);
 /** Whether it has an estimate of what a step errs by. */
 int method_estimates(const vti_stepper *stepper);
 /** As in files: "ours", "paper", "rival". */

@@ -86,6 +86,10 @@ double model_energy(struct model *model, const vti_bodies *bodies);
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);
 
+/** Whether bodies turn otherwise than freely, so that attitudes tell what steps err by: elastic touches of spheres without
+ *  friction leave Omega as it is, and attitudes exact, whatever they do to positions. */
+int model_twists(const struct model *model);
+
 /** Whether something in it may break. */
 int model_breaks(const struct model *model);
 
@@ -146,6 +150,11 @@ struct model_limits {
     char rest_by[96], within_by[96];
 };
 int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
+/** The longest step by which methods that choose their steps may not miss a touch: an error that they estimate between
+ *  touches knows of none. It is 2/omega of the stiffest contact that energies at the start allow, and a touch of two
+ *  spheres lasts 4.0/omega or longer (2.94 delta/v of Hertz, with omega = 1.37 v/delta). Infinite where forces have no
+ *  kinks. Returns 0, or -1 with one line in *message. */
+int model_longest_step(const struct model *model, double *longest, struct message *message);
 
 /* ---- what the continuous motion conserves besides the energy ----------------------------------------------------- */
 

@@ -208,6 +208,28 @@ int model_stable_step(const struct model *model, const vti_bodies *bodies, const
     return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
 }
 
+int model_longest_step(const struct model *model, double *longest, struct message *message)
+{
+    const vti_deformation at = model_deformation(model, &model->bodies);
+    double *scratch = calloc((size_t)model->bodies.count, sizeof *scratch);
+    int status = scratch != NULL ? VTI_OK : VTI_E_NULL;
+    *longest = INFINITY;
+    for (int64_t k = 0; k < model->effects_count && status == VTI_OK; ++k) {
+        const vti_effect *e = &model->effects[k];
+        vti_stable stable;
+        if (e->smooth || e->rupture != NULL || e->apply == NULL)
+            continue;
+        status = vti_stable_step(e, 1, &model->bodies, &at, scratch, &stable);
+        *longest = status == VTI_OK ? fmin(*longest, stable.h) : *longest;
+    }
+    if (scratch == NULL)
+        message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    else if (status != VTI_OK)
+        message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
+    free(scratch);
+    return status == VTI_OK ? 0 : -1;
+}
+
 void model_limit_text(const struct model *model, const vti_deformation *at, const vti_stable *stable, char *text,
                       size_t size)
 {

@@ -32,6 +32,7 @@ static vti_control control_of(const struct course *c)
     control.turning = scene_unit(scene->turning);
     control.held = (int64_t)c->number[HELD];
     control.least = shortest * c->h;
+    control.most = c->longest;
     return control;
 }
 
@@ -39,7 +40,9 @@ static int prepare_controlled(struct course *c, struct message *message)
 {
     const vti_stepper *const by = c->rival->table;
     double most;
-    c->number[STEP] = c->h;
+    if (course_longest(c, message) != 0)
+        return -1;
+    c->number[STEP] = fmin(c->h, c->longest);
     c->number[TOLERANCE] = c->model->scene->tolerance;
     if (c->number[TOLERANCE] > 0.0)
         return 0;
