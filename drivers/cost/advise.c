@@ -61,7 +61,7 @@ static int list_offers(struct stages *g, const struct model *model, struct messa
 static int choose_measure(struct stages *g, const struct model *model, struct message *message)
 {
     struct search *s = &g->search;
-    s->trajectory = model->turns ? COST_ATTITUDE : COST_VELOCITY;
+    s->trajectory = cost_main_measure(model);
     s->measure = g->request->measure >= 0 ? g->request->measure : s->trajectory;
     if (!model->turns && !model->translates)
         return message_set(message, "%s: nothing moves in this scene; there is no error to advise on", s->scene->name);
@@ -87,7 +87,7 @@ static int look_at(struct stages *g)
     s->breaks = model_breaks(&model);
     s->doubt = s->breaks ? 30.0 : s->kinked ? 10.0 : 3.0;
     int failed = model_find_limits(&model, &s->advice->limits, s->message);
-    const vti_deformation at = {s->advice->limits.at.overlap, 0.0, 0};
+    const vti_deformation at = {s->advice->limits.at.overlap, 0.0, s->advice->limits.at.meet};
     if (failed == 0)
         failed = model_stable_step(&model, &model.bodies, &at, &begin, s->message);
     s->stable_h = failed == 0 ? begin.h : NAN;

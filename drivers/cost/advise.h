@@ -17,11 +17,11 @@ enum {
 /** Looked at inside pilots. work is counted, so that without a time the same runs are made on every machine. */
 struct purse {
     double until;      /* seconds of purse_clock; INFINITY: any time */
-    double work, most; /* force evaluations times bodies: spent, and how many may be */
+    double work, most; /* force evaluations and looks at the energy, times bodies: spent, and how many may be */
 };
 
-/** Force evaluations times bodies, about a tenth of a second of them, that pilots may always take. */
-enum { PURSE_LEAST = 1000000 };
+/** Force evaluations times bodies, about half a second of them, that pilots may always take. */
+enum { PURSE_LEAST = 4000000 };
 
 /** Seconds that pass on the wall. */
 double purse_clock(void);
@@ -38,8 +38,8 @@ struct pilot {
     int spent;        /* ended because the purse was empty */
     int parted;       /* ended at so many marks, having left the run that it was flown beside; 0: it was not */
     double seconds;   /* of the steps alone */
-    double max_omega; /* largest |Omega| at some 64 times */
-    double energy, energy_error; /* at t = 0, and the largest |E - E_0|/|E_0| at these (absolute if E_0 = 0) */
+    double max_omega; /* largest |Omega| likewise */
+    double energy, energy_error; /* at t = 0; the largest |E - E_0|/|E_0| at the end of a step (absolute if E_0 = 0) */
     vti_bodies at[PILOT_MARKS];  /* x, v, alpha and omega, of those that the scene has */
     double *memory;
     struct message message;
@@ -49,12 +49,21 @@ struct pilot {
  *  LOOP_STEPS. */
 int64_t pilot_steps(double steps);
 int64_t pilot_unit(int64_t steps);
-/** Runs the trial, of pilot_steps. beside: a coarser run of the same time, or NULL; where the two part early by a
- *  measure of cost_ladder.h, the rest would tell nothing of trajectories, and the run ends there. Returns 0;
- *  ADVISE_SPENT; or -1 with one line in *message if there is no memory or no model. A run that fails on its way is
+/** Evaluations that a step of a pilot costs: it is looked at, as errors of the energy may last for one step of a
+ *  thousand, and that costs about as much as a force evaluation. */
+double pilot_evals(const vti_stepper *stepper);
+/** How a pilot is flown; nothing given: from the scene's start to the end, looked at at every step. */
+struct pilot_way {
+    const struct pilot *beside; /* a coarser run of the same time, or NULL. Where the two part early by a measure of
+                                   cost_ladder.h, the rest would tell nothing of trajectories, and the run ends there */
+    int measure;
+    double nudge; /* it begins off by so much at most: x of the extent, alpha in radians */
+    int blind;    /* nobody looks at the energy */
+};
+/** Runs the trial, of pilot_steps. Returns 0; ADVISE_SPENT; or -1 with one line in *message if there is no memory or no model. A run that fails on its way is
  *  pilot->failed. pilot_destroy is due after any of them. */
-int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, const struct pilot *beside,
-              int measure, struct pilot *pilot, struct message *message);
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot_way way,
+              struct pilot *pilot, struct message *message);
 void pilot_destroy(struct pilot *pilot);
 
 /** How far a run is from the solution at a mark, by a measure of cost_ladder.h; of the energy that at all marks, for
@@ -81,6 +90,8 @@ struct offer {
     int64_t force_evals;
     double h, error, seconds;
     double order;                 /* that its runs showed */
+    double usual;                 /* times its error, what coarser runs let expect of one in so many steps: where forces
+                                     have kinks one that meets a touch at the right moment errs by far less; >= 1 */
     double missed;                /* error of the run in the next fewer steps that was made; NaN: none missed */
     double more;                  /* times the steps of the finest of these, if that is why it is not one of them */
     int coarse;                   /* ... which began near its stable step, where errors fall by more than any order */
@@ -93,7 +104,7 @@ struct offer {
 struct advise_request {
     const struct scene *scene;
     double target, t_end;
-    int measure;                        /* of cost_ladder.h; -1: the attitude's, or the velocity's if nothing turns */
+    int measure;                        /* of cost_ladder.h; -1: the scene's main one */
     double budget;                      /* seconds; 0: the share of the predicted run that advise_share says */
     const vti_stepper *const *steppers; /* count of them; 0: all of ours that the scene may be run by */
     int64_t count;
@@ -117,7 +128,7 @@ struct advice {
 };
 
 /** The share of the predicted run that pilots take at most, if nothing else is said; more where forces have kinks, and
- *  windows tell nothing. Where that is less than a tenth of a second or so, they take that. */
+ *  windows tell nothing. Where that is less than half a second or so, they take that. */
 double advise_share(const struct scene *scene);
 /** "attitude" and so on. Returns the measure, or -1. */
 int advise_measure(const char *name);
@@ -139,9 +150,10 @@ struct search {
     int measure, trajectory; /* of the errors; and by which runs come together or not */
     struct pilot solution;
     int solved;
-    double solution_apart; /* how far it is from the run in half as many steps */
+    double strayed[PILOT_MARKS]; /* of the whole time: how far two runs are apart that began a nudge apart, in nudges;
+                                    where no pair was flown, 0 */
     double omega0;
-    double stable_h; /* of contacts as they are listed and bonds at rest: searches begin there */
+    double stable_h; /* of bonds at rest and whatever may touch: searches begin there, and no longer step is advised */
     double limit;    /* force evaluations beyond which runs are too dear */
     int64_t bodies;
     int kinked;   /* the forces are */
@@ -155,6 +167,9 @@ struct search {
 int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t steps, const struct pilot *beside,
                       struct pilot *pilot);
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot);
+/** The share of the error asked for that h is aimed at where the run is not made: less where forces have kinks, as one run
+ *  in a few errs by some times what others let expect. */
+double search_aim(const struct search *s);
 /** The longest step that is worth trying: 0.9 of the stable one, and of the closed form's own bound. */
 double search_longest(const struct search *s, const vti_stepper *stepper);
 /** The fewest steps that are worth trying, of that or a little less; LOOP_STEPS where these would be more. */
@@ -173,6 +188,17 @@ int search_stepper(struct search *s, struct offer *o, double limit);
 /** Refines a->checked until its runs tell the error s->target: that is s->solution. Of the purse it takes up to the
  *  share. Returns 0, -1, ADVISE_SPENT or ADVISE_PARTED. */
 int search_solution(struct search *s, double share);
+/** Flies two runs over the whole time that begin a nudge apart, as coarse as can be, into s->strayed. They tell how what
+ *  a step errs by grows from one part of the time to the end. Returns as pilot_run does. */
+int search_stray(struct search *s);
+/** The work of that. */
+double search_stray_work(const struct search *s);
+/** How many times further they are apart at the end than at time t; 1 if that is not known. */
+double search_growth(const struct search *s, double t);
+int search_knows_growth(const struct search *s);
+/** Whether that is so much that rounding alone passes the goal in the end, and no step is short enough; then from when on
+ *  is advice->together. */
+int search_strays(struct search *s, double goal);
 /** Up to when two runs agree to a tenth, in radians or of all velocities. */
 double search_together(const struct search *s, const struct pilot *a, const struct pilot *b);
 /** Whether bodies turn by so much in a step of this run that it does not tell whether finer ones come together. */

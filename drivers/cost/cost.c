@@ -49,8 +49,8 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
         if (failed != 0)
             return failed;
         struct cost_facts *facts = &w->cost->facts[c];
-        facts->main = model->turns ? COST_ATTITUDE : COST_VELOCITY;
-        facts->has[COST_ATTITUDE] = model->turns;
+        facts->main = cost_main_measure(model);
+        facts->has[COST_ATTITUDE] = facts->main == COST_ATTITUDE;
         facts->has[COST_POSITION] = model->bodies.x.c[0] != NULL;
         facts->has[COST_VELOCITY] = facts->has[COST_ENERGY] = 1;
         facts->uncertainty = w->references[c].uncertainty;

@@ -76,7 +76,7 @@ void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, co
                      const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
                      void *poll_self, struct cost_ladder *ladder)
 {
-    const int measure = model->turns ? COST_ATTITUDE : COST_VELOCITY;
+    const int measure = cost_main_measure(model);
     const int64_t affordable =
         COST_WORK / model->bodies.count < COST_EVALS ? COST_WORK / model->bodies.count : COST_EVALS;
     const int64_t most = plan->most_evals > 0 ? plan->most_evals : affordable;

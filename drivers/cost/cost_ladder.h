@@ -21,13 +21,11 @@ struct race_result {
     /** At t_end, of v and Omega together as far as the scene has them: the square root of
      *  sum |v_h - v|^2 + |Omega_h - Omega|^2 over sum |v|^2 + |Omega|^2. */
     double velocity_error;
-    double energy_error;            /* largest |E_h - E_0|/|E_0| of RACE_LOOKS looks (absolute if E_0 = 0) */
-    double momentum_error;          /* largest deviation of a conserved momentum from its initial value, same looks */
+    double energy_error;   /* largest |E_h - E_0|/|E_0| of all steps (absolute if E_0 = 0); 64 looks where steps vary */
+    double momentum_error; /* largest deviation of a conserved momentum from its initial value, same steps */
     double seconds, seconds_spread; /* race_settle; NaN before */
     struct message message;
 };
-
-enum { RACE_LOOKS = 64 };
 
 /** A run on a fresh model of scene, and its errors against the reference, which must know t_end. A step that is
  *  refused or a state that is not finite is a failed run. Fills in all but the times. */
@@ -38,6 +36,8 @@ void race_measure(const struct scene *scene, const vti_stepper *stepper, double 
 double race_velocity_error(const vti_bodies *bodies, const vti_bodies *exact);
 double race_position_error(const vti_bodies *bodies, const vti_bodies *exact);
 
+/** Seconds that reading the clock twice takes. */
+double race_clock_cost(void);
 /** Seconds of processor time, which is wall-clock time on a core of one's own, of the run alone: without model,
  *  start and observers. One sample is the mean of as many fresh runs in a row as fill a millisecond, at least one.
  *  Returns it, or NaN with one line in *message if the run failed. */
@@ -63,8 +63,15 @@ struct cost_ladder {
     double h[COST_RUNGS];
 };
 
-/** What an error can be of. A ladder goes down by the first that its scene has of attitude and velocity. */
+/** What an error can be of. A ladder goes down by the main one of its scene. */
 enum { COST_ATTITUDE, COST_POSITION, COST_VELOCITY, COST_ENERGY, COST_MEASURES };
+
+/** What tells how far off a scene's runs are: the attitude, or the velocity where nothing but the paper's own rotation
+ *  has an error in it (model_twists). */
+static inline int cost_main_measure(const struct model *model)
+{
+    return model_twists(model) || (model->turns && !model->translates) ? COST_ATTITUDE : COST_VELOCITY;
+}
 
 /** "attitude", "position", "velocity", "energy". */
 extern const char *const cost_measures[COST_MEASURES];

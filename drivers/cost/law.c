@@ -13,12 +13,12 @@
 
 #include "plain.h"
 
-/* as in search.c: h is aimed at this share of the error, and angles above the other say nothing */
-static const double aim = 0.7, too_far = 0.3;
+/* as in search.c: angles above this say nothing */
+static const double too_far = 0.3;
 
 double law_evals(const struct search *s, const vti_stepper *stepper)
 {
-    return 3.0 * (double)search_fewest(s, stepper) * (double)(stepper->evals > 0 ? stepper->evals : 1);
+    return 3.0 * (double)search_fewest(s, stepper) * pilot_evals(stepper);
 }
 
 /** How many times less the finer run errs than the two differ, at the most and at the least. */
@@ -76,12 +76,27 @@ static void offer_run(const struct search *s, struct offer *o, const struct pilo
     o->order = search_kinked_order(o->stepper);
 }
 
+/** The energy of that run is known, and may be good enough. */
+static int meets(const struct search *s, struct offer *o)
+{
+    static const double sure = 1.2;
+    if (s->measure != COST_ENERGY || !(o->errors[COST_ENERGY] <= s->target))
+        return 0;
+    o->error = o->errors[COST_ENERGY];
+    o->more = 1.0;
+    o->source = OFFER_MEASURED;
+    o->doubt = o->below = sure;
+    return 1;
+}
+
 /** From that run, and its errors, to the steps that meet the error asked for. */
 void search_law_follow(const struct search *s, struct offer *o)
 {
+    if (meets(s, o))
+        return;
     static const double scatter = 3.0, coarser = 0.5;
     static const double faster = 4.0; /* two orders of a doubling: 5.5 of chin4 on the torus to t = 1, from 176 steps */
-    const double above = o->errors[s->measure] / (aim * s->target),
+    const double above = o->errors[s->measure] / (search_aim(s) * s->target),
                  order = above > 1.0 ? o->order : plain_log2(1.0 + finer_by(o->stepper)),
                  fewest = (double)search_fewest(s, o->stepper) / (double)o->steps,
                  finer = fmax(plain_power(above, 1.0 / order), fmax(coarser, fewest));
@@ -98,8 +113,8 @@ void search_law_follow(const struct search *s, struct offer *o)
     o->source = OFFER_FOLLOWED;
     search_doubt(s, o, o->order, finer);
     if (s->measure == COST_ENERGY && vti_multistep_find(o->stepper->name) == NULL)
-        o->doubt = fmin(o->doubt, 5.0 * sqrt(fmax(finer, 1.0))); /* of others looks meet a sample of what touches do */
-    if (s->measure != COST_ENERGY) {                             /* of which the finer run has shown its own */
+        o->doubt = fmin(o->doubt, 5.0 * sqrt(fmax(finer, 1.0)));
+    if (s->measure != COST_ENERGY) { /* of which the finer run has shown its own */
         const double either = sqrt(most_finer(o->stepper) / least_finer(o->stepper)),
                      wider = fmax(1.0, scatter * either / s->doubt);
         o->doubt *= wider;
@@ -138,7 +153,7 @@ static int halve(struct search *s, const vti_stepper *stepper, struct pilot *coa
 static double halving(const struct search *s, const vti_stepper *stepper, const struct pilot *fine)
 {
     const double part = fine->parted > 0 ? (double)fine->parted / PILOT_MARKS : 1.0;
-    return part * 2.0 * (double)fine->steps * (double)(stepper->evals * s->bodies);
+    return part * 2.0 * (double)fine->steps * pilot_evals(stepper) * (double)s->bodies;
 }
 
 /** The work of the run that is advised on if trajectories do part: without a time finer runs take no more than is left of
@@ -180,7 +195,7 @@ static int part_again(struct search *s, struct offer *o, double may, struct pilo
         const int early = fine->parted > 0, resolved = !search_unresolved(s, fine);
         const int mark = (early ? fine->parted : PILOT_MARKS) - 1;
         const double before = a->together, far = pilot_error(coarse, fine, s->trajectory, mark),
-                     whole = (double)fine->steps * (double)(stepper->evals * s->bodies);
+                     whole = (double)fine->steps * pilot_evals(stepper) * (double)s->bodies;
         result = halve(s, stepper, coarse, fine);
         if (result != 0 || fine->failed)
             break;

@@ -14,8 +14,9 @@ int laws_are_due(const struct stages *g)
     struct search at_end = g->search;
     const vti_stepper *checked = at_end.advice->checked;
     at_end.t_end = at_end.advice->t_end;
-    return at_end.kinked && runs * (double)search_fewest(&at_end, checked) * (double)(checked->evals * at_end.bodies) >
-                                stages_work_left(g, 1.0);
+    return at_end.kinked &&
+           runs * (double)search_fewest(&at_end, checked) * pilot_evals(checked) * (double)at_end.bodies >
+               stages_work_left(g, 1.0);
 }
 
 /** Evaluations by which a stepper will reach the goal, guessed from what another one needs: by their largest stable
@@ -28,8 +29,33 @@ static double guess_evals(const struct search *whole, const vti_stepper *stepper
     return steps * (double)(stepper->evals > 0 ? stepper->evals : 1);
 }
 
-/** The offer that two runs may tell of next, by the least evaluations: of these runs, or of the run that it would be if
- *  something is known of another one already. -1: there is none. */
+/** The share of the purse for two runs of a stepper that may need so many evaluations, where another one needs more or
+ *  less. */
+static double share_for(const struct offer *known, double guess)
+{
+    static const double share = 0.3, large = 0.9, far = 0.5;
+    return guess < far * (double)known->force_evals ? large : share;
+}
+
+/** The purse goes by what the run may need that is advised on then. */
+static void open_purse_for(struct stages *g, const struct offer *known, double guess)
+{
+    static const double bold = 1.5; /* of a guess, what is prudent with a run that is known is taken back */
+    stages_open_purse(g, fmin((double)known->force_evals, bold * guess));
+}
+
+/** Whether it has room for two runs then. */
+static int has_room(const struct stages *g, const vti_stepper *stepper, const struct offer *known, double guess)
+{
+    struct stages then = *g;
+    then.search.t_end = g->search.advice->t_end;
+    open_purse_for(&then, known, guess);
+    const double left = stages_work_left(&then, share_for(known, guess));
+    return isfinite(left) && law_evals(&then.search, stepper) * (double)then.search.bodies <= left;
+}
+
+/** The offer that two runs may tell of next, by the least evaluations: of these runs, or, of those for which there is
+ *  room, of the run that it would be if something is known of another one already. -1: there is none. */
 static int64_t next_law(const struct stages *g, const struct offer *known, double *evals)
 {
     struct search whole = g->search;
@@ -42,7 +68,8 @@ static int64_t next_law(const struct stages *g, const struct offer *known, doubl
         /* those of the paper would tell what exact does */
         const double least = known != NULL ? guess_evals(&whole, stepper, known) : law_evals(&whole, stepper),
                      needs = least * (strcmp(method_kind(stepper), "paper") == 0 ? 1e6 : 1.0);
-        if (g->active[k] && method_rival(stepper) == NULL && needs < *evals) {
+        if (g->active[k] && method_rival(stepper) == NULL && needs < *evals &&
+            (known == NULL || has_room(g, stepper, known, least))) {
             next = k;
             *evals = needs;
         }
@@ -126,20 +153,14 @@ static int feel_pace(struct stages *g)
  *  by what it may need. Returns 0, -1, ADVISE_SPENT, or DONE. */
 static int make_other_law(struct stages *g, const struct offer *known)
 {
-    static const double share = 0.3, large_share = 0.9, part = 0.4, most = 2.0, worth = 2.0, far = 0.5,
-                        bold = 1.5; /* of a guess, what is prudent with a run that is known is taken back */
-    struct search *s = &g->search;
-    const double needed = (double)known->force_evals;
+    static const double part = 0.4, most = 2.0, worth = 2.0;
     double guess;
     const int64_t k = next_law(g, known, &guess);
-    stages_open_purse(g, fmin(needed, bold * guess));
-    const double may = guess < far * needed ? large_share : share;
-    s->t_end = s->advice->t_end;
-    if (k < 0 || guess > worth * needed || !isfinite(stages_work_left(g, may)) ||
-        law_evals(s, s->advice->offers[k].stepper) * (double)s->bodies > stages_work_left(g, may))
+    if (k < 0 || guess > worth * (double)known->force_evals)
         return DONE;
+    open_purse_for(g, known, guess);
     g->active[k] = 0;
-    return make_law(g, k, may, part, most);
+    return make_law(g, k, share_for(known, guess), part, most);
 }
 
 /** The first of which two runs do not fail, by those that take the least. */

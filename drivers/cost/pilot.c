@@ -8,10 +8,10 @@
 #include <time.h>
 
 #include "number.h"
+#include "random.h"
 
-/* at the bodies of a run: each costs about as much as a force evaluation, and the energy may be off within touches
- * alone, in one step of a hundred */
-enum { LOOKS = 64, MOST_LOOKS = 1024, STEPS_OF_LOOK = 16 };
+/* at runs of methods that choose their steps; and one look of so many is timed */
+enum { LOOKS = 64, TIMED = 16 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
@@ -35,11 +35,13 @@ struct flight {
     struct pilot *pilot;
     struct trial_run run;
     const struct purse *purse;
-    const struct pilot *beside; /* a coarser run, or NULL, and by what the two are compared */
-    int measure;
-    double evals;   /* of a step; 0 where they vary */
+    struct pilot_way way;
+    double evals;   /* of a step, with a look at every one; 0 where they vary */
     double looking; /* seconds that are not the steps' */
-    int64_t step;   /* the last at which the purse was looked at */
+    double clock;   /* seconds that reading the time takes */
+    int64_t looks;  /* at the energy, and seconds of those that were timed */
+    double timed;
+    int64_t step; /* the last at which the purse was looked at */
 };
 
 /** A copy at p of a view that is there. Returns where the next one goes. */
@@ -63,10 +65,11 @@ static int has_parted(const struct flight *f, int64_t mark)
 {
     enum { EARLY = PILOT_MARKS / 4 };
     static const double parted = 0.9;
-    if (f->beside != NULL && f->beside->parted > 0 && mark + 1 >= f->beside->parted)
+    const struct pilot *beside = f->way.beside;
+    if (beside != NULL && beside->parted > 0 && mark + 1 >= beside->parted)
         return 1;
-    return f->beside != NULL && mark < EARLY &&
-           pilot_error(f->beside, f->pilot, f->measure, (int)mark) * PILOT_MARKS > parted * (double)(mark + 1);
+    return beside != NULL && mark < EARLY &&
+           pilot_error(beside, f->pilot, f->way.measure, (int)mark) * PILOT_MARKS > parted * (double)(mark + 1);
 }
 
 static int see_mark(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -105,14 +108,16 @@ static int look(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct flight *f = self;
     struct pilot *pilot = f->pilot;
     struct model *model = &f->run.model;
-    const double from = trial_clock();
+    const int timed = f->looks++ % TIMED == 0;
+    const double from = timed ? trial_clock() : 0.0;
     const double energy = model_energy(model, bodies) + vti_booked(model->effects, model->effects_count);
     (void)t;
     pilot->energy = step == 0 ? energy : pilot->energy;
     const double off = fabs(energy - pilot->energy) / (pilot->energy != 0.0 ? fabs(pilot->energy) : 1.0);
     pilot->energy_error = number_larger(pilot->energy_error, off);
     pilot->max_omega = fmax(pilot->max_omega, vti_max_turn(1.0, bodies));
-    f->looking += trial_clock() - from;
+    if (timed)
+        f->timed += fmax(trial_clock() - from - f->clock, 0.0);
     return 0;
 }
 
@@ -134,29 +139,34 @@ static int64_t purse_every(const struct flight *f, int64_t steps, int64_t bodies
     return (int64_t)fmin(fmax(every, 1.0), 1e15);
 }
 
-/** Steps between two looks at the energy. Where something is lost the error may have its maximum within a few steps, before
- *  what is off has gone. */
-static int64_t look_every(const struct model *model, int64_t steps)
+/** Seconds of the steps, of which looks are as dear as those that were timed; at the least a tenth of all. */
+static double seconds_of(const struct flight *f)
 {
-    const int64_t often = model_dissipates(model) != NULL ? steps : steps / STEPS_OF_LOOK;
-    const int64_t looks = often < LOOKS ? LOOKS : often < MOST_LOOKS ? often : MOST_LOOKS;
-    return (steps + looks - 1) / looks;
+    const int64_t timed = (f->looks + TIMED - 1) / TIMED;
+    const double all = f->run.seconds, looks = timed > 0 ? f->timed * (double)f->looks / (double)timed : 0.0;
+    return fmax(all - f->looking - looks, 0.1 * all);
 }
 
 static int64_t fly(struct flight *f, const struct trial *trial)
 {
     struct pilot *pilot = f->pilot;
-    const int64_t steps = trial->steps;
+    const int64_t steps = trial->steps, every = method_varies(trial->stepper) ? (steps + LOOKS - 1) / LOOKS : 1;
     const struct observer observers[] = {
         {see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL, NULL},
         {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL, NULL},
-        {look, f, look_every(&f->run.model, steps), 0, NULL, NULL}};
-    pilot->failed = trial_go(&f->run, steps, observers, 3, &pilot->message) != 0 && !pilot->spent && pilot->parted == 0;
-    pilot->seconds = fmax(f->run.seconds - f->looking, 0.0);
+        {look, f, every, 0, NULL, NULL}};
+    pilot->failed = trial_go(&f->run, steps, observers, f->way.blind ? 2 : 3, &pilot->message) != 0 && !pilot->spent &&
+                    pilot->parted == 0;
+    pilot->seconds = seconds_of(f);
     pilot->force_evals = travel_force_evals(&f->run.travel);
     if ((pilot->spent || pilot->parted > 0) && pilot->force_evals == 0) /* of a list of kicks that was stopped */
         pilot->force_evals = 1 + f->step * trial->stepper->evals;
     return f->run.model.bodies.count;
+}
+
+double pilot_evals(const vti_stepper *stepper)
+{
+    return (double)(stepper->evals > 0 ? stepper->evals : 1) + 1.0;
 }
 
 int64_t pilot_unit(int64_t steps)
@@ -172,11 +182,34 @@ int64_t pilot_steps(double steps)
     return (int64_t)(unit * ceil(limited / unit));
 }
 
-int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, const struct pilot *beside,
-              int measure, struct pilot *pilot, struct message *message)
+/** The largest component of a place, from the first body's. */
+static double extent_of(const vti_bodies *b)
 {
-    struct flight flight = {
-        .pilot = pilot, .purse = purse, .beside = beside, .measure = measure, .evals = (double)trial->stepper->evals};
+    double most = 0.0;
+    for (int64_t i = 0; b->x.c[0] != NULL && i < b->count; ++i)
+        for (int k = 0; k < 3; ++k)
+            most = fmax(most, fabs(b->x.c[k][i * b->x.stride] - b->x.c[k][0]));
+    return most > 0.0 ? most : 1.0;
+}
+
+static void nudge_view(const vti_view *view, int64_t n, double most)
+{
+    for (int64_t k = 0; view->c[0] != NULL && k < 3 * n; ++k)
+        view->c[k % 3][k / 3 * view->stride] += random_symmetric(0, (uint64_t)k, most);
+}
+
+static void nudge_bodies(const vti_bodies *b, double nudge)
+{
+    nudge_view(&b->x, b->count, nudge * extent_of(b));
+    nudge_view(&b->alpha, b->count, nudge);
+}
+
+int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot_way way,
+              struct pilot *pilot, struct message *message)
+{
+    struct flight flight = {.pilot = pilot, .purse = purse, .way = way};
+    flight.clock = race_clock_cost();
+    flight.evals = method_varies(trial->stepper) ? 0.0 : pilot_evals(trial->stepper);
     memset(pilot, 0, sizeof *pilot);
     pilot->steps = trial->steps;
     pilot->marked = trial->steps % PILOT_MARKS == 0;
@@ -186,9 +219,11 @@ int pilot_run(const struct scene *scene, const struct trial *trial, struct purse
         return -1;
     pilot->memory = calloc((size_t)(12 * PILOT_MARKS * flight.run.model.bodies.count), sizeof *pilot->memory);
     const int without = pilot->memory == NULL;
+    if (way.nudge > 0.0)
+        nudge_bodies(&flight.run.model.bodies, way.nudge);
     if (!without) {
         const int64_t bodies = fly(&flight, trial);
-        purse->work += (double)bodies * (double)pilot->force_evals;
+        purse->work += (double)bodies * (double)(pilot->force_evals + flight.looks);
     }
     trial_end(&flight.run);
     if (without)

@@ -6,7 +6,7 @@
 #include "advise.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <string.h>
 
 #include "plain.h"
 
@@ -22,6 +22,11 @@ static const double too_far = 0.3;
 /* runs of one stepper at most, and of these between a run that misses the error and one that meets it */
 enum { TRIES = 24, REFINEMENTS = 4 };
 
+double search_aim(const struct search *s)
+{
+    return s->kinked ? 0.3 : aim;
+}
+
 int search_run(struct search *s, const vti_stepper *stepper, int64_t steps, struct pilot *pilot)
 {
     return search_run_beside(s, stepper, steps, NULL, pilot);
@@ -33,7 +38,8 @@ int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t step
     if (s->say != NULL)
         s->say(stepper->name, steps);
     const struct trial trial = {stepper, s->t_end / (double)steps, steps, s->t_end};
-    const int result = pilot_run(s->scene, &trial, &s->purse, beside, s->trajectory, pilot, s->message);
+    const struct pilot_way way = {.beside = beside, .measure = s->trajectory};
+    const int result = pilot_run(s->scene, &trial, &s->purse, way, pilot, s->message);
     s->advice->evals += (double)pilot->force_evals;
     return result;
 }
@@ -102,6 +108,72 @@ double search_together(const struct search *s, const struct pilot *a, const stru
     return s->t_end * mark / PILOT_MARKS;
 }
 
+/* large beside rounding, and small: there is room for twelve orders of growth */
+static const double nudge = 1e-12, lost = 0.1;
+
+/** Longer steps, near what is stable, may make a motion stray that does not. */
+static int64_t stray_steps(const struct search *s)
+{
+    enum { FINER = 4 };
+    const vti_stepper *exact = vti_stepper_find("exact");
+    struct search whole = *s;
+    whole.t_end = s->advice->t_end;
+    return pilot_steps(FINER * (double)search_fewest(&whole, exact));
+}
+
+double search_stray_work(const struct search *s)
+{
+    return 2.0 * (double)stray_steps(s) * (double)s->bodies;
+}
+
+int search_stray(struct search *s)
+{
+    const vti_stepper *exact = vti_stepper_find("exact");
+    struct pilot pair[2];
+    const int64_t steps = stray_steps(s);
+    const struct trial trial = {exact, s->advice->t_end / (double)steps, steps, s->advice->t_end};
+    memset(pair, 0, sizeof pair);
+    int result = 0;
+    for (int k = 0; k < 2 && result == 0; ++k) {
+        const struct pilot_way way = {.nudge = k * nudge, .blind = 1};
+        result = pilot_run(s->scene, &trial, &s->purse, way, &pair[k], s->message);
+        s->advice->evals += (double)pair[k].force_evals;
+    }
+    for (int mark = 0; mark < PILOT_MARKS && result == 0; ++mark) {
+        const double apart = pilot_error(&pair[1], &pair[0], s->trajectory, mark) / nudge;
+        s->strayed[mark] = isfinite(apart) ? fmax(apart, mark > 0 ? s->strayed[mark - 1] : 0.0) : 0.0;
+    }
+    pilot_destroy(&pair[0]);
+    pilot_destroy(&pair[1]);
+    return result;
+}
+
+double search_growth(const struct search *s, double t)
+{
+    const double mark = t / s->advice->t_end * PILOT_MARKS, most = s->strayed[PILOT_MARKS - 1];
+    const double at = s->strayed[(int)fmin(fmax(mark - 1.0, 0.0), PILOT_MARKS - 1.0)];
+    return at > 0.0 ? most / (at * fmin(mark, 1.0)) : 1.0; /* before the first mark in proportion to time */
+}
+
+int search_knows_growth(const struct search *s)
+{
+    return s->strayed[PILOT_MARKS - 1] > 0.0;
+}
+
+int search_strays(struct search *s, double goal)
+{
+    static const double rounding = 1e-14; /* of some steps */
+    const double reached = fmin(lost / nudge, goal / rounding);
+    int mark = 0;
+    while (mark < PILOT_MARKS && s->strayed[mark] < reached)
+        ++mark;
+    if (mark == PILOT_MARKS)
+        return 0;
+    s->advice->together = s->advice->t_end * mark / PILOT_MARKS;
+    s->advice->unsure = 0;
+    return 1;
+}
+
 int search_unresolved(const struct search *s, const struct pilot *run)
 {
     static const double resolved = 0.25; /* radians, of which a Cayley step misses 1/200 */
@@ -113,6 +185,7 @@ enum { FOUND = ADVISE_PARTED + 1 };
 /** What the refinements so far have shown. */
 struct refining {
     double last, apart; /* between the runs before, and between the last two */
+    double usual;       /* ... and what all of them let expect of the last, where forces have kinks */
     int halvings, stalled;
 };
 
@@ -128,7 +201,8 @@ static int weigh(struct search *s, struct refining *r, double target)
     const double order =
         isfinite(r->last) && r->apart > 0.0 ? fmin(fmax(plain_log2(r->last / r->apart), 1.0), 8.0) : 1.0;
     a->order = isfinite(r->last) && r->apart > 1e-13 ? order : a->order;
-    a->known = r->apart / (plain_exp2(fmin(order, most)) - 1.0);
+    r->usual = s->kinked && isfinite(r->last) ? fmax(r->apart, r->usual * plain_exp2(-most)) : r->apart;
+    a->known = r->usual / (plain_exp2(fmin(order, most)) - 1.0);
     if (r->halvings > 1 && a->known <= known_share * target)
         return FOUND;
     const int resolved = !search_unresolved(s, &s->solution);
@@ -164,7 +238,7 @@ static int refine(struct search *s, int measure, double target, struct refining 
 int search_solution(struct search *s, double share)
 {
     const struct purse whole = s->purse;
-    struct refining r = {INFINITY, INFINITY, 0, 0};
+    struct refining r = {INFINITY, INFINITY, 0.0, 0, 0};
     const int measure = s->measure == COST_ENERGY ? s->trajectory : s->measure;
     pilot_destroy(&s->solution);
     s->solved = 0;
@@ -176,7 +250,6 @@ int search_solution(struct search *s, double share)
     s->purse.most = whole.most;
     s->purse.until = whole.until;
     s->solved = result == FOUND;
-    s->solution_apart = r.apart;
     s->advice->unsure = r.stalled < 2;
     if (s->solved)
         s->advice->max_omega = s->solution.max_omega; /* other runs may be far off, and still end as numbers */
@@ -238,14 +311,10 @@ static void offer_set(const struct search *s, struct offer *o, int64_t steps, do
     o->seconds = price->seconds * (double)steps;
 }
 
-/** How far off an error may be because the solution is. Far below what was asked for it may be the solution's own: where
- *  forces have kinks a lucky halving tells of an order that is not there. */
-static double unsure(const struct search *s, double error)
+/** How far off an error may be because the solution is. */
+static double unsure(const struct search *s)
 {
-    if (!s->solved || s->measure == COST_ENERGY)
-        return 0.0;
-    const double kinked = s->solution_apart / (plain_exp2(search_kinked_order(s->advice->checked)) - 1.0);
-    return s->kinked && error < lowest * s->target ? fmax(kinked, s->advice->known) : s->advice->known;
+    return s->solved && s->measure != COST_ENERGY ? s->advice->known : 0.0;
 }
 
 /** The run was made: its error is as sure as the solution is. One that is not known to as much tells that it is small. */
@@ -255,7 +324,7 @@ static void offer_measured(const struct search *s, struct offer *o, const struct
     offer_set(s, o, pilot->steps, error, price);
     all_errors(s, pilot, o->errors);
     o->source = OFFER_MEASURED;
-    const double sure = 1.2, known = unsure(s, error);
+    const double sure = 1.2, known = unsure(s);
     o->doubt = fmax(sure, 1.0 + known / error);
     o->below = error > known ? fmax(sure, error / (error - known)) : INFINITY;
 }
@@ -286,19 +355,39 @@ static int is_too_dear(const struct search *s, const struct price *price, const 
     return cost > (finest->error < too_far ? limit : 4.0 * limit) && isfinite(s->limit);
 }
 
+/** How many times more than run p, of this stepper, all its runs let expect of one in so many steps (offer.usual). One
+ *  run of a few bodies, which meet a few touches, says little. */
+static double usual_of(const struct search *s, const vti_stepper *stepper, const struct point *runs, int count,
+                       const struct point *p)
+{
+    static const double scatter = 9.0;
+    double most = p->error;
+    int told = 0;
+    for (int k = 0; k < count && s->kinked; ++k)
+        if (runs[k].error < too_far) {
+            most = fmax(most, runs[k].error *
+                                  plain_power((double)runs[k].steps / (double)p->steps, search_kinked_order(stepper)));
+            ++told;
+        }
+    return p->error > 0.0 ? (told == 1 ? 1.0 + scatter / (double)s->bodies : 1.0) * most / p->error : 1.0;
+}
+
 /** Follows the order from the finest run to where it meets the error. The longer the way, the more an order that is off
  *  by a half matters. */
 static void follow(const struct search *s, struct offer *o, const struct point *before, const struct point *finest,
-                   const struct price *price)
+                   double usual, const struct price *price)
 {
-    const double error = aim * s->target, nominal = (double)o->stepper->order;
-    const double seen = order_between(o->stepper, before, finest);
-    const int64_t steps = steps_for(finest, fabs(seen - nominal) < 0.7 ? nominal : seen, error);
+    const double error = search_aim(s) * s->target, nominal = (double)o->stepper->order;
+    const double shown = order_between(o->stepper, before, finest),
+                 seen = s->kinked ? fmin(shown, search_kinked_order(o->stepper)) : shown;
+    const struct point from = {finest->steps, usual * finest->error};
+    const int64_t steps = steps_for(&from, fabs(seen - nominal) < 0.7 ? nominal : seen, error);
     offer_set(s, o, steps, error, price);
     for (int m = 0; m < COST_MEASURES; ++m)
         o->errors[m] = m == s->measure ? error : NAN;
     o->source = OFFER_FOLLOWED;
     search_doubt(s, o, seen, (double)steps / (double)finest->steps);
+    o->below *= usual;
 }
 
 void search_doubt(const struct search *s, struct offer *o, double order, double finer)
@@ -315,7 +404,8 @@ int search_stepper(struct search *s, struct offer *o, double limit)
 {
     struct point before = {0, INFINITY}, above = {0, INFINITY}, below = {0, 0.0};
     struct price price = {0.0, 0.0};
-    int refinements = 0;
+    struct point runs[TRIES];
+    int refinements = 0, count = 0;
     int64_t steps = search_fewest(s, o->stepper);
     for (int k = 0; k < TRIES && steps > 0; ++k) {
         struct pilot pilot;
@@ -330,6 +420,7 @@ int search_stepper(struct search *s, struct offer *o, double limit)
         price.seconds = pilot.seconds / (double)steps;
         price.evals = o->stepper->evals > 0 ? (double)o->stepper->evals : (double)pilot.force_evals / (double)steps;
         refinements += below.steps > 0;
+        runs[count++] = p;
         if (p.error <= s->target) {
             below = p;
             offer_measured(s, o, &pilot, p.error, &price);
@@ -343,9 +434,10 @@ int search_stepper(struct search *s, struct offer *o, double limit)
             break;
     }
     o->order = below.steps > 0 ? order_between(o->stepper, &above, &below) : order_between(o->stepper, &before, &above);
-    if (below.steps > 0 && above.steps > 0)
-        o->missed = above.error;
-    if (below.steps == 0 && above.error < too_far)
-        follow(s, o, &before, &above, &price);
+    if (below.steps > 0) {
+        o->missed = above.steps > 0 ? above.error : NAN;
+        o->usual = usual_of(s, o->stepper, runs, count, &below);
+    } else if (above.error < too_far)
+        follow(s, o, &before, &above, usual_of(s, o->stepper, runs, count, &above), &price);
     return 0;
 }

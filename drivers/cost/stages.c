@@ -37,24 +37,17 @@ double stages_work_left(const struct stages *g, double share)
 
 /* ---- one stage --------------------------------------------------------------------------------------------------- */
 
-/** The least of several times of the same run, for runs that are over in a blink. */
-static int time_again(struct search *s, struct offer *o)
+/** Of a run that is over in a blink the seconds without looks. */
+static void time_again(struct search *s, struct offer *o)
 {
-    enum { MOST = 9 };
-    const double enough = 0.05;
-    double all = o->seconds, least = o->seconds;
-    int result = 0;
-    for (int k = 0; k < MOST && all < enough && result == 0; ++k) {
-        struct pilot pilot;
-        result = search_run(s, o->stepper, o->steps, &pilot);
-        if (result == 0) {
-            least = fmin(least, pilot.seconds);
-            all += pilot.seconds;
-        }
-        pilot_destroy(&pilot);
+    enum { TIMES = 5 };
+    static const double blink = 0.05;
+    struct message ignored;
+    for (int k = 0; k < TIMES && o->seconds < blink && purse_clock() < s->purse.until; ++k) {
+        const double seconds = race_sample(s->scene, o->stepper, o->h, s->t_end, &ignored);
+        o->seconds = k == 0 && seconds > 0.0 ? seconds : fmin(o->seconds, seconds);
+        s->purse.work += (double)(o->force_evals * s->bodies);
     }
-    o->seconds = least;
-    return result < 0 ? -1 : 0; /* what an empty purse leaves untimed was timed once */
 }
 
 /** Offer k at this stage. */
@@ -64,12 +57,12 @@ static int make_offer(struct stages *g, int64_t k, double limit)
     struct offer found = offers_none(s->advice->offers[k].stepper);
     const double target = s->target;
     s->target = target / offers_growth(s, found.stepper, s->measure);
-    int result = search_stepper(s, &found, limit);
+    const int result = search_stepper(s, &found, limit);
     s->target = target;
-    if (result == 0 && g->complete && found.source == OFFER_MEASURED)
-        result = time_again(s, &found);
     if (result != 0)
         return result;
+    if (g->complete && found.source == OFFER_MEASURED)
+        time_again(s, &found);
     if (found.source == OFFER_MEASURED && method_rival(found.stepper) == NULL)
         s->limit = fmin(s->limit, 2.0 * (double)found.force_evals);
     offers_carry_over(g, &found, target, &s->advice->offers[k]);
@@ -245,6 +238,26 @@ void stages_by_energy(struct stages *g)
         }
 }
 
+/** Where only a part of the time was gone over: how errors grow from there to the end, if the purse has room for that.
+ *  Returns 0, -1 or ADVISE_PARTED. */
+static int find_growth(struct stages *g)
+{
+    static const double share = 0.5;
+    struct search *s = &g->search;
+    double before[ADVICE_MOST];
+    if (s->kinked || s->advice->parted || g->whole || search_knows_growth(s) ||
+        search_stray_work(s) > stages_work_left(g, share))
+        return 0;
+    for (int64_t k = 0; k < s->advice->count; ++k)
+        before[k] = offers_growth(s, s->advice->offers[k].stepper, s->measure);
+    const int result = search_stray(s);
+    if (result == 0 && search_strays(s, g->goal) && s->measure != COST_ENERGY)
+        return ADVISE_PARTED;
+    if (result == 0)
+        offers_regrow(g, before);
+    return result < 0 ? -1 : 0;
+}
+
 int stages_go(struct stages *g)
 {
     static const double loose = 0.03;
@@ -258,7 +271,13 @@ int stages_go(struct stages *g)
     }
     for (;;) {
         const double before = spent(g);
-        const int result = run_stage(g, t_end, target);
+        int result = run_stage(g, t_end, target);
+        const double cost = spent(g) - before;
+        const int64_t best = offers_best(g);
+        if (best >= 0 && result != ADVISE_PARTED)
+            stages_open_purse(g, (double)a->offers[best].force_evals);
+        if (result == 0)
+            result = find_growth(g);
         if (result < 0)
             return -1;
         if (result == ADVISE_PARTED) {
@@ -267,12 +286,9 @@ int stages_go(struct stages *g)
             target = g->goal;
             continue;
         }
-        const int64_t best = offers_best(g);
         if (result == ADVISE_SPENT && best < 0 && !a->parted)
             return laws_go(g) < 0 ? -1 : 0; /* the solution was too dear: two runs tell less, for less */
-        if (best >= 0)
-            stages_open_purse(g, (double)a->offers[best].force_evals);
-        if (result == ADVISE_SPENT || g->complete || !plan_next(g, spent(g) - before, &t_end, &target))
+        if (result == ADVISE_SPENT || g->complete || !plan_next(g, cost, &t_end, &target))
             return 0;
     }
 }

@@ -28,6 +28,9 @@ struct offer offers_none(const vti_stepper *stepper);
 double offers_growth(const struct search *s, const vti_stepper *stepper, int measure);
 /** What a stage has found, searching for the error that leads to target, for the whole time and the error asked for. */
 void offers_carry_over(const struct stages *g, const struct offer *found, double target, struct offer *o);
+/** Once it is known how errors grow: offers from a part of the time by steps that make up for that. before: their
+ *  offers_growth so far. */
+void offers_regrow(struct stages *g, const double before[ADVICE_MOST]);
 /** The number of the offer that is the advice so far, or -1: the fastest that the last stage has shown, ours before
  *  rivals. */
 int64_t offers_best(const struct stages *g);

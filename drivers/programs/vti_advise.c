@@ -32,10 +32,11 @@ static const struct option_row rows[] = {
      "only these steppers (default: all of ours); rivals, what others use, are measured too and never advised"},
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--measure", "WHAT", OPTION_TEXT, &measure, OPTION_ANY,
-     "of what the error is: attitude, position, velocity or energy (default: attitude; velocity where nothing turns)"},
+     "of what the error is: attitude, position, velocity or energy (default: attitude; velocity where no effect "
+     "changes how bodies turn)"},
     {"--budget", "SECONDS", OPTION_NUMBER, &budget, 0, 0, "60 or 1e3",
-     "how long pilots may take (default: 0.3 of the run that is advised on, as long as that with contacts or walls; a "
-     "tenth of a second or so at least)"},
+     "how long pilots may take (default: 0.3 of the run that is advised on, as long as that with contacts or walls; "
+     "half a second or so at least)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--json", NULL, OPTION_ON, &json, OPTION_ANY,
      "one JSON object with the keys stepper, h, predicted_error, predicted_seconds, predicted_force_evals, source, "

@@ -209,6 +209,16 @@ const vti_effect *model_dissipates(const struct model *model)
     return NULL;
 }
 
+int model_twists(const struct model *model)
+{
+    int any = model->turns && (model->bodies.moments.c[0] != NULL || model_has_clumps(model));
+    for (int64_t k = 0; k < model->effects_count && model->turns; ++k) {
+        const vti_effect *e = &model->effects[k];
+        any |= (e->gives & EFFECT_MOMENT) != 0 || (e->flow != NULL && (e->needs & 1 << VTI_QUANTITY_OMEGA) != 0);
+    }
+    return any;
+}
+
 int model_breaks(const struct model *model)
 {
     int any = 0;

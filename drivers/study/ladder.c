@@ -33,8 +33,14 @@ static int64_t read_ladder(const char *text, const char *colon, double h[LADDER_
         return message_set(message, "--h: '%s' has more than %d steps; use a shorter ladder", text, LADDER_MOST);
     const int64_t n = 1 + llabs((long long)rint(rungs));
     for (int64_t k = 0; k < n; ++k)
-        h[k] = ldexp(from, (int)(rungs < 0.0 ? k : -k));
+        h[k] = ldexp(fmax(from, to), (int)-k);
     return n;
+}
+
+static int falling(const void *a, const void *b)
+{
+    const double p = *(const double *)a, q = *(const double *)b;
+    return (p < q) - (p > q);
 }
 
 int64_t ladder_read(const char *text, double h[LADDER_MOST], struct message *message)
@@ -56,5 +62,6 @@ int64_t ladder_read(const char *text, double h[LADDER_MOST], struct message *mes
         ++n;
         part = comma != NULL ? comma + 1 : NULL;
     }
+    qsort(h, (size_t)n, sizeof *h, falling);
     return n;
 }

@@ -9,7 +9,7 @@
 
 enum { LADDER_MOST = 64 };
 
-/** Reads the list into h[LADDER_MOST], in the order given; returns how many, or -1 with one line in *message.
+/** Reads the list into h[LADDER_MOST], by falling h; returns how many, or -1 with one line in *message.
  *  Numbers are positive and written as number_read takes them; none may appear twice. */
 int64_t ladder_read(const char *text, double h[LADDER_MOST], struct message *message);
 

@@ -16,7 +16,7 @@ from .price_list import power, three
 NOISY = 0.1             # of a time: a spread that no quiet machine shows
 PICTURES = 10           # at most on a page made for a folder of documents
 MEASURES = {"attitude_error": "attitude error (rad, largest over the bodies, at the end)",
-            "velocity_error": "relative velocity error at the end; nothing turns in this scene"}
+            "velocity_error": "relative velocity error at the end; no effect here changes how bodies turn"}
 OF = {"attitude": "attitude (rad, largest over the bodies)", "position": "position (length, largest over the bodies)",
       "velocity": "velocity (v and Omega, relative)", "energy": "energy (relative, largest on the way)"}
 

@@ -61,9 +61,8 @@ class Cost:
         return {method: ladder.kind for found in self.runs.values() for method, ladder in found.items()}
 
     def measure(self, scene):
-        """The column that a scene's prices are of: where nothing turns there is no attitude to be wrong."""
-        turns = any(np.any(ladder["attitude_error"] > 0) for ladder in self.runs[scene].values())
-        return "attitude_error" if turns else "velocity_error"
+        """The column that a scene's prices are of: where no effect changes how bodies turn no attitude is wrong."""
+        return "attitude_error" if "attitude" in self.by_measure[scene] else "velocity_error"
 
 
 def read_cost(folder):
