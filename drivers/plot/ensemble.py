@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ensemble.png: mean and spread of the errors against the time step, a row of panels for each group of a sweep."""
+import textwrap
+
 import numpy as np
 from matplotlib.lines import Line2D
 
@@ -8,6 +10,7 @@ from .convergence import PANELS
 
 GROUPS = 4              # rows of panels
 ROW, LEGEND_LINE = 3.6, 0.21    # inches
+TITLE = 40              # letters beside each other above a panel
 
 
 def draw(sweep):
@@ -24,7 +27,7 @@ def draw(sweep):
     for row, group in enumerate(shown):
         for column, panel in enumerate(PANELS):
             axes = figure.add_subplot(grid[2 * row, column])
-            axes.set_title(f"{_name(group)}: {panel.name.lower()}" if column == 0 else panel.name)
+            axes.set_title(textwrap.fill(f"{_name(group)}: {panel.name.lower()}", TITLE) if column == 0 else panel.name)
             axes.set_xlabel("time step $h$ (units of the scene)")
             axes.set_ylabel(panel.label)
             _draw_panel(axes, group, panel.measure, looks)

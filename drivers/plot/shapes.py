@@ -2,9 +2,9 @@
 """shapes.png: the bodies at equally spaced times, until they rest, one scale and one window for all, as in the paper's figure of
 the deformed torus."""
 import numpy as np
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from . import scenery, style, words
+from . import scenery, style, walls, words
 
 PANELS = (8, 9, 6)      # the first that divides the trajectory into equal parts, else the first of all
 WIDE = 2.5              # times as wide as it is high, a window is a strip: then fewer are drawn, and larger
@@ -13,6 +13,33 @@ TALLEST = 11.0          # inches of all panels together
 TITLE, AROUND = 0.3, 0.45   # inches above and beside each
 FILLED = 0.75           # of a page's width, so much at least where that can be
 STILL = 0.005           # of the window, and radians: who has moved by less, rests
+CALM = 1e-4             # ... where kinetic energies are less of their largest sum, too
+NARROW = 1.7            # inches: a panel without room for the unit beside its axis
+TICK = 0.3              # inches of a number below an axis
+FAR = 20                # windows from the origin
+
+
+class _Axis:
+    """How a coordinate is written: less a round base, where the bodies are far from the origin, in a power of ten."""
+
+    def __init__(self, name, base, power):
+        self.name, self.base, self.power = name, base, power
+
+    def label(self, unit):
+        sign = " + " if self.base < 0 else " \N{MINUS SIGN} "
+        return self.name + (f"{sign}{abs(self.base):.12g}" if self.base else "") + unit
+
+    def show(self, axis, most):
+        axis.set_major_locator(MaxNLocator(most, steps=[1, 2, 5, 10], min_n_ticks=1))
+        axis.set_major_formatter(FuncFormatter(
+            lambda value, _: f"{round((value - self.base) / 10.0**self.power, 6):g}".replace("-", "\N{MINUS SIGN}")))
+
+
+def _base(scene):
+    """Of both coordinates: 0 near the origin."""
+    unit = 10.0 ** np.ceil(np.log10(np.max(scene.half)))
+    far = (np.abs(scene.middle) > FAR * np.max(scene.half)) & (not scene.follows)
+    return np.where(far, np.round((scene.middle - scene.half) / unit) * unit, 0.0)
 
 
 def draw(run):
@@ -31,23 +58,24 @@ def draw(run):
     figure.suptitle(f"{words.plain(run.scene)}: shapes over time, {words.stepper_name(run.stepper)}, "
                     rf"$h$ = {words.step_text(run.h)}")
     grid = figure.subplots(rows, columns, sharex=not scene.follows, sharey=not scene.follows, squeeze=False)
-    touched, power = False, _power([scene.window(frame) for frame in frames])
+    touched, base = False, _base(scene)
+    power = _power([scene.window(frame) - base for frame in frames])
     unit = (rf"$10^{{{power}}}$ " if power else "") + "units of the scene"
-    in_units = FuncFormatter(lambda value, _: f"{value / 10.0**power:g}".replace("-", "\N{MINUS SIGN}"))
+    wide = style.WIDTH / columns - AROUND
+    wide = min(wide, (min(panel, TALLEST / rows) - TITLE) * scene.half[0] / scene.half[1])
+    across, up = (_Axis(name, *at, power) for name, at in zip(scene.axis_names(), base.reshape(2, 1)))
     for place, (axes, frame) in enumerate(zip(grid.flat, frames)):
         touched |= scene.draw(axes, frame)
-        if power:
-            axes.xaxis.set_major_formatter(in_units)
-            axes.yaxis.set_major_formatter(in_units)
-        else:
-            axes.ticklabel_format(style="plain")
+        across.show(axes.xaxis, max(1, int(wide / TICK)))
+        up.show(axes.yaxis, max(2, int(wide * scene.half[1] / scene.half[0] / TICK)))
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
-            axes.set_xlabel(f"{scene.axis_names()[0]} ({unit})", labelpad=1)
+            axes.set_xlabel(across.label("" if wide < NARROW else f" ({unit})"), labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(f"{scene.axis_names()[1]} ({unit})", labelpad=1)
-    figure.supxlabel("\n".join([_facts(run, scene, touched, until), *run.notes()]), fontsize=8.5, color=style.GREY)
-    return figure, run.notes()
+            axes.set_ylabel(up.label(f" ({unit})"), labelpad=1)
+    notes = [*run.notes(), *walls.notes(scene.walls, scene.plane)]
+    figure.supxlabel("\n".join([_facts(run, scene, touched, until), *notes]), fontsize=8.5, color=style.GREY)
+    return figure, notes
 
 
 def _power(windows):
@@ -57,14 +85,23 @@ def _power(windows):
 
 
 def until_rest(run, scene):
-    """How many frames there are until bodies are where they are at the end; all of them where walls move or the window does."""
+    """How many frames there are until bodies are where they are at the end, and slow; all of them where walls move or the window
+    does."""
     count = len(run.times)
     if scene.follows or run.walls.move():
         return count
     last, turns = run.frame(count - 1), scene.marked or run.ellipsoids
     while count > 1 and _apart(run.frame(count - 2), last, np.max(scene.half), turns) <= STILL:
         count -= 1
-    return count
+    return count if _is_calm(run, run.times[count - 1]) else len(run.times)
+
+
+def _is_calm(run, start):
+    """Whether nothing moves from then on: bodies may come back to where they were, frame after frame."""
+    kinetic = [values for name, values in run.columns.items() if name.startswith("kinetic_")]
+    later = run.columns["t"] >= start
+    total = np.sum(kinetic, axis=0) if kinetic else np.zeros(len(later))
+    return np.max(total[later], initial=0.0) <= CALM * np.max(total, initial=0.0)
 
 
 def _apart(frame, other, size, turns):

@@ -6,6 +6,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
 
+from . import words
+
 WALL, BEHIND = "#8A8A8A", "#DDDDDD"
 ALONG = 1e-9            # sines of angles: so near a direction is another
 TICKS, TICK = 12, 0.05  # of a cylinder that turns: how many, how long in radii
@@ -30,6 +32,14 @@ def circles(walls, t, plane):
         other = np.cross(axis, one)
         turned = [np.cos(angle) * one + np.sin(angle) * other, np.cos(angle) * other - np.sin(angle) * one]
         yield cylinder[3:6][plane], cylinder[6], np.array(turned)[:, plane]
+
+
+def notes(walls, plane):
+    """What is not drawn: planes and cylinders that are seen at a slant. Planes seen from the front are glass."""
+    sides = [np.hypot(*one[:3][plane]) / np.linalg.norm(one[:3]) for one in walls.planes]
+    sides += [np.hypot(*one[:3][plane]) for one in walls.cylinders]
+    slanted = sum(ALONG < side < 1 - ALONG for side in sides)
+    return [f"{words.counted(slanted, 'wall')} not drawn, being seen at a slant"] if slanted else []
 
 
 def draw(axes, plane, walls, t, window):

@@ -158,9 +158,11 @@ def test_rest(program, folder):
     shapes, run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("shapes", "run_file", "scenery"))
     path, count = os.path.join(folder, "out.h5"), 24
 
-    def frames(**change):
+    def frames(calm=True, **change):
         write_run(path, count)
         with h5py.File(path, "a") as file:
+            for name in [name for name in file["energies"] if calm and name.startswith("kinetic_")]:
+                file[f"energies/{name}"][file["energies/t"][:] >= 3] = 0.0
             for name in ("VTKHDF/Points", "VTKHDF/PointData/attitude_xyzw"):
                 file[name][31 * count:] = np.tile(file[name][30 * count:31 * count], (40, 1))
             for name, (row, value) in change.items():
@@ -169,6 +171,7 @@ def test_rest(program, folder):
         run = run_file.read_run(path)
         return shapes.until_rest(run, scenery.Scenery(run, [run.frame(0), run.frame(30)]))
     assert frames() == 31
+    assert frames(calm=False) == 71, "bodies that are where they were and move do not rest"
     assert frames(Points=(50, [0.1, 0, 0])) == 52 and frames(Points=(50, [0.001, 0, 0])) == 31
     assert frames(**{"PointData/attitude_xyzw": (40, [0.1, 0, 0, 0])}) == 42
     write_run(path, frames=2)
@@ -244,8 +247,24 @@ def test_fragments(_program, _folder):
     assert set(scenery.fragment_colours(frames([-1, -1, 2, 2]))[0][:2]) == {scenery.SINGLE}, "bodies without bonds"
 
 
-def test_scale(_program, _folder):
-    """Both coordinates are written in one power of ten, near 1 in none."""
+def test_scale(_program, folder):
+    """Both coordinates are written in one power of ten, near 1 in none; less a round base far from the origin, where ticks are
+    apart and name where they are. What of the walls is seen at a slant is said not to be drawn."""
+    shapes, run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("shapes", "run_file", "scenery"))
+    path = os.path.join(folder, "out.h5")
+    write_run(path, count=5, frames=2, rows=2, walls=False)
+    with h5py.File(path, "a") as file:
+        file["VTKHDF/Points"][...] += np.array([123456.0, 0.0, 0.0])
+        file.attrs["planes"] = "wall"
+        file["walls"] = [[0.6, 0.64, 0.48, -2e5], [0.0, 1.0, 0.0, -9.0]]
+    figure, notes = shapes.draw(run_file.read_run(path))
+    figure.canvas.draw()
+    low = next(axes for axes in figure.axes if axes.get_xlabel())
+    ticks = [text.get_text() for text in low.get_xticklabels() if text.get_text()]
+    base = float(low.get_xlabel().split("\N{MINUS SIGN} ")[1].split(" ")[0])
+    values = [base + float(text.replace("\N{MINUS SIGN}", "-")) for text in ticks]
+    assert len(set(ticks)) == len(ticks) > 1 and np.allclose(values, low.get_xticks()[:len(values)], 0, 1e-6), (base, ticks)
+    assert notes == ["1 wall not drawn, being seen at a slant"], notes
     power = importlib.import_module("plot.shapes")._power
     for low, high, expected in (((-3, 0), (3, 1), 0), ((0, 0), (0.03, 0.3), 0), ((0, 0), (0.03, 0.01), -2), ((-0.0103, 0), (0, 0.009), -3),
                                 ((0, 0), (3e4, 1), 4)):

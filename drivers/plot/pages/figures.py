@@ -51,8 +51,8 @@ def pendulum(page, study):
     page.text(f"{verdict(has_order(study, first_two, E, 2))} Quadratic convergence of the energy for VTI-1 and VTI-2.")
     page.text(f"{verdict(has_order(study, first_two, Q, 1))} Linear convergence of the q-error, as the paper defines it.")
     page.text(f"{verdict(has_order(study, first_two, H1, 1))} \"Linear convergence of trajectories\" (E18). The q-error "
-              "is the square root of a difference of squared norms: a method of order p shows p/2 in it, and errors of "
-              "phase cancel. The distance of the trajectories themselves, in the table as the true H1 error, is what one "
+              "is the square root of a difference of squared norms: a method of order p shows p/2 in it (at most 1, by the "
+              "trapezoid rule of the norm), and errors of phase cancel. The distance of the trajectories themselves, in the table as the true H1 error, is what one "
               "would call convergence of trajectories.")
     ratio = np.median(study.errors("vti1", E)[1] / study.errors("vti2", E)[1])
     page.text(f"{verdict(0.9 < ratio < 1.1)} \"Indistinguishable from each other\": here the energy error of VTI-1 is "
