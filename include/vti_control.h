@@ -44,12 +44,13 @@ typedef struct vti_control {
     double tolerance; /**< of the error of one step, > 0 */
     double speed;     /**< the error of v is taken in units of it: 1, or a speed of the scene */
     double turning;   /**< the error of Omega is taken in units of it: 1, or an angular velocity of the scene */
-    double most;      /**< the longest step that is proposed; INFINITY at first */
-    double least;     /**< steps are not made shorter than that, vti_control_judge fails instead; 0 at first */
-    double power;     /**< q + 1, with which h the estimate goes: a whole number, 2 to 16 */
-    double h;         /**< the step to be tried next; a shorter one may be, such as the last */
-    double error;     /**< of the step judged last, as above; may be NaN */
-    int64_t held;     /**< 1 after a step that was not accepted: the next one that is may not lengthen h */
+    double most;  /**< the longest step that is proposed; INFINITY at first. With contacts or walls set it to the h of
+                           vti_stable_step: between touches the error tells of none, and a step may pass one by */
+    double least; /**< steps are not made shorter than that, vti_control_judge fails instead; 0 at first */
+    double power; /**< q + 1, with which h the estimate goes: a whole number, 2 to 16 */
+    double h;     /**< the step to be tried next; a shorter one may be, such as the last */
+    double error; /**< of the step judged last, as above; may be NaN */
+    int64_t held; /**< 1 after a step that was not accepted: the next one that is may not lengthen h */
     int64_t accepted; /**< steps so far */
     int64_t rejected; /**< steps that were undone */
 } vti_control;
