@@ -96,10 +96,14 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
         if (o->source != OFFER_SHORTER)
             continue;
         const double more = offers_growth(s, o->stepper, s->measure) / before[k],
-                     finer = plain_power(fmax(more, 1.0), 1.0 / o->order);
-        o->steps = (int64_t)ceil((double)o->steps * finer);
+                     finer = plain_power(fmax(more, 1.0), 1.0 / o->order), steps = ceil((double)o->steps * finer);
+        if (!(steps <= LOOP_STEPS)) { /* no run counts as many */
+            *o = offers_none(o->stepper);
+            continue;
+        }
+        o->steps = (int64_t)steps;
         o->h = s->advice->t_end / (double)o->steps;
-        o->force_evals = (int64_t)((double)o->force_evals * finer);
+        o->force_evals = (int64_t)fmin((double)o->force_evals * finer, 1e18);
         o->seconds *= finer;
         o->doubt = o->below = s->doubt * growth_doubt(s, o->stepper);
     }
