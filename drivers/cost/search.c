@@ -392,10 +392,10 @@ static void follow(const struct search *s, struct offer *o, const struct point *
 
 void search_doubt(const struct search *s, struct offer *o, double order, double finer)
 {
-    const double far = 2.0, more = 1.0, root = 0.5,
+    const double more = 1.0, root = 0.5,
                  most = fmin((double)o->stepper->order, search_usual_order(o->stepper) + more) - order;
     o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
-    if (s->breaks && finer > far)
+    if (s->breaks) /* a bond that breaks at another step changes what comes after */
         o->doubt = INFINITY;
     o->below = s->kinked && isfinite(o->doubt) ? s->doubt * plain_power(fmax(finer, 1.0), fmax(most, root)) : o->doubt;
 }

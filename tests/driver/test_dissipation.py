@@ -4,6 +4,7 @@
 what cannot dissipate is refused in one line.      test_dissipation.py VTI_RUN VTI_STUDY VTI_ADVISE MPIRUN"""
 import csv
 import json
+import math
 import os
 import re
 import sys
@@ -207,14 +208,14 @@ def advice(base):
         may = {"vti1", "vti2", "vti3", "vti3-leapfrog", "exact", "chin4"}
         check({told["stepper"]} | {other["stepper"] for other in told["alternatives"]} == may,
               "... among those that may be used")
-        check(told["pilots"]["force_evals"] < 3e5, f"... after {told['pilots']['force_evals']} evaluations")
+        check(told["pilots"]["force_evals"] < 5e5, f"... after {told['pilots']['force_evals']} evaluations")
         if told["trajectories_until"] is not None:
             continue
         done = run(MPIRUN, "-n", "1", STUDY, f"{base}/{name}.yaml", "--steppers", told["stepper"], "--h",
                    repr(told["h"]), "--t-end", t_end, "--no-plot", "-o", f"{base}/advised-{name}")
         with open(f"{base}/advised-{name}/study.csv", encoding="ascii", newline="") as file:
             found = float(next(csv.DictReader(file))["attitude_error"])
-        low, high = told["interval"]
+        low, high = (other if limit is None else limit for limit, other in zip(told["interval"], (0.0, math.inf)))
         check(low <= found <= high,
               f"... {told['stepper']} at h = {told['h']:.3g}: error {found:.2e} in {low:.1e} to {high:.1e}")
 
