@@ -38,7 +38,7 @@ struct pilot {
     int spent;        /* ended because the purse was empty */
     int parted;       /* ended at so many marks, having left the run that it was flown beside; 0: it was not */
     double seconds;   /* of the steps alone */
-    double max_omega; /* largest |Omega| likewise */
+    double max_omega; /* largest |Omega| at the end of a step */
     double energy, energy_error; /* at t = 0; the largest |E - E_0|/|E_0| at the end of a step (absolute if E_0 = 0) */
     vti_bodies at[PILOT_MARKS];  /* x, v, alpha and omega, of those that the scene has */
     double *memory;
@@ -60,8 +60,8 @@ struct pilot_way {
     double nudge; /* it begins off by so much at most: x of the extent, alpha in radians */
     int blind;    /* nobody looks at the energy */
 };
-/** Runs the trial, of pilot_steps. Returns 0; ADVISE_SPENT; or -1 with one line in *message if there is no memory or no model. A run that fails on its way is
- *  pilot->failed. pilot_destroy is due after any of them. */
+/** Runs the trial, of pilot_steps. Returns 0; ADVISE_SPENT; or -1 with one line in *message if there is no memory or no
+ *  model. A run that fails on its way is pilot->failed. pilot_destroy is due after any of them. */
 int pilot_run(const struct scene *scene, const struct trial *trial, struct purse *purse, struct pilot_way way,
               struct pilot *pilot, struct message *message);
 void pilot_destroy(struct pilot *pilot);
@@ -196,7 +196,7 @@ double search_stray_work(const struct search *s);
 /** How many times further they are apart at the end than at time t; 1 if that is not known. */
 double search_growth(const struct search *s, double t);
 int search_knows_growth(const struct search *s);
-/** Whether that is so much that rounding alone passes the goal in the end, and no step is short enough; then from when on
+/** Whether they stray so much that rounding alone passes the goal in the end, and no step is short enough; then from when on
  *  is advice->together. */
 int search_strays(struct search *s, double goal);
 /** Up to when two runs agree to a tenth, in radians or of all velocities. */

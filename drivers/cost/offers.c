@@ -45,6 +45,22 @@ struct offer offers_none(const vti_stepper *stepper)
     return none;
 }
 
+/** The same in times as many steps over the whole time. No run counts more than LOOP_STEPS: then it is none, and 0 is
+ *  returned. */
+static int lengthen(const struct search *s, struct offer *o, double times)
+{
+    const double steps = ceil((double)o->steps * times);
+    if (!(steps <= LOOP_STEPS)) {
+        *o = offers_none(o->stepper);
+        return 0;
+    }
+    o->steps = (int64_t)steps;
+    o->h = s->advice->t_end / (double)o->steps;
+    o->force_evals = (int64_t)fmin((double)o->force_evals * times, 1e18);
+    o->seconds *= times;
+    return 1;
+}
+
 void offers_carry_over(const struct stages *g, const struct offer *found, double target, struct offer *o)
 {
     const struct search *s = &g->search;
@@ -67,15 +83,8 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
         o->source = OFFER_SHORTER;
         o->doubt = o->below = fmax(found->doubt, s->doubt * growth_doubt(s, found->stepper));
     }
-    const double steps = ceil((double)found->steps * longer * finer);
-    if (!(steps <= LOOP_STEPS)) { /* no run counts as many */
-        *o = offers_none(found->stepper);
+    if (!lengthen(s, o, longer * finer))
         return;
-    }
-    o->steps = (int64_t)steps;
-    o->h = s->advice->t_end / (double)o->steps;
-    o->force_evals = (int64_t)fmin((double)found->force_evals * longer * finer, 1e18);
-    o->seconds = found->seconds * longer * finer;
     const double less = luck * plain_power(finer, -order);
     for (int m = 0; m < COST_MEASURES; ++m)
         o->errors[m] = found->errors[m] * offers_growth(s, found->stepper, m) * less;
@@ -95,17 +104,9 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
         struct offer *o = &s->advice->offers[k];
         if (o->source != OFFER_SHORTER)
             continue;
-        const double more = offers_growth(s, o->stepper, s->measure) / before[k],
-                     finer = plain_power(fmax(more, 1.0), 1.0 / o->order), steps = ceil((double)o->steps * finer);
-        if (!(steps <= LOOP_STEPS)) { /* no run counts as many */
-            *o = offers_none(o->stepper);
-            continue;
-        }
-        o->steps = (int64_t)steps;
-        o->h = s->advice->t_end / (double)o->steps;
-        o->force_evals = (int64_t)fmin((double)o->force_evals * finer, 1e18);
-        o->seconds *= finer;
-        o->doubt = o->below = s->doubt * growth_doubt(s, o->stepper);
+        const double more = offers_growth(s, o->stepper, s->measure) / before[k];
+        if (lengthen(s, o, plain_power(fmax(more, 1.0), 1.0 / o->order)))
+            o->doubt = o->below = s->doubt * growth_doubt(s, o->stepper);
     }
 }
 

@@ -10,8 +10,8 @@
 #include "number.h"
 #include "random.h"
 
-/* at runs of methods that choose their steps; and one look of so many is timed */
-enum { LOOKS = 64, TIMED = 16 };
+/* one look at the energy of so many is timed; and at the purse there are so many where steps vary */
+enum { TIMED = 16, LOOKS = 64 };
 
 /* ---- the purse --------------------------------------------------------------------------------------------------- */
 
@@ -150,11 +150,11 @@ static double seconds_of(const struct flight *f)
 static int64_t fly(struct flight *f, const struct trial *trial)
 {
     struct pilot *pilot = f->pilot;
-    const int64_t steps = trial->steps, every = method_varies(trial->stepper) ? (steps + LOOKS - 1) / LOOKS : 1;
+    const int64_t steps = trial->steps;
     const struct observer observers[] = {
         {see_purse, f, purse_every(f, steps, f->run.model.bodies.count), 0, NULL, NULL},
         {see_mark, f, pilot->marked ? steps / PILOT_MARKS : steps, 0, NULL, NULL},
-        {look, f, every, 0, NULL, NULL}};
+        {look, f, trial_look_every(trial), 0, NULL, NULL}};
     pilot->failed = trial_go(&f->run, steps, observers, f->way.blind ? 2 : 3, &pilot->message) != 0 && !pilot->spent &&
                     pilot->parted == 0;
     pilot->seconds = seconds_of(f);

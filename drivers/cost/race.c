@@ -7,9 +7,6 @@
 
 #include "number.h"
 
-/* at a run of a method that chooses its steps */
-enum { LOOKS = 64 };
-
 /** Steps of h to t_end, of which h must be a whole fraction (to rounding). */
 static int64_t race_steps(double t_end, double h)
 {
@@ -151,9 +148,7 @@ void race_measure(const struct scene *scene, const vti_stepper *stepper, double 
     memset(r, 0, sizeof *r);
     r->seconds = r->seconds_spread = NAN;
     r->steps = trial.steps;
-    /* within touches, one step of a thousand, the energy may be off by a hundred times what it is between them */
-    const int64_t every = method_varies(stepper) ? (r->steps + LOOKS - 1) / LOOKS : 1;
-    r->failed = one_race(scene, &trial, t_end, every, reference, r) != 0;
+    r->failed = one_race(scene, &trial, t_end, trial_look_every(&trial), reference, r) != 0;
     /* a rival that chooses its own steps has to end one at every look: what counts is the run without */
     if (!r->failed && method_varies(stepper))
         r->failed = one_race(scene, &trial, t_end, r->steps, reference, r) != 0;

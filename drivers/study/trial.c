@@ -33,6 +33,12 @@ int trial_go(struct trial_run *run, int64_t until, const struct observer *observ
     return result;
 }
 
+int64_t trial_look_every(const struct trial *trial)
+{
+    enum { LOOKS = 64 };
+    return method_varies(trial->stepper) ? (trial->steps + LOOKS - 1) / LOOKS : 1;
+}
+
 void trial_end(struct trial_run *run)
 {
     travel_destroy(&run->travel);
