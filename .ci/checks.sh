@@ -58,10 +58,10 @@ sanitize() {
     ASAN_OPTIONS=detect_leaks=0 run_tests build-sanitize --timeout-multiplier 4 --no-suite slow --no-suite bits "$@"
 }
 
-# memory: the core's tests as they are, under valgrind
+# memory: the core's tests as they are, and those of its Fortran interfaces, under valgrind
 memory() {
     build
-    meson test -C build --suite unit --suite lists --print-errorlogs --timeout-multiplier 4 \
+    meson test -C build --suite unit --suite lists --suite fortran --print-errorlogs --timeout-multiplier 4 \
         --wrapper "sh $PWD/tests/hard/memcheck.sh"
 }
 

@@ -38,7 +38,7 @@ typedef struct vti_history {
 } vti_history;
 
 /** Puts what a touch holds into the table: for a larger one, a restart, or bodies with other numbers. VTI_E_HISTORY if
- *  there is no room, or slots is not a power of 2. */
+ *  there is no room, slots is not a power of 2, i < 0, j is 0 or i, or a load is not finite; then the table is as it was. */
 VTI_API int vti_history_add(vti_history *history, const vti_held *held);
 
 /** Friction of contacts and planes: springs that stretch as surfaces move over each other and slide where they would

@@ -57,8 +57,9 @@ extern "C" {
         "the stepper steps back in time, which turns dissipation into gain; use one without negative "                 \
         "coefficients: vti2, exact or chin4")                                                                          \
     ROW(VTI_E_CONTACT, -16,                                                                                            \
-        "a contact is not between two different bodies that exist, or a diameter is not positive and finite, or the "  \
-        "stiffness negative or not finite; mend that pair")                                                            \
+        "a contact is not between two different bodies that exist, or the normal or axis of a wall is not of length "  \
+        "1, or a diameter, radius or modulus is not positive and finite, or a stiffness is negative, not finite or "   \
+        "beside a modulus, or a place or motion of a wall is not finite; mend that pair or wall")                      \
     ROW(VTI_E_STATE, -17,                                                                                              \
         "a position, velocity, attitude or spin is not finite, or a quaternion is zero; set all of them before the "   \
         "first step, an unturned quaternion to real part 1")                                                           \
@@ -73,8 +74,9 @@ extern "C" {
         "finite, or friction has no stiffness, or two, or a reach is not positive; give finite numbers >= 0, one "     \
         "stiffness for each motion, and a reach: INFINITY where lists have all pairs")                                 \
     ROW(VTI_E_HISTORY, -21,                                                                                            \
-        "the table of what touches hold is full, or its slots are no power of 2; give it twice as many slots as "      \
-        "bodies touch, and begin anew or from a restart")                                                              \
+        "the table of what touches hold is full, or its slots are no power of 2, or what is put into it names no two " \
+        "different bodies and no wall, or is not finite; give it twice as many slots as bodies touch, and begin anew " \
+        "or from a restart")                                                                                           \
     ROW(VTI_E_PAST, -22,                                                                                               \
         "a multistep method remembers too little, or has no memory; record the accelerations before each of K - 1 "    \
         "steps of another method, and after them")                                                                     \
@@ -87,8 +89,8 @@ extern "C" {
         "attitude; give spin and three moments for each body, or three for all")                                       \
     ROW(VTI_E_CLUMP, -25,                                                                                              \
         "a sphere of a clump belongs to no body that exists or to one before that of the last sphere, or its place is "\
-        "not finite or its diameter not positive, or an effect on the spheres has a flow, but none for clumps; sort "  \
-        "the spheres by body, or give that effect flow_clumps")
+        "not finite or its diameter not positive, or their moments are beyond the range of numbers, or an effect on "  \
+        "the spheres has a flow, but none for clumps; sort the spheres by body, or give that effect flow_clumps")
 /* clang-format on */
 
 /** What calls return; vti_status_text says what to do about it. */

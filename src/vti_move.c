@@ -297,8 +297,12 @@ int vti_kick(double t, const vti_bodies *b)
 
 void vti_drift_increment(int law, double t, const double omega[3], double dalpha[3])
 {
-    const double u[3] = {t * omega[0], t * omega[1], t * omega[2]};
+    double u[3] = {NAN, NAN, NAN};
     struct increment d = {{NAN, NAN}, 0};
+    if (dalpha == NULL)
+        return;
+    for (int k = 0; k < 3 && omega != NULL; ++k)
+        u[k] = t * omega[k];
     if (vti_law_check(law, VTI_FRAME_SPACE) == VTI_OK)
         d = increment(law, u);
     for (int k = 0; k < 3; ++k)

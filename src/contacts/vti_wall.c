@@ -15,12 +15,15 @@ static int is_unit(const double n[3])
     return fabs(vti_dot(n, n) - 1.0) < 1e-12;
 }
 
-static int are_finite(const double *numbers, int count)
+/** Whether so many numbers are finite; else *value is the first that is not. */
+static int are_finite(const double *numbers, int count, double *value)
 {
-    int good = 1;
     for (int k = 0; k < count; ++k)
-        good &= isfinite(numbers[k]) != 0;
-    return good;
+        if (!isfinite(numbers[k])) {
+            *value = numbers[k];
+            return 0;
+        }
+    return 1;
 }
 
 static int is_list(const vti_walls *p)
@@ -29,27 +32,46 @@ static int is_list(const vti_walls *p)
            (vti_faces(p) <= 0 || p->diameter.p != NULL) && (p->motion == NULL || p->work != NULL);
 }
 
-/** Whether wall w has an axis of length 1, a positive radius, K and modulus that may be, and all else finite. */
-static int is_good(const vti_walls *p, int64_t w)
+static int has_good_axis(const vti_walls *p, int64_t w, double *value)
 {
-    const double stiffness = p->each != NULL ? p->each[w] : p->stiffness;
-    const double modulus = p->moduli != NULL ? p->moduli[w] : 1.0;
-    const vti_wall_motion *const m = vti_face_motion(p, w);
+    const double *const axis = vti_face_axis(p, w);
     const int is_plane = w < p->count;
-    return isfinite(stiffness) && stiffness >= 0.0 && vti_is_positive(modulus) && is_unit(vti_face_axis(p, w)) &&
-           are_finite(vti_face_axis(p, w), is_plane ? 4 : 7) && (is_plane || vti_face_axis(p, w)[6] > 0.0) &&
-           (m == NULL ||
-            (are_finite(m->velocity, 3) && are_finite(m->centre, 3) && are_finite(m->moved, 3) && isfinite(m->spin)));
+    if (!are_finite(axis, is_plane ? 4 : 7, value))
+        return 0;
+    *value = sqrt(vti_dot(axis, axis));
+    if (!is_unit(axis))
+        return 0;
+    *value = is_plane ? 1.0 : axis[6];
+    return *value > 0.0;
 }
 
-/** The first wall that is not good; -1 if all are. *one: whether K has one source. */
-static int64_t first_bad(const vti_walls *p, int *one)
+/** Whether wall w has an axis of length 1, a positive radius, K and modulus that may be, and all else finite; else *value
+ *  is what is wrong, of an axis its length. */
+static int is_good(const vti_walls *p, int64_t w, double *value)
 {
-    *one = p->modulus.p == NULL || (p->each == NULL && p->stiffness == 0.0);
+    const vti_wall_motion *const m = vti_face_motion(p, w);
+    *value = p->each != NULL ? p->each[w] : p->stiffness;
+    if (!(isfinite(*value) && *value >= 0.0))
+        return 0;
+    *value = p->moduli != NULL ? p->moduli[w] : 1.0;
+    return vti_is_positive(*value) && has_good_axis(p, w, value) &&
+           (m == NULL || (are_finite(m->velocity, 3, value) && are_finite(m->centre, 3, value) &&
+                          are_finite(m->moved, 3, value) && are_finite(&m->spin, 1, value)));
+}
+
+/** The first wall that is not good, and in *value what is wrong with it; -1 if all are. */
+static int64_t first_bad(const vti_walls *p, double *value)
+{
     for (int64_t w = 0; w < vti_faces(p); ++w)
-        if (!is_good(p, w))
+        if (!is_good(p, w, value))
             return w;
     return -1;
+}
+
+/** Whether K has one source. */
+static int is_one(const vti_walls *p)
+{
+    return p->modulus.p == NULL || (p->each == NULL && p->stiffness == 0.0);
 }
 
 static int ends_or_is_bad(const vti_scalars *s, int64_t i)
@@ -59,15 +81,17 @@ static int ends_or_is_bad(const vti_scalars *s, int64_t i)
 
 int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
 {
-    int one;
+    double value;
     vti_refuse_none(VTI_OK, fault);
     if (walls == NULL || !is_list(walls))
         return VTI_E_NULL;
     if (walls->count < 0 || walls->cylinders < 0 || n < 0)
         return VTI_E_COUNT;
-    const int64_t bad = first_bad(walls, &one);
-    if (bad >= 0 || !one)
-        return vti_refuse(VTI_E_CONTACT, bad, one ? NAN : walls->stiffness, VTI_QUANTITY_NONE, fault);
+    const int64_t bad = first_bad(walls, &value);
+    if (bad >= 0)
+        return vti_refuse(VTI_E_CONTACT, bad, value, VTI_QUANTITY_NONE, fault);
+    if (!is_one(walls))
+        return vti_refuse(VTI_E_CONTACT, -1, walls->stiffness, VTI_QUANTITY_NONE, fault);
     for (int64_t i = 0; vti_faces(walls) > 0 && i < n; ++i)
         if (ends_or_is_bad(&walls->diameter, i) || (walls->modulus.p != NULL && ends_or_is_bad(&walls->modulus, i)))
             return vti_refuse(VTI_E_CONTACT, -1, (double)i, VTI_QUANTITY_NONE, fault);
@@ -78,14 +102,14 @@ int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
-    int one;
+    double value;
     if (VTI_LOOKS)
         return vti_walls_check(p, vti_bodies_named(b), NULL);
     if (!is_list(p))
         return VTI_E_NULL;
     if (p->count < 0 || p->cylinders < 0)
         return VTI_E_COUNT;
-    return first_bad(p, &one) < 0 && one ? VTI_OK : VTI_E_CONTACT;
+    return first_bad(p, &value) < 0 && is_one(p) ? VTI_OK : VTI_E_CONTACT;
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */

@@ -17,6 +17,15 @@ static int is_power_of_2(int64_t n)
     return n > 0 && (n & (n - 1)) == 0;
 }
 
+/** Whether a body, from 1, holds on to another or to a wall, with loads that are finite. */
+static int is_held(const vti_held *h)
+{
+    double zero = 0.0 * h->twisting;
+    for (int k = 0; k < 3; ++k)
+        zero += 0.0 * h->sliding[k] + 0.0 * h->rolling[k];
+    return h->i > 0 && h->j != 0 && h->j != h->i && zero == 0.0;
+}
+
 int vti_history_add(vti_history *history, const vti_held *held)
 {
     if (history == NULL || history->slot == NULL || held == NULL)
@@ -25,6 +34,8 @@ int vti_history_add(vti_history *history, const vti_held *held)
         return VTI_E_HISTORY;
     if (held->i == 0) /* an empty slot */
         return VTI_OK;
+    if (!is_held(held))
+        return VTI_E_HISTORY;
     vti_held *const at = history->used < history->slots ? vti_history_at(history, held->i, held->j) : NULL;
     if (at == NULL || (at->i == 0 && history->used + 1 >= history->slots))
         return VTI_E_HISTORY;

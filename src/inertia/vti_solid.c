@@ -281,5 +281,10 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
         about[k] = 0.5 * low[k] + 0.5 * high[k];
     add_spheres(n, centre, diameter, lines, about, &sum);
     weigh(&sum, density, about, solid);
+    if (!vti_is_positive(solid->mass))
+        return vti_refuse(VTI_E_MASS, -1, solid->mass, VTI_QUANTITY_MASS, fault);
+    for (int k = 0; k < 3; ++k)
+        if (!isfinite(solid->moments[k]) || !isfinite(solid->centre[k]))
+            return vti_refuse(VTI_E_CLUMP, -1, solid->moments[k], VTI_QUANTITY_NONE, fault);
     return VTI_OK;
 }

@@ -132,7 +132,13 @@ TEST(lists_and_tables_of_friction)
 /** A table takes what there is room for, one slot staying empty, and a touch once. */
 TEST(adding_to_a_table)
 {
-    vti_held held = {1, 2, {3, 0, 0}, {0, 0, 0}, 0};
+    vti_held held = {1, 9, {3, 0, 0}, {0, 0, 0}, 0};
+    static const vti_held bad[] = {{-1, 9, {0}, {0}, 0},
+                                   {1, 0, {0}, {0}, 0},
+                                   {9, 9, {0}, {0}, 0},
+                                   {1, 9, {0, NAN, 0}, {0}, 0},
+                                   {1, 9, {0}, {0, 0, INFINITY}, 0},
+                                   {1, 9, {0}, {0}, NAN}};
     two_bodies();
     assert_int_equal(vti_history_add(NULL, &held), VTI_E_NULL);
     assert_int_equal(vti_history_add(&history, NULL), VTI_E_NULL);
@@ -144,6 +150,9 @@ TEST(adding_to_a_table)
         assert_int_equal(vti_history_add(&history, &held), VTI_E_HISTORY);
     }
     history.slots = 8;
+    for (int k = 0; k < 6; ++k)
+        assert_int_equal(vti_history_add(&history, &bad[k]), VTI_E_HISTORY);
+    assert_int_equal(history.used, 0);
     for (int again = 0; again < 2; ++again)
         for (held.i = 1; held.i <= 8; ++held.i) {
             held.sliding[0] = (double)(10 * again + held.i);

@@ -365,7 +365,7 @@ TEST(checked)
     const vti_effect effect = vti_walls_effect(&m.walls);
     m.plane[1][2] = 2;
     assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
-    assert_int_equal(fault.body, 1);
+    assert_true(fault.body == 1 && fault.value == 2);
     assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_E_CONTACT);
     m.plane[1][2] = 1;
     m.walls.stiffness = -10;

@@ -94,7 +94,7 @@ picks() {
 
 # builds COMPILER: at each level, and with the kernels for wide units
 builds() {
-    for level in -O0 -O2,-DVTI_WIDTH=1 $wide; do
+    for level in -O0 -O1,-DVTI_WIDTH=1 $wide; do
         "$1" $flags $(echo "$level" | tr , ' ') $sources -lm -o "$work/$1$level"
         run "$work/$1$level"
     done

@@ -454,6 +454,10 @@ static void increments(void **state)
     assert_true(isnan(turn[1]));
     vti_drift_increment(VTI_LAW_EXACT9 + 1, 1.0, fast, turn);
     assert_true(isnan(turn[0]));
+    turn[1] = 0;
+    vti_drift_increment(VTI_LAW_EXACT, 1.0, NULL, turn);
+    vti_drift_increment(VTI_LAW_EXACT, 1.0, fast, NULL);
+    assert_true(isnan(turn[1]));
 }
 
 RUN_TESTS(cmocka_unit_test_setup(free_flight, bodies), cmocka_unit_test_setup(orders, bodies),

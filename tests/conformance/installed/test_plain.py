@@ -16,7 +16,7 @@ project = pathlib.Path(sys.argv[1])
 blocks = re.findall(r"^```sh\n(meson .*?)^```$", (project / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 check(len(blocks) == 2, "README.md has two plain ways")
 
-COMPILERS = ("CC", "CXX", "FC", "CFLAGS", "CXXFLAGS", "FFLAGS", "LDFLAGS")
+COMPILERS = ("CC", "CXX", "FC", "LDFLAGS")
 
 
 def run(line, home, path):
