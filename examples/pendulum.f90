@@ -30,7 +30,7 @@ program pendulum
         call own_moments()
         call must(vti_step_finish(method, h, bodies))
     end do
-    arm = rotated(alpha(:, 1))
+    arm = vti_rrv_rotate(alpha(:, 1), rho0)
     print '(a, f4.1, a, f14.12, a, es8.1)', 't = ', steps*h, '  energy = ', &
         vti_kinetic_rotation(bodies) - weight*arm(3), '  R rho0 . Omega = ', dot_product(arm, omega(:, 1))
 
@@ -38,18 +38,10 @@ contains
     !> RM = weight (R rho0) x e3
     subroutine own_moments()
         do i = 1, n
-            arm = rotated(alpha(:, i))
+            arm = vti_rrv_rotate(alpha(:, i), rho0)
             moment(:, i) = weight*[arm(2), -arm(1), 0.0_c_double]
         end do
     end subroutine
-
-    !> R rho0 = rho0 + 4/(4 + |a|^2) [a x rho0 + (a.rho0 a - a.a rho0)/2]
-    pure function rotated(a) result(r)
-        real(c_double), intent(in) :: a(3)
-        real(c_double) :: r(3), s(3)
-        s = [a(2)*rho0(3) - a(3)*rho0(2), a(3)*rho0(1) - a(1)*rho0(3), a(1)*rho0(2) - a(2)*rho0(1)]
-        r = rho0 + 4/(4 + dot_product(a, a))*(s + (dot_product(a, rho0)*a - dot_product(a, a)*rho0)/2)
-    end function
 
     subroutine must(status)
         integer(c_int), intent(in) :: status

@@ -19,7 +19,7 @@ module vti_effects
     public :: vti_pairs_of_slice
     public :: vti_effects_check, vti_effects_begin, vti_effects_stage, vti_effects_finish
     public :: vti_effects_flow, vti_effects_carry, vti_effects_rupture
-    public :: vti_pendulum_effect, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect
+    public :: vti_pendulum_effect, vti_pendulum_potential, vti_pendulum_arm, vti_gravity_effect, vti_drag_effect
 
     abstract interface
         subroutine c_visit(context, spring) bind(c)
@@ -211,6 +211,14 @@ contains
         type(vti_pendulum), pointer, intent(in) :: pendulum
         type(vti_effect) :: effect
         if (associated(pendulum)) effect = c_pendulum_effect(c_loc(pendulum))
+    end function
+
+    !> U of a body whose arm R rho0 is arm.
+    pure function vti_pendulum_potential(pendulum, arm) result(energy)
+        type(vti_pendulum), intent(in) :: pendulum
+        real(c_double), intent(in) :: arm(3)
+        real(c_double) :: energy
+        energy = -pendulum%weight*arm(3)
     end function
 
     !> arm = R rho0 of body i, which counts from 1, in the inertial frame.

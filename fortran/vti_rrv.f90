@@ -7,7 +7,8 @@ module vti_rrv
     use, intrinsic :: iso_c_binding, only: c_double
     implicit none
     private
-    public :: vti_rrv_compose, vti_rrv_inverse, vti_rrv_relative, vti_rrv_turn, vti_rrv_turn_body
+    public :: vti_rrv_compose, vti_rrv_inverse, vti_rrv_relative, vti_rrv_relative_printed
+    public :: vti_rrv_turn, vti_rrv_turn_body
     public :: vti_rrv_rotate, vti_rrv_rotate_back, vti_rrv_angle, vti_rrv_distance
     public :: vti_rrv_from_rotvec, vti_rrv_to_rotvec, vti_rrv_from_quat_xyzw, vti_rrv_to_quat_xyzw
     public :: vti_rrv_from_matrix, vti_rrv_to_matrix
@@ -103,6 +104,13 @@ contains
         real(c_double), intent(in) :: a(3), b(3)
         real(c_double) :: r(3)
         call c_relative(a, b, r)
+    end function
+
+    !> R(r) = R(b) R(a)^T: what the paper prints as alpha_(ij) (erratum E5).
+    pure function vti_rrv_relative_printed(a, b) result(r)
+        real(c_double), intent(in) :: a(3), b(3)
+        real(c_double) :: r(3)
+        call c_relative(b, a, r)
     end function
 
     !> a, turned further by the increment 2 u/c in space, R(r) = R(2 u/c) R(a); c and u not both 0.

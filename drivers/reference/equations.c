@@ -228,12 +228,12 @@ double equations_rounding_squared(const struct equations *eq)
 
 static const double first_step = 1e-4;
 
-/** No step passes by a touch. */
+/** No step is longer than evaluations may be apart, so that none of the 13 within it passes by a touch. */
 static int bound_steps(struct equations *eq)
 {
     double longest;
     struct message ignored;
-    if (model_longest_step(eq->model, &longest, &ignored) != 0)
+    if (model_longest_gap(eq->model, &longest, &ignored) != 0)
         return -1;
     if (!isfinite(longest))
         return 0;

@@ -25,6 +25,7 @@
 enum { ORDER = 8, STATES = 3, STAGES = 12 };
 static const double share = 1e-7, least = 1e-14, largest = 1e-2; /* above it bonds are torn and steps shrink */
 static const double safety = 0.9, shrink = 3.0, grow = 1.0 / 6.0;
+static const double gap = 0.6 - 1.0 / 3.0; /* the largest between nodes c_i */
 
 /** Numbers of a course. */
 enum { TIME, STEP, HELD, KNOWS_SLOPE, CUT_EVALS, EPSILON };
@@ -100,7 +101,7 @@ static int prepare(struct course *c, struct message *message)
 {
     const int64_t room = rates_room(c);
     double most;
-    if (course_fastest(c, &most, message) != 0 || course_longest(c, message) != 0)
+    if (course_fastest(c, &most, message) != 0 || course_longest(c, gap, message) != 0)
         return -1;
     struct tool *tool = calloc(1, sizeof *tool + (size_t)(2 * room) * sizeof(double));
     if (tool == NULL)

@@ -206,9 +206,11 @@ int course_fastest(struct course *c, double *most, struct message *message)
     return 0;
 }
 
-int course_longest(struct course *c, struct message *message)
+int course_longest(struct course *c, double gap, struct message *message)
 {
-    return model_longest_step(c->model, &c->longest, message);
+    const int result = model_longest_gap(c->model, &c->longest, message);
+    c->longest /= gap;
+    return result;
 }
 
 int course_begin(struct course *c, struct message *message)

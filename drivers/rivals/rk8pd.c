@@ -28,6 +28,7 @@
 
 enum { ORDER = 8, STATES = 2 };
 static const double share = 1e-7, least = 1e-14;
+static const double gap = 1201146811.0 / 1299019798.0 - 0.65; /* the largest between nodes c_i */
 
 /** Numbers of a course: where GSL is, the step that it would take next, and evaluations that nobody needs who does not
  *  look. */
@@ -85,7 +86,7 @@ static int prepare(struct course *c, struct message *message)
 static int prepare_adaptive(struct course *c, struct message *message)
 {
     double most;
-    if (prepare(c, message) != 0 || course_fastest(c, &most, message) != 0 || course_longest(c, message) != 0)
+    if (prepare(c, message) != 0 || course_fastest(c, &most, message) != 0 || course_longest(c, gap, message) != 0)
         return -1;
     const double epsilon = fmax(share * plain_power(most, ORDER), least);
     struct tool *tool = c->tool;

@@ -150,11 +150,12 @@ struct model_limits {
     char rest_by[96], within_by[96];
 };
 int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
-/** The longest step by which methods that choose their steps may not miss a touch: an error that they estimate between
- *  touches knows of none. It is 2/omega of the stiffest contact that energies at the start allow, and a touch of two
- *  spheres lasts 4.0/omega or longer (2.94 delta/v of Hertz, with omega = 1.37 v/delta). Infinite where forces have no
+/** The longest time between two evaluations of forces by which methods that choose their steps may not miss a touch: an
+ *  error that they estimate between touches knows of none. It is 3/omega of the stiffest contact that energies at the
+ *  start allow. A touch of two spheres lasts 4.0/omega or longer (2.94 delta/v of Hertz, with omega = 1.37 v/delta), so
+ *  that forces are taken at least once where they are a fourth of their largest or more. Infinite where forces have no
  *  kinks. Returns 0, or -1 with one line in *message. */
-int model_longest_step(const struct model *model, double *longest, struct message *message);
+int model_longest_gap(const struct model *model, double *gap, struct message *message);
 
 /* ---- what the continuous motion conserves besides the energy ----------------------------------------------------- */
 

@@ -208,19 +208,19 @@ int model_stable_step(const struct model *model, const vti_bodies *bodies, const
     return status == VTI_OK ? 0 : message_set(message, "%s: %s", model->scene->name, vti_status_text(status));
 }
 
-int model_longest_step(const struct model *model, double *longest, struct message *message)
+int model_longest_gap(const struct model *model, double *gap, struct message *message)
 {
     const vti_deformation at = model_deformation(model, &model->bodies);
     double *scratch = calloc((size_t)model->bodies.count, sizeof *scratch);
     int status = scratch != NULL ? VTI_OK : VTI_E_NULL;
-    *longest = INFINITY;
+    *gap = INFINITY;
     for (int64_t k = 0; k < model->effects_count && status == VTI_OK; ++k) {
         const vti_effect *e = &model->effects[k];
         vti_stable stable;
         if (e->smooth || e->rupture != NULL || e->apply == NULL)
             continue;
         status = vti_stable_step(e, 1, &model->bodies, &at, scratch, &stable);
-        *longest = status == VTI_OK ? fmin(*longest, stable.h) : *longest;
+        *gap = status == VTI_OK ? fmin(*gap, 1.5 * stable.h) : *gap; /* h is 2/omega */
     }
     if (scratch == NULL)
         message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);

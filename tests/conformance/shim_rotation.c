@@ -26,6 +26,6 @@ void shim_rotations(const double a[3], const double b[3], double c, double r[56]
     vti_rrv_from_matrix(r + 36, r + 45);
     for (int k = 0; k < 3; ++k) /* R b, by the matrix */
         r[48 + k] = r[36 + 3 * k] * b[0] + r[37 + 3 * k] * b[1] + r[38 + 3 * k] * b[2];
-    for (int k = 51; k < 56; ++k)
-        r[k] = 0.0;
+    vti_rrv_relative_printed(a, b, r + 51);
+    r[54] = r[55] = 0.0;
 }

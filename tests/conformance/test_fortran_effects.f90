@@ -112,6 +112,7 @@ contains
         call vti_spin(b, ours(11:13))
         call vti_angular_momentum(b, [0.25_c_double, -0.5_c_double, 1.0_c_double], ours(14:16))
         call vti_pendulum_arm(pendulum, b, 5_c_int64_t, ours(17:19))
+        call expect(same_bits([vti_pendulum_potential(pendulum, ours(17:19))], [-pendulum%weight*ours(19)]), 'potential')
         ours(20:21) = real([effect%terms, effect%breaks], c_double)
         do i = 1, size(ours)
             write (place, '(i0)') i

@@ -74,6 +74,7 @@ contains
         ours(49:51) = [matrix(1, 1)*b(1) + matrix(1, 2)*b(2) + matrix(1, 3)*b(3), &
             matrix(2, 1)*b(1) + matrix(2, 2)*b(2) + matrix(2, 3)*b(3), &
             matrix(3, 1)*b(1) + matrix(3, 2)*b(2) + matrix(3, 3)*b(3)]
+        ours(52:54) = vti_rrv_relative_printed(a, b)
         call shim_rotations(a, b, c, theirs)
         call expect(all(transfer(ours, [0_int64]) == transfer(theirs, [0_int64])), 'the bits are those of C')
     end subroutine

@@ -36,11 +36,20 @@ static vti_control control_of(const struct course *c)
     return control;
 }
 
+/** The longest drift between two evaluations, as a part of the step. */
+static double gap_of(const vti_stepper *by)
+{
+    double gap = fabs(by->drift[by->stages]) + fabs(by->drift[0]);
+    for (int64_t k = 1; k < by->stages; ++k)
+        gap = fmax(gap, fabs(by->drift[k]));
+    return gap;
+}
+
 static int prepare_controlled(struct course *c, struct message *message)
 {
     const vti_stepper *const by = c->rival->table;
     double most;
-    if (course_longest(c, message) != 0)
+    if (course_longest(c, gap_of(by), message) != 0)
         return -1;
     c->number[STEP] = fmin(c->h, c->longest);
     c->number[TOLERANCE] = c->model->scene->tolerance;
