@@ -36,12 +36,24 @@ static vti_control control_of(const struct course *c)
     return control;
 }
 
-/** The longest drift between two evaluations, as a part of the step. */
+/** Where in the step forces are taken for the k-th time, from 0 to 1. */
+static double place_of(const vti_stepper *by, int64_t k)
+{
+    return k > 0 ? place_of(by, k - 1) + by->drift[k] : by->drift[0];
+}
+
+/** The largest part of steps, one after the other, in which forces are not taken. */
 static double gap_of(const vti_stepper *by)
 {
-    double gap = fabs(by->drift[by->stages]) + fabs(by->drift[0]);
-    for (int64_t k = 1; k < by->stages; ++k)
-        gap = fmax(gap, fabs(by->drift[k]));
+    double gap = 0.0;
+    for (int64_t k = 0; k < by->stages; ++k) {
+        double next = 1.0;
+        for (int64_t j = 0; j < by->stages; ++j) {
+            const double ahead = place_of(by, j) - place_of(by, k);
+            next = fmin(next, ahead > 0.0 ? ahead : ahead + 1.0);
+        }
+        gap = fmax(gap, next);
+    }
     return gap;
 }
 
