@@ -244,7 +244,7 @@ static void principal_of(double J[3][3], vti_solid *solid)
         solid->moments[k] = J[order[k]][order[k]];
 }
 
-/** J = tr C - C, C = S - V c c^T. */
+/** J = tr C - C, C = S - V c c^T, V not 0. */
 static void weigh(const struct integrals *sum, double density, const double about[3], vti_solid *solid)
 {
     const double volume = vti_sum_value(&sum->volume);
@@ -255,7 +255,6 @@ static void weigh(const struct integrals *sum, double density, const double abou
         C[k] = density * (vti_sum_value(&sum->second[k]) - volume * c[row_of[k]] * c[column_of[k]]);
     for (int k = 0; k < 6; ++k)
         J[row_of[k]][column_of[k]] = J[column_of[k]][row_of[k]] = (k < 3 ? C[0] + C[1] + C[2] : 0.0) - C[k];
-    solid->mass = density * volume;
     for (int k = 0; k < 3; ++k)
         solid->centre[k] = about[k] + c[k];
     principal_of(J, solid);
@@ -280,9 +279,10 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
     for (int k = 0; k < 3; ++k)
         about[k] = 0.5 * low[k] + 0.5 * high[k];
     add_spheres(n, centre, diameter, lines, about, &sum);
-    weigh(&sum, density, about, solid);
+    solid->mass = density * vti_sum_value(&sum.volume);
     if (!vti_is_positive(solid->mass))
         return vti_refuse(VTI_E_MASS, -1, solid->mass, VTI_QUANTITY_MASS, fault);
+    weigh(&sum, density, about, solid);
     for (int k = 0; k < 3; ++k)
         if (!isfinite(solid->moments[k]) || !isfinite(solid->centre[k]))
             return vti_refuse(VTI_E_CLUMP, -1, solid->moments[k], VTI_QUANTITY_NONE, fault);
