@@ -284,7 +284,7 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
         return vti_refuse(VTI_E_MASS, -1, solid->mass, VTI_QUANTITY_MASS, fault);
     weigh(&sum, density, about, solid);
     for (int k = 0; k < 3; ++k)
-        if (!isfinite(solid->moments[k]) || !isfinite(solid->centre[k]))
+        if (!isfinite(solid->moments[k]))
             return vti_refuse(VTI_E_CLUMP, -1, solid->moments[k], VTI_QUANTITY_NONE, fault);
     return VTI_OK;
 }

@@ -374,6 +374,47 @@ TEST(checked)
     assert_int_equal(vti_apply(&effect, 1, &m.b), VTI_OK);
 }
 
+/** Each number of a wall that may be wrong is the one that is named. */
+TEST(what_is_wrong)
+{
+    vti_fault fault;
+    double moduli[3] = {1, 1, 1};
+    begin(1, 2, 10);
+    inside(0, 0, 0, 1, 2);
+    m.plane[0][2] = m.plane[1][2] = 1;
+    for (int w = 0; w < 3; ++w)
+        each[w] = 10;
+    m.walls.each = each;
+    m.walls.moduli = moduli;
+    m.walls.motion = motion;
+    m.walls.work = &work;
+    const struct {
+        double *number, put, value;
+        int64_t wall;
+    } bad[] = {{&each[1], -1, -1, 1},
+               {&each[2], NAN, NAN, 2},
+               {&moduli[1], 0, 0, 1},
+               {&m.plane[1][0], NAN, NAN, 1},
+               {&m.plane[1][3], INFINITY, INFINITY, 1},
+               {&m.plane[0][2], -2, 2, 0},
+               {&cylinder[0][5], -INFINITY, -INFINITY, 2},
+               {&cylinder[0][6], -2, -2, 2},
+               {&motion[0].velocity[2], NAN, NAN, 0},
+               {&motion[1].centre[0], INFINITY, INFINITY, 1},
+               {&motion[2].moved[1], NAN, NAN, 2},
+               {&motion[2].spin, INFINITY, INFINITY, 2}};
+    assert_int_equal(vti_walls_check(&m.walls, 1, &fault), VTI_OK);
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+        const double good = *bad[k].number;
+        *bad[k].number = bad[k].put;
+        assert_int_equal(vti_walls_check(&m.walls, 1, &fault), VTI_E_CONTACT);
+        assert_true(fault.body == bad[k].wall &&
+                    (isnan(bad[k].value) ? isnan(fault.value) : fault.value == bad[k].value));
+        *bad[k].number = good;
+    }
+    m.walls.each = NULL;
+}
+
 /** Coefficients of walls are finite and not negative. */
 TEST(coefficients_of_walls)
 {
@@ -414,4 +455,5 @@ RUN_TESTS(cmocka_unit_test(materials), cmocka_unit_test(each_its_own),
           cmocka_unit_test(friction_and_restitution_of_each), cmocka_unit_test(begins_within_a_drift),
           cmocka_unit_test(cylinders), cmocka_unit_test(swings_in_a_cylinder), cmocka_unit_test(backward_is_reversed),
           cmocka_unit_test(refused), cmocka_unit_test(no_friction_at_a_plane), cmocka_unit_test(checked),
-          cmocka_unit_test(coefficients_of_walls), cmocka_unit_test(what_cylinders_break))
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(coefficients_of_walls),
+          cmocka_unit_test(what_cylinders_break))
