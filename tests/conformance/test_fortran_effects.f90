@@ -93,7 +93,7 @@ contains
     end function
 
     subroutine measures()
-        real(c_double) :: theirs(21), ours(21)
+        real(c_double) :: theirs(21), ours(21), arm(3), energy
         type(vti_pendulum), target :: pendulum = & ! the shim's
             vti_pendulum(0.75_c_double, [0.3_c_double, -0.4_c_double, 0.8_c_double])
         type(vti_effect) :: effect
@@ -112,13 +112,18 @@ contains
         call vti_spin(b, ours(11:13))
         call vti_angular_momentum(b, [0.25_c_double, -0.5_c_double, 1.0_c_double], ours(14:16))
         call vti_pendulum_arm(pendulum, b, 5_c_int64_t, ours(17:19))
-        call expect(same_bits([vti_pendulum_potential(pendulum, ours(17:19))], [-pendulum%weight*ours(19)]), 'potential')
         ours(20:21) = real([effect%terms, effect%breaks], c_double)
         do i = 1, size(ours)
             write (place, '(i0)') i
             call expect(same_bits(ours(i:i), theirs(i:i)), 'measure '//place)
         end do
         call expect(vti_text(effect%name) == 'pendulum', 'name of the effect')
+        energy = ours(1) + ours(2)
+        do i = 1, n
+            call vti_pendulum_arm(pendulum, b, int(i, c_int64_t), arm)
+            energy = energy + vti_pendulum_potential(pendulum, arm)
+        end do
+        call expect(abs(energy - ours(3)) <= n*epsilon(1d0)*(ours(1) + ours(2) + n*pendulum%weight), 'potentials of all bodies')
         call expect(abs(vti_max_turn(1.0_c_double, b) - maxval(norm2(s%omega, 1))) <= 4*epsilon(1.0_c_double)* &
             maxval(norm2(s%omega, 1)), 'largest |Omega|') ! two evaluations of a norm, each good to 2 eps
     end subroutine
