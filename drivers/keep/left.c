@@ -19,13 +19,16 @@ static int read_start(int fd, unsigned char *start, size_t size)
     return fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && pread(fd, start, size, 0) >= 0;
 }
 
-/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for. */
+/** Whether a file of SQLite may begin so: as it says, or with zeros, which it writes before what they stand for, or with
+ *  as much of that as was written over them before a kill. */
 static int begins(const unsigned char *start, const void *as, size_t size)
 {
-    size_t zeros = 0;
-    while (zeros < size && start[zeros] == 0)
-        ++zeros;
-    return zeros == size || memcmp(start, as, size) == 0;
+    size_t k = 0;
+    while (k < size && start[k] == ((const unsigned char *)as)[k])
+        ++k;
+    while (k < size && start[k] == 0)
+        ++k;
+    return k == size;
 }
 
 int left_is_ours(int fd)

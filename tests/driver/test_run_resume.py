@@ -121,12 +121,15 @@ def failed_starts(base):
     result = run(RUN, scene("spin"), "-o", f"{base}/mine/out.h5")
     check(result.returncode == 1 and one_line(result, "out.run", "-o") and os.listdir(f"{base}/mine") == ["out.run"],
           f"somebody's folder: {result.stderr.strip()}")
-    os.makedirs(f"{base}/dead")
-    for name in ("out.run", "out.run-journal"):
-        with open(f"{base}/dead/{name}", "wb"):
-            pass
-    result = run(RUN, scene("spin"), "-o", f"{base}/dead/out.h5")
-    check(result.returncode == 0 and len(os.listdir(f"{base}/dead")) == 4, "one killed before its first checkpoint is no run to go on")
+    magic = bytes.fromhex("d9d505f920a163d7")  # of SQLite's journal, over zeros that are there before
+    for dead, header in (("dead", b""), ("zeros", bytes(512)), ("torn", magic[:5] + bytes(507))):
+        os.makedirs(f"{base}/{dead}")
+        for name, start in (("out.run", b""), ("out.run-journal", header)):
+            with open(f"{base}/{dead}/{name}", "wb") as file:
+                file.write(start)
+        result = run(RUN, scene("spin"), "-o", f"{base}/{dead}/out.h5")
+        check(result.returncode == 0 and len(os.listdir(f"{base}/{dead}")) == 4,
+              f"{dead}: one killed before its first checkpoint is no run to go on")
 
 
 def one_stem(base):
