@@ -18,20 +18,21 @@ extern "C" {
  *  vti_multistep_touch for contacts; for long times the steppers of vti_step.h.
  *
  *  Forces may depend on v and Omega, which are then read between predict and correct, at the same order, while h times
- *  the rate of damping or gyration stays below 0.16, 0.024 and 0.0045 for an4, an7 and an10, and 0.0033 for the other
- *  two of K = 10: so either weak damping, or steps as short as it demands. The first K - 1 steps are up to the host,
+ *  the rate of damping or gyration stays below 0.17, 0.024 and 0.0075 for an4, an7 and an9, and 0.0033 for the two
+ *  of K = 10: so either weak damping, or steps as short as it demands. The first K - 1 steps are up to the host,
  *  since lists of kicks lose their order on such forces. Effects that flow (vti_drag, vti_dashpots ...) are not forces,
  *  and these calls do not apply them. */
 typedef struct vti_multistep {
     const char *name;  /**< what vti_multistep_find knows it by */
     int64_t depth;     /**< K, accelerations that it remembers, 1 to 10 */
-    double c;          /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative */
+    double c;          /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative; x stays
+                          where it was predicted at 0 */
     double u;          /**< added to g_K, the weight of v's correction; if not 0, the order is K and the reach larger */
     double reach;      /**< oscillations of frequency f are stable while h f < reach */
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 
-/** "an4", "an7", "an10", "an10-mid", "an10-fine" by their K and how small their steps have to be; NULL if there is none of
+/** "an4", "an7", "an9", "an10-mid", "an10-fine" by their K and how small their steps have to be; NULL if there is none of
  *  that name. The objects are constants of the library. */
 VTI_API const vti_multistep *vti_multistep_find(const char *name);
 /** How many there are. */

@@ -6,7 +6,7 @@ FAMILIES = {"ours": "ours", "paper": "the paper's", "rival": "rivals"}
 
 NAMES = {
     "exact": "exact", "suzuki4": "Suzuki 4", "kl6": "Kahan-Li 6", "kl8": "Kahan-Li 8", "chin4": "Chin 4",
-    "srkn11-tol": "SRKN11 by tolerance", "an4": "AN(4)", "an7": "AN(7)", "an10": "AN(10)", "an10-mid": "AN(10) mid",
+    "srkn11-tol": "SRKN11 by tolerance", "an4": "AN(4)", "an7": "AN(7)", "an9": "AN(9)", "an10-mid": "AN(10) mid",
     "an10-fine": "AN(10) fine",
     "lammps-richardson": "LAMMPS (Richardson)", "mercury": "MercuryDPM", "yade-exp-verlet": "YADE exp. Verlet",
     "yade-leapfrog": "YADE leapfrog", "omelyan": "Omelyan", "campello": "Campello", "lgvi": "LGVI",

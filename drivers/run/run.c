@@ -68,7 +68,7 @@ static int open_errors(struct run *run, struct message *message)
     if (!method_estimates(run->scene.stepper))
         return message_set(message,
                            "%s: --errors: the stepper %s has no estimate of its error; take srkn6, srkn11, srkn14, "
-                           "an4, an7, an10, an10-mid or an10-fine, or leave --errors out",
+                           "an4, an7, an9, an10-mid or an10-fine, or leave --errors out",
                            run->scene.name, run->scene.stepper->name);
     run->model.errors = step_errors_create(run->model.bodies.count);
     return run->model.errors != NULL ? 0 : message_set(message, "%s: out of memory; use fewer bodies", run->scene.name);

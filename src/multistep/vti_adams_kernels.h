@@ -252,8 +252,10 @@ static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_
         adams_feel(&force, &mass, &moment, &inertia, i, &f);
         adams_compare(1, depth, levels, n, apart, f, &off);
         adams_add(&v, 0, i, g, off.low);
-        adams_add(&x, 0, i, d, off.low);
         adams_add(&omega, 1, i, g, off.high);
+        if (d == 0.0)
+            continue;
+        adams_add(&x, 0, i, d, off.low);
         for (int k = 0; k < PARTS; ++k)
             off.high[k] *= d;
         quad_store(turn, 4, off.high);

@@ -95,4 +95,23 @@ TEST(those_of_the_equations)
     }
 }
 
-RUN_TESTS(cmocka_unit_test(those_of_the_library), cmocka_unit_test(those_of_the_equations))
+/** With u = -3/80 the amplitude falls by h^8/48 a step, and grows by no step below the reach; another u adds its
+ *  difference times h^6. */
+TEST(amplitude_of_an4)
+{
+    const vti_multistep *const an4 = vti_multistep_find("an4");
+    vti_multistep other = *an4;
+    other.u += 0.01;
+    for (double h = 0x1p-4; h < an4->reach; h += 0x1p-6)
+        assert_below(growth(an4, h), 1);
+    for (double h = 0.2; h < 0.31; h += 0.05) {
+        const double of_an4 = log(growth(an4, h)), of_other = log(growth(&other, h));
+        print_message("h = %.2f: %.4f h^8/48, %.5f h^6 more\n", h, 48 * of_an4 / pow(h, 8),
+                      (of_other - of_an4) / pow(h, 6));
+        assert_close(48 * of_an4 / pow(h, 8), -1, h * h); /* the next term */
+        assert_close((of_other - of_an4) / pow(h, 6), 0.01, 0.01 * h);
+    }
+}
+
+RUN_TESTS(cmocka_unit_test(those_of_the_library), cmocka_unit_test(those_of_the_equations),
+          cmocka_unit_test(amplitude_of_an4))

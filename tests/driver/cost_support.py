@@ -18,7 +18,7 @@ METHODS = {
     "vti3-leapfrog": ("paper", 2, 0.2, 1, 30), "exact": ("ours", 2, 0.1, 1, 31), "suzuki4": ("ours", 4, 0.2, 5, 29),
     "kl6": ("ours", 6, 0.05, 9, 29), "kl8": ("ours", 8, 0.02, 17, 29), "srkn6": ("ours", 4, 0.02, 6, 29),
     "srkn11": ("ours", 6, 0.01, 11, 29), "srkn14": ("ours", 6, 0.006, 14, 29), "chin4": ("ours", 4, 0.01, 3, 33),
-    "an4": ("ours", 5, 0.5, 1, 80), "an7": ("ours", 8, 2.0, 1, 95), "an10": ("ours", 10, 8.0, 1, 110), "an10-mid": ("ours", 11, 90.0, 1, 110),
+    "an4": ("ours", 4, 0.1, 1, 80), "an7": ("ours", 8, 2.0, 1, 95), "an9": ("ours", 9, 8.0, 1, 105), "an10-mid": ("ours", 11, 90.0, 1, 110),
     "an10-fine": ("ours", 11, 40.0, 1, 110),
     "lammps-richardson": ("rival", 2, 0.16, 1, 60), "mercury": ("rival", 2, 0.2, 1, 40),
     "yade-exp-verlet": ("rival", 2, 0.1001, 1, 70), "yade-leapfrog": ("rival", 2, 0.11, 1, 70),

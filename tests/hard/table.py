@@ -56,7 +56,7 @@ NOTES = {
                "what lies between may be called either.",
     "rivals": "The schemes of `drivers/rivals` beside this library's steppers, in the cases that all of them can be put to. "
               "h = 0.9 and 1.1 of 2/omega is beside the limit of velocity Verlet, the same for all. Methods that choose their steps "
-              "themselves are left out. Multistep methods (an4, an7, an10, an10-mid, an10-fine) begin with steps of srkn6 or srkn11, so "
+              "themselves are left out. Multistep methods (an4, an7, an9, an10-mid, an10-fine) begin with steps of srkn6 or srkn11, so "
               "that a single step of theirs is one of these, and are stable up to shorter steps.",
 }
 

@@ -76,7 +76,7 @@ static void solve(chain *c, enum chain_storage storage)
 static void orders(void **state)
 {
     (void)state;
-    static const double finest[] = {0.01, 0.02, 0.04, 4.0 / 140, 4.0 / 180};
+    static const double finest[] = {0.01, 0.02, 0.025, 4.0 / 140, 4.0 / 180};
     chain exact;
     solve(&exact, CHAIN_ALPHA);
     for (int64_t k = 0; k < vti_multistep_count(); ++k) {

@@ -101,6 +101,7 @@ static void orders(void **state)
     static const double coarse[] = {0.1, 0.02, 0.004, 0.0025, 0.0025};
     for (int64_t k = 0; k < vti_multistep_count(); ++k) {
         const vti_multistep *m = vti_multistep_at(k);
+        const double expected = (double)m->depth + (m->u == 0.0);
         double error[2][2];
         for (int level = 0; level < 2; ++level)
             fly(m, coarse[k] / (level + 1), error[level]);
@@ -108,7 +109,7 @@ static void orders(void **state)
             const double order = log2(error[0][part] / error[1][part]);
             print_message("%s: errors %.2e, %.2e, order %.2f\n", m->name, error[0][part], error[1][part], order);
             if (m->depth < 7)
-                assert_true(order > (double)m->depth + 0.4 && order < (double)m->depth + 2.0);
+                assert_true(order > expected - 0.6 && order < expected + 1.0);
             else
                 assert_true(fmax(error[0][part], error[1][part]) <
                             1600 * EPS); /* so many steps, at most, one rounding each */
@@ -143,7 +144,7 @@ static double size_after(const vti_multistep *m, double h)
 static void reaches(void **state)
 {
     (void)state;
-    static const double reach[] = {0.16, 0.024, 0.0045, 0.0033, 0.0033};
+    static const double reach[] = {0.17, 0.024, 0.0075, 0.0033, 0.0033};
     for (int64_t k = 0; k < vti_multistep_count(); ++k) {
         const vti_multistep *m = vti_multistep_at(k);
         const double below = size_after(m, 0.93 * reach[k]), above = size_after(m, 1.1 * reach[k]);

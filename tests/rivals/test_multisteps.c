@@ -27,9 +27,9 @@ static void assert_order(const char *where, const char *of, const vti_stepper *m
     if (method->reach < 0.2 && error[0] < 1e-11) /* steps that are stable leave rounding alone */
         return;
     assert_true(fit.points >= 4);
-    /* order 10 has little room between its longest steps, whose errors fall faster, and rounding, and the start of an10
-     * is of order 7, which shows in runs so short: tests/property/test_multistep.c starts better and measures closer */
-    assert_close(fit.order, (double)method->order, method->order < 10 ? 0.5 : 3.0);
+    /* from order 9 there is little room between the longest steps, whose errors fall faster, and rounding, and starts are
+     * of less, which shows in runs so short: tests/property/test_multistep.c starts better and measures closer */
+    assert_close(fit.order, (double)method->order, method->order < 9 ? 0.5 : 3.0);
 }
 
 static void orders(const struct ladder *ladder)
@@ -55,13 +55,13 @@ static void orders(const struct ladder *ladder)
 
 TEST(pendulum)
 {
-    const struct ladder ladder = {"pendulum", 10.0, {320, 50, 60, 60, 60}};
+    const struct ladder ladder = {"pendulum", 10.0, {320, 50, 90, 60, 60}};
     orders(&ladder);
 }
 
 TEST(chain)
 {
-    const struct ladder ladder = {"chain", 1.0, {300, 180, 200, 200, 450}};
+    const struct ladder ladder = {"chain", 1.0, {300, 180, 170, 200, 450}};
     orders(&ladder);
 }
 
@@ -113,16 +113,16 @@ static void drift(const char *name, double h, int64_t steps, int parts, double *
 TEST(energy_drifts_evenly)
 {
     enum { PARTS = 4 };
-    double of_an10[PARTS], of_srkn11[PARTS];
-    drift("an10", 0.125, 8000, PARTS, of_an10);
+    double of_an7[PARTS], of_srkn11[PARTS];
+    drift("an7", 0.125, 8000, PARTS, of_an7);
     drift("srkn11", 0.125, 8000, PARTS, of_srkn11);
     for (int k = 0; k < PARTS; ++k) {
-        print_message("t = %d: an10 %.3e, %.2e a unit of time; srkn11 %.2e\n", 1000 * (k + 1), of_an10[k],
-                      of_an10[k] / (1000.0 * (k + 1)), of_srkn11[k]);
-        assert_close(of_an10[k] / of_an10[0], k + 1, 0.2 * (k + 1));
+        print_message("t = %d: an7 %.3e, %.2e a unit of time; srkn11 %.2e\n", 1000 * (k + 1), of_an7[k],
+                      of_an7[k] / (1000.0 * (k + 1)), of_srkn11[k]);
+        assert_close(of_an7[k] / of_an7[0], k + 1, 0.2 * (k + 1));
         assert_below(fabs(of_srkn11[k]), 1e-9);
     }
-    assert_true(fabs(of_an10[0]) > 1e-6);
+    assert_true(fabs(of_an7[0]) > 1e-6);
 }
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(pendulum), cmocka_unit_test(chain), cmocka_unit_test(touches),

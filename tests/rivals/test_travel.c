@@ -77,7 +77,7 @@ TEST(force_evals)
     /* the start's: up to four steps of six, or of an10-mid six of eleven, and then of one */
     assert_int_equal(evals_of("an4", "chain", 1.0 / 64, 20), 1 + 3 * 6 + 17);
     assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 20), 1 + 4 * 6 + 16);
-    assert_int_equal(evals_of("an10", "chain", 1.0 / 64, 20), 1 + 4 * 6 + 16);
+    assert_int_equal(evals_of("an9", "chain", 1.0 / 64, 20), 1 + 4 * 6 + 16);
     assert_int_equal(evals_of("an10-mid", "chain", 1.0 / 64, 20), 1 + 6 * 11 + 3 + 11);
     assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 3), 1 + 3 * 6);
     assert_int_equal(evals_of("rk4", "chain", 1.0 / 512, 20), 80);

@@ -138,7 +138,8 @@ static void agree(const struct vti_move_kernels *kernels)
         for (int i = FIRST; i < END; ++i)
             (corrects ? correct : predict)(m, 0.3, &one, &by_one, i, expected[i - FIRST]);
         do_all(kernels, corrects, m, &past, &b, turn);
-        assert_same_bits(turn, expected, sizeof expected / sizeof(double));
+        if (!corrects || m->c != 0.0) /* else no body turns, and none is told to */
+            assert_same_bits(turn, expected, sizeof expected / sizeof(double));
         assert_same_bits(&many, &one, sizeof one / sizeof(double));
     }
 }
@@ -216,7 +217,7 @@ struct many {
 static void step(struct many *s, int64_t first, int64_t count)
 {
     static const double one = 1.5;
-    const vti_multistep *const m = vti_multistep_find("an10");
+    const vti_multistep *const m = vti_multistep_find("an9");
     vti_bodies b = vti_bodies_none(count);
     vti_past past = {s->past[0][0], DEPTH, DEPTH};
     b.first = first;

@@ -41,11 +41,11 @@ WHEN = (
      "take forces of positions alone: the programs refuse them."),
     ("Contacts or walls: long times, or errors of 1e-2", "`exact` or `vti2`",
      "One force evaluation a step, the largest stable step for its cost, and an energy that does not drift."),
-    ("Contacts or walls: trajectories", "`an4`, `an7`, or with bonds `an10`; where quiet times and touches take turns `srkn11` with "
-     "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4.5 there, "
-     "where all others of equal steps are of 2.5."),
-    ("Smooth forces (bonds, joints, gravity): trajectories, forces that are dear", "`an7` to 1e-2, `an10` to 1e-6, `an10-mid` below; "
-     "where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Beside the forces they take more time than the lists, so "
+    ("Contacts or walls: trajectories", "`an4`, `an7`, or with bonds `an9`; where quiet times and touches take turns `srkn11` with "
+     "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4 or 4.5 "
+     "there, where all others of equal steps are of 2.5."),
+    ("Smooth forces (bonds, joints, gravity): trajectories, forces that are dear", "`an4` to 1e-2, `an7` to 1e-3, `an9` to 1e-6, `an10-mid` "
+     "below; where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Beside the forces they take more time than the lists, so "
      "they gain the more the dearer a force is."),
     ("Smooth forces: long times, forces that are cheap", "`srkn6` to 1e-4, `srkn11` to 1e-6, `srkn14` below; below 1e-8 `kl8` as well",
      "Symplectic: energy swings and does not drift, both momenta stay to rounding, over any number of periods."),
@@ -67,8 +67,8 @@ KEEPS = (
     ("`srkn11`, `srkn14`, `kl6`", "6", "2.5", "swings, no drift", "to rounding", "refused"),
     ("`kl8`", "8", "2.5", "swings, no drift", "to rounding", "refused"),
     ("`srkn11` with `--tolerance`", "6", "-", "drifts", "to rounding", "refused"),
-    ("`an4`, `an7`", "5, 8", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
-    ("`an10`", "10", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
+    ("`an4`", "4", "4", "**drifts in proportion to time**", "to its order", "refused"),
+    ("`an7`, `an9`", "8, 9", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
     ("`an10-mid`, `an10-fine`", "11", "4.5", "**drifts in proportion to time**", "to its order", "refused"),
 )
 
@@ -94,9 +94,8 @@ def write(page, cost):
                [list(row) for row in KEEPS])
     page.text("Linear momentum all of them keep to rounding. All but `vti3`, AN(K) and steps by a tolerance are reversible, all but "
               "`chin4`, AN(K) and steps by a tolerance symplectic. AN(K) remembers K accelerations of each body, at equal steps. "
-              "`an10` has a second free number, u, beside the c of all of them: it costs one order, 10 in place of 11, and makes the "
-              "largest stable step 2.3 times that of `an10-mid`. docs/linking.md has the formula, c and u of each, its largest step, "
-              "and how fast its energy drifts.")
+              "In `an4` and `an9` a second free number, u, gives one order for a larger stable step. docs/linking.md has the formula, "
+              "c and u of each, its largest step, and how fast its energy drifts.")
 
 
 def _short(cost):
@@ -108,7 +107,7 @@ def _short(cost):
 
 def _dearer(page, cost):
     """What a factor of ten in accuracy costs, by some that are typical, from the dearest to the cheapest."""
-    typical = ("vti2", "exact", "chin4", "srkn6", "srkn11", "srkn14", "an7", "an10")
+    typical = ("vti2", "exact", "chin4", "srkn6", "srkn11", "srkn14", "an7", "an9")
     scenes = [scene for scene in cost.scenes() if touches(scene) is not None]
     rows = [[methods.typed(method), *(_factor(cost, scene, method) for scene in scenes)] for method in typical]
     rows = [row for row in rows if any(cell != "-" for cell in row[1:])]
