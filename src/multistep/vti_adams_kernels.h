@@ -235,7 +235,8 @@ VTI_INLINE double adams_corrector(const vti_multistep *m)
     return adams_g[m->depth] + m->u;
 }
 
-/** By D, off: v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b, and turn = c h^2 d_K D_b. */
+/** By D, off: v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b, and turn = c h^2 d_K D_b;
+ *  with c = 0 turn is not written, since no body turns. */
 static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
                                     int64_t begin, int64_t end, double *turn)
 {
