@@ -312,6 +312,16 @@ static inline int vti_serves_avx512(void)
 #endif
 }
 
+/** Whether the processor is AMD's, for what costs time only. */
+static inline int vti_is_amd(void)
+{
+#if (defined(__x86_64__) || defined(__i386__)) && defined(__GNUC__)
+    return __builtin_cpu_is("amd") != 0;
+#else
+    return 0;
+#endif
+}
+
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 

@@ -192,20 +192,26 @@ VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, 
     return begin + (end - begin) / WIDTH * WIDTH;
 }
 
+/** What is prefetched: as many bodies ahead, 0 for none, into the first-level cache where near, else the second. */
+struct ahead {
+    int64_t bodies;
+    int near;
+};
+
 /** The translation of a move. */
 struct translation {
     struct kicks k;
     double t;
     struct stream v, x; /* x is v where it does not move */
     int moves;
-    int far; /* there are so many bodies that they are prefetched */
+    struct ahead ahead;
 };
 
 VTI_INLINE struct translation translation_of(const struct vti_move *move, const vti_bodies *b)
 {
     const int moves = move->drifts && vti_has(&b->x);
     return (struct translation){kicks_of(move, &b->force, &b->mass), move->drift, stream_of(&b->v),
-                                stream_of(moves ? &b->x : &b->v),    moves,       0};
+                                stream_of(moves ? &b->x : &b->v),    moves,       {0, 0}};
 }
 
 static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
