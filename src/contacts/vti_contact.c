@@ -2,6 +2,7 @@
  *
  * Hertzian contact of spheres with each other (EQUATIONS 3, E4), with o = [1 - r/L]_+. */
 #include "vti_cage.h"
+#include "vti_touch_table.h"
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
@@ -20,24 +21,11 @@ static int check(const void *self, const vti_bodies *b)
     return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : vti_contacts_list_check(self);
 }
 
-/** F_i = (K/L) o^{3/2} n = -F_j */
 static void apply(const void *self, const vti_bodies *b)
 {
-    const vti_contacts *p = self;
-    for (int64_t k = 0; vti_has(&b->force) && k < p->count; ++k) {
-        double d[3], length, r2;
-        if (!touch(p, b, k, d, &length, &r2))
-            continue;
-        const double r = sqrt(r2), inv_r = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
-        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
-        const double stiffness = vti_contact_stiffness(p, i, j, length);
-        const double f = vti_hertz_force(stiffness, length, 1.0 - r / length) * inv_r;
-        const double force[3] = {f * d[0], f * d[1], f * d[2]}, back[3] = {-force[0], -force[1], -force[2]};
-        if (vti_owns(b, i))
-            vti_add(&b->force, i, force);
-        if (vti_owns(b, j))
-            vti_add(&b->force, j, back);
-    }
+    const vti_contacts *const p = self;
+    if (vti_has(&b->force) && p->count > 0)
+        vti_touch_kernels_for(p->count)->press(p, b);
 }
 
 static void energy(const void *self, const vti_bodies *b, double *energies)

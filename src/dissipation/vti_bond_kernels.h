@@ -12,7 +12,7 @@
 
 #include "vti_bond_flow.h"
 #include "vti_decay.h"
-#include "vti_touch_gather.h"
+#include "../contacts/vti_touch_gather.h"
 
 enum { BOND_MOTIONS = VTI_BOND_DASHPOT_BOOKS };
 

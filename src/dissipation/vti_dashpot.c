@@ -7,7 +7,7 @@
 #include "vti_joint.h"
 #include "../vti_shares.h"
 #include "../contacts/vti_touch.h"
-#include "vti_touch_table.h"
+#include "../contacts/vti_touch_table.h"
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 

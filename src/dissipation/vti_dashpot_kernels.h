@@ -4,7 +4,7 @@
 #define VTI_DASHPOT_KERNELS_H
 
 #include "vti_dashpot_flow.h"
-#include "vti_touch_gather.h"
+#include "../contacts/vti_touch_gather.h"
 
 /* ---- which touch ------------------------------------------------------------------------------------------------- */
 

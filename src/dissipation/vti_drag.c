@@ -19,7 +19,7 @@
  * Booked is p.(v + v')/2, what the impulse p on the medium takes (6.1). */
 #include "vti_drag_flow.h"
 #include "vti_joint.h"
-#include "vti_touch_table.h"
+#include "../contacts/vti_touch_table.h"
 #include "../vti_shares.h"
 
 static double value(const vti_scalars *s, int64_t i)

@@ -4,7 +4,7 @@
 #define VTI_DRAG_KERNELS_H
 
 #include "vti_drag_flow.h"
-#include "vti_touch_gather.h"
+#include "../contacts/vti_touch_gather.h"
 
 VTI_INLINE lanes value_of(const vti_scalars *s, const struct side *i)
 {

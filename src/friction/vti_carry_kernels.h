@@ -5,7 +5,7 @@
 
 #include "../vti_move.h"
 #include "vti_carry.h"
-#include "../dissipation/vti_touch_gather.h"
+#include "../contacts/vti_touch_gather.h"
 
 VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
 

@@ -5,7 +5,7 @@
 
 #include "../contacts/vti_face.h"
 #include "../contacts/vti_history.h"
-#include "../dissipation/vti_touch_table.h"
+#include "../contacts/vti_touch_table.h"
 
 /** The effect's carry. */
 void vti_friction_carry(const void *self, const vti_bodies *b, const vti_drifted *drifted);

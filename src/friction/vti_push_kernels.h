@@ -1,95 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Which pairs of a list are near each other, and what their springs do to them, many at once. Included by
- * vti_touch_kernels.h only. */
+ * What springs of friction do to bodies, of many touches at once. Included by vti_touch_kernels.h only. */
 #ifndef VTI_PUSH_KERNELS_H
 #define VTI_PUSH_KERNELS_H
 
-#include "../dissipation/vti_touch_gather.h"
-
-/* ---- which are near ---------------------------------------------------------------------------------------------- */
-
-/** Of so many pairs from the first on, WIDTH at most. */
-VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b, double reach,
-                              int64_t first, int64_t count, int64_t *which)
-{
-    int64_t all[WIDTH], found = 0;
-    struct side i, j;
-    lanes d[3];
-    for (int l = 0; l < WIDTH; ++l)
-        all[l] = first + (l < count ? l : count - 1);
-    sides_of(p->pair, p->base, all, &i, &j);
-    gather_difference(layout, &b->x, &i, &j, d);
-    const lanes length = gather_length(p, all, scalars(&p->diameter, &i), scalars(&p->diameter, &j)),
-                far = length + reach, r2 = lanes_dot(d, d);
-    int64_t is_near[WIDTH], touches[WIDTH];
-    lanes_told((r2 <= far * far) & (r2 > VTI_COINCIDENT * VTI_COINCIDENT), is_near);
-    lanes_told(r2 < length * length, touches);
-    for (int l = 0; l < WIDTH && l < count; ++l) { /* what is not near is written over */
-        if (which != NULL)
-            which[found] = (-1 - (first + l)) ^ touches[l]; /* of -1 - k all bits are those of k turned over */
-        found -= is_near[l];
-    }
-    return found;
-}
-
-static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
-                          int64_t *which)
-{
-    const int packed = vti_is_packed(&b->x);
-    const int64_t even = count - count % WIDTH;
-    int64_t found = 0, n = 0;
-    for (; packed && n < even; n += WIDTH)
-        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which != NULL ? which + found : NULL);
-    for (; n < count; n += WIDTH)
-        found += near_lanes(ANY, p, b, reach, first + n, count - n, which != NULL ? which + found : NULL);
-    return found;
-}
-
-/* ---- which bodies are near a wall -------------------------------------------------------------------------------- */
-
-/** Of these bodies. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
- *  before it are not known to the last digit. */
-VTI_INLINE unsigned near_lanes_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
-                                       double h, int64_t w, const int64_t body[WIDTH])
-{
-    struct vti_touch at;
-    struct side i;
-    lanes x[3], v[3], way[3];
-    side_of(body, &i);
-    gather(layout, &b->x, &i, x);
-    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, &i));
-    if (!(h > 0.0))
-        return lanes_bits(at.delta >= -reach);
-    gather(layout, &b->v, &i, v);
-    for (int k = 0; k < 3; ++k)
-        way[k] = h * (lanes_abs(v[k]) + (p->motion != NULL ? fabs(p->motion[w].velocity[k]) : 0.0));
-    const lanes far = lanes_sqrt(lanes_dot(way, way));
-    return lanes_bits(at.delta + 2.0 * far + 1e-6 * at.length >= -reach);
-}
-
-static uint64_t near_wall(const vti_walls *p, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
-                          int64_t count)
-{
-    const int packed = vti_is_packed(&b->x) && (!(h > 0.0) || vti_is_packed(&b->v));
-    uint64_t bits = 0;
-    int64_t body[WIDTH];
-    for (int64_t k = 0; k < count; k += WIDTH) {
-        for (int l = 0; l < WIDTH; ++l)
-            body[l] = first + (k + l < count ? k + l : count - 1);
-        bits |= (uint64_t)BY_LAYOUT(packed, near_lanes_at_wall, p, b, reach, h, w, body) << k;
-    }
-    return bits & ~UINT64_C(0) >> (64 - count);
-}
-
-/* ---- what springs do --------------------------------------------------------------------------------------------- */
-
-VTI_INLINE void add_row(enum touch_layout layout, const vti_view *view, int64_t i, const double row[3])
-{
-    if (layout == PACKED)
-        triple_store(view->c[0] + 3 * i, triple_plus(triple_load(view->c[0] + 3 * i), triple_load(row)));
-    else
-        vti_add(view, i, row);
-}
+#include "../contacts/vti_touch_gather.h"
 
 /** To body i, if it is of the slice. */
 VTI_INLINE void add_loads(enum touch_layout layout, const vti_bodies *b, int64_t i, const double force[3],

@@ -5,7 +5,7 @@
 #include "touch_alone.h"
 
 #include "../../src/dissipation/vti_dashpot_flow.h"
-#include "../../src/dissipation/vti_touch_table.h"
+#include "../../src/contacts/vti_touch_table.h"
 
 enum { MANY = 130, LIST = 2600, TOGETHER = 256 };
 

@@ -7,7 +7,7 @@
 
 #include "../../src/dissipation/vti_bond_flow.h"
 #include "../../src/dissipation/vti_dashpot_flow.h"
-#include "../../src/dissipation/vti_touch_table.h"
+#include "../../src/contacts/vti_touch_table.h"
 
 enum { PAIRS = 21, N = 2 * PAIRS, ROOM = 8 * N };
 enum { PACKED, SEPARATE, STRIDED, LAYOUTS };

@@ -7,8 +7,8 @@
 
 #include "../lanes/vti_lanes.h"
 
-#include "../contacts/vti_face.h"
-#include "../contacts/vti_touch_motion.h"
+#include "vti_face.h"
+#include "vti_touch_motion.h"
 #include "vti_touch_table.h"
 
 /** PACKED: all vectors lie as x[n][3]. ANY: whatever the views say. */
@@ -85,6 +85,15 @@ VTI_INLINE void scatter(enum touch_layout layout, const vti_view *view, const st
     times(side, view->stride, at);
     for (int k = 0; k < 3; ++k)
         lanes_scatter(view->c[k], at, r[k]);
+}
+
+/** To one body. */
+VTI_INLINE void add_row(enum touch_layout layout, const vti_view *view, int64_t i, const double row[3])
+{
+    if (layout == PACKED)
+        triple_store(view->c[0] + 3 * i, triple_plus(triple_load(view->c[0] + 3 * i), triple_load(row)));
+    else
+        vti_add(view, i, row);
 }
 
 VTI_INLINE lanes scalars(const vti_scalars *s, const struct side *side)

@@ -3,7 +3,7 @@
 #ifndef VTI_TOUCH_TABLE_H
 #define VTI_TOUCH_TABLE_H
 
-#include "../contacts/vti_history.h"
+#include "vti_history.h"
 
 /** So many pairs at most are handed to a kernel at once, a whole number of lanes of any width; no width is larger than
  *  the second. */
@@ -54,6 +54,8 @@ struct vti_touch_kernels {
     /** Drag on the bodies from begin to end, on their translation (book 0) or on their turn by Omega (1), booked there.
      *  Returns the first body that is left to do, one whose speed is out of range, or end. */
     int64_t (*drag)(const vti_drag *p, const vti_bodies *b, double t, int book, int64_t begin, int64_t end);
+    /** Adds what the pairs of a list press to the forces, pair by pair in their order. */
+    void (*press)(const vti_contacts *p, const vti_bodies *b);
 };
 
 /** The pair's number in the list, of what near has found. */
