@@ -322,6 +322,19 @@ static inline int vti_is_amd(void)
 #endif
 }
 
+/** Which of the bits, of which some are 1, is the lowest of those. */
+VTI_INLINE int64_t vti_first_bit(uint64_t bits)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(bits);
+#else
+    int64_t n = 0;
+    for (; !(bits & 1); bits >>= 1)
+        ++n;
+    return n;
+#endif
+}
+
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 

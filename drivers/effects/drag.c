@@ -197,18 +197,53 @@ static int make(struct effect *e, const struct model *model, const struct table 
     return 0;
 }
 
-/** The largest c/m, of clumps by the sum over their spheres. */
+static double coefficient_of(const vti_scalars *c, int64_t s)
+{
+    return c->p != NULL ? c->p[s * c->stride] : 0.0;
+}
+
+/** (c + 2k|u|)/m of the body of sphere s, u being its velocity as of now against the medium. */
+static double slowing_of_way(const vti_drag *drag, const vti_bodies *b, int64_t s, int64_t i)
+{
+    double u[3];
+    if (drag->linear.p == NULL && drag->quadratic.p == NULL)
+        return 0.0;
+    for (int k = 0; k < 3; ++k)
+        u[k] = b->v.c[k][i * b->v.stride] - drag->medium[k];
+    return (coefficient_of(&drag->linear, s) + 2.0 * coefficient_of(&drag->quadratic, s) * vti_norm(u)) /
+           b->mass.p[i * b->mass.stride];
+}
+
+/** c_r/J of it, by its least moment of inertia. */
+static double slowing_of_turn(const vti_drag *drag, const vti_bodies *b, int64_t s, int64_t i)
+{
+    double least = INFINITY;
+    if (drag->angular.p == NULL)
+        return 0.0;
+    if (b->moments.c[0] != NULL)
+        for (int k = 0; k < 3; ++k)
+            least = fmin(least, b->moments.c[k][i * b->moments.stride]);
+    else
+        least = b->inertia.p[i * b->inertia.stride];
+    return coefficient_of(&drag->angular, s) / least;
+}
+
+/** The largest rate at which a motion that others push is slowed, of clumps by the sum over their spheres. Whatever else
+ *  acts pushes bodies on; on their turns acts what gives moments. */
 static double slowing(const struct effect *e, const struct model *model)
 {
-    const struct drag_self *self = e->self;
-    const vti_scalars *c = &self->drag.linear, *mass = &model->bodies.mass;
+    const vti_drag *drag = &((const struct drag_self *)e->self)->drag;
     const int by_spheres = on_spheres(&model->scene->settings);
-    const int64_t count = c->p == NULL ? 0 : by_spheres ? model_spheres(model)->count : model->bodies.count;
-    double most = 0.0, sum = 0.0;
+    const int64_t count = by_spheres ? model_spheres(model)->count : model->bodies.count;
+    double most = 0.0, way = 0.0, turn = 0.0;
+    int turned = 0;
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        turned |= (model->effects[k].gives >> VTI_QUANTITY_MOMENT & 1) != 0;
     for (int64_t s = 0, last = -1; s < count; ++s) {
         const int64_t i = by_spheres ? model->clumps.list.body[s] : s; /* spheres of a body stand together */
-        sum = (i == last ? sum : 0.0) + c->p[s * c->stride] / mass->p[i * mass->stride];
-        most = fmax(most, sum);
+        way = (i == last ? way : 0.0) + slowing_of_way(drag, &model->bodies, s, i);
+        turn = (i == last ? turn : 0.0) + (turned ? slowing_of_turn(drag, &model->bodies, s, i) : 0.0);
+        most = fmax(most, fmax(way, turn));
         last = i;
     }
     return most;

@@ -44,9 +44,9 @@ static int passes(const struct verdict *v)
 static int64_t grade(const struct verdict *v, const struct judgement *j, int broken)
 {
     const struct findings *f = &v->found;
-    if (broken || f->broken != 0.0 || !(f->gain <= VERDICT_MOST_GAIN) || passes(v))
+    if (broken || f->broken != 0.0 || !(f->gain <= VERDICT_MOST_GAIN * verdict_scale(f)) || passes(v))
         return VERDICT_BAD;
-    const int doubtful = f->loss > VERDICT_MOST_GAIN || f->travel > much_travel(v) ||
+    const int doubtful = f->loss > VERDICT_MOST_GAIN * verdict_scale(f) || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
                          f->slowing > much_slowing;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
@@ -72,13 +72,13 @@ static void say_energy(const struct verdict *v, const struct judgement *j, int b
     const struct findings *f = &v->found;
     if (broken || f->broken != 0.0)
         SAY("broke off; ");
-    if (f->gain > VERDICT_MOST_GAIN) {
+    if (f->gain > VERDICT_MOST_GAIN * verdict_scale(f)) {
         SAY("the energy grew from %.6g to %.6g, too much from t = %.6g on: %s", f->first, f->highest, f->gain_t,
             remedy(v));
         return;
     }
-    if (f->loss > VERDICT_MOST_GAIN)
-        SAY("%.3g of the energy's scale was lost; ", f->loss);
+    if (f->loss > VERDICT_MOST_GAIN * verdict_scale(f))
+        SAY("%.3g of the energy's scale was lost; ", f->loss / verdict_scale(f));
     else
         SAY("energy kept, gains %.2g of its scale (bad above %.2g); ", j->energy_gain, VERDICT_MOST_GAIN);
     SAY("swing %.2g, ", j->energy_swing);
@@ -117,7 +117,7 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
 {
     const struct findings *f = &v->found;
     struct judgement j = {0};
-    j.energy_gain = f->gain;
+    j.energy_gain = f->gain > 0.0 ? f->gain / verdict_scale(f) : 0.0;
     j.energy_scale = f->scale;
     j.energy_swing = share_of_scale(f, f->highest - f->lowest);
     trend_slope(&f->trend, &j.energy_slope, &j.energy_slope_error);

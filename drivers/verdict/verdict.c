@@ -103,19 +103,23 @@ static void common_velocity(const struct verdict *v, const vti_bodies *bodies, d
         u[k] = v->open[k] || v->mass == 0.0 ? 0.0 : u[k] / v->mass;
 }
 
-/** T + U of what is within the scene, without the common motion; in *size the sum of all |terms|. */
-static double inner_energy(const struct verdict *v, const vti_bodies *bodies, const double *row, double *size)
+/** T + U of what is within the scene, without the common motion; in *size the sum of all |terms|, in *booked that of what
+ *  has been booked. */
+static double inner_energy(const struct verdict *v, const vti_bodies *bodies, const double *row, double *size,
+                           double *booked)
 {
     const struct model *model = v->model;
     double u[3];
     common_velocity(v, bodies, u);
     double kinetic = 0.0, elastic = 0.0;
-    *size = 0.0;
+    *size = *booked = 0.0;
     for (int c = 1; c < v->columns->total; ++c) {
         const int effect = v->columns->effect[c];
         *size += fabs(row[c]);
-        if (c >= v->columns->held)
+        if (c >= v->columns->held) {
+            *booked += fabs(row[c]);
             continue;
+        }
         kinetic += effect < 0 ? row[c] : 0.0;
         elastic += effect >= 0 && !is_of_field(&model->effects[effect]) ? row[c] : 0.0;
     }
@@ -231,13 +235,11 @@ static void look_at_energies(struct verdict *v, double t, double total, double k
     f->lowest = fmin(f->lowest, total);
     const double noise = rounding * f->size, change = total - f->first;
     const double other = isnan(kicked) ? change : kicked - f->first_kicked;
-    const double grown = change > most_swing * f->scale ? change : fmin(change, other);
-    const double gain = grown - noise, loss = fmin(-change, -other) - noise, last = f->gain;
-    if (gain > 0.0)
-        f->gain = fmax(f->gain, gain / f->scale);
-    if (loss > 0.0)
-        f->loss = fmax(f->loss, loss / f->scale);
-    if (f->gain > VERDICT_MOST_GAIN && !(last > VERDICT_MOST_GAIN))
+    const double grown = change > most_swing * verdict_scale(f) ? change : fmin(change, other);
+    const double bad = VERDICT_MOST_GAIN * verdict_scale(f), last = f->gain;
+    f->gain = fmax(f->gain, grown - noise);
+    f->loss = fmax(f->loss, fmin(-change, -other) - noise);
+    if (f->gain > bad && !(last > bad))
         f->gain_t = t;
     trend_add(&f->trend, t, isnan(modified) ? change : modified - f->first);
 }
@@ -245,11 +247,11 @@ static void look_at_energies(struct verdict *v, double t, double total, double k
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS])
 {
     struct findings *f = &v->found;
-    double size;
+    double size, booked;
     v->h = f->varies != 0.0 ? f->lately : v->h;
     f->lately = 0.0;
     columns_values(v->columns, t, bodies, row);
-    const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size);
+    const double total = row[v->columns->total], inner = inner_energy(v, bodies, row, &size, &booked);
     look_at_stable_step(v, t, bodies, row);
     const struct energies e = modified_energies(&v->modified, bodies, total);
     if (v->columns->modified >= 0)
@@ -260,6 +262,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     }
     f->scale = fmax(f->scale, inner);
     f->size = fmax(f->size, size);
+    f->booked = fmax(f->booked, booked);
     look_at_energies(v, t, total, e.kicked, e.modified);
     if (v->diameter > 0.0)
         f->travel = number_larger(f->travel, verdict_travel(v, bodies));

@@ -48,10 +48,10 @@ enum verdict_grade { VERDICT_GOOD, VERDICT_DOUBTFUL, VERDICT_BAD };
 
 /** What was found. Members of eight bytes each, as verdict_numbers lists them. */
 struct judgement {
-    int64_t verdict;           /* verdict_grade */
-    double energy_gain;        /* as a share of S, the largest of the smaller of both gains; bad above 1/4 */
-    double energy_swing;       /* (largest - smallest H)/S */
-    double energy_slope;       /* of the modified energy, of H where there is none, over time (trend_slope) */
+    int64_t verdict;     /* verdict_grade */
+    double energy_gain;  /* as a share of verdict_scale, the largest of the smaller of both gains; bad above 1/4 */
+    double energy_swing; /* (largest - smallest H)/S */
+    double energy_slope; /* of the modified energy, of H where there is none, over time (trend_slope) */
     double energy_slope_error; /* its standard error */
     double energy_scale;       /* S */
     double travel;             /* verdict_travel, the largest; NaN where bodies do not meet */
@@ -78,7 +78,8 @@ struct findings {
     double rows, broken;
     double first, first_kicked; /* H(0), H~(0) */
     double scale, size;         /* S; the largest sum of |terms|, whose rounding is no gain */
-    double gain, gain_t, loss;  /* of S; gain_t is when it was first bad */
+    double booked;              /* the largest sum of what has been booked, |Q| */
+    double gain, gain_t, loss;  /* the largest; gain_t is when it was first bad */
     double highest, lowest;     /* H */
     double travel, rotation, stable, stable_t;
     double pressed;         /* the largest energy of what touches, to a tenth */
@@ -117,6 +118,12 @@ void verdict_longest(struct verdict *v, double h);
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
 /** At every step. */
 void verdict_step(struct verdict *v, const vti_bodies *bodies);
+
+/** What gains and losses are shares of: S, or what was booked where that is more. */
+static inline double verdict_scale(const struct findings *f)
+{
+    return f->booked > f->scale ? f->booked : f->scale;
+}
 
 /** What is found so far; broken: 1 if the run ended on its way. In *line one line of it. */
 struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line);

@@ -45,42 +45,52 @@ static inline int vti_cages_of(const vti_contacts *p, const vti_bodies *b, struc
     return VTI_OK;
 }
 
-/** How many spheres of radius other and more have room around one of that radius, centres no nearer than the share
- *  apart of both radii: they are 2 psi apart and more, seen from it, sin psi = apart other/(radius + other), and z caps
- *  of that angle cover a sphere at most: z (1 - cos psi) <= 2. */
-static inline double vti_cage_room(double radius, double other, double apart)
-{
-    const double sine = apart * (other / (radius + other)), s2 = sine * sine;
-    return 2.0 * (1.0 + sqrt(1.0 - s2)) / s2;
-}
-
-/** sqrt(R_i R_j far), which is sqrt(R* L) of the longest contact with a sphere of radius other */
-static inline double vti_cage_curvature(const struct vti_cages *c, double radius, double other)
-{
-    return sqrt(radius * other * c->far);
-}
-
-/** The cage of body i.
+/** How many spheres of radii from least to most have room around one of that radius, centres no nearer than the share q
+ *  of both radii and those that touch it no farther than the share far of both. A ball of radius q least inside each, as
+ *  near to it as can be, keeps its centre between
  *
- *  Of one K for all, k_ij = (3/2) K o^{1/2}/L^2 is largest with the smallest neighbours, which are the most, too. Of a
- *  material k_ij = 2 E* (R* L o)^{1/2} grows with the neighbour: z neighbours of one size have room for z R_j^{1/2},
- *  which first falls and then rises with R_j (d log/d log R_j = 1/2 - (1 - u)(1 + 1/cos psi) rises with u = R_j/(R_i +
- *  R_j)), and so is largest at either end; and n - 1 neighbours are no stiffer than as many of the largest. */
-static inline struct vti_cage vti_cage_at(const struct vti_cages *c, int64_t i, double o)
+ *      inner = q (radius + least)    and    outer = far radius + (far - q) most + q least,
+ *
+ *  and 2 q least from the others. Seen from the middle two of them are 2 psi apart and more, where v = 1 - cos(2 psi) is
+ *  least with both outside or with one at either end, and z caps of the angle psi cover a sphere at most: z (1 - cos psi) <=
+ *  2. And all lie between two spheres, the volume of which tells, too: of those that overlap much some hide behind
+ *  others. */
+static inline double vti_cage_room(const struct vti_cages *c, double radius, double least, double most, double q)
+{
+    const double ball = q * least, inner = q * (radius + least), outer = c->far * radius + (c->far - q) * most + ball;
+    const double apart = 2.0 * ball, depth = outer - inner, hole = q * radius / ball, all = outer / ball + 1.0;
+    const double v =
+        fmin(0.5 * (apart / outer) * (apart / outer), (apart - depth) / inner * ((apart + depth) / outer) * 0.5);
+    const double volume = all * all * all - hole * hole * hole, caps = 4.0 * (1.0 + sqrt(1.0 - 0.5 * v)) / v;
+    return !(ball > 0.0) ? INFINITY : v > 0.0 ? fmin(volume, caps) : volume;
+}
+
+/** k L^2 of a pair of body i with others of radii from least to most at the overlap o is (3/2) K o^{1/2}: the largest K/L^2
+ *  that there may be, of one K for all with the smallest, of a material, 4/3 E* (R* L)^{1/2}, with the largest. */
+static inline double vti_cage_hardness(const struct vti_cages *c, int64_t i, double least, double most)
 {
     const vti_contacts *p = c->contacts;
-    const double radius = 0.5 * vti_scalar(&p->diameter, i), others = (double)(c->bodies - 1);
-    const double apart = o < 1.0 ? (1.0 - o) * c->near : 0.0, small = vti_cage_room(radius, c->least, apart);
-    struct vti_cage cage = {fmin(others, small), c->near * (radius + c->least), p->stiffness};
-    if (p->modulus.p != NULL) {
-        const double modulus = vti_hertz_reduced(vti_scalar(&p->modulus, i), c->modulus), length = cage.length;
-        const double large = vti_cage_room(radius, c->most, apart);
-        const double at_least = vti_cage_curvature(c, radius, c->least),
-                     at_most = vti_cage_curvature(c, radius, c->most);
-        const double together = fmin(others * at_most, fmax(small * at_least, large * at_most));
-        cage.stiffness = 4.0 / 3.0 * modulus * length * length * (together / cage.z);
+    const double radius = 0.5 * vti_scalar(&p->diameter, i), length = c->near * (radius + least);
+    if (p->modulus.p == NULL)
+        return p->stiffness / (length * length);
+    return 4.0 / 3.0 * vti_hertz_reduced(vti_scalar(&p->modulus, i), c->modulus) * sqrt(radius * most * c->far);
+}
+
+/** The cage of body i: for each octave of sizes as many as there is room for, as if there were no others. */
+static inline struct vti_cage vti_cage_at(const struct vti_cages *c, int64_t i, double o)
+{
+    const double radius = 0.5 * vti_scalar(&c->contacts->diameter, i), others = (double)(c->bodies - 1);
+    const double q = o < 1.0 ? (1.0 - o) * c->near : 0.0, length = c->near * (radius + c->least);
+    double z = 0.0, together = 0.0;
+    for (double least = c->least, next; least > 0.0; least = next) {
+        const double most = fmin(2.0 * least, c->most), room = fmin(others, vti_cage_room(c, radius, least, most, q));
+        z += room;
+        together += room * vti_cage_hardness(c, i, least, most);
+        next = most < c->most ? most : 0.0;
     }
-    return cage;
+    z = fmin(z, others);
+    together = fmin(together, others * vti_cage_hardness(c, i, c->least, c->most));
+    return (struct vti_cage){z, length, together / z * (length * length)};
 }
 
 #endif

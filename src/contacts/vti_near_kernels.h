@@ -32,53 +32,96 @@ VTI_INLINE int64_t near_lanes(enum touch_layout layout, const vti_contacts *p, c
     return found;
 }
 
-static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
-                          int64_t *which)
+VTI_INLINE int64_t near_list(enum touch_layout layout, const vti_contacts *p, const vti_bodies *b, double reach,
+                             int64_t first, int64_t count, int64_t *which)
 {
-    const int packed = vti_is_packed(&b->x);
-    const int64_t even = count - count % WIDTH;
-    int64_t found = 0, n = 0;
-    for (; packed && n < even; n += WIDTH)
-        found += near_lanes(PACKED, p, b, reach, first + n, WIDTH, which != NULL ? which + found : NULL);
-    for (; n < count; n += WIDTH)
+    const int64_t even = layout == PACKED ? count - count % WIDTH : 0;
+    int64_t found = 0;
+    for (int64_t n = 0; n < even; n += WIDTH)
+        found += near_lanes(layout, p, b, reach, first + n, WIDTH, which != NULL ? which + found : NULL);
+    for (int64_t n = even; n < count; n += WIDTH)
         found += near_lanes(ANY, p, b, reach, first + n, count - n, which != NULL ? which + found : NULL);
     return found;
 }
 
+static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double reach, int64_t first, int64_t count,
+                          int64_t *which)
+{
+    if (!vti_is_packed(&b->x))
+        return near_list(ANY, p, b, reach, first, count, which);
+    if (!are_alike(p))
+        return near_list(PACKED, p, b, reach, first, count, which);
+    const vti_contacts alike = alike_of(p);
+    return near_list(PACKED, &alike, b, reach, first, count, which);
+}
+
 /* ---- bodies at a wall -------------------------------------------------------------------------------------------- */
 
-/** Of these bodies. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
- *  before it are not known to the last digit. */
+/** Of bodies at x, from the sides i. The way of the drift, and of the wall over it, is
+ *  twice as long here, and a little more, as places before it are not known to the last digit. */
 VTI_INLINE unsigned near_lanes_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
-                                       double h, int64_t w, const int64_t body[WIDTH])
+                                       double h, int64_t w, const struct side *i, const lanes x[3])
 {
     struct vti_touch at;
-    struct side i;
-    lanes x[3], v[3], way[3];
-    side_of(body, &i);
-    gather(layout, &b->x, &i, x);
-    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, &i));
+    lanes v[3], way[3];
+    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, i));
     if (!(h > 0.0))
         return lanes_bits(at.delta >= -reach);
-    gather(layout, &b->v, &i, v);
+    gather(layout, &b->v, i, v);
     for (int k = 0; k < 3; ++k)
         way[k] = h * (lanes_abs(v[k]) + (p->motion != NULL ? fabs(p->motion[w].velocity[k]) : 0.0));
     const lanes far = lanes_sqrt(lanes_dot(way, way));
     return lanes_bits(at.delta + 2.0 * far + 1e-6 * at.length >= -reach);
 }
 
-static uint64_t near_wall(const vti_walls *p, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
+/** So many bodies in a row, packed ones WIDTH, and where they are. */
+VTI_INLINE void gather_row(enum touch_layout layout, const vti_bodies *b, int64_t first, int64_t count, struct side *i,
+                           lanes x[3])
+{
+    int64_t body[WIDTH];
+    lanes row[3];
+    for (int l = 0; l < WIDTH; ++l)
+        body[l] = first + (l < count ? l : count - 1);
+    side_of(body, i);
+    if (layout == PACKED) {
+        for (int k = 0; k < 3; ++k)
+            row[k] = lanes_load(b->x.c[0] + 3 * first + k * WIDTH);
+        lanes_split(row, x);
+    } else
+        gather(layout, &b->x, i, x);
+}
+
+VTI_INLINE unsigned near_row_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
+                                     double h, int64_t w, int64_t first, int64_t count)
+{
+    struct side i;
+    lanes x[3];
+    gather_row(layout, b, first, count, &i, x);
+    return near_lanes_at_wall(layout, p, b, reach, h, w, &i, x);
+}
+
+VTI_INLINE uint64_t near_rows(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach, double h,
+                              int64_t w, int64_t first, int64_t count)
+{
+    const int64_t even = layout == PACKED ? count - count % WIDTH : 0;
+    uint64_t bits = 0;
+    for (int64_t k = 0; k < even; k += WIDTH)
+        bits |= (uint64_t)near_row_at_wall(layout, p, b, reach, h, w, first + k, WIDTH) << k;
+    for (int64_t k = even; k < count; k += WIDTH)
+        bits |= (uint64_t)near_row_at_wall(ANY, p, b, reach, h, w, first + k, count - k) << k;
+    return bits & ~UINT64_C(0) >> (64 - count);
+}
+
+static uint64_t near_wall(const vti_walls *list, const vti_bodies *b, double reach, double h, int64_t w, int64_t first,
                           int64_t count)
 {
-    const int packed = vti_is_packed(&b->x) && (!(h > 0.0) || vti_is_packed(&b->v));
-    uint64_t bits = 0;
-    int64_t body[WIDTH];
-    for (int64_t k = 0; k < count; k += WIDTH) {
-        for (int l = 0; l < WIDTH; ++l)
-            body[l] = first + (k + l < count ? k + l : count - 1);
-        bits |= (uint64_t)BY_LAYOUT(packed, near_lanes_at_wall, p, b, reach, h, w, body) << k;
-    }
-    return bits & ~UINT64_C(0) >> (64 - count);
+    if (!vti_is_packed(&b->x) || (h > 0.0 && !vti_is_packed(&b->v)))
+        return near_rows(ANY, list, b, reach, h, w, first, count);
+    if (h > 0.0 || list->diameter.stride != 0)
+        return near_rows(PACKED, list, b, reach, h, w, first, count);
+    vti_walls alike = *list;
+    alike.diameter = vti_scalars_one(list->diameter.p);
+    return near_rows(PACKED, &alike, b, reach, 0.0, w, first, count);
 }
 
 #endif

@@ -127,6 +127,21 @@ VTI_INLINE lanes gather_stiffness(const vti_contacts *p, const struct side *i, c
     return lanes_load(each);
 }
 
+/** Pairs of one diameter and one stiffness: with a copy that says so literally, what they do not have takes no
+ *  instruction. */
+VTI_INLINE int are_alike(const vti_contacts *p)
+{
+    return p->length.p == NULL && p->modulus.p == NULL && p->diameter.stride == 0;
+}
+
+VTI_INLINE vti_contacts alike_of(const vti_contacts *p)
+{
+    vti_contacts alike = *p;
+    alike.length = alike.modulus = (vti_scalars){NULL, 0, 0};
+    alike.diameter = vti_scalars_one(p->diameter.p);
+    return alike;
+}
+
 /** The WIDTH pairs from the first on; where count ends before, the last one is repeated, in place. */
 VTI_INLINE const int64_t *whole(const int64_t *which, int64_t first, int64_t count, int64_t place[WIDTH])
 {

@@ -56,6 +56,8 @@ struct vti_touch_kernels {
     int64_t (*drag)(const vti_drag *p, const vti_bodies *b, double t, int book, int64_t begin, int64_t end);
     /** Adds what the pairs of a list press to the forces, pair by pair in their order. */
     void (*press)(const vti_contacts *p, const vti_bodies *b);
+    /** And what wall w presses to so many bodies from the first on. */
+    void (*press_at)(const vti_walls *p, const vti_bodies *b, int64_t w, int64_t first, int64_t count);
 };
 
 /** The pair's number in the list, of what near has found. */

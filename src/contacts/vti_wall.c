@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Rigid walls (EQUATIONS 3, E4): Hertzian contact with a particle of radius zero at the foot point, o = [1 -
- * g/(D/2)]_+. Bodies are gone through once, a tile at a time, and each meets the walls in their order.
+ * g/(D/2)]_+. Bodies are gone through once, some at a time, and each meets the walls in their order.
  *
  * A wall that moves at V puts in the work F.V t: at the ends of a drift half of it each, which is what the kicks there
  * give (EQUATIONS 6.1), so that the ledger is as good as that of a wall at rest. */
 #include "vti_face.h"
+#include "vti_touch_table.h"
 #include "../vti_shares.h"
 
 /* ---- checks ------------------------------------------------------------------------------------------------------ */
@@ -115,59 +116,23 @@ static int check(const void *self, const vti_bodies *b)
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
 /** 1 - g/(D/2) of a body of that radius: positive if they touch; NaN if a number is, which must show. */
-static inline double overlap_of(double gap, double radius)
-{
-    return 1.0 - gap / radius;
-}
-
 static inline double overlap(const vti_walls *p, int64_t w, const double x[3], double radius, double n[3])
 {
-    return overlap_of(vti_face_gap(p, w, x, n), radius);
-}
-
-/** F = (K/(D/2)) o^{3/2} along the normal, of wall w on the bodies begin <= i < end. A plane stands where it does for all
- *  of them; and what is copied here, which no force is written over, stays in registers. Alike are bodies of one
- *  diameter whose positions are packed. */
-VTI_INLINE void press_face(int is_plane, int alike, const vti_walls *walls, int64_t w, const vti_bodies *b,
-                           int64_t begin, int64_t end)
-{
-    const vti_walls p = *walls;
-    const vti_view place = alike ? vti_view_packed(b->x.c[0]) : b->x, load = b->force;
-    double n[3];
-    const double offset = is_plane ? vti_face_plane(&p, w, n) : 0.0, one = 0.5 * vti_scalar(&p.diameter, begin);
-    for (int64_t i = begin; i < end; ++i) {
-        const double radius = alike ? one : 0.5 * vti_scalar(&p.diameter, i);
-        double x[3];
-        vti_load(&place, i, x);
-        const double gap = is_plane ? vti_face_above(n, offset, x) : vti_face_gap(&p, w, x, n);
-        if (gap >= radius) /* exactly where no overlap is > 0, without its division */
-            continue;
-        const double o = overlap_of(gap, radius), f = vti_hertz_force(vti_face_stiffness(&p, w, i, radius), radius, o),
-                     force[3] = {f * n[0], f * n[1], f * n[2]};
-        vti_add(&load, i, force);
-    }
-}
-
-static void press(const vti_walls *p, int64_t w, const vti_bodies *b, int64_t begin, int64_t end)
-{
-    if (w >= p->count)
-        press_face(0, 0, p, w, b, begin, end);
-    else if (p->diameter.stride == 0 && vti_is_packed(&b->x))
-        press_face(1, 1, p, w, b, begin, end);
-    else
-        press_face(1, 0, p, w, b, begin, end);
+    return 1.0 - vti_face_gap(p, w, x, n) / radius;
 }
 
 /** Of so many bodies at once the places stay in the first-level cache from wall to wall. */
-enum { TILE = 256 };
+enum { TOGETHER = 256 };
 
 static void apply(const void *self, const vti_bodies *b)
 {
     const vti_walls *p = self;
     const int64_t walls = vti_has(&b->force) ? vti_faces(p) : 0, last = b->first + b->count;
-    for (int64_t begin = b->first; begin < last; begin += TILE)
+    for (int64_t first = b->first; first < last; first += TOGETHER) {
+        const int64_t count = last - first < TOGETHER ? last - first : TOGETHER;
         for (int64_t w = 0; w < walls; ++w)
-            press(p, w, b, begin, last - begin < TILE ? last : begin + TILE);
+            vti_touch_kernels_for(count)->press_at(p, b, w, first, count);
+    }
 }
 
 static void energy(const void *self, const vti_bodies *b, double *energies)

@@ -173,10 +173,8 @@ static void flow_wall(const struct vti_sweep *s, int64_t w)
     for (int64_t i = s->b->first; i < end; i += VTI_TOUCHES) {
         const int64_t some = least_of(end - i, VTI_TOUCHES);
         uint64_t near = vti_touch_kernels_for(some)->near_wall(walls, s->b, s->p->reach, 0.0, w, i, some);
-        for (int64_t n = i; near != 0; ++n, near >>= 1) {
-            body[waiting] = n;
-            waiting += (int64_t)(near & 1);
-        }
+        for (; near != 0; near &= near - 1)
+            body[waiting++] = i + vti_first_bit(near);
         if (waiting < VTI_TOUCHES && i + VTI_TOUCHES < end)
             continue;
         for (int64_t k = 0; single && k < waiting; ++k)

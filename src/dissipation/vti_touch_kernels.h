@@ -10,6 +10,6 @@
 #include "../friction/vti_carry_kernels.h"
 #include "../friction/vti_push_kernels.h"
 
-const struct vti_touch_kernels TOUCH_KERNELS = {near_pairs,   near_wall,     push_springs, push_springs_at_wall,
-                                                carry,        carry_at_wall, soon,         flow_pairs,
-                                                flow_at_wall, flow_bonds,    drag,         press_pairs};
+const struct vti_touch_kernels TOUCH_KERNELS = {
+    near_pairs,   near_wall,  push_springs, push_springs_at_wall, carry,        carry_at_wall, soon, flow_pairs,
+    flow_at_wall, flow_bonds, drag,         press_pairs,          press_at_wall};

@@ -68,9 +68,10 @@ static void visit_wall(const vti_friction *p, const vti_bodies *b, int64_t w, vi
     struct vti_touch touch;
     for (int64_t first = b->first; first < end; first += VTI_TOUCHES) {
         uint64_t near = vti_friction_near_wall(p, b, w, first);
-        for (int64_t i = first; near != 0; ++i, near >>= 1) {
-            vti_held *const held = near & 1 ? vti_history_at(p->history, 1 + i, -1 - w) : NULL;
-            if (held != NULL && held->i != 0 && vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
+        for (; near != 0; near &= near - 1) {
+            const int64_t i = first + vti_first_bit(near);
+            vti_held *const held = vti_history_at(p->history, 1 + i, -1 - w);
+            if (held->i != 0 && vti_touch_wall(&touch, p->walls, b, w, i, 0.0))
                 visit(context, &touch, held);
         }
     }
@@ -104,10 +105,8 @@ static void push_at_wall(const vti_friction *p, const vti_bodies *b, int64_t w)
     for (int64_t first = b->first; first < end; first += VTI_TOUCHES) {
         uint64_t near = vti_friction_near_wall(p, b, w, first);
         count = 0;
-        for (int64_t i = first; near != 0; ++i, near >>= 1) {
-            if (!(near & 1))
-                continue;
-            body[count] = i;
+        for (; near != 0; near &= near - 1) {
+            const int64_t i = body[count] = first + vti_first_bit(near);
             held[count] = vti_history_at(p->history, 1 + i, -1 - w);
             count += held[count]->i != 0;
         }

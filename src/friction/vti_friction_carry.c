@@ -202,9 +202,8 @@ static void carry_wall(struct carrying *c, int64_t w)
         const int64_t count = end - first < VTI_TOUCHES ? end - first : VTI_TOUCHES;
         uint64_t bodies =
             vti_touch_kernels_for(count)->near_wall(c->p->walls, c->b, c->p->reach, c->drifted->t, w, first, count);
-        for (int64_t i = first; bodies != 0; ++i, bodies >>= 1)
-            if (bodies & 1)
-                carry_body(c, i);
+        for (; bodies != 0; bodies &= bodies - 1)
+            carry_body(c, first + vti_first_bit(bodies));
     }
     carry_waiting(c);
 }
