@@ -28,7 +28,8 @@ typedef struct vti_multistep {
     double c;          /**< of the corrector of x: accurate at 3/4, steady at larger steps where it is negative; x stays
                           where it was predicted at 0 */
     double u;          /**< added to g_K, the weight of v's correction; if not 0, the order is K and the reach larger */
-    double reach;      /**< oscillations of frequency f are stable while h f < reach */
+    double reach;      /**< oscillations of frequency f are stable while h f < reach, which is rounded to 1e-3:
+                          none grows by more than 1e-3 h f a step */
     const char *about; /**< what it is, in a line */
 } vti_multistep;
 

@@ -228,14 +228,19 @@ static int64_t broken_by_plane(const double n[3])
     return breaks;
 }
 
-/** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z. */
-static int64_t broken_by_cylinder(const double cylinder[7], const double velocity[3])
+/** Forces across an axis through the origin keep momentum along it, linear and angular, if it is x, y or z, and has not
+ *  left it. */
+static int64_t broken_by_cylinder(const double cylinder[7], const vti_wall_motion *m)
 {
     const int64_t all = VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR;
     for (int k = 0; k < 3; ++k) {
-        const int other = (k + 1) % 3, last = (k + 2) % 3, is_axis = cylinder[other] == 0.0 && cylinder[last] == 0.0;
-        const int stays =
-            cylinder[3 + other] == 0.0 && cylinder[3 + last] == 0.0 && velocity[other] == 0.0 && velocity[last] == 0.0;
+        const int across[2] = {(k + 1) % 3, (k + 2) % 3};
+        int is_axis = 1, stays = 1;
+        for (int j = 0; j < 2; ++j) {
+            is_axis &= cylinder[across[j]] == 0.0;
+            stays &= cylinder[3 + across[j]] == 0.0 &&
+                     (m == NULL || (m->velocity[across[j]] == 0.0 && m->moved[across[j]] == 0.0));
+        }
         if (is_axis)
             return all & ~(INT64_C(1) << k) & ~(stays ? INT64_C(8) << k : 0);
     }
@@ -244,12 +249,10 @@ static int64_t broken_by_cylinder(const double cylinder[7], const double velocit
 
 static int64_t broken_by(const vti_walls *p)
 {
-    static const double still[3] = {0.0, 0.0, 0.0};
     int64_t breaks = 0;
     for (int64_t w = 0; w < vti_faces(p); ++w)
-        breaks |= w < p->count
-                      ? broken_by_plane(vti_face_axis(p, w))
-                      : broken_by_cylinder(vti_face_axis(p, w), p->motion != NULL ? p->motion[w].velocity : still);
+        breaks |= w < p->count ? broken_by_plane(vti_face_axis(p, w))
+                               : broken_by_cylinder(vti_face_axis(p, w), vti_face_motion(p, w));
     return breaks;
 }
 

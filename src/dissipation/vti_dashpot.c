@@ -247,7 +247,9 @@ double vti_dashpots_zeta(double e, int64_t pull)
     double low = 0.0, high = 1.0;
     if (!(e > 0.0 && e <= 1.0))
         return NAN;
-    while (!pull && high < 1e12 && restitution(high, pull) > e)
+    if (!pull && e < 1e-8) /* 2 zeta arcosh(zeta)/(zeta^2 - 1)^(1/2) = -ln e by its series in 1/zeta */
+        return 0.5 / sqrt(e) * (1.0 + (log(e) + 1.0) * e);
+    while (!pull && restitution(high, pull) > e)
         high *= 2.0;
     for (int k = 0; k < 100; ++k) { /* halved until no number is left between them */
         const double middle = 0.5 * (low + high);

@@ -10,6 +10,8 @@
 #ifndef VTI_DASHPOT_FLOW_H
 #define VTI_DASHPOT_FLOW_H
 
+#include <float.h>
+
 #include "vti_damping.h"
 
 enum { NORMAL = VTI_NORMAL, TANGENTIAL = VTI_TANGENTIAL, ROLLING = VTI_ROLLING, TWISTING = VTI_TWISTING, MOTIONS };
@@ -46,13 +48,16 @@ VTI_INLINE void find_decays(const struct vti_sweep *s, lanes_mask idle, struct p
     lanes c[MOTIONS], z[MOTIONS];
     const lanes per_n = vti_touch_per_normal(&at->touch), per_t = vti_touch_per_tangential(&at->touch),
                 per_r = turns ? vti_touch_per_rolling(&at->touch) : lanes_of(1.0);
-    const lanes all = 1.0 / (per_n * per_t * per_r); /* one division for three */
+    const lanes all = 1.0 / (per_n * per_t * per_r); /* one division for three, unless their product is out of range */
+    const lanes_mask in_range = (all > 0.0) & (all <= DBL_MAX);
     at->per[NORMAL] = per_n;
     at->per[TANGENTIAL] = per_t;
     at->per[ROLLING] = at->per[TWISTING] = per_r;
     at->mass[NORMAL] = per_t * per_r * all;
     at->mass[TANGENTIAL] = per_n * per_r * all;
     at->mass[ROLLING] = at->mass[TWISTING] = per_n * per_t * all;
+    for (int k = 0; k < MOTIONS && !lanes_all(in_range); ++k)
+        at->mass[k] = lanes_where(in_range, at->mass[k], 1.0 / at->per[k]);
     vti_damping_coefficients(s->p, &at->damping, at->mass[NORMAL], c);
     for (int k = 0; k < motions; ++k)
         z[k] = c[k] * s->t * at->per[k];

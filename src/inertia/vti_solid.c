@@ -279,12 +279,14 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
     for (int k = 0; k < 3; ++k)
         about[k] = 0.5 * low[k] + 0.5 * high[k];
     add_spheres(n, centre, diameter, lines, about, &sum);
-    solid->mass = density * vti_sum_value(&sum.volume);
-    if (!vti_is_positive(solid->mass))
-        return vti_refuse(VTI_E_MASS, -1, solid->mass, VTI_QUANTITY_MASS, fault);
-    weigh(&sum, density, about, solid);
+    vti_solid found;
+    found.mass = density * vti_sum_value(&sum.volume);
+    if (!vti_is_positive(found.mass))
+        return vti_refuse(VTI_E_MASS, -1, found.mass, VTI_QUANTITY_MASS, fault);
+    weigh(&sum, density, about, &found);
     for (int k = 0; k < 3; ++k)
-        if (!isfinite(solid->moments[k]))
-            return vti_refuse(VTI_E_CLUMP, -1, solid->moments[k], VTI_QUANTITY_NONE, fault);
+        if (!isfinite(found.moments[k]))
+            return vti_refuse(VTI_E_CLUMP, -1, found.moments[k], VTI_QUANTITY_NONE, fault);
+    *solid = found;
     return VTI_OK;
 }

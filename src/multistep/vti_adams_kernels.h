@@ -235,12 +235,18 @@ VTI_INLINE double adams_corrector(const vti_multistep *m)
     return adams_g[m->depth] + m->u;
 }
 
+/** c h^2 d_K: what the corrector adds to positions and turns by; 0, of rounding too, where it does neither. */
+VTI_INLINE double adams_way(const vti_multistep *m, double h)
+{
+    return m->c * h * h * adams_d[m->depth];
+}
+
 /** By D, off: v = v_p + h g D_a,  x = x_p + c h^2 d_K D_a,  w = w_p + h g D_b, and turn = c h^2 d_K D_b;
- *  with c = 0 turn is not written, since no body turns. */
+ *  where c h^2 d_K = 0 turn is not written, since no body turns. */
 static inline int64_t adams_correct(const vti_multistep *m, double h, const vti_past *past, const vti_bodies *bodies,
                                     int64_t begin, int64_t end, double *turn)
 {
-    const double g = h * adams_corrector(m), d = m->c * h * h * adams_d[m->depth];
+    const double g = h * adams_corrector(m), d = adams_way(m, h);
     const vti_view v = bodies->v, omega = bodies->omega, force = adams_load(&bodies->force, &v),
                    moment = adams_load(&bodies->moment, &omega);
     const vti_view x = vti_has(&v) ? bodies->x : v;

@@ -15,8 +15,8 @@
 #include "vti_adams_kernels.h"
 #include "../vti_move.h"
 
-/* With the u of an4 the amplitude of x'' = -w^2 x falls by (h w)^8/48 of itself a step, and grows at no step below the
- * reach. an7 has the c of the widest reach, an9 c and u of a small error at a wide one. Of K = 10 an10-fine (c = 4/5)
+/* With the u of an4 the amplitude of x'' = -w^2 x falls by (h w)^8/48 of itself a step, and grows at no step below
+ * 1.2249. an7 has the c of the widest reach, an9 c and u of a small error at a wide one. Of K = 10 an10-fine (c = 4/5)
  * has the smallest error, an10-mid (c = -1/2) twice its reach */
 static const vti_multistep methods[] = {
     {"an4", 4, 0.0, -3.0 / 80.0, 1.225, "Adams-Nystroem, order 4, one force evaluation a step; not symplectic"},
@@ -130,7 +130,7 @@ enum { TILE = 64 };
 static void in_tiles(int corrects, const vti_multistep *m, double h, const vti_past *past, const vti_bodies *b)
 {
     const struct vti_move_kernels *const *const widest = kernels(b->count);
-    const int turns = vti_has(&b->omega) && vti_has_attitude(b) && !(corrects && m->c == 0.0);
+    const int turns = vti_has(&b->omega) && vti_has_attitude(b) && !(corrects && adams_way(m, h) == 0.0);
     double turn[4 * TILE];
     for (int64_t begin = b->first, last = b->first + b->count, i = begin; begin < last; begin = i) {
         const int64_t end = last - begin < TILE ? last : begin + TILE;

@@ -30,10 +30,42 @@ TEST(zeta_of_restitution)
             const double e = pow(10, -4.0 * k / 400), zeta = vti_dashpots_zeta(e, pull);
             assert_close(closed_form(zeta, pull), e, e * 1e-13 * (1 + 1 / fabs(1 - zeta)));
         }
-    assert_true(vti_dashpots_zeta(1e-40, 0) >= 1e12 && isfinite(vti_dashpots_zeta(1e-40, 0))); /* no rebound */
+    for (int k = 5; k < 300; k += 3) { /* hardly a rebound */
+        const double e = pow(10, -k), zeta = vti_dashpots_zeta(e, 0);
+        assert_close(2 * zeta * acosh(zeta) / sqrt(1 - 1 / (zeta * zeta)) / zeta, -log(e), 1e-12 * -log(e));
+    }
     assert_true(vti_dashpots_zeta(1, 0) == 0 && vti_dashpots_zeta(1, 1) == 0);
     assert_true(isnan(vti_dashpots_zeta(0, 0)) && isnan(vti_dashpots_zeta(-0.5, 1)) &&
                 isnan(vti_dashpots_zeta(1.5, 0)) && isnan(vti_dashpots_zeta(NAN, 1)));
+}
+
+/** A pair of masses m that its dashpot brakes: exp(-2 c t/m) of the velocity is left, however light or heavy. */
+TEST(any_scale)
+{
+    static const int power[] = {0, 100, -100, -350, 330};
+    double left[sizeof power / sizeof *power][2];
+    for (size_t k = 0; k < sizeof power / sizeof *power; ++k) {
+        const double mass = ldexp(1, power[k]), J = 0.125 * mass, D = 1;
+        double x[2][3] = {{0}, {0.9}}, v[2][3] = {{1}, {-1}}, w[2][3] = {{1}};
+        const int64_t pair[2] = {0, 1};
+        vti_bodies b = vti_bodies_none(2);
+        b.x = vti_view_packed(x[0]);
+        b.v = vti_view_packed(v[0]);
+        b.omega = vti_view_packed(w[0]);
+        b.mass = vti_scalars_one(&mass);
+        b.inertia = vti_scalars_one(&J);
+        const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&D), .stiffness = mass};
+        vti_sum lost[VTI_DASHPOT_BOOKS] = {{0, 0}};
+        const vti_dashpots dashpots = {
+            .contacts = &contacts, .normal = mass, .rolling = mass, .pull = 1, .reach = INFINITY, .lost = lost};
+        const vti_effect effect = vti_dashpots_effect(&dashpots);
+        assert_int_equal(vti_effects_flow(&effect, 1, 1, 0, &b), VTI_OK);
+        left[k][0] = v[0][0];
+        left[k][1] = w[0][1];
+        assert_close(left[k][0], exp(-2), 4 * EPS);
+        assert_true(lost[0].high > 0.9 * mass);
+        assert_close(left[k][1], left[0][1], 4 * EPS);
+    }
 }
 
 /** The share of the speed that is left after head-on impacts of two unequal spheres (or one and a plane) by so many
@@ -188,5 +220,5 @@ TEST(crowds)
     assert_close(log2(error[1] / error[2]), 2, 0.2);
 }
 
-RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(restitution), cmocka_unit_test(ledger),
-          cmocka_unit_test(crowds))
+RUN_TESTS(cmocka_unit_test(zeta_of_restitution), cmocka_unit_test(any_scale), cmocka_unit_test(restitution),
+          cmocka_unit_test(ledger), cmocka_unit_test(crowds))

@@ -112,4 +112,63 @@ TEST(packings_in_contact)
     print_message("in contact: between %.3f and %.3f of the limit\n", low, high);
 }
 
-RUN_TESTS(cmocka_unit_test(bonded_packings), cmocka_unit_test(packings_in_contact))
+/** How many spheres of radius 1 have their centres in a shell around one of radius R, as near to it as the overlap o
+ *  allows, on a face-centred lattice on which no two overlap by more. */
+static int64_t in_shell(double R, double o)
+{
+    static const double face[4][3] = {{1, 1, 1}, {3, 3, 1}, {3, 1, 3}, {1, 3, 3}};
+    const double length = R + 1, cell = (1 - o) * 2 * (1 + 1e-9) * sqrt(2);
+    const int most = (int)(length / cell) + 2;
+    int64_t found = 0;
+    for (int i = -most; i < most; ++i)
+        for (int j = -most; j < most; ++j)
+            for (int k = -most; k < most; ++k)
+                for (int n = 0; n < 4; ++n) {
+                    const double p[3] = {(i + face[n][0] / 4) * cell, (j + face[n][1] / 4) * cell,
+                                         (k + face[n][2] / 4) * cell};
+                    found += vti_norm(p) < length && vti_norm(p) >= (1 - o) * length;
+                }
+    return found;
+}
+
+/** Small spheres that overlap hide behind others around a large one: the bound counts as many as there may be. Each
+ *  holds it by a spring of rolling friction, k = 1 on J = 1; the small ones do not turn. */
+TEST(hidden_neighbours)
+{
+    static const struct {
+        double R, o;
+    } cases[] = {{1, 0.05}, {1, 0.4}, {3, 0.3}, {9, 0.1}, {9, 0.2}, {9, 0.4}, {19, 0.2}, {49, 0.1}};
+    enum { BODIES = 200000 };
+    static double diameter[BODIES], still[6][BODIES][3], heavy[BODIES], scratch[BODIES];
+    static vti_held slots[2];
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        for (int64_t i = 0; i < BODIES; ++i) {
+            diameter[i] = i == 0 ? 2 * cases[k].R : 2;
+            heavy[i] = i == 0 ? 1 : 1e12;
+        }
+        vti_bodies b = vti_bodies_none(BODIES);
+        vti_view *const views[6] = {&b.x, &b.v, &b.omega, &b.alpha, &b.force, &b.moment};
+        for (int v = 0; v < 6; ++v)
+            *views[v] = vti_view_packed(still[v][0]);
+        b.mass = vti_scalars_one(&heavy[1]);
+        b.inertia = vti_scalars_array(heavy);
+        vti_history history = {2, 0, 0, slots};
+        vti_sum lost[3] = {{0, 0}};
+        const vti_contacts contacts = {.diameter = vti_scalars_array(diameter), .stiffness = 1e-12};
+        const vti_friction friction = {.contacts = &contacts,
+                                       .rolling = 1,
+                                       .rolling_stiffness = 1,
+                                       .history = &history,
+                                       .reach = INFINITY,
+                                       .lost = lost};
+        const vti_effect effect = vti_friction_effect(&friction);
+        const vti_deformation at = {.overlap = cases[k].o, .meet = 1};
+        vti_stable stable;
+        assert_int_equal(vti_stable_step(&effect, 1, &b, &at, scratch, &stable), VTI_OK);
+        const double there = (double)in_shell(cases[k].R, cases[k].o), counted = 4 / (stable.h * stable.h) / 2;
+        print_message("R %g, overlap %g: %g neighbours, %.4g counted\n", cases[k].R, cases[k].o, there, counted);
+        assert_true(counted >= there && counted <= 4 * there + 40);
+    }
+}
+
+RUN_TESTS(cmocka_unit_test(bonded_packings), cmocka_unit_test(packings_in_contact), cmocka_unit_test(hidden_neighbours))

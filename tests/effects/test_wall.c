@@ -445,6 +445,9 @@ TEST(what_cylinders_break)
     move();
     motion[0].velocity[2] = 1;
     assert_int_equal(vti_walls_effect(&m.walls).breaks, 033);
+    motion[0].moved[1] = 0.3; /* as after a restart */
+    assert_int_equal(vti_walls_effect(&m.walls).breaks, 073);
+    motion[0].moved[1] = 0;
     motion[0].velocity[0] = 1;
     assert_int_equal(vti_walls_effect(&m.walls).breaks, 073);
     inside(0, 0.6, 0, 0.8, 2);

@@ -325,7 +325,65 @@ TEST(slowed)
     assert_close(slowing_of(pair, BOND "{zeta: 0.9}"), 0.0, 0.0);
     assert_close(slowing_of(pair, BOND "{zeta: 2}"), 4.0 * fmax(sqrt(18.0 / 9.0 * t), sqrt(5.0 * r)), 1e-12);
 #undef BOND
+    /* drag of (c + 2 k|u|)/m, u against the medium, and of turns where something turns bodies */
+    static const char fast[] = "mass: 2, diameter: 0.5, x: [0, 0, 0], v: [3, 0, 4]";
+    assert_close(slowing_of(fast, WALL "drag: {quadratic: 3}"), 2.0 * 3.0 * 5.0 / 2.0, 1e-14);
+    assert_close(slowing_of(fast, WALL "drag: {linear: 7, quadratic: 3, medium: [3, 0, 0]}"),
+                 (7.0 + 2.0 * 3.0 * 4.0) / 2.0, 1e-14);
+    assert_close(slowing_of(one, WALL "drag: {angular: 3}"), 0.0, 0.0);
+    assert_close(slowing_of("inertia: 0.01, alpha: [1, 0, 0], omega: [0, 0, 0]",
+                            "pendulum: {weight: 1, rho0: [0, 0, -1]}\ndrag: {angular: 3}"),
+                 3.0 / 0.01, 1e-12);
+    assert_close(slowing_of("moments: [0.01, 0.02, 0.02], alpha: [1, 0, 0], omega: [0, 0, 0]",
+                            "pendulum: {weight: 1, rho0: [0, 0, -1]}\ndrag: {angular: 3}"),
+                 3.0 / 0.01, 1e-12);
 #undef WALL
+}
+
+/* ---- what gains and losses are shares of ------------------------------------------------------------------------- */
+
+/** The judgement of rows of a sphere of m = 2 that flies at v and has fallen by so much energy, lost being booked. */
+static struct judgement judged(int rows, const double *v, const double *fallen, const double *lost)
+{
+    static struct scene scene;
+    static struct model model;
+    struct columns columns;
+    struct message message;
+    struct verdict verdict;
+    double row[COLUMNS];
+    int64_t drag = 0;
+    make_model("bodies: {x: [0, 0, 1000], v: [0, 0, 0], mass: 2, diameter: 1}\ngravity: [0, 0, -1]\n"
+               "drag: {linear: 1}\nh: 0.01\nt_end: 1\n",
+               &scene, &model);
+    columns_of(&model, scene.stepper, &columns);
+    assert_int_equal(verdict_create(&verdict, &model, scene.stepper, 0.01, &columns, &message), 0);
+    while (model.effects[drag].booked == NULL)
+        ++drag;
+    for (int k = 0; k < rows; ++k) {
+        model.bodies.v.c[0][0] = v[k];
+        model.bodies.x.c[2][0] = 1000 - fallen[k] / 2;
+        ((vti_sum *)model.effects[drag].booked)->high = lost[k];
+        verdict_row(&verdict, k, &model.bodies, row);
+    }
+    const struct judgement found = verdict_judge(&verdict, 0, &message);
+    verdict_destroy(&verdict);
+    model_destroy(&model);
+    return found;
+}
+
+/** Energy that is off where something begins to move is a share of what there is in the end, and errors of the ledger of a
+ *  driven scene one of what it has turned over; what comes out of nothing is bad, booked or not. */
+TEST(shares)
+{
+    static const double none[4], from_rest[] = {0, 0, 10, 10}, late[] = {0, 1e-3, -100, -100}, steady[] = {1, 1, 1, 1},
+                                 fallen[] = {0, 10, 20, 39.6}, turned[] = {0, 10, 20, 40}, wild[] = {1, 3, 9, 27};
+    assert_close(judged(4, from_rest, none, late).energy_gain, 1e-5, 1e-9);
+    assert_close(judged(2, from_rest, none, late).energy_gain, 1.0, 1e-5);
+    const struct judgement driven = judged(4, steady, fallen, turned);
+    assert_close(driven.energy_gain, 0.4 / 40, 1e-9);
+    assert_int_equal(driven.verdict, VERDICT_GOOD);
+    assert_int_equal(judged(4, steady, none, turned).verdict, VERDICT_BAD);
+    assert_int_equal(judged(4, wild, none, none).verdict, VERDICT_BAD);
 }
 
 /* ---- the stable step --------------------------------------------------------------------------------------------- */
@@ -422,5 +480,5 @@ TEST(remedies)
 
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(remedies), cmocka_unit_test(angles), cmocka_unit_test(errors),
                     cmocka_unit_test(orders), cmocka_unit_test(elsewhere), cmocka_unit_test(slopes),
-                    cmocka_unit_test(bonds), cmocka_unit_test(ways), cmocka_unit_test(slowed),
+                    cmocka_unit_test(bonds), cmocka_unit_test(ways), cmocka_unit_test(slowed), cmocka_unit_test(shares),
                     cmocka_unit_test(pressed))

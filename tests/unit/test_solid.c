@@ -253,8 +253,10 @@ TEST(refused)
     centre[3] = 1e200; /* squares of which overflow */
     assert_int_equal(vti_clump_solid(2, centre, diameter, 1, 8, &solid, &fault), VTI_E_CLUMP);
     assert_int_equal(fault.body, -1);
+    const vti_solid before = solid;
     diameter[0] = 1e-120; /* and underflow */
     assert_int_equal(vti_clump_solid(1, centre, diameter, 1, 8, &solid, &fault), VTI_E_MASS);
+    assert_memory_equal(&solid, &before, sizeof solid); /* what is refused writes nothing */
 }
 
 RUN_TESTS(cmocka_unit_test(one_sphere), cmocka_unit_test(disjoint_spheres), cmocka_unit_test(tetrapod),
