@@ -87,6 +87,7 @@ static int look_at(struct stages *g)
     s->breaks = model_breaks(&model);
     s->doubt = s->breaks ? 30.0 : s->kinked ? 10.0 : 3.0;
     int failed = model_find_limits(&model, &s->advice->limits, s->message);
+    s->advice->energy = model_energy(&model, &model.bodies);
     const vti_deformation at = {s->advice->limits.at.overlap, 0.0, s->advice->limits.at.meet};
     if (failed == 0)
         failed = model_stable_step(&model, &model.bodies, &at, &begin, s->message);

@@ -118,6 +118,7 @@ struct advice {
     int parted;                  /* ... and they do not: the target is the energy's */
     int unsure;                  /* ... but the finest runs are too coarse to tell whether finer ones do */
     struct model_limits limits;  /* of the step, at the start */
+    double energy;               /* at the start; errors of it are shares of this unless it is 0 */
     double max_omega;            /* of the solution; NaN: there is none */
     double order;                /* that the most accurate runs showed; NaN if they needed no refining */
     const vti_stepper *checked;  /* whose runs these were */

@@ -310,6 +310,36 @@ static double held(const struct effect *e, const vti_bodies *bodies)
     return most;
 }
 
+/** One that begins deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. */
+static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
+{
+    const vti_walls *walls = walls_of(e);
+    const vti_bodies *b = model_spheres(model);
+    double deepest = 0.2;
+    int64_t at = -1, wall = -1;
+    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
+        for (int64_t s = 0; s < b->count; ++s) {
+            double x[3], n[3];
+            for (int k = 0; k < 3; ++k)
+                x[k] = b->x.c[k][s * b->x.stride];
+            const double share =
+                1.0 - 2.0 * vti_walls_gap(walls, w, x, n) / walls->diameter.p[s * walls->diameter.stride];
+            if (share > deepest) {
+                deepest = share;
+                at = s;
+                wall = w;
+            }
+        }
+    text[0] = '\0';
+    if (at < 0)
+        return;
+    const int64_t body = model_has_clumps(model) ? model->clumps.list.body[at] : at;
+    snprintf(
+        text, size_of_text,
+        "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
+        (long long)(model->number != NULL ? model->number[body] : body), deepest, (long long)wall);
+}
+
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
@@ -324,6 +354,7 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .spheres = 1,
                                         .make = make,
                                         EFFECT_TERMS(terms),
+                                        .note = note,
                                         .limit = limit,
                                         .deform = deform,
                                         .held = held,

@@ -21,7 +21,8 @@ static const struct option_row rows[] = {
         "Finds by pilot runs which stepper and step reach a given error at the end of the scene in the\n"
         "least time, and what the others would need. Errors are those at the end: attitude, the largest\n"
         "angle between a body's attitude and the true one, in radians; position, the largest distance;\n"
-        "velocity, relative, of v and Omega together; energy, the largest change on the way, relative.\n"
+        "velocity, relative, of v and Omega together; energy, the largest change on the way, of that at the\n"
+        "start, or in its own unit where that is 0.\n"
         "\n"
         "Pilots take a part of the time of the run that is advised on. If that is too little for runs over\n"
         "the whole time, advice is from its first part or from coarser runs: every error comes with the\n"
@@ -183,6 +184,9 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 "warning: h = %.4g is %s the stable step %.4g: what is off by less than the error may still grow\n",
                 best->h, best->h > 1.05 * stable_least(&a->limits, best->stepper) ? "above" : "near",
                 stable_least(&a->limits, best->stepper));
+    if (a->measure == COST_ENERGY && a->energy == 0.0)
+        fprintf(file, "warning: the energy is 0 at the start, and errors of it are in its own unit: choose --error by "
+                      "the energies that there will be, or another --measure\n");
     if (best->h * a->max_omega > 1.0)
         fprintf(file, "warning: bodies turn by up to %.2g radians per step\n", best->h * a->max_omega);
     if (vti_multistep_find(best->stepper->name) != NULL)

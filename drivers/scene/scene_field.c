@@ -69,7 +69,7 @@ static const struct scene_field head[] = {
     {"bodies.clumps", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bodies of several spheres each",
      "Each body moves as one solid and stands where its centre of mass is; contacts and walls act on its spheres, all "
      "else on the body, drag and bonds on either. Mass, moments and principal axes are those of the spheres' union, by "
-     "256 lines across a sphere that overlaps others.",
+     "256 lines across a sphere that overlaps others. Bonds of clumps neither break nor are made on the way.",
      NULL},
     {"bodies.clumps.spheres", SCENE_SPHERES, SCENE_MUST, SCENE_ANY, AT(clumps.spheres), "spheres of the templates",
      "Lengths: centre and diameter of each in the body at alpha = 0, from any point.", NULL},
@@ -79,10 +79,13 @@ static const struct scene_field head[] = {
      NULL},
     {"bodies.clumps.density", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(clumps.density), "density",
      "Mass per volume of all spheres, in the place of bodies.mass.", NULL},
-    {"bodies.x", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(x), "position", "Of a single body's centre, lengths.", NULL},
+    {"bodies.x", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(x), "position",
+     "Of a single body's centre, lengths; goes with bodies.v.", NULL},
     {"bodies.v", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(v), "velocity", "Of each body's centre at t = 0.", NULL},
     {"bodies.alpha", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(alpha), "attitude",
-     "At t = 0 as a rescaled Rodrigues vector, 2 tan(theta/2) along the axis; 0 is unturned.", NULL},
+     "At t = 0 as a rescaled Rodrigues vector, 2 tan(theta/2) along the axis; 0 is unturned. Goes with bodies.omega "
+     "where a single body is given by them.",
+     NULL},
     {"bodies.omega", SCENE_VECTOR, SCENE_MAY, SCENE_ANY, AT(omega), "angular velocity",
      "Of each body at t = 0 in space, radians per unit of time.", NULL},
     {"bodies.random", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "random velocities",

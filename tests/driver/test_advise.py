@@ -374,6 +374,13 @@ def says_why():
     said = run(advise, "--error", "0.1", "--steppers", "exact", "--set", "bodies.random.v=1", "--t-end", "2", scene("chain")).stdout
     found = re.search("warning: h = (\\S+) is (near|above) the stable step (\\S+):", said)
     check(found and (float(found[1]) > 1.05 * float(found[3])) == (found[2] == "above"), f"near or above: {found and found[0]}")
+    with tempfile.TemporaryDirectory() as folder:
+        for place, warned in (0, True), (1, False):
+            ball = os.path.join(folder, "ball.yaml")
+            with open(ball, "w", encoding="ascii") as file:
+                file.write(f"bodies: {{x: [0, 0, {place}], v: [0, 0, 0], mass: 1}}\ngravity: [0, 0, -1]\nh: 0.01\nt_end: 1\n")
+            said = run(advise, "--error", "0.01", "--measure", "energy", "--steppers", "vti2", ball).stdout
+            check(("the energy is 0 at the start" in said) == warned, f"from z = {place}: of an energy of 0 there are no shares")
 
 
 def as_long_as_can_be():

@@ -374,6 +374,10 @@ def notes(base):
     check(len(deep) == 1 and "bodies 2 and 4 overlap by 0.25 of the length" in deep[0], "... the deepest overlap")
     check(not lines("flat", start + "0,0,0,1\n0.95,0,0,1\n", "contact: {stiffness: 1}\n"), "... none below a tenth")
     check(len(lines("wide", start + "0,0,0,3\n1.5,0,0,1\n", "contact: {stiffness: 1}\n")) == 1, "... of spheres that differ, too")
+    walls = "wall: {stiffness: 1, planes: [[0, 0, 1, -1], [1, 0, 0, 0]]}\n"
+    behind = lines("behind", start + "3,0,0,1\n-1,0,0,2\n0.5,0,5,1\n", walls)
+    check(len(behind) == 1 and "body 2 is 2 radii deep in wall 1" in behind[0], "... behind a wall, the deepest")
+    check(not lines("beside", start + "0.45,0,0,1\n", walls), "... not below a fifth of its radius")
     rub = "friction: {sliding: 0.5, poisson: 0.3}\n"
     one = "contact: {young: 1, poisson: %s}\n" + rub
     check(not lines("same", start, one % "0.3"), "one ratio of Poisson's needs no word")
