@@ -334,10 +334,9 @@ static void note(const struct effect *e, const struct model *model, char *text, 
     if (at < 0)
         return;
     const int64_t body = model_has_clumps(model) ? model->clumps.list.body[at] : at;
-    snprintf(
-        text, size_of_text,
-        "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
-        (long long)(model->number != NULL ? model->number[body] : body), deepest, (long long)wall);
+    snprintf(text, size_of_text,
+             "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
+             (long long)(model->number != NULL ? model->number[body] : body), deepest, (long long)wall);
 }
 
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};

@@ -320,6 +320,115 @@ static void nears_wall(const struct vti_touch_kernels *kernels)
     }
 }
 
+/* ---- what Hertzian contact does ---------------------------------------------------------------------------------- */
+
+enum { LISTED = 200 };
+static struct {
+    double x[ROOM], force[2][ROOM], length[LISTED];
+    int64_t pair[LISTED][2];
+} crowd;
+
+/** (K/L) o^{3/2} along d, which is r long, onto body i if it is of the slice. */
+static void push_alone(const vti_bodies *b, int64_t i, double stiffness, double length, double r, double by,
+                       const double d[3])
+{
+    const double o = 1.0 - r / length, f = stiffness / length * o * sqrt(o) * by;
+    for (int k = 0; k < 3 && i >= b->first && i < b->first + b->count; ++k)
+        b->force.c[k][i * b->force.stride] += f * d[k];
+}
+
+static void press_alone(const vti_contacts *p, const vti_bodies *b)
+{
+    for (int64_t k = 0; k < p->count; ++k) {
+        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+        double d[3], back[3];
+        for (int c = 0; c < 3; ++c) {
+            d[c] = b->x.c[c][i * b->x.stride] - b->x.c[c][j * b->x.stride];
+            back[c] = -d[c];
+        }
+        const double *const D = p->diameter.p, r2 = vti_dot(d, d), r = sqrt(r2);
+        const double length =
+            p->length.p != NULL ? p->length.p[k] : 0.5 * D[i * p->diameter.stride] + 0.5 * D[j * p->diameter.stride];
+        if (r2 >= length * length)
+            continue;
+        const double by = r > VTI_COINCIDENT ? 1.0 / r : 0.0, stiffness = vti_contacts_stiffness(p, k);
+        push_alone(b, i, stiffness, length, r, by, d);
+        push_alone(b, j, stiffness, length, r, by, back);
+    }
+}
+
+static void press_alone_at(const vti_walls *p, const vti_bodies *b, int64_t w)
+{
+    for (int64_t i = b->first; i < b->first + b->count; ++i) {
+        double x[3], n[3];
+        for (int k = 0; k < 3; ++k)
+            x[k] = b->x.c[k][i * b->x.stride];
+        const double gap = vti_walls_gap(p, w, x, n), radius = 0.5 * p->diameter.p[i * p->diameter.stride];
+        if (!(gap >= radius))
+            push_alone(b, i, vti_walls_stiffness(p, w, i), radius, gap, 1.0, n);
+    }
+}
+
+/** Lists of any length in which bodies come more than once, in any order, and walls; layouts of places and forces that
+ *  differ; slices; one diameter, more, materials, lengths of their own; places that are one, or NaN. */
+static void presses(const struct vti_touch_kernels *kernels)
+{
+    static const double plane[2][4] = {{0.6, 0.0, 0.8, -0.3}, {0.0, 1.0, 0.0, 0.2}},
+                        cylinder[7] = {0.0, 1.0, 0.0, 0.1, 0.0, 0.0, 1.0};
+    static const vti_scalars none = {NULL, 0, 0};
+    rng g = rng_seed(77);
+    for (int trial = 0; trial < LAYOUTS * LAYOUTS * 4 * 12; ++trial) {
+        const int kind = trial / (LAYOUTS * LAYOUTS) % 4, base = trial % 2;
+        vti_bodies b[2];
+        for (int k = 0; k < 2; ++k) {
+            b[k] = vti_bodies_none(N);
+            b[k].x = view_in(trial % LAYOUTS, crowd.x);
+            b[k].force = view_in(trial / LAYOUTS % LAYOUTS, crowd.force[k]);
+            b[k].first = trial % 5 ? 0 : 7;
+            b[k].count = trial % 5 ? N : N - 20;
+        }
+        for (int64_t i = 0; i < N; ++i) {
+            put(&b[0].x, i, uniform(&g, -1, 1), uniform(&g, -1, 1), uniform(&g, -1, 1));
+            bodies.diameter[i] = uniform(&g, 0.8, 1.2);
+            bodies.modulus[i] = uniform(&g, 1, 3);
+        }
+        for (int64_t k = 0; k < ROOM; ++k)
+            crowd.force[0][k] = crowd.force[1][k] = uniform(&g, -1, 1);
+        put(&b[0].x, 3, 0.1, 0.2, 0.3);
+        put(&b[0].x, 4, 0.1, 0.2, 0.3);
+        if (trial % 3 == 0)
+            put(&b[0].x, 5, 0.1, NAN, 0.3);
+        for (int64_t k = 0; k < LISTED; ++k) {
+            crowd.pair[k][0] = k % 9 ? rng_below(&g, N) : 3;
+            crowd.pair[k][1] = k % 9 ? (crowd.pair[k][0] + 1 + rng_below(&g, N - 1)) % N : 4;
+            for (int side = 0; side < 2; ++side)
+                crowd.pair[k][side] += base;
+            crowd.length[k] = uniform(&g, 0.5, 1.1);
+        }
+        const vti_contacts contacts = {.count = trial % 7 ? rng_below(&g, LISTED + 1) : trial % 17,
+                                       .pair = crowd.pair[0],
+                                       .base = base,
+                                       .diameter =
+                                           kind ? vti_scalars_array(bodies.diameter) : vti_scalars_one(bodies.diameter),
+                                       .modulus = kind == 2 ? vti_scalars_array(bodies.modulus) : none,
+                                       .length = kind == 3 ? vti_scalars_array(crowd.length) : none,
+                                       .stiffness = kind == 2 ? 0.0 : 2.5};
+        const vti_walls walls = {.count = 2,
+                                 .plane = plane[0],
+                                 .cylinders = 1,
+                                 .cylinder = cylinder,
+                                 .diameter = contacts.diameter,
+                                 .modulus = contacts.modulus,
+                                 .stiffness = contacts.stiffness};
+        kernels->press(&contacts, &b[0]);
+        press_alone(&contacts, &b[1]);
+        assert_same_bits(crowd.force[0], crowd.force[1], ROOM);
+        kernels->press_at(&walls, &b[0], trial % 3, b[0].first, b[0].count);
+        press_alone_at(&walls, &b[1], trial % 3);
+        assert_same_bits(crowd.force[0], crowd.force[1], ROOM);
+    }
+}
+
 static double loads[2][2][ROOM];
 
 /** What the springs of pair k do to its bodies, if they touch and are of the slice. */
@@ -492,6 +601,7 @@ static void bond_flows(const struct vti_touch_kernels *kernels)
 
 static void agree(const struct vti_touch_kernels *kernels)
 {
+    presses(kernels);
     nears(kernels);
     nears_wall(kernels);
     pushes(kernels);

@@ -218,6 +218,60 @@ TEST(what_no_kernel_takes)
     }
 }
 
+/* ---- what is not there ------------------------------------------------------------------------------------------- */
+
+TEST(what_is_not_there)
+{
+    enum { MANY = 300 };
+    static double place[MANY][3], push[MANY][3];
+    static const double plane[4] = {0, 0, 1, 0}, stiff = 1;
+    static const int64_t pair[2] = {0, 1};
+    const double rest[4] = {1, 1, 0, 0}, loads[24] = {0};
+    vti_bodies b = bodies(2);
+    double arm[3];
+    vti_walls walls = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&one), .stiffness = 2};
+    const vti_effect wall = vti_walls_effect(&walls);
+    const vti_pendulum pendulum = {1, {0, 0, -1}};
+    const vti_bonds bonds = {.count = 1, .pair = pair, .rest = rest, .axial = vti_scalars_one(&stiff)},
+                    negative = {.count = -1, .pair = pair, .rest = rest};
+    assert_true(isnan(vti_booked_of_body(&wall, -1, 0)) && isnan(vti_booked_of_body(&wall, 1, -1)) &&
+                isnan(vti_booked_of_body(NULL, 1, 0)) && vti_booked_of_body(NULL, 0, 0) == 0);
+    const struct {
+        const vti_pendulum *of;
+        int64_t i;
+    } arms[] = {{NULL, 0}, {&pendulum, -1}, {&pendulum, 2}};
+    for (int k = 0; k < 3; ++k) {
+        vti_pendulum_arm(arms[k].of, &b, arms[k].i, arm);
+        assert_true(isnan(arm[0]) && isnan(arm[1]) && isnan(arm[2]));
+    }
+    vti_pendulum_arm(&pendulum, &b, 0, NULL);
+    assert_int_equal(vti_bonds_sum(NULL, loads, 0, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_bonds_sum(&bonds, NULL, 0, 1, &b), VTI_E_NULL);
+    assert_int_equal(vti_bonds_sum(&bonds, loads, 0, 1, NULL), VTI_E_NULL);
+    assert_int_equal(vti_bonds_sum(&negative, loads, 0, 0, &b), VTI_E_COUNT);
+    assert_int_equal(vti_bonds_sum(&bonds, loads, 0, 2, &b), VTI_E_COUNT);
+    assert_int_equal(vti_walls_check(&walls, -1, NULL), VTI_E_COUNT);
+    assert_true(isnan(vti_walls_stiffness(&walls, 1, 0)) && isnan(vti_walls_stiffness(NULL, 0, 0)));
+    /* more bodies than one pass has */
+    b = vti_bodies_none(MANY);
+    b.x = vti_view_packed(place[0]);
+    b.force = vti_view_packed(push[0]);
+    for (int i = 0; i < MANY; ++i)
+        place[i][2] = i == MANY - 2 ? 0.25 : 3;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    for (int i = 0; i < MANY; ++i)
+        assert_close(push[i][2], i == MANY - 2 ? 2 / 0.5 * pow(0.5, 1.5) : 0, 4 * EPS);
+    walls.count = walls.cylinders = -1;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_E_COUNT);
+    assert_int_equal(vti_walls_check(&walls, 2, NULL), VTI_E_COUNT);
+    walls.count = 1;
+    assert_int_equal(vti_walls_check(&walls, 2, NULL), VTI_E_COUNT);
+    walls.cylinders = 0;
+    walls.plane = NULL;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_E_NULL);
+}
+
 RUN_TESTS(cmocka_unit_test(springs_of_bodies_that_are_not_there), cmocka_unit_test(springs_without_a_number),
           cmocka_unit_test(strains_and_contacts_of_no_use), cmocka_unit_test(lists_longer_than_their_values),
-          cmocka_unit_test(a_stepper_of_ones_own), cmocka_unit_test(what_no_kernel_takes))
+          cmocka_unit_test(a_stepper_of_ones_own), cmocka_unit_test(what_no_kernel_takes),
+          cmocka_unit_test(what_is_not_there))
