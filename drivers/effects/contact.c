@@ -339,7 +339,9 @@ static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t 
 {
     const int64_t i = contacts->pair[2 * k], j = contacts->pair[2 * k + 1];
     const vti_scalars *D = &contacts->diameter;
-    return 1.0 - distance(x, contacts->pair + 2 * k) / (0.5 * (D->p[i * D->stride] + D->p[j * D->stride]));
+    const double length =
+        contacts->length.p != NULL ? contacts->length.p[k] : 0.5 * (D->p[i * D->stride] + D->p[j * D->stride]);
+    return 1.0 - distance(x, contacts->pair + 2 * k) / length;
 }
 
 /** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. */
@@ -392,6 +394,15 @@ static double held(const struct effect *e, const vti_bodies *bodies)
     return most;
 }
 
+static double deepest(const struct effect *e, const vti_bodies *spheres)
+{
+    const vti_contacts *contacts = &((const struct contact_self *)e->self)->contacts;
+    double most = 0.0;
+    for (int64_t k = 0; k < contacts->count; ++k)
+        most = fmax(most, share_of(contacts, &spheres->x, k));
+    return most;
+}
+
 static int touching(const struct effect *e)
 {
     return ((const struct contact_settings *)e->settings)->bonded ? EFFECT_TOUCH_ALL : EFFECT_TOUCH_APART;
@@ -417,6 +428,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .limit = limit,
                                            .deform = deform,
                                            .held = held,
+                                           .deepest = deepest,
                                            .surfaces = surfaces,
                                            .touching = touching,
                                            .memory = &remembered};

@@ -208,6 +208,9 @@ struct effect_kind {
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
     /** The largest energy that one of its springs holds where the bodies are, of the last find_pairs; NULL: none. */
     double (*held)(const struct effect *e, const vti_bodies *bodies);
+    /** How deep what touches is, as a share of the length of the contact: the largest of the spheres as they are, of the
+     *  last find_pairs; 0 and less where nothing touches. NULL: it has no contacts. */
+    double (*deepest)(const struct effect *e, const vti_bodies *spheres);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
     /** The largest rate, 1/time, at which it slows a body, whatever pushes that. */

@@ -310,33 +310,54 @@ static double held(const struct effect *e, const vti_bodies *bodies)
     return most;
 }
 
+/** How deep sphere s is in wall w, as a share of its radius. */
+static double share_of(const vti_walls *walls, int64_t w, const vti_bodies *spheres, int64_t s)
+{
+    double x[3], n[3];
+    for (int k = 0; k < 3; ++k)
+        x[k] = spheres->x.c[k][s * spheres->x.stride];
+    return 1.0 - 2.0 * vti_walls_gap(walls, w, x, n) / walls->diameter.p[s * walls->diameter.stride];
+}
+
+/** The sphere that is deepest, by more than least, and the wall; -1 if there is none. */
+static int64_t deepest_of(const vti_walls *walls, const vti_bodies *spheres, double least, double *share, int64_t *wall)
+{
+    int64_t at = -1;
+    *share = least;
+    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
+        for (int64_t s = 0; s < spheres->count; ++s) {
+            const double own = share_of(walls, w, spheres, s);
+            if (own > *share) {
+                *share = own;
+                *wall = w;
+                at = s;
+            }
+        }
+    return at;
+}
+
+static double deepest(const struct effect *e, const vti_bodies *spheres)
+{
+    double share;
+    int64_t wall;
+    deepest_of(walls_of(e), spheres, 0.0, &share, &wall);
+    return share;
+}
+
 /** One that begins deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. */
 static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
 {
-    const vti_walls *walls = walls_of(e);
-    const vti_bodies *b = model_spheres(model);
-    double deepest = 0.2;
-    int64_t at = -1, wall = -1;
-    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
-        for (int64_t s = 0; s < b->count; ++s) {
-            double x[3], n[3];
-            for (int k = 0; k < 3; ++k)
-                x[k] = b->x.c[k][s * b->x.stride];
-            const double share =
-                1.0 - 2.0 * vti_walls_gap(walls, w, x, n) / walls->diameter.p[s * walls->diameter.stride];
-            if (share > deepest) {
-                deepest = share;
-                at = s;
-                wall = w;
-            }
-        }
+    const double much = 0.2;
+    double share;
+    int64_t wall = -1;
+    const int64_t at = deepest_of(walls_of(e), model_spheres(model), much, &share, &wall);
     text[0] = '\0';
     if (at < 0)
         return;
     const int64_t body = model_has_clumps(model) ? model->clumps.list.body[at] : at;
     snprintf(text, size_of_text,
              "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
-             (long long)(model->number != NULL ? model->number[body] : body), deepest, (long long)wall);
+             (long long)(model->number != NULL ? model->number[body] : body), share, (long long)wall);
 }
 
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};
@@ -357,6 +378,7 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .limit = limit,
                                         .deform = deform,
                                         .held = held,
+                                        .deepest = deepest,
                                         .planes = &faces,
                                         .surfaces = surfaces,
                                         .memory = &remembered};

@@ -171,6 +171,19 @@ double verdict_travel(const struct verdict *v, const vti_bodies *bodies)
     return most * v->h / v->diameter;
 }
 
+/** The largest overlap with each other or with walls. */
+static double deepest_of(const struct model *model, const vti_bodies *bodies)
+{
+    const vti_clumps *clumps = &model->clumps.list;
+    double most = 0.0;
+    for (int64_t k = 0; k < model->rooms_count; ++k) {
+        const struct effect *e = &model->rooms[k];
+        if (e->kind->deepest != NULL)
+            most = fmax(most, e->kind->deepest(e, clumps->count > 0 ? &clumps->spheres : bodies));
+    }
+    return most;
+}
+
 /** Rows 0 to 63, every second of the next 64, every fourth of the next 128, ... */
 static int is_looked_at(double row)
 {
@@ -266,6 +279,7 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     look_at_energies(v, t, total, e.kicked, e.modified);
     if (v->diameter > 0.0)
         f->travel = number_larger(f->travel, verdict_travel(v, bodies));
+    f->deepest = fmax(f->deepest, deepest_of(v->model, bodies));
     f->rotation = number_larger(f->rotation, vti_max_turn(v->h, bodies));
     const double longest = v->model->scene->tolerance > 0.0 ? INFINITY : v->h;
     int64_t k = 0;

@@ -87,6 +87,7 @@ struct findings {
     double lately;          /* the longest step since the row before, where steps vary */
     double longest, before; /* step since the last look at the stable step, and what that was there */
     double share;           /* of the stable step, the largest */
+    double deepest;         /* the largest overlap at a row, as a share of the contact's length */
     double slowing; /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
     struct trend trend;
 };

@@ -378,6 +378,17 @@ def notes(base):
     behind = lines("behind", start + "3,0,0,1\n-1,0,0,2\n0.5,0,5,1\n", walls)
     check(len(behind) == 1 and "body 2 is 2 radii deep in wall 1" in behind[0], "... behind a wall, the deepest")
     check(not lines("beside", start + "0.45,0,0,1\n", walls), "... not below a fifth of its radius")
+    for name, table, scene in (("through", "x,y,z,vx,vy,vz\n0,0,0,1,0,0\n2,0,0,-1,0,0\n", "contact: {stiffness: 0.5}\n"),
+                               ("into", "x,y,z,vx,vy,vz\n1,0,0,-1,0,0\n", "wall: {stiffness: 0.5, planes: [[1, 0, 0, 0]]}\n")):
+        for soft, word in ((scene, True), (scene.replace("0.5", "500"), False)):
+            with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
+                file.write(table)
+            with open(f"{base}/{name}.yaml", "w", encoding="ascii") as file:
+                file.write(f"bodies: {{table: {name}.csv, mass: 1, diameter: 1}}\n{soft}h: 1/1024\nt_end: 2\n")
+            result = run(RUN, f"{base}/{name}.yaml", "-o", f"{base}/{name}-out.h5", "--force")
+            said = result.stdout.splitlines()[-1]
+            check(("of their length deep" in said) == word and said.startswith("verdict: " + ("doubtful" if word else "good")),
+                  f"{name}: {said}")
     rub = "friction: {sliding: 0.5, poisson: 0.3}\n"
     one = "contact: {young: 1, poisson: %s}\n" + rub
     check(not lines("same", start, one % "0.3"), "one ratio of Poisson's needs no word")

@@ -48,8 +48,8 @@ NOTES = {
     "held": "Mass is finite: an infinite one is refused. To hold a body, put it outside the slice that is stepped: effects act "
             "across slices.",
     "verdict": "`vti-run` and `vti-study` end with a verdict (drivers/verdict/verdict.h): good, doubtful, bad. A run is bad if its energy "
-               "grows by more than S/4, S being its largest T + U without fields, and that in H and in H - (h^2/8) sum(F^2/m + RM^2/J), or "
-               "by 0.7 S in H alone; if a body comes by more than a diameter per step towards what it meets; or if the run "
+               "grows by more than S/4, S being its largest T + U without fields, or all that was booked as lost or worked where that is more, and that in H and in "
+               "H - (h^2/8) sum(F^2/m + RM^2/J), or by 0.7 S in H alone; if a body comes by more than a diameter per step towards what it meets; or if the run "
                "breaks off. The random scenes have contacts, walls, gravity, pendulums and bonds, sizes and stiffnesses over orders "
                "of magnitude, eight steppers, 256 steps; a run with a step 16 times smaller says what the energy should be at each. The "
                "verdict errs if it is good or doubtful on a run that is off by more than ten times S/4, or bad on one that is within S/4; "
