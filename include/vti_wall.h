@@ -22,7 +22,8 @@ typedef struct vti_wall_motion {
 
 /** Rigid walls that keep bodies on one side of planes n.x = offset, that to which n points, and inside of cylinders: a
  *  particle of radius zero at the foot point, U = 2/5 K [1 - g/(D/2)]_+^{5/2}, g being how far the centre is from the
- *  wall. They are counted from 0, planes first. */
+ *  wall. They are counted from 0, planes first. Bodies are to be thinner than their cylinder, D/2 below its radius: in a
+ *  narrower one the push may hold them across by more than vti_stable_step is told. */
 typedef struct vti_walls {
     int64_t count;           /**< planes */
     const double *plane;     /**< [count][4]: n (unit), offset; where it was at first, if it moves */

@@ -218,28 +218,28 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
 
 /* ---- restitution ------------------------------------------------------------------------------------------------- */
 
-/** atan(sqrt(s))/sqrt(s), atanh(sqrt(-s))/sqrt(-s) of s > -1: halved by atan x = 2 atan(x/(1 + sqrt(1 + x^2))) until
- *  the series 1 - s/3 + s^2/5 - ... ends at s^8 < 2^-60. */
-static double arc(double s)
+/** atan(sqrt(s))/sqrt(s), atanh(sqrt(-s))/sqrt(-s) of s = t - 1 > -1: halved by atan x = 2 atan(x/(1 + sqrt(1 + x^2))),
+ *  by which t becomes 2 sqrt(t)/(1 + sqrt(t)), until the series 1 - s/3 + s^2/5 - ... ends at s^8 < 2^-60. */
+static double arc(double t)
 {
     double factor = 1.0, sum = 0.0;
-    while (fabs(s) > 1.0 / 256.0) {
-        const double half = 1.0 + sqrt(1.0 + s);
+    while (fabs(t - 1.0) > 1.0 / 256.0) {
+        const double root = sqrt(t), half = 1.0 + root;
         factor *= 2.0 / half;
-        s /= half * half;
+        t = 2.0 * root / half;
     }
     for (int n = 8; n >= 0; --n)
-        sum = 1.0 / (2 * n + 1) - s * sum;
+        sum = 1.0 / (2 * n + 1) - (t - 1.0) * sum;
     return factor * sum;
 }
 
-/** e of zeta: with arccos(zeta)/sqrt(1 - zeta^2) = (2/(1 + zeta)) atan(sqrt(s))/sqrt(s), s = (1 - zeta)/(1 + zeta) */
+/** e of zeta: with arccos(zeta)/sqrt(1 - zeta^2) = (2/(1 + zeta)) atan(sqrt(s))/sqrt(s), s = 2/(1 + zeta) - 1 */
 static double restitution(double zeta, int64_t pull)
 {
     const double pi = 3.14159265358979323846;
     if (pull)
         return vti_decay(pi * zeta / sqrt((1.0 - zeta) * (1.0 + zeta))).kept;
-    return vti_decay(4.0 * zeta / (1.0 + zeta) * arc((1.0 - zeta) / (1.0 + zeta))).kept;
+    return vti_decay(4.0 * zeta / (1.0 + zeta) * arc(2.0 / (1.0 + zeta))).kept;
 }
 
 double vti_dashpots_zeta(double e, int64_t pull)
@@ -247,8 +247,6 @@ double vti_dashpots_zeta(double e, int64_t pull)
     double low = 0.0, high = 1.0;
     if (!(e > 0.0 && e <= 1.0))
         return NAN;
-    if (!pull && e < 1e-8) /* 2 zeta arcosh(zeta)/(zeta^2 - 1)^(1/2) = -ln e by its series in 1/zeta */
-        return 0.5 / sqrt(e) * (1.0 + (log(e) + 1.0) * e);
     while (!pull && restitution(high, pull) > e)
         high *= 2.0;
     for (int k = 0; k < 100; ++k) { /* halved until no number is left between them */
