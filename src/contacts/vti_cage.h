@@ -81,12 +81,13 @@ static inline struct vti_cage vti_cage_at(const struct vti_cages *c, int64_t i, 
 {
     const double radius = 0.5 * vti_scalar(&c->contacts->diameter, i), others = (double)(c->bodies - 1);
     const double q = o < 1.0 ? (1.0 - o) * c->near : 0.0, length = c->near * (radius + c->least);
-    double z = 0.0, together = 0.0;
-    for (double least = c->least, next; least > 0.0; least = next) {
-        const double most = fmin(2.0 * least, c->most), room = fmin(others, vti_cage_room(c, radius, least, most, q));
+    double z = 0.0, together = 0.0, least = c->least, most = 0.0;
+    while (most < c->most && least > 0.0) {
+        most = fmin(2.0 * least, c->most);
+        const double room = fmin(others, vti_cage_room(c, radius, least, most, q));
         z += room;
         together += room * vti_cage_hardness(c, i, least, most);
-        next = most < c->most ? most : 0.0;
+        least = most;
     }
     z = fmin(z, others);
     together = fmin(together, others * vti_cage_hardness(c, i, c->least, c->most));
