@@ -369,6 +369,15 @@ static void press_alone_at(const vti_walls *p, const vti_bodies *b, int64_t w)
     }
 }
 
+/** To the bit, but for the signs of NaN, which C leaves open. */
+static void same_forces(void)
+{
+    for (int64_t k = 0; k < ROOM; ++k)
+        if (isnan(crowd.force[0][k]) && isnan(crowd.force[1][k]))
+            crowd.force[0][k] = crowd.force[1][k] = NAN;
+    assert_same_bits(crowd.force[0], crowd.force[1], ROOM);
+}
+
 /** Lists of any length in which bodies come more than once, in any order, and walls; layouts of places and forces that
  *  differ; slices; one diameter, more, materials, lengths of their own; places that are one, or NaN. */
 static void presses(const struct vti_touch_kernels *kernels)
@@ -422,10 +431,10 @@ static void presses(const struct vti_touch_kernels *kernels)
                                  .stiffness = contacts.stiffness};
         kernels->press(&contacts, &b[0]);
         press_alone(&contacts, &b[1]);
-        assert_same_bits(crowd.force[0], crowd.force[1], ROOM);
+        same_forces();
         kernels->press_at(&walls, &b[0], trial % 3, b[0].first, b[0].count);
         press_alone_at(&walls, &b[1], trial % 3);
-        assert_same_bits(crowd.force[0], crowd.force[1], ROOM);
+        same_forces();
     }
 }
 
