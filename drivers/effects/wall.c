@@ -294,22 +294,6 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
     hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
 }
 
-static double held(const struct effect *e, const vti_bodies *bodies)
-{
-    const vti_walls *walls = walls_of(e);
-    double most = 0.0;
-    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
-        for (int64_t i = 0; i < bodies->count; ++i) {
-            double x[3], n[3];
-            for (int k = 0; k < 3; ++k)
-                x[k] = bodies->x.c[k][i * bodies->x.stride];
-            const double radius = 0.5 * walls->diameter.p[i * walls->diameter.stride];
-            most =
-                fmax(most, hertz_held(vti_walls_stiffness(walls, w, i), 1.0 - vti_walls_gap(walls, w, x, n) / radius));
-        }
-    return most;
-}
-
 /** How deep sphere s is in wall w, as a share of its radius. */
 static double share_of(const vti_walls *walls, int64_t w, const vti_bodies *spheres, int64_t s)
 {
@@ -317,6 +301,16 @@ static double share_of(const vti_walls *walls, int64_t w, const vti_bodies *sphe
     for (int k = 0; k < 3; ++k)
         x[k] = spheres->x.c[k][s * spheres->x.stride];
     return 1.0 - 2.0 * vti_walls_gap(walls, w, x, n) / walls->diameter.p[s * walls->diameter.stride];
+}
+
+static double held(const struct effect *e, const vti_bodies *bodies)
+{
+    const vti_walls *walls = walls_of(e);
+    double most = 0.0;
+    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
+        for (int64_t i = 0; i < bodies->count; ++i)
+            most = fmax(most, hertz_held(vti_walls_stiffness(walls, w, i), share_of(walls, w, bodies, i)));
+    return most;
 }
 
 /** The sphere that is deepest, by more than least, and the wall; -1 if there is none. */
