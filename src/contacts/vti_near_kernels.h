@@ -57,23 +57,6 @@ static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double rea
 
 /* ---- bodies at a wall -------------------------------------------------------------------------------------------- */
 
-/** Of bodies at x, from the sides i. The way of the drift, and of the wall over it, is
- *  twice as long here, and a little more, as places before it are not known to the last digit. */
-VTI_INLINE unsigned near_lanes_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
-                                       double h, int64_t w, const struct side *i, const lanes x[3])
-{
-    struct vti_touch at;
-    lanes v[3], way[3];
-    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, i));
-    if (!(h > 0.0))
-        return lanes_bits(at.delta >= -reach);
-    gather(layout, &b->v, i, v);
-    for (int k = 0; k < 3; ++k)
-        way[k] = h * (lanes_abs(v[k]) + (p->motion != NULL ? fabs(p->motion[w].velocity[k]) : 0.0));
-    const lanes far = lanes_sqrt(lanes_dot(way, way));
-    return lanes_bits(at.delta + 2.0 * far + 1e-6 * at.length >= -reach);
-}
-
 /** So many bodies in a row, packed ones WIDTH, and where they are. */
 VTI_INLINE void gather_row(enum touch_layout layout, const vti_bodies *b, int64_t first, int64_t count, struct side *i,
                            lanes x[3])
@@ -91,13 +74,23 @@ VTI_INLINE void gather_row(enum touch_layout layout, const vti_bodies *b, int64_
         gather(layout, &b->x, i, x);
 }
 
-VTI_INLINE unsigned near_row_at_wall(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach,
-                                     double h, int64_t w, int64_t first, int64_t count)
+/** Of so many in a row. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
+ *  before it are not known to the last digit. */
+VTI_INLINE unsigned near_row(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach, double h,
+                             int64_t w, int64_t first, int64_t count)
 {
+    struct vti_touch at;
     struct side i;
-    lanes x[3];
+    lanes x[3], v[3], way[3];
     gather_row(layout, b, first, count, &i, x);
-    return near_lanes_at_wall(layout, p, b, reach, h, w, &i, x);
+    vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, &i));
+    if (!(h > 0.0))
+        return lanes_bits(at.delta >= -reach);
+    gather(layout, &b->v, &i, v);
+    for (int k = 0; k < 3; ++k)
+        way[k] = h * (lanes_abs(v[k]) + (p->motion != NULL ? fabs(p->motion[w].velocity[k]) : 0.0));
+    const lanes far = lanes_sqrt(lanes_dot(way, way));
+    return lanes_bits(at.delta + 2.0 * far + 1e-6 * at.length >= -reach);
 }
 
 VTI_INLINE uint64_t near_rows(enum touch_layout layout, const vti_walls *p, const vti_bodies *b, double reach, double h,
@@ -106,9 +99,9 @@ VTI_INLINE uint64_t near_rows(enum touch_layout layout, const vti_walls *p, cons
     const int64_t even = layout == PACKED ? count - count % WIDTH : 0;
     uint64_t bits = 0;
     for (int64_t k = 0; k < even; k += WIDTH)
-        bits |= (uint64_t)near_row_at_wall(layout, p, b, reach, h, w, first + k, WIDTH) << k;
+        bits |= (uint64_t)near_row(layout, p, b, reach, h, w, first + k, WIDTH) << k;
     for (int64_t k = even; k < count; k += WIDTH)
-        bits |= (uint64_t)near_row_at_wall(ANY, p, b, reach, h, w, first + k, count - k) << k;
+        bits |= (uint64_t)near_row(ANY, p, b, reach, h, w, first + k, count - k) << k;
     return bits & ~UINT64_C(0) >> (64 - count);
 }
 
