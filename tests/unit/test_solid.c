@@ -230,6 +230,7 @@ TEST(rows)
 
 TEST(refused)
 {
+    const vti_solid before = solid;
     double centre[6] = {0, 0, 0, 2, 0, 0}, diameter[2] = {1, 1};
     vti_fault fault;
     assert_int_equal(vti_clump_solid(0, centre, diameter, 1, 8, &solid, &fault), VTI_E_COUNT);
@@ -253,7 +254,6 @@ TEST(refused)
     centre[3] = 1e200; /* squares of which overflow */
     assert_int_equal(vti_clump_solid(2, centre, diameter, 1, 8, &solid, &fault), VTI_E_CLUMP);
     assert_int_equal(fault.body, -1);
-    const vti_solid before = solid;
     diameter[0] = 1e-120; /* and underflow */
     assert_int_equal(vti_clump_solid(1, centre, diameter, 1, 8, &solid, &fault), VTI_E_MASS);
     assert_memory_equal(&solid, &before, sizeof solid); /* what is refused writes nothing */
