@@ -4,12 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "chunks.h"
+#include "contact.h"
 #include "hertz.h"
-#include "kind.h"
 #include "model.h"
-#include "neighbours.h"
-#include "partings.h"
 #include "scene_reader.h"
 #include "shape.h"
 #include "table.h"
@@ -18,20 +15,6 @@ struct contact_settings {
     double stiffness;      /* 0: that of a material */
     double young, poisson; /* of the material, if there is one */
     int64_t bonded;        /* 1: also between bodies that are held together */
-};
-
-struct contact_self {
-    vti_contacts contacts; /* its list is that of neighbours, as of the last find_pairs */
-    struct neighbours neighbours;
-    int parts;                /* 1 if bonds, whose bodies do not touch, may break */
-    struct partings partings; /* of those that have */
-    double *length;           /* of the list, of room for so many; while some pair has one of its own */
-    int64_t room;
-    int64_t age;          /* how often pairs or lengths have changed */
-    int begun;            /* pairs have been found before */
-    struct chunks chunks; /* of the list; all zeros where nobody asks for them */
-    double modulus;       /* of the material */
-    double stiffness;     /* K of the softest pair that there may be */
 };
 
 /* ---- what a scene says ------------------------------------------------------------------------------------------- */
@@ -173,157 +156,6 @@ static void destroy(struct effect *e)
     free(self->length);
 }
 
-/** Distances at which the pairs of the list begin to touch, where some of them have one of their own. Returns 0, or -1
- *  with one line in *message. */
-static int find_lengths(struct contact_self *self, struct message *message)
-{
-    const vti_scalars none = {NULL, 0, 0};
-    const int64_t count = self->contacts.count;
-    self->contacts.length = none;
-    ++self->age;
-    if (self->partings.own == 0)
-        return 0;
-    if (count > self->room) {
-        free(self->length);
-        self->length = malloc((size_t)count * sizeof *self->length);
-        self->room = self->length != NULL ? count : 0;
-    }
-    if (count > self->room)
-        return message_set(message, "contacts: out of memory for %lld pairs; use fewer bodies", (long long)count);
-    partings_lengths(&self->partings, &self->contacts.diameter, count, self->contacts.pair, self->length);
-    if (count > 0)
-        self->contacts.length = vti_scalars_array(self->length);
-    return 0;
-}
-
-/** The list is another one, or lengths are. */
-static int take_list(struct contact_self *self, struct message *message)
-{
-    if (find_lengths(self, message) != 0)
-        return -1;
-    if (self->chunks.count > 1 && chunks_take(&self->chunks, &self->contacts) != 0)
-        return message_set(message, "contacts: out of memory for %lld pairs; use fewer bodies",
-                           (long long)self->contacts.count);
-    return 0;
-}
-
-/** The bodies of pair k as people number them; of clumps those whose spheres they are. */
-static void name_pair(const struct neighbours *list, int64_t k, int64_t body[2])
-{
-    for (int n = 0; n < 2; ++n) {
-        const int64_t i = list->pair[2 * k + n], of = list->owner != NULL ? list->owner[i] : i;
-        body[n] = list->number != NULL ? list->number[of] : of;
-    }
-}
-
-/** How far the centres of a pair are apart. */
-static double distance(const vti_view *x, const int64_t pair[2])
-{
-    double d[3];
-    for (int c = 0; c < 3; ++c)
-        d[c] = x->c[c][pair[0] * x->stride] - x->c[c][pair[1] * x->stride];
-    return vti_norm(d);
-}
-
-/** At the start: of centres that are one there is no direction in which they could part. The core takes those for one
- *  that are nearer than 3.1e-151. */
-static int check_directions(const struct contact_self *self, const vti_view *x, struct message *message)
-{
-    static const double one = 3.2e-151; /* that, rounded up */
-    const struct neighbours *list = &self->neighbours;
-    for (int64_t k = 0; k < list->count; ++k) {
-        if (distance(x, list->pair + 2 * k) > one)
-            continue;
-        int64_t body[2];
-        name_pair(list, k, body);
-        return message_set(
-            message, "the centres of %s %lld and %lld give no direction to their contact; move one of them",
-            list->owner != NULL ? "spheres of bodies" : "bodies", (long long)body[0], (long long)body[1]);
-    }
-    return 0;
-}
-
-static int find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message)
-{
-    struct contact_self *self = e->self;
-    const int result = neighbours_update(&self->neighbours, &bodies->x, message);
-    self->contacts.count = self->neighbours.count;
-    self->contacts.pair = self->neighbours.pair;
-    if (result == 1 && !self->begun && check_directions(self, &bodies->x, message) != 0)
-        return -1;
-    self->begun = 1;
-    return result == 1 ? take_list(self, message) : result;
-}
-
-static int release(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
-                   struct message *message)
-{
-    struct contact_self *self = e->self;
-    const vti_scalars *diameter = &self->contacts.diameter;
-    if (!self->parts)
-        return 0;
-    const int64_t ended = partings_end(&self->partings, &bodies->x, diameter);
-    for (int64_t k = 0; k < count; ++k) {
-        const int64_t i = pair[2 * k], j = pair[2 * k + 1];
-        if (partings_add(&self->partings, i, j, partings_distance(&bodies->x, i, j), diameter) != 0)
-            return message_set(message, "contacts: out of memory for bonds that have broken; use fewer bodies");
-        neighbours_release(&self->neighbours, i, j);
-    }
-    return ended > 0 ? take_list(self, message) : 0;
-}
-
-static int64_t size(const struct effect *e)
-{
-    const struct contact_self *self = e->self;
-    return self->parts ? partings_size(&self->partings) : 0;
-}
-
-static void get(const struct effect *e, double *memory)
-{
-    const struct contact_self *self = e->self;
-    if (self->parts)
-        partings_get(&self->partings, memory);
-}
-
-static int64_t put(struct effect *e, const double *memory, int64_t left)
-{
-    struct contact_self *self = e->self;
-    const int64_t taken = self->parts ? partings_put(&self->partings, memory, left) : 0;
-    for (int64_t k = 0; taken > 0 && k < self->partings.count; ++k)
-        neighbours_release(&self->neighbours, self->partings.list[k].i, self->partings.list[k].j);
-    return taken;
-}
-
-static const struct effect_memory_of remembered = {size, get, put};
-
-static int take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part)
-{
-    const struct contact_self *self = e->self;
-    const vti_contacts *all = &self->contacts;
-    if (part->age == self->age)
-        return 0;
-    const int64_t n = vti_pairs_of_slice(all->count, all->pair, all->base, slice->first, slice->count, NULL);
-    int64_t *pair = effect_part_room(part, 3 * n);
-    if (pair == NULL)
-        return -1;
-    double *length = (double *)(void *)(pair + 2 * n);
-    part->age = self->age;
-    part->contacts = *all;
-    part->contacts.count = 0;
-    part->contacts.pair = pair;
-    for (int64_t k = 0; k < all->count; ++k)
-        if (vti_pairs_of_slice(1, all->pair + 2 * k, all->base, slice->first, slice->count, NULL) > 0) {
-            int64_t *to = pair + 2 * part->contacts.count;
-            to[0] = all->pair[2 * k];
-            to[1] = all->pair[2 * k + 1];
-            length[part->contacts.count++] = all->length.p != NULL ? all->length.p[k] : 0.0;
-        }
-    if (all->length.p != NULL)
-        part->contacts.length = vti_scalars_array(length);
-    part->made = vti_contacts_effect(&part->contacts);
-    return 0;
-}
-
 static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 {
     const struct contact_self *self = e->self;
@@ -338,10 +170,9 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t k)
 {
     const int64_t i = contacts->pair[2 * k], j = contacts->pair[2 * k + 1];
-    const vti_scalars *D = &contacts->diameter;
     const double length =
-        contacts->length.p != NULL ? contacts->length.p[k] : 0.5 * (D->p[i * D->stride] + D->p[j * D->stride]);
-    return 1.0 - distance(x, contacts->pair + 2 * k) / length;
+        contacts->length.p != NULL ? contacts->length.p[k] : partings_touching(&contacts->diameter, i, j);
+    return 1.0 - partings_distance(x, i, j) / length;
 }
 
 /** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. */
@@ -361,7 +192,7 @@ static void note(const struct effect *e, const struct model *model, char *text, 
     text[0] = '\0';
     if (at < 0)
         return;
-    name_pair(&self->neighbours, at, body);
+    contact_name_pair(&self->neighbours, at, body);
     snprintf(
         text, size_of_text,
         "bodies %lld and %lld overlap by %.3g of the length of their contact at t = 0, and no others by more; move "
@@ -420,9 +251,9 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .spheres = 1,
                                            .make = make,
                                            .destroy = destroy,
-                                           .find_pairs = find_pairs,
-                                           .release = release,
-                                           .take_part = take_part,
+                                           .find_pairs = contact_find_pairs,
+                                           .release = contact_release,
+                                           .take_part = contact_take_part,
                                            EFFECT_TERMS(terms),
                                            .note = note,
                                            .limit = limit,
@@ -431,4 +262,4 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .deepest = deepest,
                                            .surfaces = surfaces,
                                            .touching = touching,
-                                           .memory = &remembered};
+                                           .memory = &contact_memory};

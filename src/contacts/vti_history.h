@@ -10,9 +10,8 @@
 
 static inline int64_t vti_history_home(const vti_history *t, int64_t i, int64_t j)
 {
-    uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
-    key = (key ^ key >> 29) * UINT64_C(0xbf58476d1ce4e5b9);
-    return (int64_t)((key ^ key >> 32) & (uint64_t)(t->slots - 1));
+    const uint64_t key = (uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)j;
+    return (int64_t)(key * UINT64_C(0xbf58476d1ce4e5b9) >> 32 & (uint64_t)(t->slots - 1));
 }
 
 /** The slot of the touch, or the empty one where it would be; i and j are those of vti_held. */

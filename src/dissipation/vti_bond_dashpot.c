@@ -33,13 +33,12 @@ static void visit_bonds(const vti_bonds *bonds, double drift, vti_colour_work *w
     const int64_t windows = (bonds->count + VTI_WINDOW - 1) / VTI_WINDOW;
     int64_t number[VTI_WINDOW];
     struct vti_window window;
-    vti_window_clear(&window, bonds->count);
     for (int64_t w = 0; w < windows; ++w) {
         const int64_t first = VTI_WINDOW * (drift < 0.0 ? windows - 1 - w : w), left = bonds->count - first,
                       count = left < VTI_WINDOW ? left : VTI_WINDOW;
         for (int64_t n = 0; n < count; ++n)
             number[n] = first + n;
-        vti_window_work(&window, bonds->pair, bonds->base, number, count, drift < 0.0, work, context);
+        vti_window_work(&window, bonds->pair, number, count, drift < 0.0, work, context);
     }
 }
 

@@ -10,79 +10,60 @@
 
 #include "../contacts/vti_touch_table.h"
 
-enum { VTI_WINDOW = 256, VTI_COLOURS = 64, VTI_COLOUR_LAST = VTI_COLOURS - 1, VTI_WINDOW_BODIES = 4 * VTI_WINDOW };
+enum { VTI_WINDOW = 256, VTI_COLOURS = 64, VTI_COLOUR_LAST = VTI_COLOURS - 1, VTI_WINDOW_SLOTS = 4 * VTI_WINDOW };
 
 struct vti_window {
     int64_t sorted[VTI_WINDOW]; /* numbers of pairs as they are worked */
     int64_t colour[VTI_WINDOW];
     int64_t ends[VTI_COLOURS]; /* of the colours, in their order */
-    struct vti_window_body {
-        int64_t body;      /* from 1; 0: nobody */
-        uint64_t coloured; /* colours of its pairs, as bits */
-    } table[VTI_WINDOW_BODIES];
-    struct vti_window_body *taken[2 * VTI_WINDOW]; /* slots of it that are */
-    int64_t bodies;                                /* how many */
-    int64_t slots;                                 /* of it, a power of 2 */
+    int64_t bodies;            /* how many there are, from 1 on: */
+    int64_t body[2 * VTI_WINDOW + 1];
+    uint64_t coloured[2 * VTI_WINDOW + 1]; /* colours of its pairs, as bits */
+    int16_t slot[VTI_WINDOW_SLOTS];        /* which of them each is; 0: none */
 };
 
-/** Nobody is in the table, which serves windows of a list of so many pairs. */
-static inline void vti_window_clear(struct vti_window *w, int64_t pairs)
+/** Which of the window's bodies is i, that may be new. */
+VTI_INLINE int64_t vti_window_at(struct vti_window *w, int64_t slots, int64_t i)
 {
-    w->slots = 8;
-    while (w->slots < VTI_WINDOW_BODIES && w->slots < 4 * pairs)
-        w->slots *= 2;
-    w->bodies = 0;
-    memset(w->table, 0, (size_t)w->slots * sizeof *w->table); /* all of it: wider stores than those of bodies alone */
-}
-
-/** Body i in the table. */
-VTI_INLINE struct vti_window_body *vti_window_at(struct vti_window *w, int64_t i)
-{
-    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (w->slots - 1);
-    while (w->table[at].body != 0 && w->table[at].body != i + 1)
-        at = (at + 1) & (w->slots - 1);
-    struct vti_window_body *const of = &w->table[at];
-    if (of->body == 0) {
-        of->body = i + 1;
-        of->coloured = 0;
-        w->taken[w->bodies++] = of;
+    int64_t at = (int64_t)((uint64_t)i * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (slots - 1);
+    while (w->slot[at] != 0 && w->body[w->slot[at]] != i)
+        at = (at + 1) & (slots - 1);
+    if (w->slot[at] == 0) {
+        w->slot[at] = (int16_t)++w->bodies;
+        w->body[w->bodies] = i;
+        w->coloured[w->bodies] = 0;
     }
-    return of;
+    return w->slot[at];
 }
 
 /** The smallest colour that is not among those; the last is always free. */
 VTI_INLINE int64_t vti_colour_free(uint64_t coloured)
 {
-    int64_t c = 0;
-    for (coloured &= ~(UINT64_C(1) << VTI_COLOUR_LAST); (coloured & 15) == 15; coloured >>= 4)
-        c += 4;
-    return c + (INT64_C(0x4010201030102010) >> 4 * (coloured & 15) & 15);
+    return vti_first_bit(~coloured | UINT64_C(1) << VTI_COLOUR_LAST);
 }
 
-/** Colours of pairs (as vti_touch_number has them), and the end of each. Nobody is left in the table. Returns how many
- *  there are. */
-static inline int64_t vti_window_colour(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
-                                        int64_t count)
+/** Colours of pairs (as vti_touch_number has them), and the end of each. Returns how many there are. */
+static inline int64_t vti_window_colour(struct vti_window *w, const int64_t *pair, const int64_t *found, int64_t count)
 {
-    int64_t of[VTI_COLOURS] = {0}, most = 0, end = 0, last = 0;
-    struct vti_window_body *i = NULL;
+    int64_t of[VTI_COLOURS] = {0}, slots = 8, most = 0, end = 0, last = 0, i = 0;
+    while (slots < 4 * count)
+        slots *= 2;
+    memset(w->slot, 0, (size_t)slots * sizeof *w->slot);
+    w->bodies = 0;
     for (int64_t n = 0; n < count; ++n) {
         const int64_t *const bodies = pair + 2 * vti_touch_number(found[n]);
         if (n == 0 || bodies[0] != last) /* lists have the pairs of a body one after the other */
-            i = vti_window_at(w, bodies[0] - base);
+            i = vti_window_at(w, slots, bodies[0]);
         last = bodies[0];
-        struct vti_window_body *const j = vti_window_at(w, bodies[1] - base);
-        const int64_t c = vti_colour_free(i->coloured | j->coloured);
-        i->coloured |= UINT64_C(1) << c;
-        j->coloured |= UINT64_C(1) << c;
+        const int64_t j = vti_window_at(w, slots, bodies[1]), c = vti_colour_free(w->coloured[i] | w->coloured[j]);
+        w->coloured[i] |= UINT64_C(1) << c;
+        w->coloured[j] |= UINT64_C(1) << c;
         w->colour[n] = c;
         most = c > most ? c : most;
         ++of[c];
     }
     for (int64_t c = 0; c <= most; ++c)
         w->ends[c] = end += of[c];
-    while (w->bodies > 0)
-        w->taken[--w->bodies]->body = 0;
     return most + 1;
 }
 
@@ -90,10 +71,10 @@ static inline int64_t vti_window_colour(struct vti_window *w, const int64_t *pai
 typedef void vti_colour_work(const void *context, const int64_t *found, int64_t count, int64_t most);
 
 /** Works the pairs of a list that one window holds, backwards or forwards. */
-static inline void vti_window_work(struct vti_window *w, const int64_t *pair, int64_t base, const int64_t *found,
-                                   int64_t count, int back, vti_colour_work *work, const void *context)
+static inline void vti_window_work(struct vti_window *w, const int64_t *pair, const int64_t *found, int64_t count,
+                                   int back, vti_colour_work *work, const void *context)
 {
-    const int64_t colours = vti_window_colour(w, pair, base, found, count), step = back ? -1 : 1;
+    const int64_t colours = vti_window_colour(w, pair, found, count), step = back ? -1 : 1;
     int64_t to[VTI_COLOURS];
     for (int64_t c = 0; c < colours; ++c) {
         const int64_t first = c > 0 ? w->ends[c - 1] : 0;

@@ -30,13 +30,15 @@ static int64_t touching(const struct vti_sweep *s, int64_t count, const int64_t 
 {
     int64_t apart[VTI_TOUCHES], closing[VTI_TOUCHES], gaps = 0, next = 0, all = 0;
     for (int64_t n = 0; n < count; ++n) {
-        apart[gaps] = vti_touch_number(found[n]);
+        pair[n] = apart[gaps] = vti_touch_number(found[n]);
         gaps += found[n] < 0;
     }
-    const int64_t late = gaps > 0 ? vti_touch_kernels_for(gaps)->soon(s, gaps, apart, closing) : 0;
+    if (gaps == 0)
+        return count;
+    const int64_t late = vti_touch_kernels_for(gaps)->soon(s, gaps, apart, closing);
     for (int64_t n = 0; n < count; ++n) {
-        const int closes = next < late && closing[next] == vti_touch_number(found[n]);
-        pair[all] = vti_touch_number(found[n]);
+        const int closes = next < late && closing[next] == pair[n];
+        pair[all] = pair[n];
         all += found[n] >= 0 || closes;
         next += closes;
     }
@@ -78,7 +80,7 @@ static void flow_singly(const void *sweep, const int64_t *found, int64_t count, 
 /** Forwards or backwards. */
 static void flow_window(const struct vti_sweep *s, struct places *w, const int64_t *found, int64_t count)
 {
-    vti_window_work(&w->window, s->p->contacts->pair, s->p->contacts->base, found, count, s->drift < 0.0,
+    vti_window_work(&w->window, s->p->contacts->pair, found, count, s->drift < 0.0,
                     s->p->by_body == NULL ? flow_colour : flow_singly, s);
 }
 
@@ -206,8 +208,6 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
         flow_walls(&s);
-    if (pairs)
-        vti_window_clear(&w.window, p->contacts->count);
     if (pairs && drift < 0.0)
         (p->contacts->count <= FOUND ? flow_few_backwards : flow_many_backwards)(&s, &w);
     else if (pairs)
