@@ -153,10 +153,9 @@ static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies
     struct run *run = self;
     struct travel_tally tally;
     (void)step;
-    (void)t;
     if (travel_tally(&run->travel, &tally))
         verdict_longest(&run->verdict, tally.longest);
-    verdict_step(&run->verdict, bodies);
+    verdict_step(&run->verdict, t, bodies);
     return 0;
 }
 

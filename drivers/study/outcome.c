@@ -75,7 +75,7 @@ static int measure(void *self, int64_t step, double t, const vti_bodies *bodies)
         double row[COLUMNS];
         verdict_row(&m->verdict, t, bodies, row);
     }
-    verdict_step(&m->verdict, bodies);
+    verdict_step(&m->verdict, t, bodies);
     return 0;
 }
 

@@ -69,7 +69,7 @@ int64_t survey_bytes(const struct survey_plan *plan)
 
 static void fail_run(struct survey_run *run, const char *reason)
 {
-    const struct judgement none = {VERDICT_BAD, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0};
+    const struct judgement none = {VERDICT_BAD, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 0};
     run->failed = 1;
     run->judgement = none;
     snprintf(run->reason, sizeof run->reason, "%.*s", SURVEY_REASON - 1, reason);

@@ -13,7 +13,8 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
     MEMBER(verdict, 1),      MEMBER(energy_gain, 0),        MEMBER(energy_swing, 0),
     MEMBER(energy_slope, 0), MEMBER(energy_slope_error, 0), MEMBER(energy_scale, 0),
     MEMBER(travel, 0),       MEMBER(rotation, 0),           MEMBER(angle_error, 0),
-    MEMBER(stable_step, 0),  MEMBER(bonds_turned, 1)};
+    MEMBER(stable_step, 0),  MEMBER(overlap, 0),            MEMBER(slowing, 0),
+    MEMBER(bonds_turned, 1)};
 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
@@ -129,6 +130,8 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
     j.rotation = f->rotation;
     j.angle_error = turning_error(v->stepper, f->rotation);
     j.stable_step = f->stable;
+    j.overlap = f->deepest;
+    j.slowing = f->slowing;
     int64_t k = 0;
     for (struct effect *e; (e = verdict_next_watch(v->model, &k)) != NULL;)
         j.bonds_turned += e->kind->watch->turned(e);
@@ -142,17 +145,17 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
 int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2])
 {
     int n = 0;
+    if (v->model->scene->tolerance > 0.0) /* h is not that of the steps */
+        return 0;
     const double far = v->diameter > 0.0 ? verdict_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
-    if (far > much_travel(v)) {
-        char to[32] = "";
-        if (!(v->model->scene->tolerance > 0.0))
-            snprintf(to, sizeof to, " to %.3g", v->h * some_travel / far);
+    if (far > much_travel(v))
         message_set(&lines[n++],
-                    "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; %s%s", far,
-                    far > most_travel ? " or not at all" : "", remedy(v), to);
-    }
+                    "a body moves by %.3g diameters of the smallest per step: contacts are met late%s; reduce h to "
+                    "%.3g",
+                    far, far > most_travel ? " or not at all" : "", v->h * much_travel(v) / far);
     if (turning_error(v->stepper, turn) > turning_tolerance(v->stepper))
-        message_set(&lines[n++], "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; %s",
-                    turn, v->stepper->name, turning_error(v->stepper, turn), remedy(v));
+        message_set(&lines[n++],
+                    "h|Omega| is up to %.4g, and %s turns by another angle there, off by %.2g of it; reduce h", turn,
+                    v->stepper->name, turning_error(v->stepper, turn));
     return n;
 }

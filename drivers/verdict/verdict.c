@@ -71,6 +71,8 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->h = h;
     v->diameter = smallest_diameter(model);
     v->found.slowing = slowing_of(model, stepper, h);
+    for (int64_t k = 0; k < model->rooms_count; ++k)
+        v->touches |= model->rooms[k].kind->deepest != NULL;
     v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;
     v->found.stable = INFINITY;
     for (int64_t e = 0; e < model->effects_count; ++e)
@@ -209,22 +211,31 @@ static int is_pressed(struct verdict *v, const double *row)
     return 1;
 }
 
+/** The bound at t. Returns it, infinite if it is not known. */
+static double find_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
+{
+    struct message ignored;
+    vti_stable stable;
+    if (model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
+        return INFINITY;
+    const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
+    if (h < v->found.stable) {
+        v->found.stable = h;
+        v->found.stable_t = t;
+    }
+    return h;
+}
+
 /** Of steps that vary the longest since the last look may have been taken where the stable step was that of either end. */
 static void look_at_stable_step(struct verdict *v, double t, const vti_bodies *bodies, const double *row)
 {
     struct findings *f = &v->found;
-    struct message ignored;
-    vti_stable stable;
     const int pressed = is_pressed(v, row);
     f->longest = fmax(f->longest, v->h);
-    if (!(is_looked_at(f->rows) || pressed) || model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
+    if (!(is_looked_at(f->rows) || pressed))
         return;
     f->slowing = fmax(f->slowing, slowing_of(v->model, v->stepper, v->h)); /* bonds may have been made */
-    const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
-    if (h < f->stable) {
-        f->stable = h;
-        f->stable_t = t;
-    }
+    const double h = find_stable_step(v, t, bodies);
     f->share = fmax(f->share, f->longest / (f->varies != 0.0 ? fmax(h, f->before) : h));
     f->before = h;
     f->longest = 0.0;
@@ -288,9 +299,38 @@ void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double r
     f->rows += 1.0;
 }
 
-void verdict_step(struct verdict *v, const vti_bodies *bodies)
+/** The square of the largest force on a body. */
+static double largest_force2(const vti_bodies *b)
+{
+    const double *x = b->force.c[0], *y = b->force.c[1], *z = b->force.c[2];
+    double most = 0.0;
+    for (int64_t i = 0; x != NULL && i < b->count; ++i) {
+        const int64_t at = i * b->force.stride;
+        const double f2 = x[at] * x[at] + y[at] * y[at] + z[at] * z[at];
+        most = f2 > most ? f2 : most;
+    }
+    return most;
+}
+
+/** Steps that vary are compared with the stable step at rows. */
+static void look_at_contacts(struct verdict *v, double t, const vti_bodies *bodies)
+{
+    static const double quarter = 1.5625; /* 1.25^2 */
+    struct findings *f = &v->found;
+    const double force2 = largest_force2(bodies);
+    if (!(force2 > quarter * f->force2))
+        return;
+    f->force2 = force2;
+    f->deepest = fmax(f->deepest, deepest_of(v->model, bodies));
+    if (f->varies == 0.0)
+        f->share = fmax(f->share, v->h / find_stable_step(v, t, bodies));
+}
+
+void verdict_step(struct verdict *v, double t, const vti_bodies *bodies)
 {
     int64_t k = 0;
+    if (v->touches)
+        look_at_contacts(v, t, bodies);
     for (struct effect *e; v->watches && (e = verdict_next_watch(v->model, &k)) != NULL;)
         e->kind->watch->step(e, bodies);
 }

@@ -58,6 +58,8 @@ struct judgement {
     double rotation;           /* largest h|Omega|, radians */
     double angle_error;        /* turning_error of that */
     double stable_step;        /* the stepper's least, as contacts came; infinite if nothing oscillates */
+    double overlap;            /* the largest seen, as a share of the contact's length; 0 where nothing touches */
+    double slowing;            /* the largest z = c t/m of a drift; 0 without drag and dashpots */
     int64_t bonds_turned;      /* past half a turn */
 };
 
@@ -67,7 +69,7 @@ struct verdict_number {
     size_t offset;
     int is_integer;
 };
-enum { VERDICT_NUMBERS = 11 };
+enum { VERDICT_NUMBERS = 13 };
 extern const struct verdict_number verdict_numbers[VERDICT_NUMBERS];
 
 /** "good", "doubtful", "bad" */
@@ -87,7 +89,8 @@ struct findings {
     double lately;          /* the longest step since the row before, where steps vary */
     double longest, before; /* step since the last look at the stable step, and what that was there */
     double share;           /* of the stable step, the largest */
-    double deepest;         /* the largest overlap at a row, as a share of the contact's length */
+    double deepest;         /* the largest overlap at a look, as a share of the contact's length */
+    double force2;          /* the square of the largest force on a body at a look between rows */
     double slowing; /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
     struct trend trend;
 };
@@ -99,6 +102,7 @@ struct verdict {
     double h, mass, diameter; /* of all bodies; of the smallest, 0 where none meet */
     int meet;                 /* 1: bodies touch each other, not walls alone */
     int watches;              /* 1: an effect follows something at every step */
+    int touches;              /* 1: bodies touch each other or walls */
     int open[3];              /* 1: something from outside acts along this axis */
     struct modified modified;
     struct findings found;
@@ -117,8 +121,9 @@ void verdict_longest(struct verdict *v, double h);
  *  128, at every fourth up to 256, and so on, as it costs about as much as a step, and at those at which what touches
  *  holds a tenth more energy than before. */
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
-/** At every step. */
-void verdict_step(struct verdict *v, const vti_bodies *bodies);
+/** At every step, whose forces are those of its positions. Contacts come and go between rows: where the largest force on
+ *  a body exceeds by a quarter that of any step before, overlaps and the stable step are looked at. */
+void verdict_step(struct verdict *v, double t, const vti_bodies *bodies);
 
 /** What gains and losses are shares of: S, or what was booked where that is more. */
 static inline double verdict_scale(const struct findings *f)

@@ -16,7 +16,7 @@ from tally import check, conclude
 
 RUN, STUDY, MPIRUN, SCENES = (os.path.abspath(path) for path in sys.argv[1:5])
 NUMBERS = ("energy_gain", "energy_swing", "energy_slope", "energy_slope_error", "energy_scale", "travel", "rotation",
-           "angle_error", "stable_step", "bonds_turned")
+           "angle_error", "stable_step", "overlap", "slowing", "bonds_turned")
 
 BLOCK = """bodies:
   lattice: {counts: [6, 4, 4], spacing: 1, corner: [1.6, 0, 0]}
@@ -102,6 +102,7 @@ def damped(base):
         _, lines, found = verdict(base, f"{base}/{scene}.yaml", "--h", str(h), *options)
         check(found["verdict"].decode() == word and ("settles" in lines[-1]) == (word != "good"),
               f"{scene} at h = {h}: {lines[-1]}")
+        check(abs(found["slowing"] / (20 * h) - 1) < 1e-9, f"z is {found['slowing']:.3g}")
         names, rows = read_csv(f"{base}/out.csv")
         column = dict(zip(names, numpy.array(rows).T))
         late, t = column["t"] > 2, column["t"]

@@ -38,8 +38,7 @@ static int see_step(void *self, int64_t step, double t, const vti_bodies *bodies
 {
     struct judged *j = self;
     (void)step;
-    (void)t;
-    verdict_step(&j->verdict, bodies);
+    verdict_step(&j->verdict, t, bodies);
     return 0;
 }
 
@@ -201,6 +200,25 @@ TEST(travel)
            "bad, and a warning at the start");
 }
 
+/** Two spheres that meet between two rows, at 5 each: 25 of energy, where the contact holds 2/5 K. */
+TEST(between_rows)
+{
+    static const char pair[] = "bodies: {table: far.csv, mass: 1, diameter: 1}\ncontact: {stiffness: %s}\n"
+                               "h: %s\nt_end: 200\n";
+    char text[TEXT_SIZE];
+    write_text("far.csv", "x,y,z,vx,vy,vz\n-3.3,0,0,5,0,0\n3.3,0,0,-5,0,0\n");
+    snprintf(text, sizeof text, pair, "10", "0.002");
+    assert_int_equal(judge_text(text)->verdict, VERDICT_DOUBTFUL);
+    assert_true(judged.judgement.overlap > 0.7 && strstr(judged.line.text, "what meets may pass through") != NULL);
+    snprintf(text, sizeof text, pair, "1e6", "0.002");
+    (void)judge_text(text);
+    const double deepest = pow(25.0 / 4e5, 0.4), two_by_omega = 2.0 / sqrt(2.0 * 1.5e6 * sqrt(deepest));
+    assert_true(judged.judgement.overlap > 0.7 * deepest && judged.judgement.overlap < 1.05 * deepest);
+    assert_true(judged.judgement.stable_step > 0.95 * two_by_omega && judged.judgement.stable_step < 1.1 * two_by_omega);
+    assert_close(judged.verdict.found.share, 0.002 / judged.judgement.stable_step, 1e-9);
+    robust("two spheres that meet between two rows, deeper than half of their contact", "verdict", "doubtful");
+}
+
 /* ---- random scenes ----------------------------------------------------------------------------------------------- */
 
 static const char *const steppers[] = {"vti1",  "vti2",    "vti2",  "vti3",   "exact",
@@ -299,7 +317,7 @@ int main(int argc, char **argv)
         sane_scenes = (int)strtol(argv[2], NULL, 10);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shipped), cmocka_unit_test(blow_ups), cmocka_unit_test(too_far),     cmocka_unit_test(linear),
-        cmocka_unit_test(travel),  cmocka_unit_test(sane),     cmocka_unit_test(error_rates),
+        cmocka_unit_test(travel),  cmocka_unit_test(between_rows), cmocka_unit_test(sane),     cmocka_unit_test(error_rates),
     };
     return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }
