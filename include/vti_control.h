@@ -40,7 +40,9 @@ extern "C" {
  *
  * Between touches the error tells of none, and a step in which forces are taken too seldom may pass one by. With contacts
  * or walls set most to 1.5 h/d, h being that of vti_stable_step and d the largest part of a step in which the
- * method takes no forces: 0.172 of "srkn11", 0.158 of "srkn14", 0.255 of "srkn6". */
+ * method takes no forces: 0.172 of "srkn11", 0.158 of "srkn14", 0.255 of "srkn6". That is enough for touches that are
+ * head-on. A grazing one may be shorter: where pairs are apart at both ends of a step and overlap on the straight way
+ * between, judge the step by the velocity that such a touch would change, too, if that is larger. */
 
 /** Parameters and state of step control: plain data, to be copied with a checkpoint. vti_control_start sets all
  *  members; those up to least may then be changed. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * The effect of dashpots where bodies touch each other or planes. */
+ * The effect of dashpots where bodies touch each other or walls. */
 #ifndef VTI_DASHPOT_H
 #define VTI_DASHPOT_H
 
@@ -16,7 +16,7 @@ extern "C" {
 /** Entries of vti_dashpots.lost. */
 enum { VTI_DASHPOT_BOOKS = 4 };
 
-/** Dashpots of contacts and planes, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through
+/** Dashpots of contacts and walls, each the exact flow of its two bodies' velocities (EQUATIONS 6.3), gone through
  *  before a drift and backwards after it: none gains energy, whatever h, the coefficients and the number of contacts,
  *  and the stable step stays what it was. Total momentum and angular momentum are kept to rounding. A coefficient that
  *  depends on the overlap is its mean over the drift beside it.
@@ -34,7 +34,7 @@ enum { VTI_DASHPOT_BOOKS = 4 };
 typedef struct vti_dashpots {
     const vti_contacts *contacts; /**< pairs, diameters and stiffness, or NULL; its list may change between steps, and
                                        holds the pairs that touch at either end of a drift */
-    const vti_walls *walls;       /**< planes, or NULL */
+    const vti_walls *walls;       /**< planes and cylinders, or NULL */
     const vti_friction *friction; /**< of the same lists, or NULL: tangential, rolling and twisting dashpots and its
                                        springs obey its limits together */
     double zeta;                  /**< damping ratio of the normal motion */
@@ -51,7 +51,8 @@ typedef struct vti_dashpots {
                                        missed, at the cost of the order. INFINITY: skip none */
     vti_sum *lost;                /**< [VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        the motions have lost so far, normal, tangential, rolling, twisting */
-    const double *wall_zeta;      /**< [planes], zeta of each plane in place of zeta; NULL: of all the same */
+    const double *wall_zeta;      /**< [count + cylinders], zeta of each plane and then of each
+                                       cylinder, in place of zeta; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each
                                        body has lost, of a pair half each, at a wall all; NULL: off. Bits of all else
                                        are the same; pairs are worked one by one then, not as many as a register holds */

@@ -25,7 +25,8 @@ enum { VTI_DRAG_BOOKS = 2 };
  *  which raises the body's kinetic energy relative to the medium. One value or one for each sphere then; the masses are
  *  those of the bodies. */
 typedef struct vti_drag {
-    vti_scalars linear;    /**< one value or one for each body, mass/time, finite and >= 0; needs v and mass */
+    vti_scalars linear;    /**< one value or one for each body, mass/time, finite and >= 0, of which calls look at one
+                                value for all only; needs v and mass */
     vti_scalars quadratic; /**< the same, mass/length */
     vti_scalars angular;   /**< the same, mass length^2/time; needs omega, and inertia or moments */
     double medium[3];      /**< velocity of the medium */
@@ -38,7 +39,7 @@ typedef struct vti_drag {
 
 /** The effect of *drag, which must outlive it. Stands before the other effects of an array, so that its flow is the
  *  outermost. Entries of booked energy: "lost_drag_translation", "lost_drag_rotation". VTI_E_DAMPING of its calls: a
- *  coefficient is negative or not finite; VTI_E_INERTIA: it slows turning, and there is no inertia. */
+ *  coefficient of all bodies is negative or not finite; VTI_E_INERTIA: it slows turning, and there is no inertia. */
 VTI_API vti_effect vti_drag_effect(const vti_drag *drag);
 
 #ifdef __cplusplus

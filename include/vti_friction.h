@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * The effect of friction where bodies touch each other or planes, and the memory of what each touch holds. */
+ * The effect of friction where bodies touch each other or walls, and the memory of what each touch holds. */
 #ifndef VTI_FRICTION_H
 #define VTI_FRICTION_H
 
@@ -19,7 +19,7 @@ enum { VTI_FRICTION_BOOKS = 3 };
  *  it. */
 typedef struct vti_held {
     int64_t i;         /**< 1 + body, from 0; 0: this slot is empty */
-    int64_t j;         /**< 1 + the other body; -1 - w: plane w, from 0 */
+    int64_t j;         /**< 1 + the other body; -1 - w: wall w, from 0, planes before cylinders */
     double sliding[3]; /**< force */
     double rolling[3]; /**< moment */
     double twisting;   /**< moment about the normal from j to i */
@@ -27,7 +27,8 @@ typedef struct vti_held {
 
 /** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
  *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
- *  pairs may change while it stays, but each pair always names its two bodies in the same order. A body that the host
+ *  pairs may change while it stays, but each pair always names its two bodies in the same order, and a list each pair
+ *  once: a spring that is carried twice slides twice. A body that the host
  *  itself moves elsewhere, to an inlet say, keeps its old entries until it comes near the same body or wall again. To
  *  drop them, copy all other entries into a second table by vti_history_add, and go on with that one. */
 typedef struct vti_history {
@@ -41,7 +42,7 @@ typedef struct vti_history {
  *  there is no room, slots is not a power of 2, i < 0, j is 0 or i, or a load is not finite; then the table is as it was. */
 VTI_API int vti_history_add(vti_history *history, const vti_held *held);
 
-/** Friction of contacts and planes: springs that stretch as surfaces move over each other and slide where they would
+/** Friction of contacts and walls: springs that stretch as surfaces move over each other and slide where they would
  *  hold more than the limit, of three motions (EQUATIONS 6.5):
  *
  *      sliding      load |f| <= sliding F_n        stiffness, or mindlin times the stiffness k_n of the contact
@@ -66,8 +67,8 @@ typedef struct vti_friction {
     vti_history *history;       /**< what the springs hold */
     vti_sum *lost;              /**< [VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        sliding, rolling and twisting have taken so far */
-    const double *wall_sliding; /**< [planes], mu of each plane in place of sliding, which is to be above 0 still; NULL:
-                                     of all the same */
+    const double *wall_sliding; /**< [count + cylinders], mu of each plane and then of each cylinder, in place
+                                     of sliding, which is to be above 0 still; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: what each body has
                              lost, of a pair half each, at a wall all; NULL: off. As in vti_dashpots pairs are worked one
                              by one then */
@@ -77,7 +78,7 @@ typedef struct vti_friction {
 } vti_friction;
 
 /** The effect of *friction, which must outlive it, as must the lists, of effects of their own, and the history. Needs
- *  x, v, an attitude, omega, mass, and inertia or moments. Energy terms, of the springs: "friction_sliding",
+ *  x, v, an attitude and omega. Energy terms, of the springs: "friction_sliding",
  *  "friction_rolling", "friction_twisting"; entries of booked energy: "lost_friction_sliding", "lost_friction_rolling",
  *  "lost_friction_twisting". VTI_E_DAMPING of its calls: a number is negative or not finite, or a motion has no
  *  stiffness. */

@@ -55,7 +55,7 @@ VTI_API int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
  *  cylinder's axis n = 0. NaN, and n as it was, if there is no such wall. */
 VTI_API double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3]);
 
-/** K of body i at wall w, both from 0; NaN if there is no such wall. */
+/** K of body i at wall w, both from 0; NaN if there is no such wall or no diameter of that body. */
 VTI_API double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i);
 
 /** The effect of *walls, which must outlive it. Needs x; VTI_E_CONTACT of its calls as vti_walls_check says. Energy

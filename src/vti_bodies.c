@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What a stateless library can see of wrong use before it touches a body. */
+ * Checks of the bodies' views and values (vti_bodies_check and others). */
 #include "vti_internal.h"
 
 /* The table of quantities has every member of vti_bodies, as it stands there. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Effects as data: what is in the array is computed, what is not does not exist. */
+ * Runs the array of effects: checks, forces (vti_apply), the pairs that act on a slice. */
 #include <string.h>
 
 #include "vti_internal.h"

@@ -335,6 +335,12 @@ VTI_INLINE int64_t vti_first_bit(uint64_t bits)
 #endif
 }
 
+/** Whether a list that counts from base names one of n bodies so, whatever numbers these are. */
+static inline int vti_is_body(int64_t named, int64_t base, int64_t n)
+{
+    return named >= base && (uint64_t)named - (uint64_t)base < (uint64_t)n;
+}
+
 /** Bodies or bonds that are gathered into arrays of their numbers and done together. */
 enum { VTI_LANES = 64 };
 

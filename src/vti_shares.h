@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What each body has lost of what effects book (EQUATIONS 6.1): of what two bodies lose together each has half, of what
- * one loses at a wall or to a medium it has all. The halves of a number are exact, so that the sum over bodies is what
- * all have lost. Each touch is booked when it is worked, and touches that share a body are worked in one order whatever
- * the layout, the vector unit and the threads: so are these sums. */
+ * Losses per body of what effects book (EQUATIONS 6.1). A loss of a pair is split half and half, a loss to a wall or a
+ * medium is the body's alone. Halves are exact, so the bodies' sums equal the total. Each touch is booked when it is
+ * worked, and touches that share a body are worked in one order whatever the layout, the vector unit and the threads:
+ * so are these sums. */
 #ifndef VTI_SHARES_H
 #define VTI_SHARES_H
 

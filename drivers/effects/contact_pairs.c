@@ -79,7 +79,7 @@ int contact_find_pairs(struct effect *e, const vti_bodies *bodies, struct messag
 }
 
 int contact_release(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
-                   struct message *message)
+                    struct message *message)
 {
     struct contact_self *self = e->self;
     const vti_scalars *diameter = &self->contacts.diameter;

@@ -39,7 +39,8 @@ static const struct scene_field fields[] = {
               "The moment against turning about the normal is at most mu_w times the force."),
     NUMBER_AT(twisting_stiffness, SCENE_POSITIVE, "twisting stiffness", "Moment per angle."),
     {"friction.wall_sliding", SCENE_NUMBERS, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct friction_settings, walls),
-     "coefficient mu of each wall", "In place of sliding: a number for each plane, then for each cylinder.", NULL},
+     "coefficient mu of each wall",
+     "In place of sliding, which is to be above 0 still: a number for each plane, then for each cylinder.", NULL},
 };
 #undef NUMBER_AT
 
@@ -61,12 +62,13 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
               mindlin = scene_reader_has(reader, "friction.poisson");
     if (scene_first_with(scene, EFFECT_SURFACES) == NULL)
         return scene_reader_fail(reader, "friction", "nothing touches; give contact or wall");
+    if (scene_reader_has(reader, "friction.wall_sliding") && !(f->sliding > 0.0))
+        return scene_reader_fail(reader, "friction.wall_sliding",
+                                 "needs friction.sliding, that of bodies; give one above 0, as small as you like");
     if (!(f->sliding > 0.0 || f->rolling > 0.0 || f->twisting > 0.0))
         return scene_reader_fail(reader, "friction", "no coefficient above 0; give sliding, rolling or twisting");
     if (linear && mindlin)
         return scene_reader_fail(reader, "friction.poisson", "given with friction.stiffness; keep one of them");
-    if (scene_reader_has(reader, "friction.wall_sliding") && !(f->sliding > 0.0))
-        return scene_reader_fail(reader, "friction.wall_sliding", "needs friction.sliding; give one above 0");
     if (f->sliding > 0.0 && !linear && !mindlin)
         return scene_reader_fail(reader, "friction.sliding",
                                  "has no stiffness; give friction.stiffness or friction.poisson");

@@ -338,20 +338,44 @@ static double deepest(const struct effect *e, const vti_bodies *spheres)
     return share;
 }
 
-/** One that begins deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. */
+/** The first sphere that fills a cylinder, and the wall; -1 if there is none. */
+static int64_t first_to_fill(const vti_walls *walls, const vti_bodies *spheres, int64_t *wall)
+{
+    for (int64_t c = 0; c < walls->cylinders; ++c)
+        for (int64_t s = 0; s < spheres->count; ++s)
+            if (0.5 * walls->diameter.p[s * walls->diameter.stride] >= walls->cylinder[7 * c + 6]) {
+                *wall = walls->count + c;
+                return s;
+            }
+    return -1;
+}
+
+/** The body of a sphere as people number it. */
+static long long number_of(const struct model *model, int64_t sphere)
+{
+    const int64_t body = model_has_clumps(model) ? model->clumps.list.body[sphere] : sphere;
+    return model->number != NULL ? model->number[body] : body;
+}
+
+/** One that fills a cylinder, which always presses it and from another side as it crosses the axis; or one that begins
+ *  deep in a wall, or behind it: mostly a mistake. Clumps are named whose spheres they are. */
 static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
 {
     const double much = 0.2;
     double share;
     int64_t wall = -1;
-    const int64_t at = deepest_of(walls_of(e), model_spheres(model), much, &share, &wall);
+    const int64_t filling = first_to_fill(walls_of(e), model_spheres(model), &wall);
+    const int64_t at = filling < 0 ? deepest_of(walls_of(e), model_spheres(model), much, &share, &wall) : -1;
     text[0] = '\0';
-    if (at < 0)
-        return;
-    const int64_t body = model_has_clumps(model) ? model->clumps.list.body[at] : at;
-    snprintf(text, size_of_text,
-             "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
-             (long long)(model->number != NULL ? model->number[body] : body), share, (long long)wall);
+    if (filling >= 0)
+        snprintf(text, size_of_text,
+                 "body %lld is as wide as wall %lld, a cylinder: where it crosses the axis its force turns round at "
+                 "once, and the order is lost; widen the cylinder if that is not meant",
+                 number_of(model, filling), (long long)wall);
+    if (at >= 0)
+        snprintf(text, size_of_text,
+                 "body %lld is %.3g radii deep in wall %lld at t = 0, and none is deeper; move it if that is not meant",
+                 number_of(model, at), share, (long long)wall);
 }
 
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};

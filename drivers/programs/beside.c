@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Finds what is installed beside the running program: the scenes, and vti-plot, which it runs to draw pictures. */
 #define _POSIX_C_SOURCE 200809L
 #include "study_go.h"
 

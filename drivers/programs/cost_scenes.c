@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Reads the scenes of vti-study --cost, SCENE.yaml or SCENE.yaml@T,..., and their tables into its plan. */
 #define _POSIX_C_SOURCE 200809L
 #include "study_go.h"
 

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Reads the command line by a table of options (options.h); prints --help and --version. */
 #include "options.h"
 
 #include <errno.h>

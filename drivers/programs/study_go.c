@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Runs studies, sweeps and studies of cost on all MPI ranks, from plan to files; keeps what --resume needs. */
 #define _POSIX_C_SOURCE 200809L
 #include "study_go.h"
 

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Writes what identifies a study, a sweep or a study of cost, by which --resume knows that it is the same. */
 #include "study_go.h"
 
 #include "cost.h"

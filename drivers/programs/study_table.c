@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Prints the tables of vti-study at the terminal: errors and orders of a study, prices of a study of cost. */
 #include "study_go.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Prints the tables of a sweep at the terminal: means and spreads of errors and orders over the ensemble. */
 #include "study_go.h"
 
 enum { GROUPS = 8 }; /* that are printed */

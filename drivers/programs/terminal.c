@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Prints the bounds on the step in words, and the progress bar with the time left (terminal.h). */
 #define _POSIX_C_SOURCE 200809L
 #include "terminal.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * vti-advise: a scene and an error in, a stepper and a step out. The work is in study/advise.c. */
+ * vti-advise: a scene and an error in, a stepper and a step out. The work is in cost/advise.c. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>

@@ -160,7 +160,8 @@ static void say_step(struct run *run, FILE *file)
     }
     stable_say(&limits, stepper, h, file);
     if (limits.at.overlap > 0.5)
-        fputs("warning: bodies are fast or heavy enough to pass through what they meet; make contacts and walls stiffer\n",
+        fputs("warning: bodies are fast or heavy enough to pass through what they meet; make contacts and walls "
+              "stiffer\n",
               file);
     if (h > stable_least(&limits, stepper))
         fprintf(file, "warning: h = %s is above the stable step %.4g: the run may blow up\n", NUMBER(h),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * vti-study: the time-step convergence study. Arguments in, files and a table out; the work is in study/ and io/. */
+ * vti-study: time-step convergence studies, sweeps of them over values of scenes (--sweep), and studies of cost
+ * (--cost). Arguments in, files and a table out; the work is in study/, cost/ and io/. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>

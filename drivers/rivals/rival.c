@@ -210,6 +210,7 @@ int course_longest(struct course *c, double gap, struct message *message)
 {
     const int result = model_longest_gap(c->model, &c->longest, message);
     c->longest /= gap;
+    c->gap = gap;
     return result;
 }
 

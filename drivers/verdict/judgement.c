@@ -9,12 +9,19 @@
     {                                                                                                                  \
 #NAME, offsetof(struct judgement, NAME), IS_INTEGER                                                            \
     }
-const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {
-    MEMBER(verdict, 1),      MEMBER(energy_gain, 0),        MEMBER(energy_swing, 0),
-    MEMBER(energy_slope, 0), MEMBER(energy_slope_error, 0), MEMBER(energy_scale, 0),
-    MEMBER(travel, 0),       MEMBER(rotation, 0),           MEMBER(angle_error, 0),
-    MEMBER(stable_step, 0),  MEMBER(overlap, 0),            MEMBER(slowing, 0),
-    MEMBER(bonds_turned, 1)};
+const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {MEMBER(verdict, 1),
+                                                                MEMBER(energy_gain, 0),
+                                                                MEMBER(energy_swing, 0),
+                                                                MEMBER(energy_slope, 0),
+                                                                MEMBER(energy_slope_error, 0),
+                                                                MEMBER(energy_scale, 0),
+                                                                MEMBER(travel, 0),
+                                                                MEMBER(rotation, 0),
+                                                                MEMBER(angle_error, 0),
+                                                                MEMBER(stable_step, 0),
+                                                                MEMBER(overlap, 0),
+                                                                MEMBER(slowing, 0),
+                                                                MEMBER(bonds_turned, 1)};
 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The binder: which kernels are its, and the effect that they make. */
+ * Selects the bond kernels for the processor and defines vti_bonds_effect. */
 #include "vti_binder_table.h"
 
 /* ---- the kernels ------------------------------------------------------------------------------------------------- */
@@ -154,7 +154,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
         if (vti_pair_check(b, p->pair[2 * k] - p->base, p->pair[2 * k + 1] - p->base) != VTI_OK)
             return VTI_E_BOND;
         const double now = at == NULL ? ratio_now(p, k, b) : 1.0;
-        const vti_spring s = at == NULL ? spring(p, k, now, now > 1.0 ? 1.0 - 1.0 / now : 0.0)
+        const vti_spring s = at == NULL ? spring(p, k, now, now <= 1.0 ? 0.0 : 1.0 - 1.0 / now)
                                         : spring(p, k, e >= 1.0 ? 0.0 : 1.0 - e, e / (1.0 + e));
         visit(context, &s);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What WIDTH bonds are and where their bodies lie, a bond to a lane. */
+ * Loads the parameters and bodies of WIDTH bonds into vector lanes, a bond to a lane. */
 #ifndef VTI_BINDER_GATHER_H
 #define VTI_BINDER_GATHER_H
 

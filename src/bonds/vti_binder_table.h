@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The kernels of bonds, for the vector units that there may be, and what is asked of a list before they see it. */
+ * Table of bond kernels per vector unit, and the checks before they run. */
 #ifndef VTI_BINDER_TABLE_H
 #define VTI_BINDER_TABLE_H
 

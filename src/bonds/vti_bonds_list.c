@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * The list of bonds: what they are at rest, and whether it can be one. */
+ * The rest configuration of bonds, and checks of a list of bonds. */
 #include "vti_binder_table.h"
 
 /* ---- making it --------------------------------------------------------------------------------------------------- */
@@ -123,12 +123,11 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
     if (bonds->count > 0 && bonds->shear.p != NULL && !vti_bonds_form_is_known(bonds))
         return vti_refuse(VTI_E_BOND, -1, (double)bonds->shear_form, VTI_QUANTITY_NONE, fault);
     for (int64_t k = 0; k < bonds->count; ++k) {
-        const int64_t i = bonds->pair[2 * k] - bonds->base, j = bonds->pair[2 * k + 1] - bonds->base;
+        const int64_t *pair = bonds->pair + 2 * k;
         const double *rest = bonds->rest + 4 * k;
-        if (i < 0 || i >= n)
-            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k], VTI_QUANTITY_NONE, fault);
-        if (j < 0 || j >= n || i == j)
-            return vti_refuse(VTI_E_BOND, k, (double)bonds->pair[2 * k + 1], VTI_QUANTITY_NONE, fault);
+        for (int side = 0; side < 2; ++side)
+            if (!vti_is_body(pair[side], bonds->base, n) || (side == 1 && pair[0] == pair[1]))
+                return vti_refuse(VTI_E_BOND, k, (double)pair[side], VTI_QUANTITY_NONE, fault);
         if (!(rest[3] > 0.0) || !isfinite(rest[3]) || !(fabs(vti_dot(rest, rest) - 1.0) < 1e-12))
             return vti_refuse(VTI_E_BOND, k, rest[3], VTI_QUANTITY_NONE, fault);
         const double *turn = bonds->turn != NULL ? bonds->turn + 4 * k : unturned;

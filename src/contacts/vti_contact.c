@@ -104,10 +104,10 @@ static int pair_is_good(const vti_contacts *p, int64_t k, int64_t n, double *val
 {
     const int64_t *pair = p->pair + 2 * k;
     for (int side = 0; side < 2; ++side) {
-        const int64_t i = pair[side] - p->base;
         *value = (double)pair[side];
-        if (i < 0 || i >= n || pair[0] == pair[1])
+        if (!vti_is_body(pair[side], p->base, n) || pair[0] == pair[1])
             return 0;
+        const int64_t i = pair[side] - p->base;
         if (!has(&p->diameter, i, *value, value))
             return 0;
         if (p->modulus.p != NULL && !has(&p->modulus, i, (double)pair[side], value))

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The table of what touches hold: open addressing, the next slot where one is taken; what is taken out leaves no gap,
- * as those behind it move up. Where a touch stands depends on the order in which touches came, and nothing depends on
- * that. */
+ * as those behind it move up. Slots depend on the order of insertion; results do not. */
 #ifndef VTI_HISTORY_H
 #define VTI_HISTORY_H
 

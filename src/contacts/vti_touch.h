@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * One touch (vti_touch_motion.h) of bodies as they are: where it is. */
+ * Builds the geometry of one touching pair, or of a body at a wall, from the positions (struct vti_touch of
+ * vti_touch_motion.h). */
 #ifndef VTI_TOUCH_H
 #define VTI_TOUCH_H
 

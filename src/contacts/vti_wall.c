@@ -284,7 +284,8 @@ vti_effect vti_walls_effect(const vti_walls *walls)
 
 double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i)
 {
-    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls) || i < 0)
+    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls) || i < 0 ||
+        (walls->diameter.count != 0 && i >= walls->diameter.count))
         return NAN;
     return vti_face_stiffness(walls, w, i, 0.5 * vti_scalar(&walls->diameter, i));
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * What a body at a wall has been through in a drift; what its springs hold then is in vti_spring.h. For lanes of bodies
- * at one wall, or for one, as in vti_touch_motion.h. */
+ * Displacement and turn of a body at a wall over one drift: input of vti_spring.h. For lanes of bodies at one wall, or
+ * for one, as in vti_touch_motion.h. */
 #ifndef VTI_CARRY_H
 #define VTI_CARRY_H
 

@@ -159,23 +159,46 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /* ---- the stable step (EQUATIONS 6.10) ---------------------------------------------------------------------------- */
 
+/** k of sliding at the overlap o, a share of the length; NaN where that is NaN or negative. */
+static double sliding_stiffness(const vti_friction *p, const struct vti_touch *touch, double o)
+{
+    if (!(p->sliding > 0.0))
+        return 0.0;
+    return o >= 0.0 ? vti_carry_stiffness(p, touch, o * touch->length) : NAN;
+}
+
 /** The springs of a touch as it is (at NULL), or at the overlap of *at. */
 static void show(const vti_friction *p, struct vti_touch *touch, int64_t element, const vti_deformation *at,
                  vti_spring_visit *visit, void *context)
 {
     if (at == NULL && touch->delta <= 0.0)
         return;
-    const double delta = at != NULL ? at->overlap * touch->length : touch->delta;
+    const double o = at != NULL ? at->overlap : touch->delta / touch->length;
+    const double arm = touch->length * fmax(1.0, o - 1.0); /* |r|, a sphere's centre may be behind a wall */
     const vti_spring s = {.element = element,
                           .i = touch->i,
                           .j = touch->j,
-                          .length = touch->length,
-                          .shear = vti_carry_stiffness(p, touch, delta) * touch->length * touch->length,
+                          .length = arm,
+                          .shear = sliding_stiffness(p, touch, o) * arm * arm,
                           .arm_i = touch->s_i,
                           .arm_j = touch->s_j,
                           .bend = p->rolling > 0.0 ? p->rolling_stiffness : 0.0,
                           .twist = p->twisting > 0.0 ? p->twisting_stiffness : 0.0};
     visit(context, &s);
+}
+
+/** Touches at bodies that are nowhere count: a step that is 0 tells of NaN. */
+static int pair_found(struct vti_touch *touch, const vti_friction *p, const vti_bodies *b, int64_t k)
+{
+    touch->r = touch->delta = NAN;
+    return vti_touch_pair(touch, p->contacts, b, k, INFINITY) || isnan(touch->r);
+}
+
+static int body_found(struct vti_touch *touch, const vti_friction *p, const vti_bodies *b, int64_t w, int64_t i)
+{
+    const int found = vti_touch_wall(touch, p->walls, b, w, i, INFINITY);
+    touch->i = i;
+    return found || isnan(touch->delta);
 }
 
 /** Any two may touch: each body is held by twice its neighbours' springs to its place, as in vti_contact.c. */
@@ -188,7 +211,7 @@ static int cages(const vti_friction *p, const vti_bodies *b, const vti_deformati
         const double radius = 0.5 * vti_scalar(&p->contacts->diameter, i);
         const struct vti_cage cage = vti_cage_at(&cages, i, at->overlap);
         const struct vti_touch touch = {.i = i, .j = -1, .length = cage.length, .stiffness = cage.stiffness};
-        const double z = 2.0 * cage.z, k = vti_carry_stiffness(p, &touch, at->overlap * touch.length);
+        const double z = 2.0 * cage.z, k = sliding_stiffness(p, &touch, at->overlap);
         const vti_spring s = {.element = i,
                               .i = i,
                               .j = -1,
@@ -210,11 +233,11 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
     const int meet = at != NULL && at->meet;
     const int status = p->contacts != NULL && meet ? cages(p, b, at, visit, context) : VTI_OK;
     for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k)
-        if (vti_touch_pair(&touch, p->contacts, b, k, INFINITY))
+        if (pair_found(&touch, p, b, k))
             show(p, &touch, k, at, visit, context);
     for (int64_t w = 0; w < vti_faces(p->walls); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i)
-            if (vti_touch_wall(&touch, p->walls, b, w, i, INFINITY))
+            if (body_found(&touch, p, b, w, i))
                 show(p, &touch, w, at, visit, context);
     return status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Where the springs of friction are looked for. */
+ * Where springs of friction are looked up: slots of pairs, bodies near a wall. */
 #ifndef VTI_FRICTION_TOUCHES_H
 #define VTI_FRICTION_TOUCHES_H
 

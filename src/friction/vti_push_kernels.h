@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What springs of friction do to bodies, of many touches at once. Included by vti_touch_kernels.h only. */
+ * Vector kernels that add the springs' forces and moments to the bodies. Included by vti_touch_kernels.h only. */
 #ifndef VTI_PUSH_KERNELS_H
 #define VTI_PUSH_KERNELS_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Clumps (EQUATIONS 7.5): an effect on the spheres as one on the bodies. */
+ * Wraps an effect on the spheres of clumps as an effect on the clumps (EQUATIONS 7.5). */
 #include "vti_clump_spheres.h"
 
 static int check(const void *self, const vti_bodies *b)

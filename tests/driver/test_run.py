@@ -378,6 +378,10 @@ def notes(base):
     behind = lines("behind", start + "3,0,0,1\n-1,0,0,2\n0.5,0,5,1\n", walls)
     check(len(behind) == 1 and "body 2 is 2 radii deep in wall 1" in behind[0], "... behind a wall, the deepest")
     check(not lines("beside", start + "0.45,0,0,1\n", walls), "... not below a fifth of its radius")
+    pipes = walls.replace("]]", "]], cylinders: [[0, 0, 1, 0, 0, 0, 20], [0, 0, 1, 0, 0, 0, %s]]")
+    for radius, word in (("9.6", False), ("0.5", True)):
+        narrow = [line for line in lines("narrow", start.replace("9", "0.1"), pipes % radius) if "as wide as wall 3, a cylinder" in line]
+        check((len(narrow) == 1 and "body 0" in narrow[0]) == word, f"... in a cylinder of {radius}: {narrow}")
     for name, table, scene in (("through", "x,y,z,vx,vy,vz\n0,0,0,1,0,0\n2,0,0,-1,0,0\n", "contact: {stiffness: 0.5}\n"),
                                ("into", "x,y,z,vx,vy,vz\n1,0,0,-1,0,0\n", "wall: {stiffness: 0.5, planes: [[1, 0, 0, 0]]}\n")):
         for soft, word in ((scene, True), (scene.replace("0.5", "500"), False)):

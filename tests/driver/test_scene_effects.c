@@ -173,7 +173,7 @@ static const struct refusal refused[] = {
     {CHAIN WALL("") "friction: {sliding: 1, poisson: 0.3, wall_sliding: [-0.5]}\n" TIME,
      "3:53: friction.wall_sliding[0]: '-0.5' is negative; the coefficient mu of each wall must be >= 0"},
     {CHAIN WALL("") "friction: {rolling: 1, rolling_stiffness: 1, wall_sliding: [0.5]}\n" TIME,
-     "3:60: friction.wall_sliding: needs friction.sliding; give one above 0"},
+     "3:60: friction.wall_sliding: needs friction.sliding, that of bodies; give one above 0, as small as you like"},
 
     /* bond_dashpot */
     {CHAIN "contact: {stiffness: 1}\nbond_dashpot: {zeta: 1}\n" TIME,

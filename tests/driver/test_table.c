@@ -137,6 +137,8 @@ static const struct {
     {BONDED, "omega_x,omega_y,omega_z\n0,0,0\n", "i,j\n0,1\n", "b.csv: no columns x, y, z; binder needs them"},
     {BODIES "binder: {table: c.csv}\n", THREE, "i,j\n0,1\n",
      "c.csv: no column moment, axial or shear; bonds need one of them, or binder.moment"},
+    {BODIES "binder: {table: c.csv}\n", THREE, "i,j,axial,moment\n0,1,1,0\n1,2,0,0\n",
+     "c.csv:3: no stiffness; give this bond one, or leave it out"},
     {BODIES "binder: {table: c.csv, axial: 1, shear: {form: objective}}\n", THREE, "i,j\n0,1\n",
      "c.csv: no column shear, of which the scene gives binder.shear.form; give that column, or binder.shear.stiffness"},
     {BODIES "binder: {table: c.csv, shear: {form: quartic, stiffness: 2}}\n", THREE, "i,j,shear\n0,1,1\n",

@@ -390,6 +390,64 @@ TEST(any_size)
     assert_close(bound(&effect, 1, &rest) / 1e-250, sqrt(2), 1e-14);
 }
 
+/** h of one effect, at NULL or at *at, with body 0 at x. */
+static double h_at(const vti_effect *effect, double x, const vti_deformation *at)
+{
+    c.x[0][0] = x;
+    return bound(effect, 1, at);
+}
+
+/** Friction: a sphere whose centre is behind a wall has a longer arm than its radius; and what is NaN, or no overlap,
+ *  is no bound, whichever effect reads it alone. */
+TEST(friction_and_nan)
+{
+    const double D = 1, k = 1, plane[4] = {1, 0, 0, 1}, bad[2] = {NAN, -0.1};
+    const int64_t pair[2] = {0, 1};
+    static vti_held slots[4];
+    vti_history table = {4, 0, 0, slots};
+    vti_sum lost[VTI_FRICTION_BOOKS] = {{0, 0}};
+    const vti_walls wall = {.count = 1, .plane = plane, .diameter = vti_scalars_one(&D), .stiffness = 1};
+    const vti_contacts contacts = {.count = 1, .pair = pair, .diameter = vti_scalars_one(&D), .stiffness = 1};
+    const vti_friction at_wall = {
+        .walls = &wall, .sliding = 1, .stiffness = k, .reach = 1, .history = &table, .lost = lost};
+    vti_friction linear = at_wall, mindlin;
+    linear.walls = NULL;
+    linear.contacts = &contacts;
+    mindlin = linear;
+    mindlin.stiffness = 0;
+    mindlin.mindlin = 1;
+    crowd_clear(&c, 1, CROWD_ALPHA);
+    c.mass[0] = 2;
+    c.inertia[0] = 0.1;
+    const vti_effect alone = vti_friction_effect(&at_wall);
+    for (int gap = 1; gap <= 4; ++gap) { /* of the centre behind the wall */
+        const double arm = fmax(0.5 * D, gap), omega2 = k / c.mass[0] + k * arm * arm / c.inertia[0];
+        const vti_deformation at = {.overlap = 1 + gap / (0.5 * D)};
+        assert_below(h_at(&alone, 1 - gap, NULL), 2 / sqrt(omega2) * (1 + HESSIAN_ERROR));
+        assert_below(h_at(&alone, 1 - gap, &at), 2 / sqrt(omega2) * (1 + HESSIAN_ERROR));
+    }
+    crowd_clear(&c, 2, CROWD_ALPHA);
+    c.x[1][0] = 0.9;
+    rng g = rng_seed(4111);
+    web_grow(&w, &g, &c, 0, 1, 1);
+    web_terms(&w, 1, AXIAL, 0);
+    const vti_effect effects[] = {alone,
+                                  vti_friction_effect(&linear),
+                                  vti_friction_effect(&mindlin),
+                                  vti_contacts_effect(&contacts),
+                                  vti_walls_effect(&wall),
+                                  vti_bonds_effect(&w.bonds)};
+    for (int e = 0; e < 6; ++e) {
+        assert_true(h_at(&effects[e], 0, NULL) > 0);
+        if (h_at(&effects[e], NAN, NULL) != 0)
+            fail_msg("effect %d: h is %g where a place is NaN", e, h_at(&effects[e], NAN, NULL));
+        for (int n = 0; n < 4 && e < 5; ++n) {
+            const vti_deformation at = {.overlap = bad[n % 2], .meet = n / 2};
+            assert_true(h_at(&effects[e], 0, &at) == 0);
+        }
+    }
+}
+
 /** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside
  *  fast ones changes nothing. */
 TEST(other_units)
@@ -420,5 +478,5 @@ TEST(other_units)
 }
 
 RUN_TESTS(cmocka_unit_test(all_shorter_or_longer), cmocka_unit_test(each_its_own), cmocka_unit_test(moved_at_random),
-          cmocka_unit_test(contacts_that_may_come), cmocka_unit_test(own_effect), cmocka_unit_test(any_size),
-          cmocka_unit_test(other_units))
+          cmocka_unit_test(contacts_that_may_come), cmocka_unit_test(own_effect), cmocka_unit_test(friction_and_nan),
+          cmocka_unit_test(any_size), cmocka_unit_test(other_units))

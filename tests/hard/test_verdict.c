@@ -214,7 +214,8 @@ TEST(between_rows)
     (void)judge_text(text);
     const double deepest = pow(25.0 / 4e5, 0.4), two_by_omega = 2.0 / sqrt(2.0 * 1.5e6 * sqrt(deepest));
     assert_true(judged.judgement.overlap > 0.7 * deepest && judged.judgement.overlap < 1.05 * deepest);
-    assert_true(judged.judgement.stable_step > 0.95 * two_by_omega && judged.judgement.stable_step < 1.1 * two_by_omega);
+    assert_true(judged.judgement.stable_step > 0.95 * two_by_omega &&
+                judged.judgement.stable_step < 1.1 * two_by_omega);
     assert_close(judged.verdict.found.share, 0.002 / judged.judgement.stable_step, 1e-9);
     robust("two spheres that meet between two rows, deeper than half of their contact", "verdict", "doubtful");
 }
@@ -316,8 +317,9 @@ int main(int argc, char **argv)
     if (argc > 2)
         sane_scenes = (int)strtol(argv[2], NULL, 10);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shipped), cmocka_unit_test(blow_ups), cmocka_unit_test(too_far),     cmocka_unit_test(linear),
-        cmocka_unit_test(travel),  cmocka_unit_test(between_rows), cmocka_unit_test(sane),     cmocka_unit_test(error_rates),
+        cmocka_unit_test(shipped), cmocka_unit_test(blow_ups),    cmocka_unit_test(too_far),
+        cmocka_unit_test(linear),  cmocka_unit_test(travel),      cmocka_unit_test(between_rows),
+        cmocka_unit_test(sane),    cmocka_unit_test(error_rates),
     };
     return cmocka_run_group_tests(tests, enter_directory, leave_directory);
 }

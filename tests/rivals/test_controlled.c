@@ -166,6 +166,48 @@ TEST(touches)
     end(&j);
 }
 
+/** Two spheres of the pile, alone, that graze each other at x = 0, by a chord of which two evaluations know nothing. */
+static void graze(struct journey *j, const vti_stepper *method, double tolerance, double h)
+{
+    static const char *const sets[] = {"bodies.lattice.counts=[2,1,1]", "contact.stiffness=5e6", "gravity=[0,0,0]",
+                                       "wall.planes=[[0,0,1,-100]]"};
+    char path[SCENE_PATH_SIZE];
+    snprintf(path, sizeof path, "%s/pile.yaml", scenes);
+    if (scene_read(path, sets, 4, &j->scene, &j->message) != 0)
+        fail_msg("%s", j->message.text);
+    j->scene.tolerance = tolerance;
+    make_model(&j->scene, &j->model);
+    for (int64_t i = 0; i < 2; ++i) {
+        const double x[3] = {i == 0 ? -10.44 : 10.44, i == 0 ? 0.0 : 0.999, 0.0},
+                     v[3] = {i == 0 ? 40.0 : -40.0, 0.0, 0.0};
+        for (int k = 0; k < 3; ++k) {
+            j->model.bodies.x.c[k][i * j->model.bodies.x.stride] = x[k];
+            j->model.bodies.v.c[k][i * j->model.bodies.v.stride] = v[k];
+        }
+    }
+    set_out(j, method, h);
+    go(j, loop_steps(0.5, h));
+}
+
+/** A touch that fits between two evaluations is no exception: velocities after it are those of short steps. */
+TEST(grazing)
+{
+    struct journey j;
+    double after[3];
+    graze(&j, method_of("srkn6"), 0.0, 0x1p-16);
+    for (int k = 0; k < 3; ++k)
+        after[k] = j.model.bodies.v.c[k][0];
+    end(&j);
+    assert_true(after[1] < -0.01);
+    for (int64_t i = 0; i < 3; ++i) {
+        graze(&j, &controlled_at(i)->stepper, 1e-6, 0.25);
+        const vti_bodies b = travel_bodies(&j.travel);
+        for (int k = 0; k < 3; ++k)
+            assert_close(b.v.c[k][0], after[k], 1e-4);
+        end(&j);
+    }
+}
+
 static void assert_refused(const char *where, const char *name, double tolerance, const char *words)
 {
     struct scene scene;
@@ -226,5 +268,5 @@ TEST(no_step_is_short_enough)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(names), cmocka_unit_test(errors_go_with_the_tolerance), cmocka_unit_test(tally),
                     cmocka_unit_test(units), cmocka_unit_test(momenta), cmocka_unit_test(touches),
-                    cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner), cmocka_unit_test(too_late),
-                    cmocka_unit_test(no_step_is_short_enough))
+                    cmocka_unit_test(grazing), cmocka_unit_test(refused), cmocka_unit_test(wanted_sooner),
+                    cmocka_unit_test(too_late), cmocka_unit_test(no_step_is_short_enough))

@@ -110,6 +110,19 @@ static int check_limits(const struct binder_settings *binder, const struct table
     return 0;
 }
 
+/** A bond without stiffness would do nothing but keep its bodies from touching each other. */
+static int check_rows(const struct binder_settings *binder, const struct table *table, struct message *message)
+{
+    for (int64_t row = 0; row < table->rows; ++row) {
+        double all = 0.0;
+        for (int k = BOND_MOMENT; k <= BOND_SHEAR; ++k)
+            all += table_has(table, k) ? table->column[k][row] : binder->stiffness[k - BOND_MOMENT];
+        if (all == 0.0)
+            return table_fail(table, row, message, "no stiffness; give this bond one, or leave it out");
+    }
+    return 0;
+}
+
 int binder_check_tables(const struct model *model, const void *settings, const struct tables *tables,
                         struct message *message)
 {
@@ -136,5 +149,5 @@ int binder_check_tables(const struct model *model, const void *settings, const s
     if (terms == 0)
         return table_fail_whole(table, message,
                                 "no column moment, axial or shear; bonds need one of them, or binder.moment");
-    return check_limits(binder, table, message);
+    return check_rows(binder, table, message) != 0 ? -1 : check_limits(binder, table, message);
 }

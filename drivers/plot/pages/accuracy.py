@@ -36,9 +36,10 @@ def measured_part(page, cost):
               "forces. They move (x, v, q, Omega), the quaternion by its differential equation and normalised after each step (RK8(7) "
               "adaptive: where it is read); "
               "their stage quaternions are not normalised, as in the codes, but the forces here take an attitude from what a "
-              "quaternion points to. Verlet extrapolated, PEFRL and Takahashi-Imada turn by the exponential map. Steps to start "
-              "an Adams method are DOP853's and count. Forces use the machine's vector units for all alike; the steps of ours choose "
-              "among kernels for them as well, the loops of rivals beside the forces are compiled for every processor of the kind.")
+              "quaternion points to. Verlet extrapolated, PEFRL and Takahashi-Imada turn by the exponential map. DOP853 makes "
+              "the first steps of Adams methods; their evaluations count. Forces use the machine's vector units for all alike; the "
+              "steps of ours choose among kernels for them as well, the loops of rivals beside the forces are compiled for every "
+              "processor of the kind.")
     page.text("These are spheres; bodies of three moments have a page of their own, docs/inertia.md.")
     page.text("An error is the distance from a reference at the end of the run. Its price is found among runs at falling "
               "steps: the cheapest one that has it, and the next two finer ones too, interpolated to the error itself; nothing is "
@@ -129,7 +130,7 @@ def orders_part(page, cost):
     page.heading("What contact leaves of the order")
     page.text("A Hertzian contact has a force that grows as the power 3/2 of the overlap: its stiffness begins with a square "
               "root, and has no derivative where two bodies touch. A method of high order needs derivatives that are not "
-              "there, so every touch costs it an error of order 2 to 3, and so do walls; which order a scene shows depends on "
+              "there, so every touch costs it an error of order 2.5, and so do walls; which order a scene shows depends on "
               "how much of its motion is touching. A method that controls its step goes through the touch with small ones. The "
               "AN(K) know from where and how fast a touch begins or ends what their sums miss by it, and take that off: 4.5 is "
               "left of their order, by a touch. "

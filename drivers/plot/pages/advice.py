@@ -45,13 +45,13 @@ WHEN = (
      "`--tolerance`", "Where a contact begins or ends within a step AN(K) takes off what the step misses by that: of order 4 or 4.5 "
      "there, where all others of equal steps are of 2.5."),
     ("Smooth forces (bonds, joints, gravity): trajectories, forces that are dear", "`an4` to 1e-2, `an7` to 1e-3, `an9` to 1e-6, `an10-mid` "
-     "below; where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Beside the forces they take more time than the lists, so "
-     "they gain the more the dearer a force is."),
+     "below; where nothing is stiff (a pendulum) `an10-fine`", "The fewest evaluations. Apart from the forces their steps take longer than those of "
+     "splitting methods, so they pay off where forces are expensive."),
     ("Smooth forces: long times, forces that are cheap", "`srkn6` to 1e-4, `srkn11` to 1e-6, `srkn14` below; below 1e-8 `kl8` as well",
      "Symplectic: energy swings and does not drift, both momenta stay to rounding, over any number of periods."),
     ("Fast spin, large h\\|Omega\\|", "`exact`, and what is made of it (`srkn6`, `srkn11`, `srkn14`, `chin4`)",
      "`vti1` refuses h\\|Omega\\| >= 1, `vti2` lags by (h\\|Omega\\|)^2/12 of the angle: see Steady spin."),
-    ("The answer of an older code", "`vti2`; where velocities live at half steps `vti3-leapfrog`",
+    ("To reproduce an older code", "`vti2`; where velocities live at half steps `vti3-leapfrog`",
      "`vti2` is q <- normalise(q + (h/2) Omega q) of MercuryDPM and others, step by step."),
     ("The paper's figures", "`vti1`, `vti2`, `vti3`", "They are the paper's."),
 )
@@ -59,7 +59,7 @@ WHEN = (
 # Steppers, order, order that contacts leave of it, energy, angular momentum, what may be lost
 KEEPS = (
     ("`vti1`, `vti2`, `exact`", "2", "2", "swings, no drift", "to rounding", "all of it"),
-    ("`vti1-body`", "2", "2", "swings, no drift", "to rounding", "drag and normal dashpots"),
+    ("`vti1-body`", "2", "2", "swings, no drift", "to rounding", "drag, normal dashpots; hosts only"),
     ("`vti3-leapfrog`", "2", "2", "swings, no drift", "to rounding", "all of it, at order 1"),
     ("`vti3`", "1", "1", "swings, no drift", "to rounding", "all of it"),
     ("`chin4`", "4", "2.5", "swings; symplectic to order 4 alone", "to order 4", "all of it, at order 2"),
@@ -92,7 +92,7 @@ def write(page, cost):
     page.heading("What it keeps, and what it does not")
     page.table(["stepper", "order", "at contacts", "energy over long times", "angular momentum", "drag, dashpots, friction"],
                [list(row) for row in KEEPS])
-    page.text("Linear momentum all of them keep to rounding. All but `vti3`, AN(K) and steps by a tolerance are reversible, all but "
+    page.text("All methods keep linear momentum to rounding. All but `vti3`, AN(K) and steps by a tolerance are reversible, all but "
               "`chin4`, AN(K) and steps by a tolerance symplectic. AN(K) remembers K accelerations of each body, at equal steps. "
               "In `an4` and `an9` a second free number, u, gives one order for a larger stable step. docs/linking.md has the formula, "
               "c and u of each, its largest step, and how fast its energy drifts.")

@@ -187,7 +187,7 @@ def picture(some, found, times, angles):
             runs.plot(ends, factor * ends**exponent, color=style.LOOKS[look].colour,
                       label=f"{factor:.2g} $a^{{{exponent:.2f}}}$")
     runs.set(xscale="log", yscale="log", title="run-out of columns", xlabel="height/width $a$",
-             ylabel="(end - width)/width")
+             ylabel="(end - start)/start")
     runs.legend()
     for length, look in zip(lengths(found), style.LOOKS):
         mus = sorted(mu for mu, other in found if other == length)
@@ -208,10 +208,11 @@ def columns_part(page, some):
     page.text("`scenes/column.yaml` with other tables: beads poured into a box of ten diameters' width beside the "
               "smooth wall, settled, and let go. a is height over width. Run-out is (end - start)/start of the front "
               f"behind which {SHARE:.0%} of the beads lie. Beside it is that of the furthest bead of the heap, which is the "
-              "place of one bead; beads that have rolled away alone do not count. Means over the packings, and in "
-              "brackets the standard deviation of a single one.")
+              "place of one bead; beads that have rolled away alone do not count there. The two have different starts, so the "
+              "furthest bead may have the smaller number. Means over the packings, and in brackets the standard deviation of a "
+              "single one.")
     alike = [[one for one in some if one.beads == beads] for beads in sorted({one.beads for one in some})]
-    page.table(["beads", "packings", "a", "run-out/width", "furthest/width"],
+    page.table(["beads", "packings", "a", "run-out", "of the furthest bead"],
                [[str(same[0].beads), str(len(same)),
                  *(spread([getattr(one, name) for one in same], 2) for name in ("aspect", "runout", "furthest"))]
                 for same in alike])

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "cut.h"
+#include "missed.h"
 #include "plain.h"
 #include "rivals.h"
 #include "scene.h"
@@ -102,8 +103,14 @@ static void take_controlled(struct course *c, double t, const double error[2])
     step_errors_part(errors);
 }
 
+/** b, if that is NaN. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /** A step of h from t is tried, and undone if it is not accepted. One that fails is too long, until none is short
- *  enough. */
+ *  enough; so is one that has passed a touch by, which errs by what that would have changed. */
 static int try_step(struct course *c, vti_control *control, double t, double h, int64_t *accepted)
 {
     const vti_kept before = cut_kept(c, SUMS);
@@ -117,6 +124,8 @@ static int try_step(struct course *c, vti_control *control, double t, double h, 
     status = watched_step(c, h, error);
     if (status != VTI_OK)
         error[0] = error[1] = NAN;
+    else
+        error[0] = larger(missed_touch(c->model, before.memory, before.width, &c->bodies, h, c->gap), error[0]);
     const int judged = vti_control_judge(control, h, error[0], error[1], accepted);
     if (!*accepted)
         vti_step_undo(&c->bodies, &before);
