@@ -260,6 +260,7 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .deform = deform,
                                            .held = held,
                                            .deepest = deepest,
+                                           .missed = contact_missed,
                                            .surfaces = surfaces,
                                            .touching = touching,
                                            .memory = &contact_memory};

@@ -32,4 +32,9 @@ int contact_release(struct effect *e, const vti_bodies *bodies, int64_t count, c
 int contact_take_part(const struct effect *e, const vti_bodies *slice, struct effect_part *part);
 extern const struct effect_memory_of contact_memory;
 
+/* ---- touches between two evaluations (contact_missed.c) ---------------------------------------------------------- */
+
+/** As in kind.h. */
+double contact_missed(const struct effect *e, const struct effect_way *way);
+
 #endif

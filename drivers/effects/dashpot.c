@@ -39,8 +39,9 @@ struct dashpot_self {
 static const struct scene_field fields[] = {
     {"dashpot", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "dashpots of contacts and walls",
      "Damps what touches; steppers with negative coefficients are refused.", NULL},
-    NUMBER_AT("restitution", restitution, SCENE_POSITIVE, "restitution e",
-              "Share of the normal velocity that is left after an impact at any speed, at most 1; in place of zeta."),
+    NUMBER_AT(
+        "restitution", restitution, SCENE_POSITIVE, "restitution e",
+        "Share of the normal velocity that is left after an impact at any speed, from 1e-6 to 1; in place of zeta."),
     NUMBER_AT("zeta", zeta, SCENE_NOT_NEGATIVE, "damping ratio",
               "Of the normal motion: its coefficient is 2 zeta sqrt(5/6 m k), k being the stiffness where it is."),
     NUMBER_AT("normal", normal, SCENE_NOT_NEGATIVE, "normal coefficient",

@@ -107,6 +107,14 @@ struct effect_surfaces {
     const struct chunks *chunks;  /* of the list and the bodies; NULL: they are few, and done in one piece */
 };
 
+/** A step of h that has been made, gap being the largest part of it without an evaluation of the forces. */
+struct effect_way {
+    const double *before; /* [count of bodies][width], rows that begin with a place */
+    int64_t width;
+    const vti_bodies *now;
+    double h, gap;
+};
+
 /** Numbers that the motion keeps because of it. */
 struct effect_invariants {
     const struct invariant *list;
@@ -211,6 +219,10 @@ struct effect_kind {
     /** How deep what touches is, as a share of the length of the contact: the largest of the spheres as they are, of the
      *  last find_pairs; 0 and less where nothing touches. NULL: it has no contacts. */
     double (*deepest)(const struct effect *e, const vti_bodies *spheres);
+    /** The largest change of a relative velocity by a touch that fits between two evaluations of the forces, of bodies that
+     *  are apart at both ends of the way and overlap on the straight line between. Not asked of clumps. NULL: no touch
+     *  fits, as planes do not touch what is apart from them at both ends. */
+    double (*missed)(const struct effect *e, const struct effect_way *way);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
     /** The largest rate, 1/time, at which it slows a body, whatever pushes that. */

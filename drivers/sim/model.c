@@ -67,9 +67,9 @@ static int check_effects(const struct model *model, struct message *message)
     for (int64_t k = 0; k < model->effects_count; ++k)
         if (model_has_clumps(model) && model->effects[k].rupture != NULL)
             return message_set(message,
-                               "%s: bonds of bodies.clumps neither break nor are made on the way; leave out what makes "
-                               "%s do that",
-                               model->scene->name, model->effects[k].name);
+                               "%s: bonds of bodies.clumps neither break nor are made on the way; leave out %s.break, "
+                               "columns break_... of its table, and %s.when",
+                               model->scene->name, model->effects[k].name, model->effects[k].name);
     return 0;
 }
 

@@ -312,8 +312,8 @@ TEST(refused_models)
                          "t: contact.bonded: spheres of clumps touch, whether these are bonded or not; give yes");
     assert_model_refused("bodies: {chain: {count: 2, spacing: 2}, mass: 1, clumps: {spheres: [[0, 0, 0, 1]]}}\n"
                          "binder: {axial: 1, break: {stretch: 0.1}}\n" TIME,
-                         "t: bonds of bodies.clumps neither break nor are made on the way; leave out what makes binder "
-                         "do that");
+                         "t: bonds of bodies.clumps neither break nor are made on the way; leave out binder.break, "
+                         "columns break_... of its table, and binder.when");
     write_text("b.csv", "x,y,z,mass,clump\n0,0,0,3,2\n");
     assert_model_refused("bodies: {table: b.csv, " TWO "}}\n" TIME,
                          "b.csv:2: clump: there is no template 2; bodies.clumps has 2, from 0");

@@ -185,6 +185,17 @@ TEST(check_names_the_bond)
     }
     const int64_t count = draw(&g, 20, 30, CROWD_ALPHA);
     web_terms(&w, count, AXIAL, 0);
+    const double diameter = 1;
+    const int64_t named[][3] = {{INT64_MIN, 1, 1}, {INT64_MAX, 0, -1}, {INT64_MIN, 0, INT64_MAX}}; /* and the base */
+    for (int n = 0; n < 3; ++n) { /* whose differences are no numbers */
+        const vti_contacts contacts = {1, named[n], named[n][2], vti_scalars_one(&diameter), 1, {0}, {0}};
+        vti_bonds one = w.bonds;
+        one.count = 1;
+        one.pair = named[n];
+        one.base = named[n][2];
+        assert_int_equal(vti_bonds_check(&one, c.n, NULL), VTI_E_BOND);
+        assert_int_equal(vti_contacts_check(&contacts, c.n, NULL), VTI_E_CONTACT);
+    }
     w.rest[3][1] += 0.01; /* n0 is not a unit vector */
     assert_int_equal(vti_bonds_check(&w.bonds, c.n, NULL), VTI_E_BOND);
     w.bonds.count = -1;

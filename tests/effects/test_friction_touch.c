@@ -198,7 +198,8 @@ TEST(touches_without_a_spring)
     }
 }
 
-/** Centres that coincide have no direction, and what is no number touches nothing: nothing comes of them. */
+/** Centres that coincide have no direction, and NaN touches nothing: nothing comes of them, but that no step is stable
+ *  with NaN. */
 TEST(no_direction)
 {
     double scratch[2];
@@ -220,7 +221,7 @@ TEST(no_direction)
     carried(1);
     assert_int_equal(history.used, 0);
     assert_int_equal(vti_stable_step(&effect, 1, &m.b, NULL, scratch, &stable), VTI_OK);
-    assert_true(isinf(stable.h));
+    assert_true(stable.h == 0);
 }
 
 /** Bodies that go through each other, so that the normal turns over, let go: the energy of the spring is booked. */

@@ -6,7 +6,6 @@
 #include <math.h>
 
 #include "cut.h"
-#include "missed.h"
 #include "plain.h"
 #include "rivals.h"
 #include "scene.h"
@@ -103,10 +102,17 @@ static void take_controlled(struct course *c, double t, const double error[2])
     step_errors_part(errors);
 }
 
-/** b, if that is NaN. */
-static double larger(double a, double b)
+/** The error, of v or what a touch would have changed that no evaluation has seen; NaN where that of v is. */
+static double with_missed(const struct course *c, const vti_kept *before, double h, double error)
 {
-    return a > b ? a : b;
+    const struct model *const model = c->model;
+    const struct effect_way way = {before->memory, before->width, &c->bodies, h, c->gap};
+    for (int64_t k = 0; k < model->rooms_count && !model_has_clumps(model); ++k) {
+        const struct effect *const e = &model->rooms[k];
+        const double missed = e->kind->missed != NULL ? e->kind->missed(e, &way) : 0.0;
+        error = missed > error ? missed : error;
+    }
+    return error;
 }
 
 /** A step of h from t is tried, and undone if it is not accepted. One that fails is too long, until none is short
@@ -125,7 +131,7 @@ static int try_step(struct course *c, vti_control *control, double t, double h, 
     if (status != VTI_OK)
         error[0] = error[1] = NAN;
     else
-        error[0] = larger(missed_touch(c->model, before.memory, before.width, &c->bodies, h, c->gap), error[0]);
+        error[0] = with_missed(c, &before, h, error[0]);
     const int judged = vti_control_judge(control, h, error[0], error[1], accepted);
     if (!*accepted)
         vti_step_undo(&c->bodies, &before);
