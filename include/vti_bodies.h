@@ -149,7 +149,7 @@ static inline vti_view vti_view_separate(double *x, double *y, double *z)
  *  a multiple of sizeof(double); otherwise the view is of stride 0, which is refused for more than one body. */
 static inline vti_view vti_view_member(double *p, int64_t bytes)
 {
-    const int64_t size = (int64_t)sizeof(double);
+    const int64_t size = sizeof(double);
     vti_view view = {{p, p + 1, p + 2}, bytes % size == 0 ? bytes / size : 0, 0};
     return view;
 }
@@ -172,7 +172,7 @@ static inline vti_scalars vti_scalars_array(const double *values)
  *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed. */
 static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 {
-    const int64_t size = (int64_t)sizeof(double);
+    const int64_t size = sizeof(double);
     vti_scalars s = {bytes % size == 0 && bytes != 0 ? p : 0, bytes / size, 0};
     return s;
 }

@@ -16,7 +16,7 @@
     ROW("vti3-leapfrog", VTI_LAW_CAYLEY, VTI_FRAME_SPACE, 2, 1, 1, 1, 1, 0.5, 2.0, one_none, one_none, NULL,           \
         "VTI-3 started and read with half kicks: VTI-2 in leapfrog form", 0, 0, NULL, 2)                               \
     ROW("vti1-body", VTI_LAW_CLOSED, VTI_FRAME_BODY, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,               \
-        "VTI-1 with omega = R^T Omega and M in the body's frame (E16: no factor R_{k+1}^T R_k)", 0, 0, NULL, 2)        \
+        "VTI-1 with omega = R^T Omega and M in the body's frame, for hosts that keep those", 0, 0, NULL, 2)        \
     ROW("exact", VTI_LAW_EXACT, VTI_FRAME_SPACE, 2, 1, 1, 1, 1, 0.0, 2.0, half_half, one_none, NULL,                   \
         "velocity Verlet with the exact drift", 0, 0, NULL, 4)                                                         \
     ROW("suzuki4", VTI_LAW_EXACT, VTI_FRAME_SPACE, 4, 1, 1, 5, 5, 0.0, 2.72097, suzuki4_kick, suzuki4_drift, NULL,     \

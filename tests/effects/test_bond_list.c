@@ -186,7 +186,8 @@ TEST(check_names_the_bond)
     const int64_t count = draw(&g, 20, 30, CROWD_ALPHA);
     web_terms(&w, count, AXIAL, 0);
     const double diameter = 1;
-    const int64_t named[][3] = {{INT64_MIN, 1, 1}, {INT64_MAX, 0, -1}, {INT64_MIN, 0, INT64_MAX}}; /* and the base */
+    const int64_t named[][3] = {
+        {INT64_MIN, 1, 1}, {INT64_MAX, 0, -1}, {INT64_MIN, INT64_MIN + 1, INT64_MAX}}; /* and the base */
     for (int n = 0; n < 3; ++n) { /* whose differences are no numbers */
         const vti_contacts contacts = {1, named[n], named[n][2], vti_scalars_one(&diameter), 1, {0}, {0}};
         vti_bonds one = w.bonds;
