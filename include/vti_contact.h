@@ -11,7 +11,8 @@ extern "C" {
 #endif
 
 /** Hertzian contact between the pairs of a list, U = 2/5 K [1 - r/L]_+^{5/2} (E4). The list may hold pairs that do not
- *  touch; it names each pair once, as one that it names twice would act twice. Coincident centres have no direction: no force.
+ *  touch; it names each pair once, as one that it names twice would act twice. Coincident centres have no direction: no
+ *  force.
  *
  *  All pairs share one energy K, or K follows from the bodies' material: F = k_H (L - r)^{3/2}, K = k_H L^{5/2}, k_H =
  *  (4/3) E* sqrt(R*), 1/R* = 2/D_i + 2/D_j, 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j (EQUATIONS 6.6). */

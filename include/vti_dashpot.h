@@ -51,8 +51,8 @@ typedef struct vti_dashpots {
                                        missed, at the cost of the order. INFINITY: skip none */
     vti_sum *lost;                /**< [VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        the motions have lost so far, normal, tangential, rolling, twisting */
-    const double *wall_zeta;      /**< [count + cylinders], zeta of each plane and then of each
-                                       cylinder, in place of zeta; NULL: of all the same */
+    const double *wall_zeta;      /**< [walls], zeta of each plane, then of each cylinder, in place
+                                       of zeta; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_DASHPOT_BOOKS], memory of the caller's, zeros at the start: what each
                                        body has lost, of a pair half each, at a wall all; NULL: off. Bits of all else
                                        are the same; pairs are worked one by one then, not as many as a register holds */

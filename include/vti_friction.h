@@ -28,9 +28,9 @@ typedef struct vti_held {
 /** A table of what touches hold, by the bodies' numbers: memory of the caller's, zeros at the start. It belongs to a
  *  restart, whole or as the slots that are not empty in any order; results do not depend on where they stand. Lists of
  *  pairs may change while it stays, but each pair always names its two bodies in the same order, and a list each pair
- *  once: a spring that is carried twice slides twice. A body that the host
- *  itself moves elsewhere, to an inlet say, keeps its old entries until it comes near the same body or wall again. To
- *  drop them, copy all other entries into a second table by vti_history_add, and go on with that one. */
+ *  once: a spring that is carried twice slides twice. A body that the host itself moves elsewhere, to an inlet say, keeps
+ *  its old entries until it comes near the same body or wall again. To drop them, copy all other entries into a second
+ *  table by vti_history_add, and go on with that one. */
 typedef struct vti_history {
     int64_t slots;  /**< a power of 2, above the number of touches; twice as many are fast */
     int64_t used;   /**< touches that hold something */
@@ -67,8 +67,8 @@ typedef struct vti_friction {
     vti_history *history;       /**< what the springs hold */
     vti_sum *lost;              /**< [VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: the energy that
                                        sliding, rolling and twisting have taken so far */
-    const double *wall_sliding; /**< [count + cylinders], mu of each plane and then of each cylinder, in place
-                                     of sliding, which is to be above 0 still; NULL: of all the same */
+    const double *wall_sliding; /**< [walls], mu of each plane, then of each cylinder, in place of
+                                     sliding, which is to be above 0 still; NULL: of all the same */
     vti_sum *by_body; /**< [bodies][VTI_FRICTION_BOOKS], memory of the caller's, zeros at the start: what each body has
                              lost, of a pair half each, at a wall all; NULL: off. As in vti_dashpots pairs are worked one
                              by one then */

@@ -133,6 +133,7 @@ static inline void vti_sin_cos(double t, double *sine, double *cosine)
     q = z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800 - z * q))));
     const double s = r + (low - r * z * p), c = 1.0 - (z * (0.5 - q) + r * low); /* the angle is r + low */
     const double quarter = n - 4.0 * floor(0.25 * n);                            /* 0, 1, 2 or 3 */
+
     *sine = quarter < 1.0 ? s : quarter < 2.0 ? c : quarter < 3.0 ? -s : -c;
     *cosine = quarter < 1.0 ? c : quarter < 2.0 ? -s : quarter < 3.0 ? -c : s;
 }
