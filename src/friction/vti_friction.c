@@ -190,12 +190,13 @@ static void show(const vti_friction *p, struct vti_touch *touch, int64_t element
 /** Touches at bodies that are nowhere count: a step that is 0 tells of NaN. */
 static int pair_found(struct vti_touch *touch, const vti_friction *p, const vti_bodies *b, int64_t k)
 {
-    touch->r = touch->delta = NAN;
+    touch->r = touch->delta = touch->stiffness = NAN;
     return vti_touch_pair(touch, p->contacts, b, k, INFINITY) || isnan(touch->r);
 }
 
 static int body_found(struct vti_touch *touch, const vti_friction *p, const vti_bodies *b, int64_t w, int64_t i)
 {
+    touch->stiffness = NAN;
     const int found = vti_touch_wall(touch, p->walls, b, w, i, INFINITY);
     touch->i = i;
     return found || isnan(touch->delta);
