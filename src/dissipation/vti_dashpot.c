@@ -208,10 +208,12 @@ static void flow(const void *self, const vti_bodies *b, double t, double drift)
     vti_damping_all(p, s.damped);
     if (drift < 0.0)
         flow_walls(&s);
-    if (pairs && drift < 0.0)
-        (p->contacts->count <= FOUND ? flow_few_backwards : flow_many_backwards)(&s, &w);
-    else if (pairs)
+    if (pairs && !(drift < 0.0))
         flow_forwards(&s, &w);
+    else if (pairs && p->contacts->count <= FOUND)
+        flow_few_backwards(&s, &w);
+    else if (pairs)
+        flow_many_backwards(&s, &w);
     if (!(drift < 0.0))
         flow_walls(&s);
 }
