@@ -170,9 +170,7 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t k)
 {
     const int64_t i = contacts->pair[2 * k], j = contacts->pair[2 * k + 1];
-    const double length =
-        contacts->length.p != NULL ? contacts->length.p[k] : partings_touching(&contacts->diameter, i, j);
-    return 1.0 - partings_distance(x, i, j) / length;
+    return 1.0 - partings_distance(x, i, j) / contact_length(contacts, k);
 }
 
 /** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. */

@@ -22,8 +22,10 @@ struct contact_self {
     double stiffness;     /* K of the softest pair that there may be */
 };
 
-/* ---- pairs (contact_pairs.c); all but the first as in kind.h ----------------------------------------------------- */
+/* ---- pairs (contact_pairs.c); all but the first two as in kind.h ------------------------------------------------- */
 
+/** The distance at which pair k of the list begins to touch. */
+double contact_length(const vti_contacts *list, int64_t k);
 /** The bodies of pair k as people number them; of clumps those whose spheres they are. */
 void contact_name_pair(const struct neighbours *list, int64_t k, int64_t body[2]);
 int contact_find_pairs(struct effect *e, const vti_bodies *bodies, struct message *message);

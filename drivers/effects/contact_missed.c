@@ -14,7 +14,7 @@ static double missed_by(const vti_contacts *list, int64_t k, const struct effect
 {
     const int64_t i = list->pair[2 * k] - list->base, j = list->pair[2 * k + 1] - list->base;
     const vti_scalars *const m = &w->now->mass;
-    const double length = list->length.p != NULL ? list->length.p[k] : partings_touching(&list->diameter, i, j);
+    const double length = contact_length(list, k);
     const vti_view *const x = &w->now->x;
     double d0[3], d1[3], way[3];
     for (int c = 0; c < 3; ++c) {

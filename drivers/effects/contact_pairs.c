@@ -40,6 +40,13 @@ static int take_list(struct contact_self *self, struct message *message)
     return 0;
 }
 
+double contact_length(const vti_contacts *list, int64_t k)
+{
+    if (list->length.p != NULL)
+        return list->length.p[k];
+    return partings_touching(&list->diameter, list->pair[2 * k], list->pair[2 * k + 1]);
+}
+
 void contact_name_pair(const struct neighbours *list, int64_t k, int64_t body[2])
 {
     for (int n = 0; n < 2; ++n) {

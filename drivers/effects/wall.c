@@ -353,8 +353,7 @@ static int64_t first_to_fill(const vti_walls *walls, const vti_bodies *spheres, 
 /** The body of a sphere as people number it. */
 static long long number_of(const struct model *model, int64_t sphere)
 {
-    const int64_t body = model_has_clumps(model) ? model->clumps.list.body[sphere] : sphere;
-    return model->number != NULL ? model->number[body] : body;
+    return model_number(model, model_has_clumps(model) ? model->clumps.list.body[sphere] : sphere);
 }
 
 /** One that fills a cylinder, which always presses it and from another side as it crosses the axis; or one that begins

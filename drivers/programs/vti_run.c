@@ -159,7 +159,7 @@ static void say_step(struct run *run, FILE *file)
         return;
     }
     stable_say(&limits, stepper, h, file);
-    if (limits.at.overlap > 0.5)
+    if (limits.at.overlap > VERDICT_MUCH_OVERLAP)
         fputs("warning: bodies are fast or heavy enough to pass through what they meet; make contacts and walls "
               "stiffer\n",
               file);

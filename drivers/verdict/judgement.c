@@ -26,7 +26,6 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {MEMBER(verdict, 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
 static const double cut_travel = 0.5;   /* the same where a tolerance takes steps anew that have met one too deep */
-static const double much_overlap = 0.5; /* of the length of a contact: centres may pass each other */
 static const double much_slowing = 0.8; /* z of a drift: bodies settle by 5 % too fast */
 static const double most_travel = 1.0;  /* two bodies may pass through each other unseen */
 
@@ -57,7 +56,7 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN * verdict_scale(f) || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
-                         f->slowing > much_slowing || f->deepest > much_overlap;
+                         f->slowing > much_slowing || f->deepest > VERDICT_MUCH_OVERLAP;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -116,7 +115,7 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
     if (isfinite(j->stable_step))
         SAY("; %s %.3g of the %sstable step%s %.4g (t = %.6g)", varies ? "steps are up to" : "h is", f->share,
             varies ? "" : "least ", varies ? ", the least" : "", j->stable_step, f->stable_t);
-    if (f->deepest > much_overlap)
+    if (f->deepest > VERDICT_MUCH_OVERLAP)
         SAY("; contacts are up to %.2g of their length deep: make them stiffer, or what meets may pass through",
             f->deepest);
     if (f->slowing > much_slowing)

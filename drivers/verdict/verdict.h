@@ -72,6 +72,9 @@ struct verdict_number {
 enum { VERDICT_NUMBERS = 13 };
 extern const struct verdict_number verdict_numbers[VERDICT_NUMBERS];
 
+/** Of the length of a contact: deeper, centres may pass each other. */
+#define VERDICT_MUCH_OVERLAP 0.5
+
 /** "good", "doubtful", "bad" */
 const char *verdict_word(int64_t grade);
 

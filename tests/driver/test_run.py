@@ -391,6 +391,7 @@ def notes(base):
                 file.write(f"bodies: {{table: {name}.csv, mass: 1, diameter: 1}}\n{soft}h: 1/1024\nt_end: 2\n")
             result = run(RUN, f"{base}/{name}.yaml", "-o", f"{base}/{name}-out.h5", "--force")
             said = result.stdout.splitlines()[-1]
+            check(("enough to pass through" in result.stdout) == word, f"{name}: a warning at the start, if it is {'soft' if word else 'stiff'}")
             check(("of their length deep" in said) == word and said.startswith("verdict: " + ("doubtful" if word else "good")),
                   f"{name}: {said}")
             if not word:  # two of speed 1 have the energy 1, one at a wall, which begins at the radius, 1/2
