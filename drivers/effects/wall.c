@@ -7,6 +7,7 @@
 #include "kind.h"
 #include "model.h"
 #include "scene_reader.h"
+#include "wall_gaps.h"
 
 struct wall_settings {
     double stiffness;      /* 0: each its own, or that of materials */
@@ -238,49 +239,6 @@ static void limit(const struct effect *e, const vti_deformation *at, const vti_s
     snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 
-static const double *axis_of(const vti_walls *walls, int64_t w)
-{
-    return w < walls->count ? walls->plane + 4 * w : walls->cylinder + 7 * (w - walls->count);
-}
-
-/** On the axis a of a cylinder any direction across it may be N: |a x (v - V)|. */
-static double approach(const struct effect *e, const double x[3], const double v[3])
-{
-    const vti_walls *walls = walls_of(e);
-    double most = 0.0;
-    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w) {
-        double n[3], to[3], across[3];
-        vti_walls_gap(walls, w, x, n);
-        for (int k = 0; k < 3; ++k)
-            to[k] = v[k] - (walls->motion != NULL ? walls->motion[w].velocity[k] : 0.0);
-        vti_cross(axis_of(walls, w), to, across);
-        const double speed = vti_dot(n, n) > 0.0 ? fabs(vti_dot(to, n)) : vti_norm(across);
-        most = speed <= most ? most : speed; /* NaN stays */
-    }
-    return most;
-}
-
-/** The fastest that a point of a surface at a body goes, squared. */
-static double fastest(const vti_walls *walls, const vti_bodies *b)
-{
-    double most = 0.0;
-    for (int64_t w = 0; walls->motion != NULL && w < walls->count + walls->cylinders; ++w) {
-        const vti_wall_motion *m = &walls->motion[w];
-        const double *axis = axis_of(walls, w);
-        for (int64_t i = 0; i < b->count; ++i) {
-            double d[3], way[3], n[3], x[3];
-            for (int k = 0; k < 3; ++k)
-                x[k] = b->x.c[k][i * b->x.stride];
-            const double gap = vti_walls_gap(walls, w, x, n);
-            for (int k = 0; k < 3; ++k)
-                d[k] = x[k] - gap * n[k] - (w < walls->count ? m->centre[k] : axis[3 + k]) - m->moved[k];
-            vti_cross(axis, d, way);
-            most = fmax(most, vti_norm(m->velocity) + fabs(m->spin) * vti_norm(way));
-        }
-    }
-    return most * most;
-}
-
 /** A wall that moves brings m V^2 on top. */
 static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
 {
@@ -291,63 +249,25 @@ static void deform(const struct effect *e, const vti_bodies *bodies, double ener
             least = fmin(least, vti_walls_stiffness(walls_of(e), w, i));
     for (int64_t i = 0; i < bodies->count && walls_of(e)->motion != NULL; ++i)
         heaviest = fmax(heaviest, bodies->mass.p[i * bodies->mass.stride]);
-    hertz_deform(least, energy + heaviest * fastest(walls_of(e), bodies), at);
+    hertz_deform(least, energy + heaviest * wall_fastest(walls_of(e), bodies), at);
 }
 
-/** How deep sphere s is in wall w, as a share of its radius. */
-static double share_of(const vti_walls *walls, int64_t w, const vti_bodies *spheres, int64_t s)
+static double approach(const struct effect *e, const double x[3], const double v[3])
 {
-    double x[3], n[3];
-    for (int k = 0; k < 3; ++k)
-        x[k] = spheres->x.c[k][s * spheres->x.stride];
-    return 1.0 - 2.0 * vti_walls_gap(walls, w, x, n) / walls->diameter.p[s * walls->diameter.stride];
+    return wall_approach(walls_of(e), x, v);
 }
 
-static double held(const struct effect *e, const vti_bodies *bodies)
+static double held(const struct effect *e, const vti_bodies *spheres)
 {
-    const vti_walls *walls = walls_of(e);
-    double most = 0.0;
-    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
-        for (int64_t i = 0; i < bodies->count; ++i)
-            most = fmax(most, hertz_held(vti_walls_stiffness(walls, w, i), share_of(walls, w, bodies, i)));
-    return most;
-}
-
-/** The sphere that is deepest, by more than least, and the wall; -1 if there is none. */
-static int64_t deepest_of(const vti_walls *walls, const vti_bodies *spheres, double least, double *share, int64_t *wall)
-{
-    int64_t at = -1;
-    *share = least;
-    for (int64_t w = 0; w < walls->count + walls->cylinders; ++w)
-        for (int64_t s = 0; s < spheres->count; ++s) {
-            const double own = share_of(walls, w, spheres, s);
-            if (own > *share) {
-                *share = own;
-                *wall = w;
-                at = s;
-            }
-        }
-    return at;
+    return wall_held(walls_of(e), spheres);
 }
 
 static double deepest(const struct effect *e, const vti_bodies *spheres)
 {
     double share;
     int64_t wall;
-    deepest_of(walls_of(e), spheres, 0.0, &share, &wall);
+    wall_deepest(walls_of(e), spheres, 0.0, &share, &wall);
     return share;
-}
-
-/** The first sphere that fills a cylinder, and the wall; -1 if there is none. */
-static int64_t first_to_fill(const vti_walls *walls, const vti_bodies *spheres, int64_t *wall)
-{
-    for (int64_t c = 0; c < walls->cylinders; ++c)
-        for (int64_t s = 0; s < spheres->count; ++s)
-            if (0.5 * walls->diameter.p[s * walls->diameter.stride] >= walls->cylinder[7 * c + 6]) {
-                *wall = walls->count + c;
-                return s;
-            }
-    return -1;
 }
 
 /** The body of a sphere as people number it. */
@@ -363,8 +283,8 @@ static void note(const struct effect *e, const struct model *model, char *text, 
     const double much = 0.2;
     double share;
     int64_t wall = -1;
-    const int64_t filling = first_to_fill(walls_of(e), model_spheres(model), &wall);
-    const int64_t at = filling < 0 ? deepest_of(walls_of(e), model_spheres(model), much, &share, &wall) : -1;
+    const int64_t filling = wall_first_filled(walls_of(e), model_spheres(model), &wall);
+    const int64_t at = filling < 0 ? wall_deepest(walls_of(e), model_spheres(model), much, &share, &wall) : -1;
     text[0] = '\0';
     if (filling >= 0)
         snprintf(text, size_of_text,

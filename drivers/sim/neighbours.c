@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cells.h"
+#include "far.h"
 #include "number.h"
 #include "threads.h"
 
@@ -129,19 +130,10 @@ static void find_shared(struct neighbours_search *s, const vti_view *x)
 static int64_t part_has_moved(void *self, int64_t part)
 {
     const struct look *l = self;
-    const struct cells *cells = &l->list->search->cells;
-    const int64_t begin = threads_begin(cells->n, part, l->parts), end = threads_begin(cells->n, part + 1, l->parts);
-    const double *at = cells->x + 3 * begin, limit = l->limit;
-    const double *const from = l->list->search->shared, shared[3] = {from[0], from[1], from[2]};
-    const vti_view x = *l->x;
-    for (int64_t i = begin; i < end; ++i, at += 3) {
-        const int64_t k = i * x.stride;
-        const double d[3] = {(x.c[0][k] - at[0]) - shared[0], (x.c[1][k] - at[1]) - shared[1],
-                             (x.c[2][k] - at[2]) - shared[2]};
-        if (!(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit))
-            return 1;
-    }
-    return 0;
+    const struct neighbours_search *s = l->list->search;
+    const int64_t n = s->cells.n;
+    return far_any(l->x, threads_begin(n, part, l->parts), threads_begin(n, part + 1, l->parts), s->cells.x, s->shared,
+                   l->limit);
 }
 
 static int has_left_shared(const struct neighbours *list, const vti_view *x)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include <string.h>
 
+#include "far.h"
 #include "number.h"
 #include "step_errors.h"
 #include "verdict_parts.h"
@@ -186,12 +187,12 @@ static double deepest_of(const struct model *model, const vti_bodies *bodies)
     return most;
 }
 
-/** Rows 0 to 63, every second of the next 64, every fourth of the next 128, ... */
+/** Rows 0 to 31, every second of the next 32, every fourth of the next 64, ... */
 static int is_looked_at(double row)
 {
     const int64_t number = (int64_t)row;
     int64_t every = 1;
-    while (number >= 64 * every)
+    while (number >= 32 * every)
         every *= 2;
     return number % every == 0;
 }
@@ -304,7 +305,7 @@ static double largest_force2(const vti_bodies *b)
 {
     const double *x = b->force.c[0], *y = b->force.c[1], *z = b->force.c[2];
     double most = 0.0;
-    for (int64_t i = 0; x != NULL && i < b->count; ++i) {
+    for (int64_t i = 0; i < b->count; ++i) {
         const int64_t at = i * b->force.stride;
         const double f2 = x[at] * x[at] + y[at] * y[at] + z[at] * z[at];
         most = f2 > most ? f2 : most;
@@ -316,8 +317,11 @@ static double largest_force2(const vti_bodies *b)
 static void look_at_contacts(struct verdict *v, double t, const vti_bodies *bodies)
 {
     static const double quarter = 1.5625; /* 1.25^2 */
+    static const double none[3];
     struct findings *f = &v->found;
-    const double force2 = largest_force2(bodies);
+    if (bodies->force.c[0] == NULL || !far_any(&bodies->force, 0, bodies->count, NULL, none, quarter * f->force2))
+        return;
+    const double force2 = largest_force2(bodies); /* without NaN, which the next row finds */
     if (!(force2 > quarter * f->force2))
         return;
     f->force2 = force2;

@@ -213,7 +213,7 @@ static void measures(void)
 
 /* ---- algebra ----------------------------------------------------------------------------------------------------- */
 
-/** A vector of any size from denormal to 2^1000. */
+/** A vector of any size from subnormal to 2^1000. */
 static void draw_any(uint64_t *seed, double v[3])
 {
     draw_vector(seed, 1.0, v, 3);

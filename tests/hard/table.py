@@ -27,7 +27,7 @@ SECTIONS = {
     "corner": "Crowds",
     "verdict": "Whether a run can be believed",
     "nonfinite": "NaN and infinities",
-    "held": "Held bodies, no bodies, denormals",
+    "held": "Held bodies, no bodies, subnormals",
     "extent": "Very many bodies",
     "every_status": "Status codes",
     "rivals": "The same cases for other integrators",

@@ -122,10 +122,10 @@ TEST(no_body_and_one)
     }
 }
 
-/* ---- denormals --------------------------------------------------------------------------------------------------- */
+/* ---- subnormals --------------------------------------------------------------------------------------------------- */
 
-/** Everything a denormal number: nothing but underflow happens, and the attitude goes on being the identity. */
-TEST(denormals)
+/** Everything a subnormal number: nothing but underflow happens, and the attitude goes on being the identity. */
+TEST(subnormals)
 {
     for (int64_t k = 0; k < vti_stepper_count(); ++k) {
         const vti_stepper *method = vti_stepper_at(k);
@@ -154,9 +154,9 @@ TEST(denormals)
             assert_close(c.x[0][a], method->order == 1 ? 0x1p-52 : method->lag > 0 ? 0x1p-52 : 0x1p-53, 0x1p-100);
             assert_close(c.alpha[0][a], c.x[0][a], 0x1p-100);
         }
-        robust("all numbers denormal, mass 2e-308", method->name, "exact");
+        robust("all numbers subnormal, mass 2e-308", method->name, "exact");
     }
 }
 
 RUN_TESTS(cmocka_unit_test(held_bodies), cmocka_unit_test(infinite_mass), cmocka_unit_test(no_body_and_one),
-          cmocka_unit_test(denormals))
+          cmocka_unit_test(subnormals))

@@ -108,15 +108,15 @@ static double least_inertia(const vti_bodies *b)
     return least;
 }
 
-/** Steps in which no two bodies turn by more than 90 degrees against each other, with twice the energy E of now
+/** Steps in which no two bodies turn by more than 120 degrees against each other, with twice the energy E of now
  *
  *      h (|Omega_i| + |Omega_j|) <= h (2 |Omega_i|^2 + 2 |Omega_j|^2)^{1/2} <= h (8 E/J)^{1/2}
  *
  *  but few, as rows may be far apart and walls may stir bodies in between. */
 static double steps_between(const vti_bodies *bodies, double energy, double h)
 {
-    const double right_angle = 1.5707963267948966, most = 16.0;
-    const double steps = right_angle / (h * sqrt(8.0 * energy / least_inertia(bodies)));
+    const double third_turn = 2.0943951023931953, most = 16.0;
+    const double steps = third_turn / (h * sqrt(8.0 * energy / least_inertia(bodies)));
     return steps >= 1.0 ? fmin(floor(steps), most) : 1.0;
 }
 
@@ -158,7 +158,7 @@ static int follow(const struct bond_turns *b, const vti_bodies *bodies, int64_t 
     return 1;
 }
 
-/** Whether the bodies of bond k are turned by less than 60 degrees against each other, w^2 > 3/4 |q_i|^2 |q_j|^2 with
+/** Whether the bodies of bond k are turned by less than 30 degrees against each other, w^2 > cos^2(15) |q_i|^2 |q_j|^2 with
  *  w = 4 + alpha_i.alpha_j of pairs (alpha, 2). Not of numbers so large that squares overflow: inf > inf is false. */
 static inline int is_near(const vti_bonds *bonds, const vti_view *alpha, int64_t k)
 {
@@ -167,7 +167,7 @@ static inline int is_near(const vti_bonds *bonds, const vti_view *alpha, int64_t
     const double a[3] = {alpha->c[0][i], alpha->c[1][i], alpha->c[2][i]},
                  b[3] = {alpha->c[0][j], alpha->c[1][j], alpha->c[2][j]};
     const double w = 4.0 + vti_dot(a, b);
-    return w * w > 0.75 * ((4.0 + vti_dot(a, a)) * (4.0 + vti_dot(b, b)));
+    return w * w > 0.9331 * ((4.0 + vti_dot(a, a)) * (4.0 + vti_dot(b, b)));
 }
 
 struct following {
@@ -177,7 +177,7 @@ struct following {
 };
 
 /** A bond that is near where it began is known to be on that side without its last place, at a fifth of the price: from
- *  there to past half a turn, or the way around, it is 120 degrees, which no step takes that follows the motion, nor do
+ *  there to past half a turn, or the way around, it is 150 degrees, which no step takes that follows the motion, nor do
  *  the steps between two looks. Returns how many have turned. */
 static int64_t follow_part(void *self, int64_t part)
 {

@@ -97,7 +97,7 @@ from "$(own_headers drivers/effects/bonds/*.[ch])" include drivers/scene drivers
 from "$(own_headers drivers/clumps/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads
 from "$(own_headers drivers/threads/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads
-from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/verdict
+from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads drivers/verdict
 from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch] drivers/rivals/variable/*.[ch])" include drivers/scene \
     drivers/effects drivers/sim drivers/rivals drivers/rivals/inertia drivers/rivals/variable
 below="drivers/check drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
