@@ -14,7 +14,8 @@ module vti_packed
 
 contains
 
-    !> vti_step_begin. On failure body receives the number of the body, from 1 (or 0), and value its h|Omega|.
+    !> vti_step_begin. On VTI_E_TOO_LARGE body receives the number of the body, from 1, and value its h|Omega|;
+    !> VTI_E_STEPPER and VTI_E_COUNT leave 0 and h there.
     function vti_packed_begin(stepper, h, n, x, v, force, alpha, omega, moment, masses, mass, inertias, inertia, body, &
         value) result(status)
         integer(c_int64_t), intent(in) :: stepper, n, masses, inertias

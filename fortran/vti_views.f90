@@ -23,8 +23,8 @@ module vti_views
     public :: vti_scalars_one, vti_scalars_array, vti_scalars_member
     public :: vti_bodies_none, vti_bodies_slice
 
-    !> One value for all that every check refuses: for scalars of the wrong shape.
-    real(c_double), target, protected :: refused = 0
+    !> One value for all that every check refuses, NaN: for scalars of the wrong shape.
+    real(c_double), target, protected :: refused = transfer(9221120237041090560_c_int64_t, 0._c_double)
 
 contains
 
@@ -148,6 +148,7 @@ contains
         part = bodies
         part%first = first - 1
         part%count = count
+        part%sealed = 0
     end function
 
     !> Where x begins; null if there is nothing.

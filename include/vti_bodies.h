@@ -169,7 +169,7 @@ static inline vti_scalars vti_scalars_array(const double *values)
 }
 
 /** A double member of an array of structs: p is the member in element 0, bytes the size of a struct. That must be a
- *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed. */
+ *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed; a term of bonds is off without. */
 static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 {
     const int64_t size = sizeof(double);
@@ -196,13 +196,15 @@ static inline vti_bodies vti_bodies_slice(vti_bodies b, int64_t first, int64_t c
 {
     b.first = first;
     b.count = count;
+    b.sealed = 0;
     return b;
 }
 
 /** What can be seen without looking at a body: ABI, counts, views that are half given or too short, strides of 0 or by
  *  which components meet, views that share memory, mass or inertia missing or, where there is one for all, not finite
  *  or not positive. Every call that moves bodies checks this first. Views share memory if one number of the slice
- *  belongs to both: members of structs lie between each other and do not. That is decided exactly from addresses,
+ *  belongs to both: members of structs lie between each other and do not; masses,
+ *  inertias and what is one for all are only read, and not looked for. That is decided exactly from addresses,
  *  strides and count, in a time that does not depend on count; but for views of different strides of which one is 2^31
  *  doubles or more, which pass. VTI_E_NULL, VTI_E_ABI, VTI_E_COUNT (negative, or a view is too short), VTI_E_VIEW (half
  *  given), VTI_E_STRIDE, VTI_E_ALIAS, VTI_E_MASS, VTI_E_INERTIA, VTI_E_MOMENTS. */

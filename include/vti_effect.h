@@ -200,10 +200,10 @@ VTI_API int vti_effects_flow(const vti_effect *effects, int64_t n, double t, dou
 /** Tells all effects that carry of a drift that has been done; VTI_E_FRAME if one does and the frame is the body's. */
 VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted,
                               const vti_bodies *bodies);
-/** Sum of all booked energies: with vti_energy, what is constant. NaN where effects is NULL or n negative. */
+/** Sum of all booked energies: with vti_energy, what is constant. NaN where n is negative, or effects NULL and n not 0. */
 VTI_API double vti_booked(const vti_effect *effects, int64_t n);
 /** What of it body i, from 0, has lost: the sum over the effects that book by body, whose by_body has to go up to i. NaN
- *  where effects is NULL, n negative or i negative. Of clumps (vti_clumped) the effect on the spheres has theirs. */
+ *  where n or i is negative, or effects NULL and n not 0. Of clumps (vti_clumped) the effect on the spheres has theirs. */
 VTI_API double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i);
 
 #ifdef __cplusplus

@@ -154,8 +154,9 @@ VTI_API int vti_step_error(const vti_stepper *method, const vti_bodies *bodies, 
  *  refused with VTI_E_STEPPER; "exact" is of one. VTI_E_COUNT for masses or inertias that are neither. NULL arrays are
  *  absent physics as above. masses and inertias: 1 (one value for all) or n; or inertias = 3n for bodies that are not
  *  spheres: then inertia[n][3] are the three moments of each, about axes that are the body's own, and omega[n][3] is
- *  its angular momentum L (EQUATIONS 7.1). Same arithmetic, same bits as through views. On failure body receives the
- *  number of the body, from 0 (or -1), and value its h|Omega|, the largest of its turns; both may be NULL. */
+ *  its angular momentum L (EQUATIONS 7.1). Same arithmetic, same bits as through views. On VTI_E_TOO_LARGE body receives
+ *  the number of the body, from 0, and value its h|Omega|, the largest of its turns; VTI_E_STEPPER and VTI_E_COUNT
+ *  leave -1 and h there. Both may be NULL. */
 VTI_API int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v, const double *force,
                              double *alpha, double *omega, const double *moment, int64_t masses, const double *mass,
                              int64_t inertias, const double *inertia, int64_t *body, double *value);

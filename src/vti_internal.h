@@ -104,6 +104,12 @@ static inline double vti_scalar(const vti_scalars *s, int64_t i)
     return s->p[i * s->stride];
 }
 
+/** Whether s is known to have no value of body i. */
+static inline int vti_ends_before(const vti_scalars *s, int64_t i)
+{
+    return s->count != 0 && i >= s->count;
+}
+
 /** Whether bodies have moments and their angular momentum is known, from spin or, with an attitude, from omega. */
 static inline int vti_spins_generally(const vti_bodies *b)
 {
@@ -256,6 +262,12 @@ static inline int vti_inertia_check(const vti_bodies *b)
 {
     return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
 }
+
+/** Whether a contact, a wall and bonds may be worked on: what can be seen at once, or everything where the library was
+ *  built to look. */
+int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b);
+int vti_walls_ready(const vti_walls *walls, const vti_bodies *b);
+int vti_bonds_ready(const vti_bonds *bonds, const vti_bodies *b);
 
 /** VTI_OK if the library has such a law and frame. */
 static inline int vti_law_check(int64_t law, int64_t frame)

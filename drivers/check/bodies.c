@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-struct bodies bodies_none(int64_t n)
+struct bodies vti_kit_bodies_none(int64_t n)
 {
     struct bodies b;
     memset(&b, 0, sizeof b);
@@ -21,13 +21,13 @@ static int all_finite(const double *a, int64_t n)
     return 1;
 }
 
-int bodies_are_finite(const struct bodies *b)
+int vti_kit_bodies_are_finite(const struct bodies *b)
 {
     return all_finite(b->x, 3 * b->n) && all_finite(b->v, 3 * b->n) && all_finite(b->q, 4 * b->n) &&
            all_finite(b->w, 3 * b->n);
 }
 
-void bodies_lose(struct bodies *b)
+void vti_kit_bodies_lose(struct bodies *b)
 {
     for (int k = 0; k < 3 * VTI_CHECK_BODIES; ++k)
         b->x[k] = b->v[k] = b->w[k] = NAN;
@@ -51,19 +51,19 @@ static vti_quat_view quats(double *q)
     return view;
 }
 
-void bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
-                   double *moment)
+void vti_kit_bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
+                           double *moment)
 {
     if (!all_finite(x, 3 * n) || !all_finite(q, 4 * n)) {
         for (int64_t k = 0; k < 3 * n; ++k)
             force[k] = moment[k] = NAN;
         return;
     }
-    struct bodies at = bodies_none(n);
+    struct bodies at = vti_kit_bodies_none(n);
     memcpy(at.x, x, (size_t)(3 * n) * sizeof *x);
     for (int64_t i = 0; i < n; ++i)
         normalised(q + 4 * i, at.q + 4 * i);
-    vti_bodies b = bodies_views(&at);
+    vti_bodies b = vti_kit_bodies_views(&at);
     b.force = vti_view_packed(force);
     b.moment = vti_view_packed(moment);
     memset(force, 0, (size_t)(3 * n) * sizeof *force);
@@ -73,11 +73,11 @@ void bodies_forces(const struct field *field, int64_t n, const double *x, const 
 
 /* ---- steps ------------------------------------------------------------------------------------------------------- */
 
-void bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps)
+void vti_kit_bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps)
 {
     const vti_stepper *method = vti_stepper_find("srkn11");
     double force[3 * VTI_CHECK_BODIES], moment[3 * VTI_CHECK_BODIES];
-    vti_bodies bodies = bodies_views(b);
+    vti_bodies bodies = vti_kit_bodies_views(b);
     bodies.force = vti_view_packed(force);
     bodies.moment = vti_view_packed(moment);
     int status = vti_apply(&field->effect, field->count, &bodies);
@@ -91,12 +91,12 @@ void bodies_advance_reference(struct bodies *b, const struct field *field, doubl
             status = vti_step_finish(method, h, &bodies);
     }
     if (status != VTI_OK)
-        bodies_lose(b);
+        vti_kit_bodies_lose(b);
 }
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
-vti_bodies bodies_views(const struct bodies *b)
+vti_bodies vti_kit_bodies_views(const struct bodies *b)
 {
     struct bodies *s =
         (struct bodies *)b; /* views are made for bodies that may move; who only reads does not move them */
@@ -110,23 +110,23 @@ vti_bodies bodies_views(const struct bodies *b)
     return bodies;
 }
 
-double bodies_energy(const struct bodies *b, const struct field *field)
+double vti_kit_bodies_energy(const struct bodies *b, const struct field *field)
 {
     struct bodies unit = *b;
-    if (!bodies_are_finite(b))
+    if (!vti_kit_bodies_are_finite(b))
         return NAN;
     for (int64_t i = 0; i < b->n; ++i)
         normalised(b->q + 4 * i, unit.q + 4 * i);
-    const vti_bodies bodies = bodies_views(&unit);
+    const vti_bodies bodies = vti_kit_bodies_views(&unit);
     return vti_energy(&field->effect, field->count, &bodies);
 }
 
-void bodies_alpha(const struct bodies *b, int64_t i, double alpha[3])
+void vti_kit_bodies_alpha(const struct bodies *b, int64_t i, double alpha[3])
 {
     vti_rrv_from_quat_xyzw(b->q + 4 * i, alpha);
 }
 
-void bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3])
+void vti_kit_bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3])
 {
     vti_rrv_to_quat_xyzw(alpha, b->q + 4 * i);
 }
@@ -139,10 +139,10 @@ static double most_apart(const double *a, const double *b, int64_t n)
     return most;
 }
 
-struct apart bodies_apart(const struct bodies *a, const struct bodies *b)
+struct apart vti_kit_bodies_apart(const struct bodies *a, const struct bodies *b)
 {
     struct apart d = {NAN, NAN, NAN, NAN};
-    if (!bodies_are_finite(a) || !bodies_are_finite(b))
+    if (!vti_kit_bodies_are_finite(a) || !vti_kit_bodies_are_finite(b))
         return d;
     d.x = most_apart(a->x, b->x, 3 * a->n);
     d.v = most_apart(a->v, b->v, 3 * a->n);
@@ -150,8 +150,8 @@ struct apart bodies_apart(const struct bodies *a, const struct bodies *b)
     d.attitude = 0.0;
     for (int64_t i = 0; i < a->n; ++i) {
         double p[3], q[3];
-        bodies_alpha(a, i, p);
-        bodies_alpha(b, i, q);
+        vti_kit_bodies_alpha(a, i, p);
+        vti_kit_bodies_alpha(b, i, q);
         d.attitude = fmax(d.attitude, vti_rrv_distance(p, q));
     }
     return d;

@@ -75,35 +75,35 @@ struct kit {
 /* ---- bodies.c ---------------------------------------------------------------------------------------------------- */
 
 /** n bodies at rest at 0, unturned, m = J = 1. */
-struct bodies bodies_none(int64_t n);
+struct bodies vti_kit_bodies_none(int64_t n);
 /** Takes *b further by the library's "srkn11", order 6. */
-void bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps);
+void vti_kit_bodies_advance_reference(struct bodies *b, const struct field *field, double h, int64_t steps);
 /** Forces and moments of n <= VTI_CHECK_BODIES bodies; NaN where x or q is not finite. */
-void bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
-                   double *moment);
-int bodies_are_finite(const struct bodies *b);
+void vti_kit_bodies_forces(const struct field *field, int64_t n, const double *x, const double *q, double *force,
+                           double *moment);
+int vti_kit_bodies_are_finite(const struct bodies *b);
 /** Sets everything to NaN. */
-void bodies_lose(struct bodies *b);
+void vti_kit_bodies_lose(struct bodies *b);
 /** Views on *b, without force and moment. */
-vti_bodies bodies_views(const struct bodies *b);
+vti_bodies vti_kit_bodies_views(const struct bodies *b);
 /** Kinetic and field's energies; NaN if *b is not finite. */
-double bodies_energy(const struct bodies *b, const struct field *field);
+double vti_kit_bodies_energy(const struct bodies *b, const struct field *field);
 /** alpha of body i. *b is finite. */
-void bodies_alpha(const struct bodies *b, int64_t i, double alpha[3]);
-void bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3]);
+void vti_kit_bodies_alpha(const struct bodies *b, int64_t i, double alpha[3]);
+void vti_kit_bodies_set_alpha(struct bodies *b, int64_t i, const double alpha[3]);
 
 /** Largest differences over the bodies of two states; attitudes by the angle. NaN if one is not finite. */
 struct apart {
     double x, v, attitude, w;
 };
-struct apart bodies_apart(const struct bodies *a, const struct bodies *b);
+struct apart vti_kit_bodies_apart(const struct bodies *a, const struct bodies *b);
 
 /* ---- host.c ------------------------------------------------------------------------------------------------------ */
 
 /** Takes *b further by the host, its constants corrected; if it refuses, everything is NaN. */
-void host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps);
+void vti_kit_host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps);
 /** The size of a kick in units of the right one. */
-double kick_size(const struct kick *kick, double own, double other);
+double vti_kit_kick_size(const struct kick *kick, double own, double other);
 
 /* ---- spin.c ------------------------------------------------------------------------------------------------------ */
 
@@ -113,9 +113,9 @@ struct turn {
     int side;             /* +1: the axis is one of space, -1: of the body */
     double spin;          /* along the axis, after the turn */
 };
-struct turn free_turn(struct kit *kit, double w, double h, int64_t steps);
+struct turn vti_kit_free_turn(struct kit *kit, double w, double h, int64_t steps);
 /** The sentence where attitudes do not follow spins. */
-void say_side(struct kit *kit, const struct turn *turn, double should_be);
+void vti_kit_say_side(struct kit *kit, const struct turn *turn, double should_be);
 
 /* ---- euler.c ----------------------------------------------------------------------------------------------------- */
 
@@ -125,66 +125,67 @@ struct top {
     double q[4], L[3], I[3], moment[3], arm[3];
 };
 /** The usual one: turned, spinning, free. */
-struct top top_usual(void);
+struct top vti_kit_top_usual(void);
 /** The body after a time t, by Euler's equations with g times their gyroscopic term. */
-struct top top_moved(const struct top *start, double g, double t);
+struct top vti_kit_top_moved(const struct top *start, double g, double t);
 /** The body after so many steps of the host; NaN if it refuses. */
-struct top top_hosted(struct kit *kit, const struct top *start, double h, int64_t steps);
+struct top vti_kit_top_hosted(struct kit *kit, const struct top *start, double h, int64_t steps);
 /** The angle between two attitudes; NaN if one is. */
-double top_turned(const struct top *a, const struct top *b);
+double vti_kit_top_turned(const struct top *a, const struct top *b);
 
 /* ---- ratios.c ---------------------------------------------------------------------------------------------------- */
 
 /** Whether two ratios are one: to 1e-4. */
-int same_ratio(double a, double b);
+int vti_kit_same_ratio(double a, double b);
 /** Whether a ratio is not 1: to 1e-4. */
-int ratio_is_off(double ratio);
+int vti_kit_ratio_is_off(double ratio);
 /** The sentences on constants that are off. */
-void say_ratios(struct kit *kit, const struct constants *c);
+void vti_kit_say_ratios(struct kit *kit, const struct constants *c);
 
 /* ---- scenes.c ---------------------------------------------------------------------------------------------------- */
 
 /** The paper's pendulum: m g = J = 1, turned by 3 pi/4, spinning slowly. */
-struct bodies scene_pendulum(struct field *field);
+struct bodies vti_kit_scene_pendulum(struct field *field);
 /** Two bonded bodies that turn steadily like a rigid one, the bond stretched as the centripetal force demands. *r is the
  *  distance. */
-struct bodies scene_rigid(struct field *field, double *r);
+struct bodies vti_kit_scene_rigid(struct field *field, double *r);
 /** Two unlike bodies held by the axial spring alone, at a distance of 1.3 and going round each other: nothing turns. */
-struct bodies scene_spring(struct field *field);
+struct bodies vti_kit_scene_spring(struct field *field);
 /** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning; where only translation is looked at,
- *  scene_spring. */
-struct bodies scene_bonded(const struct kit *kit, struct field *field);
+ *  vti_kit_scene_spring. */
+struct bodies vti_kit_scene_bonded(const struct kit *kit, struct field *field);
 /** Two bodies on a spring along x, stretched by 1e-3; oscillates by the frequency 1. */
-struct bodies scene_stretch(struct field *field);
+struct bodies vti_kit_scene_stretch(struct field *field);
 /** Two bodies on a torsion spring about z, twisted by 1e-3; oscillates by the frequency 1. */
-struct bodies scene_torsion(struct field *field);
+struct bodies vti_kit_scene_torsion(struct field *field);
 
 /* ---- words.c ----------------------------------------------------------------------------------------------------- */
 
 /** A line: measured at most (relation -1) or at least (+1) bound, or else the verdict is otherwise. Returns the
  *  line. */
-vti_check_line *kit_line(struct kit *kit, const char *name, double measured, int relation, double bound, int otherwise);
+vti_check_line *vti_kit_line(struct kit *kit, const char *name, double measured, int relation, double bound,
+                             int otherwise);
 /** What a line says besides. */
-void line_say(vti_check_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void vti_kit_line_say(vti_check_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** A sentence, once. */
-void kit_fault(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void kit_remark(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void vti_kit_fault(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void vti_kit_remark(struct kit *kit, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* ---- the checks, in their order ---------------------------------------------------------------------------------- */
 
-void check_constants(
+void vti_kit_constants(
     struct kit *kit); /* constants.c: ratios of distance, turn and kicks, which are corrected from there on */
-void check_spin(struct kit *kit);     /* spin.c: law, half turns, norm */
-void check_response(struct kit *kit); /* response.c: what constant and growing loads do */
-void check_frame(struct kit *kit);    /* frame.c: a load on a body that is turned */
-void check_pendulum(struct kit *kit); /* motion.c */
-void check_torsion(struct kit *kit);  /* motion.c; translation only: of a stretched pair */
-void check_rigid(struct kit *kit);    /* motion.c */
-void check_order(struct kit *kit);    /* motion.c */
-void check_momentum(struct kit *kit); /* structure.c */
-void check_reversal(struct kit *kit); /* structure.c */
-void check_two_form(struct kit *kit); /* two_form.c */
-void check_energy(struct kit *kit);   /* structure.c */
-void check_inertia(struct kit *kit);  /* inertia.c: instead of all others, of bodies of three moments */
+void vti_kit_spin(struct kit *kit);     /* spin.c: law, half turns, norm */
+void vti_kit_response(struct kit *kit); /* response.c: what constant and growing loads do */
+void vti_kit_frame(struct kit *kit);    /* frame.c: a load on a body that is turned */
+void vti_kit_pendulum(struct kit *kit); /* motion.c */
+void vti_kit_torsion(struct kit *kit);  /* motion.c; translation only: of a stretched pair */
+void vti_kit_rigid(struct kit *kit);    /* motion.c */
+void vti_kit_order(struct kit *kit);    /* motion.c */
+void vti_kit_momentum(struct kit *kit); /* structure.c */
+void vti_kit_reversal(struct kit *kit); /* structure.c */
+void vti_kit_two_form(struct kit *kit); /* two_form.c */
+void vti_kit_energy(struct kit *kit);   /* structure.c */
+void vti_kit_inertia(struct kit *kit);  /* inertia.c: instead of all others, of bodies of three moments */
 
 #endif

@@ -20,7 +20,7 @@ static const double masses[VTI_CHECK_BODIES] = {1.3, 2.5, 1.7, 0.6}, inertias[VT
 
 static void ratio_line(struct kit *kit, const char *name, double ratio)
 {
-    line_say(kit_line(kit, name, fabs(ratio - 1.0), -1, 1e-4, VTI_CHECK_FAIL), "%.6g times", ratio);
+    vti_kit_line_say(vti_kit_line(kit, name, fabs(ratio - 1.0), -1, 1e-4, VTI_CHECK_FAIL), "%.6g times", ratio);
 }
 
 /* ---- free motion ------------------------------------------------------------------------------------------------- */
@@ -50,9 +50,9 @@ static struct free_ratios flight(struct kit *kit, double step, double *fall)
     static const struct field none;
     struct free_motion m;
     for (int k = 0; k < 2; ++k) {
-        struct bodies b = bodies_none(2);
+        struct bodies b = vti_kit_bodies_none(2);
         memcpy(b.v + 3, axis, sizeof axis);
-        host_advance(&kit->host, &b, &none, step, (k + 1) * STEPS);
+        vti_kit_host_advance(&kit->host, &b, &none, step, (k + 1) * STEPS);
         m.path[k] = vti_dot(b.x + 3, axis);
         m.left[k] = vti_dot(b.v + 3, axis);
         *fall = vti_norm(b.v) / (STEPS * step * (k + 1));
@@ -64,7 +64,7 @@ static struct free_ratios spin(struct kit *kit, double step, struct turn *last)
 {
     struct free_motion m;
     for (int k = 0; k < 2; ++k) {
-        *last = free_turn(kit, tiny, step, (k + 1) * STEPS);
+        *last = vti_kit_free_turn(kit, tiny, step, (k + 1) * STEPS);
         m.path[k] = last->angle / tiny;
         m.left[k] = last->spin / tiny;
     }
@@ -99,10 +99,10 @@ static void kicks(struct kit *kit, double push[VTI_CHECK_BODIES], double twist[V
     field.effect.apply = constant;
     field.count = 1;
     for (int k = 0; k < 2; ++k) {
-        b[k] = bodies_none(VTI_CHECK_BODIES);
+        b[k] = vti_kit_bodies_none(VTI_CHECK_BODIES);
         memcpy(b[k].mass, masses, sizeof masses);
         memcpy(b[k].inertia, inertias, sizeof inertias);
-        host_advance(&kit->host, &b[k], &field, h, (k + 1) * STEPS);
+        vti_kit_host_advance(&kit->host, &b[k], &field, h, (k + 1) * STEPS);
     }
     *aside = 0.0;
     for (int i = 0; i < VTI_CHECK_BODIES; ++i) {
@@ -128,9 +128,9 @@ static struct kick kick_of(const double size[VTI_CHECK_BODIES], const double *ow
     for (; !is_nothing && kick.law < KICK_LAWS; ++kick.law) {
         int same = 1;
         kick.ratio = 1.0;
-        const double first = size[0] / kick_size(&kick, own[0], other[0]);
+        const double first = size[0] / vti_kit_kick_size(&kick, own[0], other[0]);
         for (int i = 1; i < VTI_CHECK_BODIES; ++i)
-            same = same && same_ratio(size[i] / kick_size(&kick, own[i], other[i]), first);
+            same = same && vti_kit_same_ratio(size[i] / vti_kit_kick_size(&kick, own[i], other[i]), first);
         kick.ratio = first;
         if (same)
             return kick;
@@ -147,13 +147,13 @@ static void say_lead(struct kit *kit, double flight_lead, double turn_lead)
     const int is_one = fabs(fabs(flight_lead) - 1.0) < 1e-3 && (!kit->rotates || fabs(turn_lead - flight_lead) < 1e-3);
     if (is_one) {
         kit->host.constants.extra_steps = flight_lead > 0.0 ? 1 : -1;
-        kit_fault(kit, "the host takes one step too %s", flight_lead > 0.0 ? "many" : "few");
+        vti_kit_fault(kit, "the host takes one step too %s", flight_lead > 0.0 ? "many" : "few");
         return;
     }
     if (masks(kit, fabs(flight_lead) > 1e-3))
-        kit_fault(kit, "positions of a free flight are %+.2g steps ahead", flight_lead);
+        vti_kit_fault(kit, "positions of a free flight are %+.2g steps ahead", flight_lead);
     if (masks(kit, kit->rotates && fabs(turn_lead) > 1e-3))
-        kit_fault(kit, "attitudes of a free spin are %+.2g steps ahead", turn_lead);
+        vti_kit_fault(kit, "attitudes of a free spin are %+.2g steps ahead", turn_lead);
 }
 
 /** What makes ratios of kicks meaningless. */
@@ -161,17 +161,18 @@ static void say_free(struct kit *kit, const struct free_ratios *fly, const struc
 {
     double again;
     if (masks(kit, fall > 1e-9)) {
-        kit_fault(kit, "a free body at rest gains a velocity of %.3g per unit of time: is gravity on?", fall);
+        vti_kit_fault(kit, "a free body at rest gains a velocity of %.3g per unit of time: is gravity on?", fall);
         return;
     }
     if (masks(kit, fabs(fly->decay) > 1e-8))
-        kit_fault(kit, "a free velocity loses %.2g of itself in every step: damping?", fly->decay);
+        vti_kit_fault(kit, "a free velocity loses %.2g of itself in every step: damping?", fly->decay);
     if (masks(kit, kit->rotates && fabs(turn->decay) > 1e-8))
-        kit_fault(kit, "a free spin loses %.2g of itself in every step: damping?", turn->decay);
+        vti_kit_fault(kit, "a free spin loses %.2g of itself in every step: damping?", turn->decay);
     if (kit->masked)
         return;
-    if (ratio_is_off(fly->ratio) && masks(kit, same_ratio(flight(kit, 0.5 * h, &again).ratio, 2.0 * fly->ratio)))
-        kit_fault(kit, "the host takes steps of h = %.5g, whatever it is asked for", fly->ratio * h);
+    if (vti_kit_ratio_is_off(fly->ratio) &&
+        masks(kit, vti_kit_same_ratio(flight(kit, 0.5 * h, &again).ratio, 2.0 * fly->ratio)))
+        vti_kit_fault(kit, "the host takes steps of h = %.5g, whatever it is asked for", fly->ratio * h);
     else
         say_lead(kit, fly->lead, turn->lead);
 }
@@ -193,7 +194,7 @@ static void check_free(struct kit *kit)
     ratio_line(kit, "free flight: distance, off by", fly.ratio);
     if (kit->rotates) {
         ratio_line(kit, "free spin: angle, off by", turn.ratio);
-        say_side(kit, &turned, 2.0 * tiny);
+        vti_kit_say_side(kit, &turned, 2.0 * tiny);
     }
     if (turned.across > 1e-6 * tiny) /* no turn about omega, and no number for it */
         turn.ratio = NAN, turn.lead = 0.0;
@@ -211,21 +212,21 @@ static void check_kicks(struct kit *kit)
     if (kit->rotates)
         ratio_line(kit, "moment: size of its kicks, off by", twist[0]);
     if (!kit->masked && masks(kit, aside > 1e-3))
-        kit_fault(kit, "%s", "the kick by a force has another direction than the force");
+        vti_kit_fault(kit, "%s", "the kick by a force has another direction than the force");
     if (masks(kit, isnan(push[0]) || isnan(twist[0])))
         return;
     c->force = kick_of(push, masses, inertias);
     c->moment = kick_of(twist, inertias, masses);
 }
 
-void check_constants(struct kit *kit)
+void vti_kit_constants(struct kit *kit)
 {
     struct constants *c = &kit->host.constants;
     check_free(kit);
     check_kicks(kit);
     if (kit->masked)
         return;
-    say_ratios(kit, c);
+    vti_kit_say_ratios(kit, c);
     c->force.ratio = corrected(c->force.ratio);
     c->moment.ratio = corrected(c->moment.ratio);
 }

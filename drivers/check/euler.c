@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-struct top top_usual(void)
+struct top vti_kit_top_usual(void)
 {
     static const double turned[3] = {0.6, -0.5, 0.7};
     struct top b = {.L = {0.9, 1.4, -1.1}, .I = {1.0, 1.7, 2.3}};
@@ -56,7 +56,7 @@ static void add(const double *y, double t, const double *rate, double *r)
         r[k] = y[k] + t * rate[k];
 }
 
-struct top top_moved(const struct top *start, double g, double t)
+struct top vti_kit_top_moved(const struct top *start, double g, double t)
 {
     enum { STEPS = 2000 };
     struct top b = *start;
@@ -96,7 +96,7 @@ static void answer(void *kit, int64_t n, const double *x, const double *quat, do
         moment_on(b, quat, moment);
 }
 
-struct top top_hosted(struct kit *kit, const struct top *start, double h, int64_t steps)
+struct top vti_kit_top_hosted(struct kit *kit, const struct top *start, double h, int64_t steps)
 {
     struct top b = *start, asked = *start;
     double x[3] = {0.0, 0.0, 0.0}, v[3] = {0.0, 0.0, 0.0}, mass = 1.0, sum = 0.0;
@@ -110,7 +110,7 @@ struct top top_hosted(struct kit *kit, const struct top *start, double h, int64_
     return b;
 }
 
-double top_turned(const struct top *a, const struct top *b)
+double vti_kit_top_turned(const struct top *a, const struct top *b)
 {
     return isfinite(a->q[0]) && isfinite(b->q[0]) ? vti_pair_distance(a->q, b->q) : NAN;
 }

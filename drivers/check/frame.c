@@ -49,26 +49,26 @@ static int judge(struct kit *kit, const struct sentences *say, const double kick
     const double in_space = size > 0.0 ? off(k, load) : NAN;
     vti_rrv_rotate(alpha, load, turned);
     vti_rrv_rotate_back(alpha, load, back);
-    kit_line(kit, say->line, in_space, -1, 1e-3, VTI_CHECK_FAIL);
+    vti_kit_line(kit, say->line, in_space, -1, 1e-3, VTI_CHECK_FAIL);
     if (!(in_space > 1e-3))
         return 0;
     if (!kit->masked)
-        kit_fault(kit, "%s", off(k, turned) < 1e-3 ? say->turned : off(k, back) < 1e-3 ? say->back : say->other);
+        vti_kit_fault(kit, "%s", off(k, turned) < 1e-3 ? say->turned : off(k, back) < 1e-3 ? say->back : say->other);
     return 1;
 }
 
-void check_frame(struct kit *kit)
+void vti_kit_frame(struct kit *kit)
 {
     enum { STEPS = 2 };
     struct field field;
-    struct bodies b = bodies_none(1);
+    struct bodies b = vti_kit_bodies_none(1);
     double alpha[3];
     memset(&field, 0, sizeof field);
     field.effect.apply = constant;
     field.count = 1;
     vti_rrv_from_rotvec(start_turn, alpha);
-    bodies_set_alpha(&b, 0, alpha);
-    host_advance(&kit->host, &b, &field, 0.1, STEPS);
+    vti_kit_bodies_set_alpha(&b, 0, alpha);
+    vti_kit_host_advance(&kit->host, &b, &field, 0.1, STEPS);
     judge(kit, &of_force, b.v, alpha);
     if (judge(kit, &of_moment, b.w, alpha))
         kit->attitude_lost = 1;

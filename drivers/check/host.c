@@ -28,7 +28,7 @@ static void scale(double *a, int64_t n, double by)
         a[k] *= by;
 }
 
-double kick_size(const struct kick *kick, double own, double other)
+double vti_kit_kick_size(const struct kick *kick, double own, double other)
 {
     const double by = kick->law == KICK_UNDIVIDED ? own : kick->law == KICK_BY_OTHER ? own / other : 1.0;
     return kick->ratio * by;
@@ -51,19 +51,19 @@ static void kit_forces(void *kit, int64_t n, const double *x, const double *q, d
     }
     if (host->calls++ == 0)
         host->primed = is_start(host->start, x, q);
-    bodies_forces(host->field, n, x, q, force, moment);
+    vti_kit_bodies_forces(host->field, n, x, q, force, moment);
     for (int64_t i = 0; i < n; ++i) {
         const double m = host->start->mass[i], j = host->start->inertia[i];
-        scale(force + 3 * i, 3, 1.0 / (divisor(c->flight) * divisor(kick_size(&c->force, m, j))));
-        scale(moment + 3 * i, 3, 1.0 / (divisor(c->turn) * divisor(kick_size(&c->moment, j, m))));
+        scale(force + 3 * i, 3, 1.0 / (divisor(c->flight) * divisor(vti_kit_kick_size(&c->force, m, j))));
+        scale(moment + 3 * i, 3, 1.0 / (divisor(c->turn) * divisor(vti_kit_kick_size(&c->moment, j, m))));
     }
 }
 
-void host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps)
+void vti_kit_host_advance(struct host *host, struct bodies *b, const struct field *field, double h, int64_t steps)
 {
     const struct bodies start = *b;
     const double flight = divisor(host->constants.flight), turn = divisor(host->constants.turn);
-    if (!bodies_are_finite(b))
+    if (!vti_kit_bodies_are_finite(b))
         return;
     host->field = field;
     host->start = &start;
@@ -76,6 +76,6 @@ void host_advance(struct host *host, struct bodies *b, const struct field *field
     host->start = NULL;
     scale(b->v, 3 * b->n, flight);
     scale(b->w, 3 * b->n, turn);
-    if (status != 0 || !bodies_are_finite(b))
-        bodies_lose(b);
+    if (status != 0 || !vti_kit_bodies_are_finite(b))
+        vti_kit_bodies_lose(b);
 }

@@ -67,7 +67,7 @@ static void check_rate(struct kit *kit)
 {
     const double h = 0x1p-12;
     const int steps = 4;
-    const struct top start = top_usual(), end = top_hosted(kit, &start, h, steps);
+    const struct top start = vti_kit_top_usual(), end = vti_kit_top_hosted(kit, &start, h, steps);
     const double k[3] = {1.0 / start.I[0], 1.0 / start.I[1], 1.0 / start.I[2]};
     double should[3], found[3] = {NAN, NAN, NAN}, a[3], b[3];
     tilted(&start, 1, k, -1, should);
@@ -80,16 +80,16 @@ static void check_rate(struct kit *kit)
             found[n] /= h * steps;
     }
     const double off = difference(should, found) / vti_norm(should);
-    kit_line(kit, "general inertia: angular velocity at the start, off by", off, -1, 0.01, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "general inertia: angular velocity at the start, off by", off, -1, 0.01, VTI_CHECK_FAIL);
     if (off <= 0.01)
         return;
     char text[VTI_CHECK_TEXT];
     const char *const says = isfinite(off) ? rate_named(&start, found, text) : NULL;
     kit->attitude_lost = 1;
     if (!isfinite(off))
-        kit_fault(kit, "a free body of three moments is refused, or not finite");
+        vti_kit_fault(kit, "a free body of three moments is refused, or not finite");
     else
-        kit_fault(kit, "%s", says != NULL ? says : "a free body does not turn by R diag(1/A, 1/B, 1/C) R^T L");
+        vti_kit_fault(kit, "%s", says != NULL ? says : "a free body does not turn by R diag(1/A, 1/B, 1/C) R^T L");
 }
 
 /* ---- moments ----------------------------------------------------------------------------------------------------- */
@@ -99,10 +99,10 @@ static void check_kick(struct kit *kit)
 {
     const double h = 0x1p-10, m[3] = {0.4, -0.7, 0.5};
     const int steps = 4;
-    struct top start = top_usual();
+    struct top start = vti_kit_top_usual();
     memset(start.L, 0, sizeof start.L);
     memcpy(start.moment, m, sizeof m);
-    const struct top end = top_hosted(kit, &start, h, steps);
+    const struct top end = vti_kit_top_hosted(kit, &start, h, steps);
     struct top as_momentum = start;
     const double k[3] = {1.0 / start.I[0], 1.0 / start.I[1], 1.0 / start.I[2]};
     double grown[3], body[3], space[3], divided[3], along, rest[3];
@@ -116,25 +116,25 @@ static void check_kick(struct kit *kit)
     vti_pair_rotate(start.q, 1.0, m, space);
     tilted(&as_momentum, 1, k, -1, divided);
     const double size = vti_norm(m), near = 0.005 * size, off = difference(grown, m) / size, half = 0.5 / steps;
-    kit_line(kit, "general inertia: L by a constant moment, off by", off, -1, 0.01, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "general inertia: L by a constant moment, off by", off, -1, 0.01, VTI_CHECK_FAIL);
     if (off <= 0.01 || (!isfinite(off) && kit->report->faults > 0))
         return;
     if (!isfinite(off))
-        kit_fault(kit, "a body of three moments under a moment is refused, or not finite");
+        vti_kit_fault(kit, "a body of three moments under a moment is refused, or not finite");
     else if (difference(grown, body) <= near)
-        kit_fault(kit, "moments are turned into the body's frame while L is spatial");
+        vti_kit_fault(kit, "moments are turned into the body's frame while L is spatial");
     else if (difference(grown, space) <= near)
-        kit_fault(kit, "moments are taken along the body's axes, and are spatial");
+        vti_kit_fault(kit, "moments are taken along the body's axes, and are spatial");
     else if (difference(grown, divided) <= near)
-        kit_fault(kit, "L is kicked by the moment over the inertia, as an angular velocity is");
+        vti_kit_fault(kit, "L is kicked by the moment over the inertia, as an angular velocity is");
     else if (vti_norm(rest) > near)
-        kit_fault(kit, "L does not grow along the moment");
+        vti_kit_fault(kit, "L does not grow along the moment");
     else if (fabs(along - 1.0 + half) <= 0.005 || fabs(along - 1.0 - half) <= 0.005)
-        kit_fault(kit, "L is half a kick %s", along < 1.0 ? "late" : "early");
+        vti_kit_fault(kit, "L is half a kick %s", along < 1.0 ? "late" : "early");
     else if (fabs(along) <= 0.005)
-        kit_fault(kit, "moments do not act");
+        vti_kit_fault(kit, "moments do not act");
     else
-        kit_fault(kit, "L grows by %.4g times the moment", along);
+        vti_kit_fault(kit, "L grows by %.4g times the moment", along);
 }
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */
@@ -143,51 +143,52 @@ static void check_kick(struct kit *kit)
 static void check_gyroscopic(struct kit *kit)
 {
     const double t = 2.0;
-    const struct top start = top_usual(), end = top_hosted(kit, &start, t / 512, 512);
-    const struct top right = top_moved(&start, 1.0, t), without = top_moved(&start, 0.0, t),
-                     against = top_moved(&start, -1.0, t);
-    const double off = top_turned(&right, &end), kept = difference(end.L, start.L) / vti_norm(start.L);
-    kit_line(kit, "general inertia: attitude of a free body, off by", off, -1, 0.02, VTI_CHECK_FAIL);
-    kit_line(kit, "general inertia: L of a free body, changed by", kept, -1, 1e-9, VTI_CHECK_NOTE);
+    const struct top start = vti_kit_top_usual(), end = vti_kit_top_hosted(kit, &start, t / 512, 512);
+    const struct top right = vti_kit_top_moved(&start, 1.0, t), without = vti_kit_top_moved(&start, 0.0, t),
+                     against = vti_kit_top_moved(&start, -1.0, t);
+    const double off = vti_kit_top_turned(&right, &end), kept = difference(end.L, start.L) / vti_norm(start.L);
+    vti_kit_line(kit, "general inertia: attitude of a free body, off by", off, -1, 0.02, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "general inertia: L of a free body, changed by", kept, -1, 1e-9, VTI_CHECK_NOTE);
     if (off <= 0.02 || kit->attitude_lost)
         return;
-    if (top_turned(&without, &end) < 0.2 * off)
-        kit_fault(kit, "the gyroscopic term w x J w is missing: a free body turns about a fixed axis");
-    else if (top_turned(&against, &end) < 0.2 * off)
-        kit_fault(kit, "the gyroscopic term w x J w has the wrong sign");
+    if (vti_kit_top_turned(&without, &end) < 0.2 * off)
+        vti_kit_fault(kit, "the gyroscopic term w x J w is missing: a free body turns about a fixed axis");
+    else if (vti_kit_top_turned(&against, &end) < 0.2 * off)
+        vti_kit_fault(kit, "the gyroscopic term w x J w has the wrong sign");
 }
 
 /** How the error falls at each halving of the step. */
 static double order_of(struct kit *kit, const struct top *start, double t)
 {
-    const struct top right = top_moved(start, 1.0, t);
+    const struct top right = vti_kit_top_moved(start, 1.0, t);
     double error[2];
     for (int k = 0; k < 2; ++k) {
         const int64_t steps = 256 << k;
-        const struct top end = top_hosted(kit, start, t / (double)steps, steps);
-        error[k] = top_turned(&right, &end);
+        const struct top end = vti_kit_top_hosted(kit, start, t / (double)steps, steps);
+        error[k] = vti_kit_top_turned(&right, &end);
     }
     return error[1] <= 1e-10 ? 9.0 : log2(error[0] / error[1]); /* beyond what the reference tells */
 }
 
 static void check_orders(struct kit *kit)
 {
-    struct top top = top_usual();
+    struct top top = vti_kit_top_usual();
     const struct top body = top;
     top.arm[0] = 0.3;
     top.arm[1] = 0.2;
     top.arm[2] = 0.9;
     const double flight = order_of(kit, &body, 2.0), fall = order_of(kit, &top, 2.0);
-    kit_line(kit, "general inertia: order of a free body", flight, 1, 1.8, VTI_CHECK_FAIL);
-    kit_line(kit, "general inertia: order of a heavy top", fall, 1, 1.8, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "general inertia: order of a free body", flight, 1, 1.8, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "general inertia: order of a heavy top", fall, 1, 1.8, VTI_CHECK_FAIL);
     if (kit->report->faults > 0 || (flight >= 1.8 && fall >= 1.8))
         return;
     if (flight > 0.6 && flight < 1.8)
-        kit_fault(kit, "order %.1f of a free body: a step's whole turn goes by the axes of its start?", flight);
+        vti_kit_fault(kit, "order %.1f of a free body: a step's whole turn goes by the axes of its start?", flight);
     else if (fall > 0.6 && flight >= 1.8)
-        kit_fault(kit, "order %.1f under moments: they are those of the step's start, or L is half a kick off?", fall);
+        vti_kit_fault(kit, "order %.1f under moments: they are those of the step's start, or L is half a kick off?",
+                      fall);
     else
-        kit_fault(kit, "bodies of three moments do not converge, for a reason that is not recognised");
+        vti_kit_fault(kit, "bodies of three moments do not converge, for a reason that is not recognised");
 }
 
 /** A slender body at h|Omega| = 0.2, which some schemes that are good elsewhere wind up. */
@@ -203,17 +204,17 @@ static void check_slender(struct kit *kit)
         start.L[k] = slender[k] * w[k];
         energy += slender[k] * w[k] * w[k];
     }
-    const struct top end = top_hosted(kit, &start, 0.2, 4000);
+    const struct top end = vti_kit_top_hosted(kit, &start, 0.2, 4000);
     vti_pair_rotate(end.q, -1.0, end.L, p);
     for (int k = 0; k < 3; ++k)
         later += p[k] * p[k] / slender[k];
     const double off = fabs(later / energy - 1.0);
-    kit_line(kit, "general inertia: energy of a slender body, 4000 steps", off, -1, 0.1, VTI_CHECK_NOTE);
+    vti_kit_line(kit, "general inertia: energy of a slender body, 4000 steps", off, -1, 0.1, VTI_CHECK_NOTE);
     if (!(off <= 0.1) && kit->report->faults == 0)
-        kit_remark(kit, "the energy of a slender body (1.7231, 0.0658, 1.7243) grows at h|Omega| = 0.2");
+        vti_kit_remark(kit, "the energy of a slender body (1.7231, 0.0658, 1.7243) grows at h|Omega| = 0.2");
 }
 
-void check_inertia(struct kit *kit)
+void vti_kit_inertia(struct kit *kit)
 {
     check_rate(kit);
     check_kick(kit);

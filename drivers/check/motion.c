@@ -8,15 +8,15 @@
 
 /** The paper's pendulum to t = 10. Steppers of order 2 are off by some 1e-3 at most at h = 1/64, those of order 1 by
  *  more. */
-void check_pendulum(struct kit *kit)
+void vti_kit_pendulum(struct kit *kit)
 {
     enum { STEPS = 640, FINER = 16 };
     struct field field;
-    struct bodies b = scene_pendulum(&field), reference = b;
-    host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
-    bodies_advance_reference(&reference, &field, 1.0 / (64.0 * FINER), (int64_t)STEPS * FINER);
-    kit_line(kit, "pendulum: attitude at t = 10 with h = 1/64, off by", bodies_apart(&b, &reference).attitude, -1, 2e-3,
-             VTI_CHECK_FAIL);
+    struct bodies b = vti_kit_scene_pendulum(&field), reference = b;
+    vti_kit_host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
+    vti_kit_bodies_advance_reference(&reference, &field, 1.0 / (64.0 * FINER), (int64_t)STEPS * FINER);
+    vti_kit_line(kit, "pendulum: attitude at t = 10 with h = 1/64, off by",
+                 vti_kit_bodies_apart(&b, &reference).attitude, -1, 2e-3, VTI_CHECK_FAIL);
 }
 
 /* ---- torsion pair ------------------------------------------------------------------------------------------------ */
@@ -27,10 +27,10 @@ static void twist_of(const struct bodies *b, double *twist, double *rate)
     const double amplitude = 1e-3;
     double p[3], q[3], r[3];
     *twist = *rate = NAN;
-    if (!bodies_are_finite(b))
+    if (!vti_kit_bodies_are_finite(b))
         return;
-    bodies_alpha(b, 0, p);
-    bodies_alpha(b, 1, q);
+    vti_kit_bodies_alpha(b, 0, p);
+    vti_kit_bodies_alpha(b, 1, q);
     vti_rrv_relative(p, q, r);
     *twist = r[2] / amplitude;
     *rate = (b->w[2] - b->w[5]) / amplitude;
@@ -52,9 +52,10 @@ struct oscillator {
     const char *frequency, *amplitude;
 };
 
-static const struct oscillator torsion = {scene_torsion, twist_of, "torsion pair: frequency at h omega = 0.2, off by",
+static const struct oscillator torsion = {vti_kit_scene_torsion, twist_of,
+                                          "torsion pair: frequency at h omega = 0.2, off by",
                                           "torsion pair: amplitude bounded to h omega ="};
-static const struct oscillator stretching = {scene_stretch, stretch_of,
+static const struct oscillator stretching = {vti_kit_scene_stretch, stretch_of,
                                              "stretched pair: frequency at h omega = 0.2, off by",
                                              "stretched pair: amplitude bounded to h omega ="};
 
@@ -69,7 +70,7 @@ static void swing_to(struct kit *kit, double h, int64_t steps, double *size, dou
     struct field field;
     const struct oscillator *o = oscillator_of(kit);
     struct bodies b = o->scene(&field);
-    host_advance(&kit->host, &b, &field, h, steps);
+    vti_kit_host_advance(&kit->host, &b, &field, h, steps);
     o->state(&b, size, rate);
 }
 
@@ -96,7 +97,7 @@ static double stable_to(struct kit *kit)
 }
 
 /** theta = cos t; 20 periods at h = 0.2, so that Verlet's frequency is off by h^2/24 = 1.7e-3. */
-void check_torsion(struct kit *kit)
+void vti_kit_torsion(struct kit *kit)
 {
     enum { STEPS = 628 };
     const double h = 0.2, t = h * STEPS;
@@ -104,32 +105,32 @@ void check_torsion(struct kit *kit)
     swing_to(kit, h, STEPS, &twist, &rate);
     const double phase = atan2(-rate, twist) - t;
     const double off = fabs(remainder(phase, 2.0 * CHECK_PI)) / t;
-    kit_line(kit, oscillator_of(kit)->frequency, off, -1, 4e-3, VTI_CHECK_FAIL);
-    kit_line(kit, oscillator_of(kit)->amplitude, stable_to(kit), 1, 0.5, VTI_CHECK_FAIL);
+    vti_kit_line(kit, oscillator_of(kit)->frequency, off, -1, 4e-3, VTI_CHECK_FAIL);
+    vti_kit_line(kit, oscillator_of(kit)->amplitude, stable_to(kit), 1, 0.5, VTI_CHECK_FAIL);
 }
 
 /* ---- rigid motion ------------------------------------------------------------------------------------------------ */
 
 /** A bond that turns like a rigid body with its bodies: its length and twist stay as they are, to the order of the
  *  method. */
-void check_rigid(struct kit *kit)
+void vti_kit_rigid(struct kit *kit)
 {
     enum { STEPS = 640 };
     struct field field;
     double r, p[3], q[3], worst = NAN;
-    struct bodies b = scene_rigid(&field, &r);
-    host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
-    if (bodies_are_finite(&b)) {
+    struct bodies b = vti_kit_scene_rigid(&field, &r);
+    vti_kit_host_advance(&kit->host, &b, &field, 1.0 / 64.0, STEPS);
+    if (vti_kit_bodies_are_finite(&b)) {
         const double d[3] = {b.x[3] - b.x[0], b.x[4] - b.x[1], b.x[5] - b.x[2]};
         double along[3];
         const double unit[3] = {r, 0.0, 0.0};
-        bodies_alpha(&b, 0, p);
-        bodies_alpha(&b, 1, q);
+        vti_kit_bodies_alpha(&b, 0, p);
+        vti_kit_bodies_alpha(&b, 1, q);
         vti_rrv_rotate(p, unit, along); /* where the body's own arm now points */
         const double aside[3] = {d[0] - along[0], d[1] - along[1], d[2] - along[2]};
         worst = fmax(vti_norm(aside) / r, vti_rrv_distance(p, q));
     }
-    kit_line(kit, "bonded pair in rigid motion: distortion after t = 10", worst, -1, 2e-3, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "bonded pair in rigid motion: distortion after t = 10", worst, -1, 2e-3, VTI_CHECK_FAIL);
 }
 
 /* ---- order ------------------------------------------------------------------------------------------------------- */
@@ -155,28 +156,28 @@ static double order_of(const double error[LADDER])
 static void order_line(struct kit *kit, const char *name, const double error[LADDER])
 {
     const double order = order_of(error);
-    vti_check_line *line = kit_line(kit, name, order, 1, 1.8, VTI_CHECK_FAIL);
+    vti_check_line *line = vti_kit_line(kit, name, order, 1, 1.8, VTI_CHECK_FAIL);
     line->verdict = order >= 1.8 ? VTI_CHECK_PASS : VTI_CHECK_FAIL;
-    line_say(line, "error %.2e at the smallest step", error[LADDER - 1]);
+    vti_kit_line_say(line, "error %.2e at the smallest step", error[LADDER - 1]);
     kit->order = order < kit->order || isnan(order) ? order : kit->order;
 }
 
 /** The bonded pair to t = 2 by h = 1/32 ... 1/256; positions and velocities, attitudes and spins each for
  *  themselves. */
-void check_order(struct kit *kit)
+void vti_kit_order(struct kit *kit)
 {
     enum { FIRST = 32, T = 2, FINER = 4 };
     struct field field;
-    const struct bodies start = scene_bonded(kit, &field);
+    const struct bodies start = vti_kit_scene_bonded(kit, &field);
     struct bodies reference = start;
     double x[LADDER], v[LADDER], attitude[LADDER], w[LADDER];
     const int64_t finest = (int64_t)FIRST << (LADDER - 1);
-    bodies_advance_reference(&reference, &field, 1.0 / (double)(FINER * finest), T * FINER * finest);
+    vti_kit_bodies_advance_reference(&reference, &field, 1.0 / (double)(FINER * finest), T * FINER * finest);
     for (int k = 0; k < LADDER; ++k) {
         struct bodies b = start;
         const int64_t per_unit = (int64_t)FIRST << k;
-        host_advance(&kit->host, &b, &field, 1.0 / (double)per_unit, T * per_unit);
-        const struct apart d = bodies_apart(&b, &reference);
+        vti_kit_host_advance(&kit->host, &b, &field, 1.0 / (double)per_unit, T * per_unit);
+        const struct apart d = vti_kit_bodies_apart(&b, &reference);
         x[k] = d.x;
         v[k] = d.v;
         attitude[k] = d.attitude;

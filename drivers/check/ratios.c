@@ -44,12 +44,12 @@ static const struct ratio of_step[] = {
     {0.5, ": half of each step?"},
 };
 
-int same_ratio(double a, double b)
+int vti_kit_same_ratio(double a, double b)
 {
     return fabs(a - b) <= 1e-4 * fabs(b);
 }
 
-int ratio_is_off(double ratio)
+int vti_kit_ratio_is_off(double ratio)
 {
     return fabs(ratio - 1.0) > 1e-4;
 }
@@ -57,7 +57,7 @@ int ratio_is_off(double ratio)
 static const char *hint_of(const struct ratio *known, size_t count, double ratio)
 {
     for (size_t k = 0; k < count; ++k)
-        if (same_ratio(ratio, known[k].value))
+        if (vti_kit_same_ratio(ratio, known[k].value))
             return known[k].hint;
     return "";
 }
@@ -68,12 +68,13 @@ static const char *hint_of(const struct ratio *known, size_t count, double ratio
 
 static void say_motion(struct kit *kit, const struct constants *c)
 {
-    if (ratio_is_off(c->flight))
-        kit_fault(kit, "free flight moves by %.5g times what it should", c->flight);
+    if (vti_kit_ratio_is_off(c->flight))
+        vti_kit_fault(kit, "free flight moves by %.5g times what it should", c->flight);
     if (c->turn < 0.0 && !kit->attitude_lost)
-        kit_fault(kit, "bodies turn against their spin");
-    if (ratio_is_off(fabs(c->turn)) && c->turn != 0.0)
-        kit_fault(kit, "a free spin turns by %.5g times what it should%s", fabs(c->turn), HINT(of_turn, fabs(c->turn)));
+        vti_kit_fault(kit, "bodies turn against their spin");
+    if (vti_kit_ratio_is_off(fabs(c->turn)) && c->turn != 0.0)
+        vti_kit_fault(kit, "a free spin turns by %.5g times what it should%s", fabs(c->turn),
+                      HINT(of_turn, fabs(c->turn)));
 }
 
 struct nouns {
@@ -84,7 +85,7 @@ static const struct nouns of_push = {"force", "mass", "inertia"}, of_twist = {"m
 /** Whether a ratio is one of a mistake in the order of a step's parts, not of a constant. */
 static int is_of_steps(double ratio)
 {
-    return same_ratio(ratio, 2.0) || same_ratio(ratio, 0.5);
+    return vti_kit_same_ratio(ratio, 2.0) || vti_kit_same_ratio(ratio, 0.5);
 }
 
 /** All but a constant: what is left is returned as the size of the kick. */
@@ -92,21 +93,21 @@ static double say_kick(struct kit *kit, const struct nouns *of, const struct kic
 {
     const double size = fabs(kick->ratio);
     if (isnan(size)) {
-        kit_fault(kit, "the kick by the %s is not one number times %s/%s", of->load, of->load, of->own);
+        vti_kit_fault(kit, "the kick by the %s is not one number times %s/%s", of->load, of->load, of->own);
         return 1.0;
     }
     if (size == 0.0)
-        kit_fault(kit, "the %s does nothing", of->load);
+        vti_kit_fault(kit, "the %s does nothing", of->load);
     if (kick->law == KICK_UNDIVIDED)
-        kit_fault(kit, "the %s is not divided by the %s", of->load, of->own);
+        vti_kit_fault(kit, "the %s is not divided by the %s", of->load, of->own);
     if (kick->law == KICK_BY_OTHER)
-        kit_fault(kit, "the %s is divided by the %s where the %s is meant", of->load, of->other, of->own);
+        vti_kit_fault(kit, "the %s is divided by the %s where the %s is meant", of->load, of->other, of->own);
     if (kick->ratio < 0.0)
-        kit_fault(kit, "the %s enters with the wrong sign", of->load);
-    if (same_ratio(size, 2.0))
-        kit_fault(kit, "the kick by the %s is applied twice", of->load);
-    if (same_ratio(size, 0.5))
-        kit_fault(kit, "half of the kick by the %s is missing in every step", of->load);
+        vti_kit_fault(kit, "the %s enters with the wrong sign", of->load);
+    if (vti_kit_same_ratio(size, 2.0))
+        vti_kit_fault(kit, "the kick by the %s is applied twice", of->load);
+    if (vti_kit_same_ratio(size, 0.5))
+        vti_kit_fault(kit, "half of the kick by the %s is missing in every step", of->load);
     return size == 0.0 || is_of_steps(size) ? 1.0 : size;
 }
 
@@ -114,19 +115,20 @@ static void say_force(struct kit *kit, double size)
 {
     const double mass = 1.0 / size;
     const char *hint = HINT(of_mass, mass);
-    if (ratio_is_off(size) && hint[0] != '\0')
-        kit_fault(kit, "masses are %.5g times what they should be%s", mass, hint);
-    else if (ratio_is_off(size))
-        kit_fault(kit, "forces are %.5g times what they should be, or masses %.5g times: a unit?", size, mass);
+    if (vti_kit_ratio_is_off(size) && hint[0] != '\0')
+        vti_kit_fault(kit, "masses are %.5g times what they should be%s", mass, hint);
+    else if (vti_kit_ratio_is_off(size))
+        vti_kit_fault(kit, "forces are %.5g times what they should be, or masses %.5g times: a unit?", size, mass);
 }
 
 static void say_inertia(struct kit *kit, double inertia)
 {
     const char *hint = HINT(of_inertia, inertia);
-    if (ratio_is_off(inertia) && hint[0] != '\0')
-        kit_fault(kit, "the inertia is %.5g times what it should be%s", inertia, hint);
-    else if (ratio_is_off(inertia))
-        kit_fault(kit, "the inertia is %.5g times what it should be, or moments %.5g times", inertia, 1.0 / inertia);
+    if (vti_kit_ratio_is_off(inertia) && hint[0] != '\0')
+        vti_kit_fault(kit, "the inertia is %.5g times what it should be%s", inertia, hint);
+    else if (vti_kit_ratio_is_off(inertia))
+        vti_kit_fault(kit, "the inertia is %.5g times what it should be, or moments %.5g times", inertia,
+                      1.0 / inertia);
 }
 
 /** Of sizes of both kicks. What both have in common is that of all loads, unless a known inertia explains the
@@ -134,25 +136,25 @@ static void say_inertia(struct kit *kit, double inertia)
 static void say_constants(struct kit *kit, double force, double moment)
 {
     const int explains = HINT(of_inertia, force / moment)[0] != '\0' && HINT(of_inertia, 1.0 / moment)[0] == '\0';
-    const int is_common = ratio_is_off(force) && (same_ratio(force, moment) || explains);
+    const int is_common = vti_kit_ratio_is_off(force) && (vti_kit_same_ratio(force, moment) || explains);
     const char *hint = HINT(of_mass, 1.0 / force);
     if (!is_common) {
         say_force(kit, force);
         say_inertia(kit, 1.0 / moment);
         return;
     }
-    kit_fault(kit, "forces and moments are %.5g times what they should be, or masses and inertias %.5g times%s", force,
-              1.0 / force, hint[0] != '\0' ? hint : ": a unit?");
+    vti_kit_fault(kit, "forces and moments are %.5g times what they should be, or masses and inertias %.5g times%s",
+                  force, 1.0 / force, hint[0] != '\0' ? hint : ": a unit?");
     say_inertia(kit, force / moment);
 }
 
-void say_ratios(struct kit *kit, const struct constants *c)
+void vti_kit_say_ratios(struct kit *kit, const struct constants *c)
 {
     const double step = c->flight, turn = kit->rotates ? fabs(c->turn) : step;
     const double twist = kit->rotates ? c->moment.ratio : step;
-    if (ratio_is_off(step) && step > 0.0 && same_ratio(turn, step) && same_ratio(c->force.ratio, step) &&
-        same_ratio(twist, step)) {
-        kit_fault(kit, "the time step is %.5g times what it should be%s", step, HINT(of_step, step));
+    if (vti_kit_ratio_is_off(step) && step > 0.0 && vti_kit_same_ratio(turn, step) &&
+        vti_kit_same_ratio(c->force.ratio, step) && vti_kit_same_ratio(twist, step)) {
+        vti_kit_fault(kit, "the time step is %.5g times what it should be%s", step, HINT(of_step, step));
         return;
     }
     say_motion(kit, c);

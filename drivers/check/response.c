@@ -41,13 +41,13 @@ struct response {
 static struct bodies run(struct kit *kit, int grows)
 {
     struct field field = {{0}, {0}, 1};
-    struct bodies b = bodies_none(BODIES);
+    struct bodies b = vti_kit_bodies_none(BODIES);
     field.effect.apply = loads;
     field.effect.self = &grows;
     b.mass[PUSHED] = MASS_PUSHED;
     b.inertia[TWISTED] = INERTIA_TWISTED;
     b.v[3 * CLOCK] = 1.0;
-    host_advance(&kit->host, &b, &field, 1.0 / STEPS, STEPS);
+    vti_kit_host_advance(&kit->host, &b, &field, 1.0 / STEPS, STEPS);
     return b;
 }
 
@@ -105,12 +105,12 @@ static void say_start(struct kit *kit, const struct nouns *of, double e1, int pr
     if (is(e1, 0.0))
         return;
     if (is(e1, -0.5) && !primed)
-        kit_fault(kit, "forces are not primed before the first step");
+        vti_kit_fault(kit, "forces are not primed before the first step");
     else if (is(e1, -0.5))
-        kit_fault(kit, "the half kick by the %s at the start is missing", of->load);
+        vti_kit_fault(kit, "the half kick by the %s at the start is missing", of->load);
     else
-        kit_fault(kit, "at the start the %s kicks too %s, by %.2g of a kick", of->load, e1 < 0.0 ? "little" : "much",
-                  fabs(e1));
+        vti_kit_fault(kit, "at the start the %s kicks too %s, by %.2g of a kick", of->load,
+                      e1 < 0.0 ? "little" : "much", fabs(e1));
 }
 
 /** What leads or lags, and what the energy does for it. */
@@ -120,29 +120,29 @@ static void say_order(struct kit *kit, const struct nouns *of, double e2, double
     if (is(e2, 0.0) && is(e3, 0.0))
         return;
     if (is(e2, 0.5) && is(e3, -0.5))
-        kit_fault(kit, "order 1: %s are half a kick late", of->velocities);
+        vti_kit_fault(kit, "order 1: %s are half a kick late", of->velocities);
     else if (is(e2, -0.5) && is(e3, 0.5))
-        kit_fault(kit, "order 1: %s are half a kick early", of->velocities);
+        vti_kit_fault(kit, "order 1: %s are half a kick early", of->velocities);
     else if (is(e2, -0.5) && is(e3, 0.0))
-        kit_fault(kit, "%s%s", of->drift, energy);
+        vti_kit_fault(kit, "%s%s", of->drift, energy);
     else if (is(e2, 0.5) && is(e3, 0.0))
-        kit_fault(kit, "%s%s", of->new_velocity, energy);
+        vti_kit_fault(kit, "%s%s", of->new_velocity, energy);
     else if (is(e2, -0.5) && is(e3, -0.5))
-        kit_fault(kit, "explicit Euler: %s, and kicks are by the old %s%s", of->drift, of->load, energy);
+        vti_kit_fault(kit, "explicit Euler: %s, and kicks are by the old %s%s", of->drift, of->load, energy);
     else if (is(e2, 0.5) && is(e3, 0.5))
-        kit_fault(kit, "implicit Euler: %s, and kicks are by the new %s%s", of->new_velocity, of->load, energy);
+        vti_kit_fault(kit, "implicit Euler: %s, and kicks are by the new %s%s", of->new_velocity, of->load, energy);
     else if (is(e2, 0.0) && is(e3, -0.5))
-        kit_fault(kit, "%s are kicked by the %s of the previous step%s", of->velocities, of->load, energy);
+        vti_kit_fault(kit, "%s are kicked by the %s of the previous step%s", of->velocities, of->load, energy);
     else if (is(e2, 0.0) && e3 < 0.0)
-        kit_fault(kit, "%s are kicked by a %s that is %.1f steps old%s", of->velocities, of->load, -e3, energy);
+        vti_kit_fault(kit, "%s are kicked by a %s that is %.1f steps old%s", of->velocities, of->load, -e3, energy);
     else
-        kit_fault(kit, "by the %s, %s lead by %+.2g steps and %s by %+.2g%s", of->load, of->places, e2, of->velocities,
-                  e3, energy);
+        vti_kit_fault(kit, "by the %s, %s lead by %+.2g steps and %s by %+.2g%s", of->load, of->places, e2,
+                      of->velocities, e3, energy);
 }
 
 static void signed_line(struct kit *kit, const char *name, double e)
 {
-    line_say(kit_line(kit, name, fabs(e), -1, 0.01, VTI_CHECK_FAIL), "%+.3f", fabs(e) < 5e-4 ? 0.0 : e);
+    vti_kit_line_say(vti_kit_line(kit, name, fabs(e), -1, 0.01, VTI_CHECK_FAIL), "%+.3f", fabs(e) < 5e-4 ? 0.0 : e);
 }
 
 /** kick: how the load kicks, moves: how the velocity moves; nothing comes of a load where either is 0. */
@@ -158,12 +158,12 @@ static void judge(struct kit *kit, const struct nouns *of, const struct response
         return;
     say_start(kit, of, e1, r->primed);
     if (r->calls <= 1)
-        kit_fault(kit, "forces are evaluated once, at the start, and never again");
+        vti_kit_fault(kit, "forces are evaluated once, at the start, and never again");
     else
         say_order(kit, of, e2, e3);
 }
 
-void check_response(struct kit *kit)
+void vti_kit_response(struct kit *kit)
 {
     struct response push, twist;
     const struct constants *c = &kit->host.constants;

@@ -9,9 +9,9 @@ static void say_order(struct kit *kit)
     if (kit->report->faults > 0 || kit->order >= 1.8)
         return;
     if (kit->order > 0.6)
-        kit_fault(kit, "order %.1f, for a reason that is not recognised", kit->order);
+        vti_kit_fault(kit, "order %.1f, for a reason that is not recognised", kit->order);
     else
-        kit_fault(kit, "does not converge, for a reason that is not recognised");
+        vti_kit_fault(kit, "does not converge, for a reason that is not recognised");
 }
 
 /** Is there a failed line that no sentence explains? */
@@ -20,7 +20,7 @@ static void say_rest(struct kit *kit)
     const vti_check_report *r = kit->report;
     for (int k = 0; k < r->lines && r->faults == 0; ++k)
         if (r->line[k].verdict == VTI_CHECK_FAIL)
-            kit_fault(kit, "fails: %s", r->line[k].name);
+            vti_kit_fault(kit, "fails: %s", r->line[k].name);
 }
 
 static struct kit kit_of(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)
@@ -40,26 +40,26 @@ static int check_all(const char *name, vti_check_advance *advance, void *self, i
     struct kit kit = kit_of(name, advance, self, report);
     kit.rotates = rotates;
     kit.host.constants = (struct constants){1.0, 1.0, {KICK_RIGHT, 1.0}, {KICK_RIGHT, 1.0}, 0};
-    check_constants(&kit);
+    vti_kit_constants(&kit);
     if (rotates)
-        check_spin(&kit);
-    check_response(&kit);
+        vti_kit_spin(&kit);
+    vti_kit_response(&kit);
     if (rotates) {
-        check_frame(&kit);
-        check_pendulum(&kit);
+        vti_kit_frame(&kit);
+        vti_kit_pendulum(&kit);
     }
-    check_torsion(&kit);
+    vti_kit_torsion(&kit);
     if (rotates)
-        check_rigid(&kit);
-    check_order(&kit);
-    check_momentum(&kit);
-    check_reversal(&kit);
-    check_two_form(&kit);
-    check_energy(&kit);
+        vti_kit_rigid(&kit);
+    vti_kit_order(&kit);
+    vti_kit_momentum(&kit);
+    vti_kit_reversal(&kit);
+    vti_kit_two_form(&kit);
+    vti_kit_energy(&kit);
     say_order(&kit);
     say_rest(&kit);
     if (!rotates)
-        kit_remark(&kit, "translation only: rotation is not looked at");
+        vti_kit_remark(&kit, "translation only: rotation is not looked at");
     return report->faults;
 }
 
@@ -76,7 +76,7 @@ int vti_check_run_translation(const char *name, vti_check_advance *advance, void
 int vti_check_run_inertia(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)
 {
     struct kit kit = kit_of(name, advance, self, report);
-    check_inertia(&kit);
+    vti_kit_inertia(&kit);
     say_rest(&kit);
     return report->faults;
 }

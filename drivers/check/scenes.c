@@ -38,12 +38,12 @@ static void turn(struct bodies *b, int64_t i, double x, double y, double z)
     const double rotvec[3] = {x, y, z};
     double alpha[3];
     vti_rrv_from_rotvec(rotvec, alpha);
-    bodies_set_alpha(b, i, alpha);
+    vti_kit_bodies_set_alpha(b, i, alpha);
 }
 
-struct bodies scene_pendulum(struct field *field)
+struct bodies vti_kit_scene_pendulum(struct field *field)
 {
-    struct bodies b = bodies_none(1);
+    struct bodies b = vti_kit_bodies_none(1);
     memset(field, 0, sizeof *field);
     field->effect = vti_pendulum_effect(&paper);
     field->count = 1;
@@ -55,7 +55,7 @@ struct bodies scene_pendulum(struct field *field)
 /** Two unlike bodies, bonded (moment, axial, shear), strained, moving and spinning. */
 static struct bodies scene_pair(struct field *field)
 {
-    struct bodies b = bodies_none(2);
+    struct bodies b = vti_kit_bodies_none(2);
     bond(field, 0);
     b.mass[0] = 1.0;
     b.mass[1] = 1.5;
@@ -80,9 +80,9 @@ static void spring(struct field *field, const double *stiffness)
     field->effect = vti_bonds_effect(&field->bonds);
 }
 
-struct bodies scene_spring(struct field *field)
+struct bodies vti_kit_scene_spring(struct field *field)
 {
-    struct bodies b = bodies_none(2);
+    struct bodies b = vti_kit_bodies_none(2);
     spring(field, &stiff_spring);
     b.mass[1] = 1.5;
     set(b.x + 3, 1.3, 0.0, 0.0);
@@ -91,15 +91,15 @@ struct bodies scene_spring(struct field *field)
     return b;
 }
 
-struct bodies scene_bonded(const struct kit *kit, struct field *field)
+struct bodies vti_kit_scene_bonded(const struct kit *kit, struct field *field)
 {
-    return kit->rotates ? scene_pair(field) : scene_spring(field);
+    return kit->rotates ? scene_pair(field) : vti_kit_scene_spring(field);
 }
 
 /** m r'' = -2 K/L0 (r/L0 - 1) for the distance r of two like bodies, m = L0 = 1. */
-struct bodies scene_stretch(struct field *field)
+struct bodies vti_kit_scene_stretch(struct field *field)
 {
-    struct bodies b = bodies_none(2);
+    struct bodies b = vti_kit_bodies_none(2);
     spring(field, &stiff_stretch);
     set(b.x, -0.5e-3, 0.0, 0.0);
     set(b.x + 3, 1.0 + 0.5e-3, 0.0, 0.0);
@@ -107,10 +107,10 @@ struct bodies scene_stretch(struct field *field)
 }
 
 /** m W^2 r/2 = (K/L0)(r/L0 - 1) with m = L0 = 1: r = K/(K - W^2/2). */
-struct bodies scene_rigid(struct field *field, double *r)
+struct bodies vti_kit_scene_rigid(struct field *field, double *r)
 {
     const double spin = 0.5;
-    struct bodies b = bodies_none(2);
+    struct bodies b = vti_kit_bodies_none(2);
     bond(field, 0);
     *r = stiff_axial / (stiff_axial - 0.5 * spin * spin);
     b.inertia[0] = b.inertia[1] = 0.4;
@@ -124,9 +124,9 @@ struct bodies scene_rigid(struct field *field, double *r)
 }
 
 /** J theta'' = -2 K theta for the twist theta of two like bodies, J = 1. */
-struct bodies scene_torsion(struct field *field)
+struct bodies vti_kit_scene_torsion(struct field *field)
 {
-    struct bodies b = bodies_none(2);
+    struct bodies b = vti_kit_bodies_none(2);
     bond(field, 1);
     set(b.x + 3, 1.0, 0.0, 0.0);
     turn(&b, 0, 0.0, 0.0, 0.5e-3);

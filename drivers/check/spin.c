@@ -11,10 +11,10 @@ static const struct field none;
 /** A body turned by the rotation vector, spinning by w about a unit axis. */
 static struct bodies spinning(const double turned[3], const double axis[3], double w)
 {
-    struct bodies b = bodies_none(1);
+    struct bodies b = vti_kit_bodies_none(1);
     double alpha[3];
     vti_rrv_from_rotvec(turned, alpha);
-    bodies_set_alpha(&b, 0, alpha);
+    vti_kit_bodies_set_alpha(&b, 0, alpha);
     for (int k = 0; k < 3; ++k)
         b.w[k] = w * axis[k];
     return b;
@@ -26,8 +26,8 @@ static struct bodies spinning(const double turned[3], const double axis[3], doub
 static void turn_of(const struct bodies *before, const struct bodies *after, double space[3], double body[3])
 {
     double a[3], b[3], r[3];
-    bodies_alpha(before, 0, a);
-    bodies_alpha(after, 0, b);
+    vti_kit_bodies_alpha(before, 0, a);
+    vti_kit_bodies_alpha(after, 0, b);
     vti_rrv_relative(b, a, r);
     vti_rrv_to_rotvec(r, space);
     vti_rrv_rotate_back(a, space, body); /* R_0^T exp(S(u)) R_0 = exp S(R_0^T u) */
@@ -42,13 +42,13 @@ static double along(const double u[3], const double axis[3], double *across)
     return k;
 }
 
-struct turn free_turn(struct kit *kit, double w, double h, int64_t steps)
+struct turn vti_kit_free_turn(struct kit *kit, double w, double h, int64_t steps)
 {
     struct turn t = {NAN, NAN, 1, NAN};
     const struct bodies before = spinning(start_turn, spin_axis, w);
     struct bodies after = before;
-    host_advance(&kit->host, &after, &none, h, steps);
-    if (!bodies_are_finite(&after))
+    vti_kit_host_advance(&kit->host, &after, &none, h, steps);
+    if (!vti_kit_bodies_are_finite(&after))
         return t;
     double space[3], body[3], across_body;
     turn_of(&before, &after, space, body);
@@ -77,19 +77,20 @@ static const char *law_of(double s, double angle, double *off)
     return *off < 1e-4 * s ? names[best] : NULL;
 }
 
-void say_side(struct kit *kit, const struct turn *t, double s)
+void vti_kit_say_side(struct kit *kit, const struct turn *t, double s)
 {
     if (t->across > 1e-6 * s)
-        kit_fault(kit, "a free spin does not turn a body about omega: increments are added up, or a quaternion's order "
-                       "is another one");
+        vti_kit_fault(kit,
+                      "a free spin does not turn a body about omega: increments are added up, or a quaternion's order "
+                      "is another one");
     else if (fabs(t->angle) <= 1e-6 * s)
-        kit_fault(kit,
-                  "a free spin does not turn bodies (what moves positions only is checked by vti-check --translation)");
+        vti_kit_fault(
+            kit, "a free spin does not turn bodies (what moves positions only is checked by vti-check --translation)");
     else if (t->side < 0 && t->angle < 0.0)
-        kit_fault(kit, "the attitude is taken for its inverse, space to body");
+        vti_kit_fault(kit, "the attitude is taken for its inverse, space to body");
     else if (t->side < 0)
-        kit_fault(kit, "attitude increments act in the body's frame while spins and moments are spatial: they are "
-                       "composed in the wrong order");
+        vti_kit_fault(kit, "attitude increments act in the body's frame while spins and moments are spatial: they are "
+                           "composed in the wrong order");
     else
         return;
     kit->attitude_lost = 1;
@@ -98,21 +99,21 @@ void say_side(struct kit *kit, const struct turn *t, double s)
 static void check_law(struct kit *kit)
 {
     const double s = 0.5;
-    const struct turn t = free_turn(kit, s, 1.0, 1), half = free_turn(kit, 0.5 * s, 1.0, 1);
+    const struct turn t = vti_kit_free_turn(kit, s, 1.0, 1), half = vti_kit_free_turn(kit, 0.5 * s, 1.0, 1);
     double off;
     const double angle = fabs(t.angle);
-    kit_line(kit, "free spin: turn beside omega at h|omega| = 1/2", t.side > 0 ? t.across : NAN, -1, 1e-9,
-             VTI_CHECK_FAIL);
+    vti_kit_line(kit, "free spin: turn beside omega at h|omega| = 1/2", t.side > 0 ? t.across : NAN, -1, 1e-9,
+                 VTI_CHECK_FAIL);
     const char *law = law_of(s, angle, &off);
     /* |theta - s| ~ s^3, and is 0.024 for asin and 0.010 for atan: a law that is odd in s */
     vti_check_line *line =
-        kit_line(kit, "free spin: turn at h|omega| = 1/2, off by", fabs(angle - s), -1, 0.03, VTI_CHECK_FAIL);
+        vti_kit_line(kit, "free spin: turn at h|omega| = 1/2, off by", fabs(angle - s), -1, 0.03, VTI_CHECK_FAIL);
     if (law != NULL)
-        line_say(line, "turns by %s", law);
+        vti_kit_line_say(line, "turns by %s", law);
     else if (isfinite(t.angle))
-        line_say(line, "turns by %.6g, half of it by %.6g: a law of its own", t.angle, half.angle);
+        vti_kit_line_say(line, "turns by %.6g, half of it by %.6g: a law of its own", t.angle, half.angle);
     if (!isfinite(t.angle))
-        kit_fault(kit, "a free spin of h|omega| = 1/2 is refused, or not finite");
+        vti_kit_fault(kit, "a free spin of h|omega| = 1/2 is refused, or not finite");
 }
 
 /* ---- many steps -------------------------------------------------------------------------------------------------- */
@@ -122,14 +123,14 @@ static double past_half_turn(struct kit *kit)
 {
     enum { STEPS = 25 };
     const double nothing[3] = {0, 0, 0}, s = 0.25;
-    const double step = free_turn(kit, s, 1.0, 1).angle;
+    const double step = vti_kit_free_turn(kit, s, 1.0, 1).angle;
     double worst = 0.0;
     for (int k = 1; k <= STEPS; ++k) {
         struct bodies b = spinning(nothing, spin_axis, s);
         const double turn[3] = {k * step * spin_axis[0], k * step * spin_axis[1], k * step * spin_axis[2]};
         const struct bodies expected = spinning(turn, spin_axis, s);
-        host_advance(&kit->host, &b, &none, 1.0, k);
-        worst = larger(worst, bodies_apart(&b, &expected).attitude);
+        vti_kit_host_advance(&kit->host, &b, &none, 1.0, k);
+        worst = larger(worst, vti_kit_bodies_apart(&b, &expected).attitude);
     }
     return worst;
 }
@@ -143,31 +144,31 @@ static double at_half_turn(struct kit *kit)
     b.q[0] = 1.0;
     b.q[3] = 0.0;
     const struct bodies start = b;
-    host_advance(&kit->host, &b, &none, 1.0, STEPS);
-    const double away = bodies_apart(&b, &start).attitude;
+    vti_kit_host_advance(&kit->host, &b, &none, 1.0, STEPS);
+    const double away = vti_kit_bodies_apart(&b, &start).attitude;
     for (int k = 0; k < 3; ++k)
         b.w[k] = 0.25 * back[k];
-    host_advance(&kit->host, &b, &none, 1.0, STEPS);
-    return away > 0.1 ? bodies_apart(&b, &start).attitude : NAN;
+    vti_kit_host_advance(&kit->host, &b, &none, 1.0, STEPS);
+    return away > 0.1 ? vti_kit_bodies_apart(&b, &start).attitude : NAN;
 }
 
 static double norm_drift(struct kit *kit)
 {
     enum { STEPS = 1000 };
     struct bodies b = spinning(start_turn, spin_axis, 0.1);
-    host_advance(&kit->host, &b, &none, 1.0, STEPS);
+    vti_kit_host_advance(&kit->host, &b, &none, 1.0, STEPS);
     return fabs(sqrt(vti_dot(b.q, b.q) + b.q[3] * b.q[3]) - 1.0);
 }
 
-void check_spin(struct kit *kit)
+void vti_kit_spin(struct kit *kit)
 {
     check_law(kit);
     const double past = past_half_turn(kit), at = at_half_turn(kit), drift = norm_drift(kit);
-    kit_line(kit, "half turn: attitude of a spin through it", past, -1, 1e-9, VTI_CHECK_FAIL);
-    kit_line(kit, "half turn: attitude there and back from it", at, -1, 1e-9, VTI_CHECK_FAIL);
-    kit_line(kit, "norm of the quaternion after 1000 steps, off by", drift, -1, 1e-11, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "half turn: attitude of a spin through it", past, -1, 1e-9, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "half turn: attitude there and back from it", at, -1, 1e-9, VTI_CHECK_FAIL);
+    vti_kit_line(kit, "norm of the quaternion after 1000 steps, off by", drift, -1, 1e-11, VTI_CHECK_FAIL);
     if (!kit->attitude_lost && !kit->masked && (!(past <= 1e-9) || !(at <= 1e-9)))
-        kit_fault(kit, "attitudes are lost at half a turn");
+        vti_kit_fault(kit, "attitudes are lost at half a turn");
     if (isfinite(drift) && drift > 1e-11)
-        kit_fault(kit, "quaternion is not renormalised: its norm drifts");
+        vti_kit_fault(kit, "quaternion is not renormalised: its norm drifts");
 }

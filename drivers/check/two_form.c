@@ -19,17 +19,17 @@ static struct bodies turned(const struct bodies *b, int direction, double by)
         return m;
     }
     turn[direction] = 2.0 * tan(0.5 * by);
-    bodies_alpha(b, 0, a);
+    vti_kit_bodies_alpha(b, 0, a);
     vti_rrv_compose(a, turn, a);
-    bodies_set_alpha(&m, 0, a);
+    vti_kit_bodies_set_alpha(&m, 0, a);
     return m;
 }
 
 static void turn_quotient(const struct bodies *plus, const struct bodies *minus, double tangent[MOST])
 {
     double a[3], b[3], r[3], theta[3];
-    bodies_alpha(plus, 0, a);
-    bodies_alpha(minus, 0, b);
+    vti_kit_bodies_alpha(plus, 0, a);
+    vti_kit_bodies_alpha(minus, 0, b);
     vti_rrv_relative(a, b, r);
     vti_rrv_to_rotvec(r, theta);
     for (int k = 0; k < 3; ++k) {
@@ -84,18 +84,23 @@ struct space {
     double (*form)(const struct bodies *at, const double s[MOST], const double t[MOST]);
 };
 
-static const struct space rotation = {
-    "symplecticity: two-form of the pendulum, off by", 6, 0.5, scene_pendulum, turned, turn_quotient, turn_form};
+static const struct space rotation = {"symplecticity: two-form of the pendulum, off by",
+                                      6,
+                                      0.5,
+                                      vti_kit_scene_pendulum,
+                                      turned,
+                                      turn_quotient,
+                                      turn_form};
 static const struct space translation = {"symplecticity: two-form of a pair on a spring, off by",
                                          12,
                                          0.125,
-                                         scene_spring,
+                                         vti_kit_scene_spring,
                                          shifted,
                                          shift_quotient,
                                          shift_form};
 
 /** Two steps. */
-void check_two_form(struct kit *kit)
+void vti_kit_two_form(struct kit *kit)
 {
     enum { STEPS = 2 };
     const struct space *s = kit->rotates ? &rotation : &translation;
@@ -103,13 +108,13 @@ void check_two_form(struct kit *kit)
     const struct bodies start = s->scene(&field);
     struct bodies end = start;
     double image[MOST][MOST], most = 0.0;
-    host_advance(&kit->host, &end, &field, s->h, STEPS);
-    int finite = bodies_are_finite(&end);
+    vti_kit_host_advance(&kit->host, &end, &field, s->h, STEPS);
+    int finite = vti_kit_bodies_are_finite(&end);
     for (int k = 0; k < s->size; ++k) {
         struct bodies plus = s->moved(&start, k, e), minus = s->moved(&start, k, -e);
-        host_advance(&kit->host, &plus, &field, s->h, STEPS);
-        host_advance(&kit->host, &minus, &field, s->h, STEPS);
-        finite = finite && bodies_are_finite(&plus) && bodies_are_finite(&minus);
+        vti_kit_host_advance(&kit->host, &plus, &field, s->h, STEPS);
+        vti_kit_host_advance(&kit->host, &minus, &field, s->h, STEPS);
+        finite = finite && vti_kit_bodies_are_finite(&plus) && vti_kit_bodies_are_finite(&minus);
         if (finite)
             s->quotient(&plus, &minus, image[k]);
     }
@@ -119,5 +124,5 @@ void check_two_form(struct kit *kit)
             ei[i] = ej[j] = 1.0;
             most = fmax(most, fabs(s->form(&end, image[i], image[j]) - s->form(&start, ei, ej)));
         }
-    kit_line(kit, s->name, finite ? most : NAN, -1, 1e-7, VTI_CHECK_NOTE);
+    vti_kit_line(kit, s->name, finite ? most : NAN, -1, 1e-7, VTI_CHECK_NOTE);
 }

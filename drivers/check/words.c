@@ -4,7 +4,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-vti_check_line *kit_line(struct kit *kit, const char *name, double measured, int relation, double bound, int otherwise)
+vti_check_line *vti_kit_line(struct kit *kit, const char *name, double measured, int relation, double bound,
+                             int otherwise)
 {
     vti_check_report *r = kit->report;
     vti_check_line *line = &r->line[r->lines < VTI_CHECK_LINES ? r->lines++ : VTI_CHECK_LINES - 1];
@@ -18,7 +19,7 @@ vti_check_line *kit_line(struct kit *kit, const char *name, double measured, int
     return line;
 }
 
-void line_say(vti_check_line *line, const char *format, ...)
+void vti_kit_line_say(vti_check_line *line, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
@@ -42,7 +43,7 @@ static void add(struct kit *kit, int is_fault, const char *format, va_list list)
     r->faults += is_fault;
 }
 
-void kit_fault(struct kit *kit, const char *format, ...)
+void vti_kit_fault(struct kit *kit, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
@@ -50,7 +51,7 @@ void kit_fault(struct kit *kit, const char *format, ...)
     va_end(list);
 }
 
-void kit_remark(struct kit *kit, const char *format, ...)
+void vti_kit_remark(struct kit *kit, const char *format, ...)
 {
     va_list list;
     va_start(list, format);

@@ -23,8 +23,8 @@ VTI_INLINE int block_may(const double *x, const double *from, const double share
 }
 
 /** Whether some of so many vectors is long, by its length. */
-VTI_INLINE int is_any(const double *const x[3], int64_t stride, int64_t count, const double *from, const double shared[3],
-                      double limit)
+VTI_INLINE int is_any(const double *const x[3], int64_t stride, int64_t count, const double *from,
+                      const double shared[3], double limit)
 {
     for (int64_t i = 0; i < count; ++i) {
         double sum = 0.0;
@@ -66,8 +66,7 @@ VTI_INLINE void any_packed_loops(const double *x, int64_t count, const double *f
 
 static void any_packed(const double *x, int64_t count, const double *from, const double shared[3], double limit,
                        int *any);
-WIDE(any_packed,
-     (const double *x, int64_t count, const double *from, const double shared[3], double limit, int *any),
+WIDE(any_packed, (const double *x, int64_t count, const double *from, const double shared[3], double limit, int *any),
      (x, count, from, shared, limit, any))
 
 int far_any(const vti_view *x, int64_t begin, int64_t end, const double *from, const double shared[3], double limit)

@@ -91,9 +91,8 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
 /** The list may be another one than when the effect was made. */
-static int check(const void *self, const vti_bodies *b)
+int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b)
 {
-    const vti_bonds *p = self;
     if (p->count <= 0)
         return p->count < 0 ? VTI_E_COUNT : VTI_OK;
     if (!vti_bonds_has_list(p))
@@ -101,6 +100,11 @@ static int check(const void *self, const vti_bodies *b)
     if (VTI_LOOKS)
         return vti_bonds_check(p, vti_bodies_named(b), NULL);
     return p->shear.p != NULL && !vti_bonds_form_is_known(p) ? VTI_E_BOND : VTI_OK;
+}
+
+static int check(const void *self, const vti_bodies *b)
+{
+    return vti_bonds_ready(self, b);
 }
 
 /** r of bond k over L0 where the bodies are; 1 if it does not matter. */

@@ -101,15 +101,9 @@ int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const v
 
 /* ---- checking it ------------------------------------------------------------------------------------------------- */
 
-/** Whether s ends before bond k. */
-static int ends_before(const vti_scalars *s, int64_t k)
-{
-    return s->count != 0 && k >= s->count;
-}
-
 static int stiffness_is_bad(const vti_scalars *s, int64_t k)
 {
-    return s->p != NULL && (ends_before(s, k) || !(isfinite(vti_scalar(s, k)) && vti_scalar(s, k) >= 0.0));
+    return s->p != NULL && (vti_ends_before(s, k) || !(isfinite(vti_scalar(s, k)) && vti_scalar(s, k) >= 0.0));
 }
 
 int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
@@ -137,7 +131,8 @@ int vti_bonds_check(const vti_bonds *bonds, int64_t n, vti_fault *fault)
         const vti_scalars *const all[] = {&bonds->moment, &bonds->axial, &bonds->shear};
         for (int c = 0; c < TERMS; ++c)
             if (stiffness_is_bad(all[c], k))
-                return vti_refuse(VTI_E_BOND, k, ends_before(all[c], k) ? (double)all[c]->count : vti_scalar(all[c], k),
+                return vti_refuse(VTI_E_BOND, k,
+                                  vti_ends_before(all[c], k) ? (double)all[c]->count : vti_scalar(all[c], k),
                                   VTI_QUANTITY_NONE, fault);
     }
     return VTI_OK;

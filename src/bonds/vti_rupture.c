@@ -135,7 +135,7 @@ int vti_rupture_check(const vti_rupture *rupture, vti_fault *fault)
         for (int c = 0; c < LIMITS; ++c) {
             if (limit[c]->p == NULL)
                 continue;
-            if (limit[c]->count != 0 && m >= limit[c]->count)
+            if (vti_ends_before(limit[c], m))
                 return vti_refuse(VTI_E_BOND, k, (double)limit[c]->count, VTI_QUANTITY_NONE, fault);
             if (!(vti_scalar(limit[c], m) > 0.0))
                 return vti_refuse(VTI_E_BOND, k, vti_scalar(limit[c], m), VTI_QUANTITY_NONE, fault);

@@ -16,9 +16,14 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
 }
 
 /** The list may be another one than when the effect was made. */
+int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b)
+{
+    return VTI_LOOKS ? vti_contacts_check(contacts, vti_bodies_named(b), NULL) : vti_contacts_list_check(contacts);
+}
+
 static int check(const void *self, const vti_bodies *b)
 {
-    return VTI_LOOKS ? vti_contacts_check(self, vti_bodies_named(b), NULL) : vti_contacts_list_check(self);
+    return vti_contacts_ready(self, b);
 }
 
 static void apply(const void *self, const vti_bodies *b)
@@ -94,7 +99,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 /** Whether s has number k, finite and positive; else *value is what it has there, or none where it ends before. */
 static int has(const vti_scalars *s, int64_t k, double none, double *value)
 {
-    const int ends = s->count != 0 && k >= s->count;
+    const int ends = vti_ends_before(s, k);
     *value = ends ? none : vti_scalar(s, k);
     return !ends && vti_is_positive(*value);
 }
@@ -140,6 +145,10 @@ double vti_contacts_stiffness(const vti_contacts *contacts, int64_t k)
     if (contacts == NULL || vti_contacts_list_check(contacts) != VTI_OK || k < 0 || k >= contacts->count)
         return NAN;
     const int64_t i = contacts->pair[2 * k] - contacts->base, j = contacts->pair[2 * k + 1] - contacts->base;
+    const int64_t last = i > j ? i : j;
+    if (i < 0 || j < 0 || vti_ends_before(&contacts->diameter, last) || vti_ends_before(&contacts->modulus, last) ||
+        vti_ends_before(&contacts->length, k))
+        return NAN;
     return vti_contact_stiffness(contacts, i, j, vti_contact_length(contacts, k, i, j));
 }
 

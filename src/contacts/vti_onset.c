@@ -186,7 +186,7 @@ int vti_multistep_touch(double h, const vti_view *before, const vti_contacts *co
                         const vti_bodies *b)
 {
     const int status = check(h, before, contacts, walls, b);
-    if (status != VTI_OK)
+    if (status != VTI_OK || b->count == 0)
         return status;
     if (contacts != NULL)
         of_pairs(contacts, h, before, b);

@@ -77,7 +77,7 @@ static int is_one(const vti_walls *p)
 
 static int ends_or_is_bad(const vti_scalars *s, int64_t i)
 {
-    return (s->count != 0 && i >= s->count) || !vti_is_positive(vti_scalar(s, i));
+    return vti_ends_before(s, i) || !vti_is_positive(vti_scalar(s, i));
 }
 
 int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
@@ -100,9 +100,8 @@ int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
 }
 
 /** Walls are few, and looked at always. */
-static int check(const void *self, const vti_bodies *b)
+int vti_walls_ready(const vti_walls *p, const vti_bodies *b)
 {
-    const vti_walls *p = self;
     double value;
     if (VTI_LOOKS)
         return vti_walls_check(p, vti_bodies_named(b), NULL);
@@ -111,6 +110,11 @@ static int check(const void *self, const vti_bodies *b)
     if (p->count < 0 || p->cylinders < 0)
         return VTI_E_COUNT;
     return first_bad(p, &value) < 0 && is_one(p) ? VTI_OK : VTI_E_CONTACT;
+}
+
+static int check(const void *self, const vti_bodies *b)
+{
+    return vti_walls_ready(self, b);
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
@@ -285,14 +289,14 @@ vti_effect vti_walls_effect(const vti_walls *walls)
 double vti_walls_stiffness(const vti_walls *walls, int64_t w, int64_t i)
 {
     if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls) || i < 0 ||
-        (walls->diameter.count != 0 && i >= walls->diameter.count))
+        vti_ends_before(&walls->diameter, i) || vti_ends_before(&walls->modulus, i))
         return NAN;
     return vti_face_stiffness(walls, w, i, 0.5 * vti_scalar(&walls->diameter, i));
 }
 
 double vti_walls_gap(const vti_walls *walls, int64_t w, const double x[3], double n[3])
 {
-    if (walls == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls))
+    if (walls == NULL || x == NULL || n == NULL || !is_list(walls) || w < 0 || w >= vti_faces(walls))
         return NAN;
     return vti_face_gap(walls, w, x, n);
 }

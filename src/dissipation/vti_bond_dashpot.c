@@ -165,9 +165,8 @@ static int check(const void *self, const vti_bodies *b)
     for (int k = 0; k < 5; ++k)
         if (!(isfinite(all[k]) && all[k] >= 0.0))
             return VTI_E_DAMPING;
-    if (!vti_bonds_has_list(p->bonds))
-        return VTI_E_NULL;
-    return vti_inertia_check(b);
+    const int status = vti_bonds_ready(p->bonds, b);
+    return status != VTI_OK ? status : vti_inertia_check(b);
 }
 
 vti_effect vti_bond_dashpots_effect(const vti_bond_dashpots *dashpots)

@@ -221,15 +221,18 @@ static int are_good(const vti_scalars *s, const vti_bodies *b)
     return good;
 }
 
-/** One value for all is looked at; arrays are where the library was built to look. */
+/** One value for all is looked at; arrays, where the library was built to look, are if they are long enough. */
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_drag *p = self;
     const vti_scalars *const all[] = {&p->linear, &p->quadratic, &p->angular};
     int good = isfinite(p->medium[0]) && isfinite(p->medium[1]) && isfinite(p->medium[2]);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
+        if (all[k]->p != NULL && vti_ends_before(all[k], b->first + b->count - 1))
+            return VTI_E_COUNT;
         if (VTI_LOOKS || all[k]->stride == 0)
             good &= are_good(all[k], b);
+    }
     if (!good)
         return VTI_E_DAMPING;
     return p->angular.p != NULL && b->inertia.p == NULL && !vti_has(&b->moments) ? VTI_E_INERTIA : VTI_OK;

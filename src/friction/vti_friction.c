@@ -233,9 +233,12 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
     struct vti_touch touch;
     const int meet = at != NULL && at->meet;
     const int status = p->contacts != NULL && meet ? cages(p, b, at, visit, context) : VTI_OK;
-    for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k)
+    for (int64_t k = 0; p->contacts != NULL && !meet && k < p->contacts->count; ++k) {
+        if (vti_pair_check(b, vti_contact_body(p->contacts, k, 0), vti_contact_body(p->contacts, k, 1)) != VTI_OK)
+            return VTI_E_BOND;
         if (pair_found(&touch, p, b, k))
             show(p, &touch, k, at, visit, context);
+    }
     for (int64_t w = 0; w < vti_faces(p->walls); ++w)
         for (int64_t i = b->first; i < b->first + b->count; ++i)
             if (body_found(&touch, p, b, w, i))
@@ -248,10 +251,9 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_friction *p = self;
-    (void)b;
     const double all[] = {p->sliding, p->rolling,           p->twisting,          p->stiffness,
                           p->mindlin, p->rolling_stiffness, p->twisting_stiffness};
-    int good = p->reach > 0.0 && (p->stiffness > 0.0) + (p->mindlin > 0.0) == (p->sliding > 0.0);
+    int good = p->reach > 0.0 && (p->sliding == 0.0 || (p->stiffness > 0.0) + (p->mindlin > 0.0) == 1);
     for (int k = 0; k < 7; ++k)
         good &= isfinite(all[k]) && all[k] >= 0.0;
     for (int64_t w = 0; p->wall_sliding != NULL && w < vti_faces(p->walls); ++w)
@@ -262,7 +264,9 @@ static int check(const void *self, const vti_bodies *b)
         return VTI_E_DAMPING;
     if (p->history->slot == NULL)
         return VTI_E_NULL;
-    const int status = p->contacts != NULL ? vti_contacts_list_check(p->contacts) : VTI_OK;
+    int status = p->contacts != NULL ? vti_contacts_ready(p->contacts, b) : VTI_OK;
+    if (status == VTI_OK && p->walls != NULL)
+        status = vti_walls_ready(p->walls, b);
     if (status != VTI_OK)
         return status;
     return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;

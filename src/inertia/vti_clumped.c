@@ -143,6 +143,8 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
                    void *context)
 {
     const vti_clumped *p = self;
+    if (b->count == 0)
+        return VTI_OK;
     const vti_bodies spheres = place(p->clumps, b);
     struct levered levered = {p->clumps, visit, context, at != NULL ? fmax(at->overlap, at->strain) : 0.0};
     const int status = p->effect->springs(p->effect->self, &spheres, at, show_levered, &levered);

@@ -143,9 +143,10 @@ static int rotor_of(const struct vti_move *move)
 static void start_of(double t, const struct rotor_body *body, const double L[3], struct rotor_start *from)
 {
     rotor_start_of(t, body, L, from);
-    if (from->range < ROTOR_RANGE)
+    const double largest = vti_max3(body->m);
+    if (from->range < ROTOR_RANGE || !vti_is_positive(largest))
         return;
-    const int size = ilogb(vti_max3(body->m));
+    const int size = ilogb(largest);
     struct rotor_body same = *body;
     double l[3];
     for (int k = 0; k < 3; ++k) {

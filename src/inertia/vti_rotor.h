@@ -217,7 +217,8 @@ VTI_INLINE lanes rotor_most(int law, int rotor, const struct rotor_start *from)
     list.hard = 0;
     list.watches = 1;
     rotor_lists_of(law, rotor, &from, &list, 1);
-    return rotor_worst(list.most, lanes_sqrt(from->about_L));
+    const lanes about = lanes_sqrt(from->about_L);
+    return lanes_where((about <= list.most) | (list.most != list.most), list.most, about);
 }
 
 #endif

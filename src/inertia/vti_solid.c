@@ -285,7 +285,7 @@ int vti_clump_solid(int64_t n, const double *centre, const double *diameter, dou
         return vti_refuse(VTI_E_MASS, -1, found.mass, VTI_QUANTITY_MASS, fault);
     weigh(&sum, density, about, &found);
     for (int k = 0; k < 3; ++k)
-        if (!isfinite(found.moments[k]))
+        if (!vti_is_positive(found.moments[k]))
             return vti_refuse(VTI_E_CLUMP, -1, found.moments[k], VTI_QUANTITY_NONE, fault);
     *solid = found;
     return VTI_OK;

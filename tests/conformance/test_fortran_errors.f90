@@ -258,6 +258,9 @@ contains
             'a contact with a body behind the last')
         pair(:, 2) = [2, 3]
         call element_is(vti_bonds_check(bonds, n, fault), VTI_OK, 0, 'good bonds')
+        bonds%axial = vti_scalars_array(s%x(1, :))
+        call element_is(vti_bonds_check(bonds, n, fault), VTI_E_BOND, 1, 'stiffnesses with gaps')
+        bonds%axial = vti_scalars_one(one)
         call element_is(vti_contacts_check(contacts, n, fault), VTI_OK, 0, 'good contacts')
         contacts = vti_contacts_between(pair, vti_scalars_one(one), modulus=vti_scalars_one(one), &
             length=vti_scalars_one(one))

@@ -72,14 +72,15 @@ TEST(coefficients_of_friction)
     says(vti_friction_effect(&p), VTI_E_DAMPING);
 }
 
-/** One stiffness for each motion that there is, and for sliding one of two. */
+/** One stiffness for each motion that there is, and for sliding one of two; those of motions that there are not do not
+ *  matter. */
 TEST(stiffnesses_of_friction)
 {
     static const struct {
         double sliding, stiffness, mindlin, rolling, rolling_stiffness, twisting, twisting_stiffness;
         int status;
     } cases[] = {{0.5, 0, 0, 0, 0, 0, 0, VTI_E_DAMPING}, {0.5, 1, 1, 0, 0, 0, 0, VTI_E_DAMPING},
-                 {0, 1, 0, 0, 0, 0, 0, VTI_E_DAMPING},   {0, 0, 1, 0, 0, 0, 0, VTI_E_DAMPING},
+                 {0, 1, 0, 0, 0, 0, 0, VTI_OK},          {0, 0, 1, 0, 0, 0, 0, VTI_OK},
                  {0, 0, 0, 1, 0, 0, 0, VTI_E_DAMPING},   {0, 0, 0, 0, 0, 1, 0, VTI_E_DAMPING},
                  {0.5, 1, 0, 0, 0, 0, 0, VTI_OK},        {0.5, 0, 1, 0, 0, 0, 0, VTI_OK},
                  {0, 0, 0, 1, 1, 0, 0, VTI_OK},          {0, 0, 0, 0, 0, 1, 1, VTI_OK},
@@ -96,6 +97,61 @@ TEST(stiffnesses_of_friction)
         p.twisting_stiffness = cases[k].twisting_stiffness;
         says(vti_friction_effect(&p), cases[k].status);
     }
+}
+
+static vti_dashpots all_dashpots(void)
+{
+    return (vti_dashpots){.contacts = &m.contacts,
+                          .walls = &m.walls,
+                          .zeta = 0.1,
+                          .normal = 1,
+                          .tangential = 1,
+                          .ratio = 1,
+                          .rolling = 1,
+                          .twisting = 1,
+                          .reach = 1,
+                          .lost = m.lost};
+}
+
+/** Walls are looked at as their own effect does. */
+static void walls_are_looked_at(const vti_effect *effect)
+{
+    static const double skew[4] = {0, 0, 2, 0};
+    const vti_walls good = m.walls;
+    says(*effect, VTI_OK);
+    m.walls.plane = skew;
+    says(*effect, VTI_E_CONTACT);
+    m.walls.plane = NULL;
+    says(*effect, VTI_E_NULL);
+    m.walls = good;
+    m.walls.diameter.p = NULL;
+    says(*effect, VTI_E_NULL);
+    m.walls = good;
+    m.walls.count = -1;
+    says(*effect, VTI_E_COUNT);
+    m.walls = good;
+}
+
+TEST(walls)
+{
+    two_bodies();
+    const vti_friction friction = all_friction();
+    const vti_dashpots dashpots = all_dashpots();
+    const vti_effect both[] = {vti_friction_effect(&friction), vti_dashpots_effect(&dashpots)};
+    walls_are_looked_at(&both[0]);
+    walls_are_looked_at(&both[1]);
+}
+
+/** Bodies that have all gone leave lists behind. */
+TEST(no_bodies_but_pairs)
+{
+    two_bodies();
+    const vti_friction p = all_friction();
+    const vti_effect effect = vti_friction_effect(&p);
+    const vti_bodies none = vti_bodies_none(0);
+    vti_stable stable;
+    double scratch[1];
+    assert_int_equal(vti_stable_step(&effect, 1, &none, NULL, scratch, &stable), VTI_E_BOND);
 }
 
 TEST(lists_and_tables_of_friction)
@@ -168,20 +224,6 @@ TEST(adding_to_a_table)
 }
 
 /* ---- dashpots ---------------------------------------------------------------------------------------------------- */
-
-static vti_dashpots all_dashpots(void)
-{
-    return (vti_dashpots){.contacts = &m.contacts,
-                          .walls = &m.walls,
-                          .zeta = 0.1,
-                          .normal = 1,
-                          .tangential = 1,
-                          .ratio = 1,
-                          .rolling = 1,
-                          .twisting = 1,
-                          .reach = 1,
-                          .lost = m.lost};
-}
 
 TEST(coefficients_of_dashpots)
 {
@@ -271,6 +313,7 @@ TEST(inertia_of_what_turns)
 }
 
 RUN_TESTS(cmocka_unit_test(coefficients_of_friction), cmocka_unit_test(stiffnesses_of_friction),
+          cmocka_unit_test(walls), cmocka_unit_test(no_bodies_but_pairs),
           cmocka_unit_test(lists_and_tables_of_friction), cmocka_unit_test(adding_to_a_table),
           cmocka_unit_test(coefficients_of_dashpots), cmocka_unit_test(lists_of_dashpots),
           cmocka_unit_test(dashpots_of_bonds), cmocka_unit_test(inertia_of_what_turns))

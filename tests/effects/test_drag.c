@@ -309,6 +309,13 @@ TEST(what_it_needs_and_refuses)
         assert_int_equal(vti_effects_flow(&effect, 1, 1, 1, &b), VTI_E_DAMPING);
         drag.medium[k] = 0;
     }
+    drag.linear.count = 0; /* not known */
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    drag.linear = (vti_scalars){some, 1, 1};
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    b.first = 1; /* of which there is none */
+    assert_int_equal(vti_effects_flow(&effect, 1, 1, 1, &b), VTI_E_COUNT);
+    b.first = 0;
     assert_true(c.v[0][0] == 1 && lost[0].high == 0);
     b.moment = vti_view_none();
     b.inertia.p = NULL;

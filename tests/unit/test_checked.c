@@ -85,6 +85,26 @@ TEST(numbers_after_the_seal)
     refused(VTI_E_MASS, 1, VTI_QUANTITY_MASS);
 }
 
+/** Effects that share the list of another one look at it, too. */
+TEST(lists_that_are_shared)
+{
+    static vti_sum lost[VTI_DASHPOT_BOOKS];
+    static vti_held slots[2];
+    vti_history history = {2, 0, 0, slots};
+    const vti_dashpots dashpots = {.contacts = &contacts, .normal = 1, .reach = 1, .lost = lost};
+    const vti_friction friction = {
+        .contacts = &contacts, .sliding = 1, .stiffness = 1, .reach = 1, .history = &history, .lost = lost};
+    const vti_bond_dashpots of_bonds = {.bonds = &bonds, .axial = 1, .lost = lost};
+    const vti_effect all[] = {vti_dashpots_effect(&dashpots), vti_friction_effect(&friction),
+                              vti_bond_dashpots_effect(&of_bonds)};
+    for (int k = 0; k < 3; ++k) {
+        assert_int_equal(vti_effects_check(&all[k], 1, &b, NULL), VTI_OK);
+        pair[0] = -3;
+        assert_int_equal(vti_effects_check(&all[k], 1, &b, NULL), k < 2 ? VTI_E_CONTACT : VTI_E_BOND);
+        pair[0] = 0;
+    }
+}
+
 static void list_refused(const vti_effect *effect, int status)
 {
     double before[2][DOUBLES];
@@ -212,7 +232,7 @@ TEST(held_bodies)
 }
 
 RUN_TESTS(cmocka_unit_test_setup(views_after_the_seal, sound), cmocka_unit_test_setup(numbers_after_the_seal, sound),
-          cmocka_unit_test_setup(lists_after_their_check, sound),
+          cmocka_unit_test_setup(lists_after_their_check, sound), cmocka_unit_test_setup(lists_that_are_shared, sound),
           cmocka_unit_test_setup(planes_after_their_check, sound),
           cmocka_unit_test_setup(cylinders_and_motion_after_their_check, sound),
           cmocka_unit_test_setup(held_bodies, sound))

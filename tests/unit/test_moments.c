@@ -156,6 +156,9 @@ TEST(values)
         value_refused(VTI_E_MOMENTS, 4, moments[4][c], VTI_QUANTITY_MOMENTS);
         moments[4][c] = good;
     }
+    b.omega = vti_view_packed(omega[0]); /* beside spin it is only written */
+    omega[0][1] = NAN;
+    assert_int_equal(vti_bodies_check_values(&b, NULL), VTI_OK);
     spin[1][2] = INFINITY;
     value_refused(VTI_E_STATE, 1, INFINITY, VTI_QUANTITY_SPIN);
 }
@@ -252,6 +255,12 @@ TEST(closed_needs_every_turn_below_1)
         }
         memset(alpha, 0, sizeof alpha);
     }
+    /* the largest is told, and not the first that is too large */
+    spin[2][0] = 2.5;
+    spin[2][1] = 0;
+    spin[2][2] = 40;
+    assert_int_equal(vti_step_begin(vti1, 1.0, &b, &fault), VTI_E_TOO_LARGE);
+    assert_close(fault.value, 0.5 * sqrt(2.5 * 2.5 + 40 * 40), 8 * EPS * 20);
     /* a thin body: the turn about y makes p_x larger, or smaller, so that the last turn is too large, or is not */
     const double thin[3] = {0.01, 1, 1.005}, fast[3] = {0.0198, -0.6, 0.5};
     for (int i = 0; i < N; ++i)

@@ -256,6 +256,9 @@ TEST(refused)
     assert_int_equal(fault.body, -1);
     diameter[0] = 1e-120; /* and underflow */
     assert_int_equal(vti_clump_solid(1, centre, diameter, 1, 8, &solid, &fault), VTI_E_MASS);
+    diameter[0] = 1e-70; /* moments alone do */
+    assert_int_equal(vti_clump_solid(1, centre, diameter, 1, 8, &solid, &fault), VTI_E_CLUMP);
+    assert_int_equal(fault.body, -1);
     assert_memory_equal(&solid, &before, sizeof solid); /* what is refused writes nothing */
 }
 

@@ -380,6 +380,7 @@ TEST(seal)
 
     b.x.c[1] = x + 1;
     assert_int_equal(vti_bodies_seal(&b), VTI_OK);
+    assert_true(vti_bodies_slice(b, 0, 1).sealed == 0); /* even if it takes the place of b */
     vti_bodies copy = b;
     copy.x.c[1] = NULL;
     refused(copy, VTI_E_VIEW, VTI_QUANTITY_X);

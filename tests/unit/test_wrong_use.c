@@ -183,6 +183,9 @@ TEST(contacts)
     some = right;
     some.diameter.p = NULL;
     assert_true(isnan(vti_contacts_stiffness(&some, 0)));
+    some = right;
+    some.diameter = (vti_scalars){some.diameter.p, 1, 1}; /* fewer than the pair names */
+    assert_true(isnan(vti_contacts_stiffness(&some, 0)));
     const double none[] = {-1, NAN, INFINITY, 0};
     for (int k = 0; k < 4; ++k) {
         const double sizes[2] = {1, none[k]};

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The shared library exports exactly the functions that the headers declare with VTI_API, all of them vti_..., and calls
 # nothing that allocates, prints or ends the program.
-#     test_symbols.sh SHARED_LIBRARY INCLUDE_DIRECTORY
+# Of other archives, which hosts link too, every name that others could meet begins with vti_.
+#     test_symbols.sh SHARED_LIBRARY INCLUDE_DIRECTORY [ARCHIVE...]
 set -eu
 library=$1 include=$2
+shift 2
 command -v nm >/dev/null || exit 77
 exported=$(nm -D --defined-only "$library" | awk '{print $NF}' | sed 's/@.*//' | sort)
 declared=$(sed -nE 's/^VTI_API .*[ *](vti_[a-z0-9_]+)\(.*/\1/p' "$include"/*.h | sort)
@@ -17,6 +19,10 @@ foreign=$(printf '%s\n' "$exported" | grep -v '^vti_' || true)
     printf '%s\n%s\n' "$exported" "$declared" | sort | uniq -u >&2
     exit 1
 }
+for archive; do
+    foreign=$(nm -g --defined-only "$archive" | awk 'NF == 3 { print $NF }' | grep -v '^vti_' || true)
+    [ -z "$foreign" ] || { echo "$archive exports without the prefix vti_: $foreign" >&2; exit 1; }
+done
 forbidden=$(nm -D --undefined-only "$library" | awk '{print $NF}' | sed 's/@.*//' |
     grep -E '^(malloc|calloc|realloc|free|.*printf.*|puts|putchar|fputs|fwrite|fopen|exit|_exit|abort|__assert_fail|getenv)$' ||
     true)
