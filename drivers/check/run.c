@@ -14,13 +14,22 @@ static void say_order(struct kit *kit)
         vti_kit_fault(kit, "does not converge, for a reason that is not recognised");
 }
 
+static void say_line(struct kit *kit, const vti_check_line *line)
+{
+    if (isfinite(line->measured))
+        vti_kit_fault(kit, "fails: %s %.3g, at %s %.3g is wanted", line->name, line->measured,
+                      line->relation < 0 ? "most" : "least", line->bound);
+    else
+        vti_kit_fault(kit, "fails: %s no finite number", line->name);
+}
+
 /** Is there a failed line that no sentence explains? */
 static void say_rest(struct kit *kit)
 {
     const vti_check_report *r = kit->report;
     for (int k = 0; k < r->lines && r->faults == 0; ++k)
         if (r->line[k].verdict == VTI_CHECK_FAIL)
-            vti_kit_fault(kit, "fails: %s", r->line[k].name);
+            say_line(kit, &r->line[k]);
 }
 
 static struct kit kit_of(const char *name, vti_check_advance *advance, void *self, vti_check_report *report)

@@ -10,7 +10,8 @@
 struct work {
     const struct cost_plan *plan;
     struct cost *cost;
-    struct model *models; /* [cases_count], at t = 0 */
+    struct model *models;     /* [cases_count], at t = 0 */
+    double first[COST_CASES]; /* steps of the first run of a ladder */
     struct reference *references;
     const struct study_watch *watch;
     const struct store *store;
@@ -43,6 +44,7 @@ static int make_references(struct work *w, MPI_Comm comm, struct message *messag
         struct model *model = &w->models[c];
         if (anywhere(model_create(it->scene, model, message), comm) != 0)
             return -1;
+        w->first[c] = cost_first_steps(it, model);
         const double interval = reference_is_smooth(model) ? 0.0 : it->t_end;
         const int failed = reference_create(model, it->t_end, interval, 0.0, w->plan->memory, comm, w->watch,
                                             &w->references[c], message);
@@ -64,8 +66,8 @@ static void run_task(void *self, int64_t task, queue_poll poll, void *poll_self,
 {
     const struct work *w = self;
     const int64_t c = task / w->plan->methods_count, m = task % w->plan->methods_count;
-    cost_ladder_run(w->plan, &w->plan->cases[c], w->plan->methods[m], &w->models[c], &w->references[c], poll, poll_self,
-                    result);
+    cost_ladder_run(w->plan, &w->plan->cases[c], w->plan->methods[m], &w->models[c], w->first[c], &w->references[c],
+                    poll, poll_self, result);
 }
 
 static int task_done(void *self, int64_t task, int rank, const void *result)
@@ -216,7 +218,7 @@ int cost_run(const struct cost_plan *plan, MPI_Comm comm, const struct study_wat
              struct cost *cost, struct message *message)
 {
     int rank;
-    struct work w = {plan, cost, NULL, NULL, watch, store, message, 0.0, NULL, 0, 0, 0, 0};
+    struct work w = {.plan = plan, .cost = cost, .watch = watch, .store = store, .message = message};
     const double start = MPI_Wtime();
     memset(cost, 0, sizeof *cost);
     cost->plan = plan;

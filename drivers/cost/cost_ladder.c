@@ -58,8 +58,7 @@ static int is_finished(const struct cost_ladder *ladder, int measure)
            (error < perhaps_rounding && stands_still(ladder, last, measure) && stands_still(ladder, last - 1, measure));
 }
 
-/** Steps of the first run. */
-static double first_steps(const struct cost_case *c, const struct model *model)
+double cost_first_steps(const struct cost_case *c, struct model *model)
 {
     static const double fewest = 2.0, coarser = 4.0;
     vti_stable stable;
@@ -67,14 +66,15 @@ static double first_steps(const struct cost_case *c, const struct model *model)
     vti_deformation at = model_deformation(model, &model->bodies);
     at.strain = 0.0;
     at.meet = 0; /* a ladder begins above what is stable */
-    if (model_stable_step(model, &model->bodies, &at, &stable, &message) != 0)
+    if (model_find_pairs(model, &model->bodies) != VTI_OK ||
+        model_stable_step(model, &model->bodies, &at, &stable, &message) != 0)
         stable.h = c->scene->h;
     return fmax(fewest, ceil(c->t_end / (coarser * stable.h)));
 }
 
 void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
-                     const struct model *model, struct reference *reference, int (*poll)(void *self, int64_t work),
-                     void *poll_self, struct cost_ladder *ladder)
+                     const struct model *model, double first, struct reference *reference,
+                     int (*poll)(void *self, int64_t work), void *poll_self, struct cost_ladder *ladder)
 {
     const int measure = cost_main_measure(model);
     const int64_t affordable =
@@ -85,7 +85,6 @@ void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, co
         given_steps(plan, c, method, measure, reference, ladder);
         return;
     }
-    const double first = first_steps(c, model);
     double evals_per_step = 1.0;
     for (int k = 0; ladder->count < COST_RUNGS && !is_finished(ladder, measure); ++k) {
         const double steps = rint(first * plain_exp2(0.5 * k));

@@ -59,6 +59,7 @@ int cost_files_write(const struct cost *cost, const char *folder, struct message
 /** What is counted while they are written. */
 struct survey_counts {
     int64_t verdict[3], failed; /* runs */
+    int64_t parted;             /* points at which trajectories part from the reference */
 };
 
 /** Writes study.h5, study.csv and timing.csv into folder, as study_files_write does. Returns likewise. */

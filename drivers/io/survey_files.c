@@ -42,6 +42,7 @@ static int write_point(void *self, int64_t p, int rank, const struct survey_poin
     const struct csv *csv = self;
     const struct plan *plan = survey_plan_of(csv->plan, p);
     const char *scene = csv->plan->first[survey_scene(csv->plan, p)].name;
+    csv->counts->parted += point->facts.reference_uncertainty > REFERENCE_PARTED;
     for (int64_t r = 0; r < plan->steppers_count * plan->h_count; ++r) {
         const struct survey_run *run = &point->run[r];
         const struct trial trial = {plan->steppers[r / plan->h_count], plan->h[r % plan->h_count], run->steps,

@@ -202,13 +202,24 @@ static void say_plan(const struct plan *plan)
     fflush(stdout);
 }
 
-static void say_study(const struct study *study, const char *folder)
+/** Where runs end before t_end, and at which times they are compared if not at all of the longest steps. */
+static void say_times(const struct study *study)
 {
     const struct plan *plan = study->plan;
-    for (int64_t k = 0; k < plan->h_count; ++k)
+    const int thinned = study->thinned > 1.0;
+    if (study->interval > 0.0 && (thinned || study->t_end != plan->t_end))
+        printf("note: runs are compared with the reference at multiples of %s%s, and all end at t = %.10g\n",
+               NUMBER(study->interval), thinned ? ", as --memory holds no more of its states" : ", the longest step",
+               study->t_end);
+    for (int64_t k = 0; study->interval == 0.0 && k < plan->h_count; ++k)
         if (study->trials[k].t_end != plan->t_end)
             printf("note: t_end = %s is not a multiple of h = %s: those runs take %lld steps and end at t = %.10g\n",
                    NUMBER(plan->t_end), NUMBER(plan->h[k]), (long long)study->trials[k].steps, study->trials[k].t_end);
+}
+
+static void say_study(const struct study *study, const char *folder)
+{
+    say_times(study);
     study_table_write(study, stdout);
     const int dissipates = model_dissipates(&study->model) != NULL;
     printf("\nreference: %s, its energy constant to %.0e, the solution known to %.0e; ||q||^2 = %.13g\n",
@@ -219,10 +230,10 @@ static void say_study(const struct study *study, const char *folder)
         printf(
             "it is rounding that leaves it so: from one number to the next, positions and attitudes change the forces "
             "by more than the tolerance; nearer to the origin bodies are known better\n");
-    else if (study->reference_uncertainty > 1e-3 && dissipates)
+    else if (study->reference_uncertainty > REFERENCE_PARTED && dissipates)
         printf("runs by steps of that kind still part: the motion is chaotic or something breaks, and errors of "
                "trajectories below that mean nothing; that of the energy does\n");
-    else if (study->reference_uncertainty > 1e-3)
+    else if (study->reference_uncertainty > REFERENCE_PARTED)
         printf("the motion is chaotic: no method can follow it to the end, and errors of trajectories mean nothing "
                "there\n");
     printf("%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)study->runs,
@@ -292,6 +303,11 @@ static int say_survey(const struct survey *survey, const struct survey_counts *c
            (long long)counts->verdict[VERDICT_BAD]);
     if (counts->failed > 0)
         printf(", and %lld failed: study.csv says why", (long long)counts->failed);
+    if (counts->parted > 0)
+        printf("\nat %lld of %lld points the solution is known to no better than %g: the motion is chaotic or something "
+               "breaks, "
+               "errors of trajectories mean nothing there and have no orders",
+               (long long)counts->parted, (long long)survey->points, REFERENCE_PARTED);
     printf("\n%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)survey->runs,
            survey->seconds, folder);
     return 0;
@@ -300,7 +316,7 @@ static int say_survey(const struct survey *survey, const struct survey_counts *c
 int survey_go(const struct survey_plan *plan, const struct study_place *place, int rank)
 {
     struct survey survey;
-    struct survey_counts counts = {{0}, 0};
+    struct survey_counts counts = {{0}, 0, 0};
     struct message message = {""}, problem = {""};
     const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
     results = "points";

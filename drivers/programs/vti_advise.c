@@ -246,7 +246,7 @@ static void print_json(const struct advice *a, FILE *file)
     fputs("{", file);
     json_offer(&a->offers[0], file);
     fputs(", ", file);
-    json_number("stable_h", fmin(a->limits.rest.h, a->limits.within.h), file);
+    json_number("stable_h", stable_least(&a->limits, a->offers[0].stepper), file);
     fputs(", ", file);
     json_number("h_max_omega", a->offers[0].h * a->max_omega, file);
     fprintf(file, ", \"measure\": \"%s\", ", cost_measures[a->measure]);

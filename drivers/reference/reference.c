@@ -2,6 +2,7 @@
 #include "reference.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sampled_pair.h"
@@ -51,13 +52,41 @@ static void share_panels(struct smooth *s, MPI_Comm comm)
         broadcast(s->starts, s->windows * (SMOOTH_START + equations_width(s->model)), comm);
 }
 
+/** By rank 0, and by rank 1, if there is one, the other solution meanwhile: into other. */
+static int integrate_smooth(struct smooth *s, double t_end, double bytes, const struct place *place, double *other,
+                            struct message *message)
+{
+    enum { TAG_OTHER = 5 };
+    const int size = (int)(SMOOTH_SAMPLES * equations_width(s->model));
+    int ranks, failed = 0;
+    MPI_Comm_size(place->comm, &ranks);
+    if (place->rank == 0)
+        failed = smooth_integrate(s, t_end, bytes, place->watch, message);
+    if (failed == 0 && place->rank == (ranks > 1))
+        failed = smooth_looser(s->model, t_end, other, place->watch, message);
+    if ((failed = anywhere(failed, place->comm)) != 0)
+        return failed;
+    if (ranks > 1 && place->rank == 1)
+        MPI_Send(other, size, MPI_DOUBLE, 0, TAG_OTHER, place->comm);
+    if (ranks > 1 && place->rank == 0)
+        MPI_Recv(other, size, MPI_DOUBLE, 1, TAG_OTHER, place->comm, MPI_STATUS_IGNORE);
+    if (place->rank == 0)
+        s->spread = smooth_spread(s, other);
+    return 0;
+}
+
 static int create_smooth(struct model *model, double t_end, double bytes, const struct place *place, struct smooth *s,
                          struct message *message)
 {
+    double *const other = calloc((size_t)(SMOOTH_SAMPLES * equations_width(model)), sizeof *other);
     int failed = smooth_create(s, model, message);
-    if (failed == 0 && place->rank == 0)
-        failed = smooth_integrate(s, t_end, bytes, place->watch, message);
-    if ((failed = anywhere(failed, place->comm)) != 0)
+    if (failed == 0 && other == NULL)
+        failed = message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    failed = anywhere(failed, place->comm);
+    if (failed == 0)
+        failed = integrate_smooth(s, t_end, bytes, place, other, message);
+    free(other);
+    if (failed != 0)
         return failed;
     int64_t size[2] = {s->panels.count, s->panels.held};
     MPI_Bcast(size, 2, MPI_INT64_T, 0, place->comm);
@@ -139,7 +168,7 @@ static int create(struct model *model, double t_end, double interval, double fin
         return failed;
     }
     r->energy_error = interval == 0.0 ? r->smooth.energy_error : r->sampled.energy_error;
-    r->uncertainty = interval == 0.0 ? r->smooth.interpolation_error : r->sampled.spread;
+    r->uncertainty = interval == 0.0 ? fmax(r->smooth.interpolation_error, r->smooth.spread) : r->sampled.spread;
     if (interval == 0.0 && r->smooth.rounding > r->uncertainty)
         r->uncertainty = r->rounding = r->smooth.rounding;
     broadcast(&r->energy_error, 1, place->comm);

@@ -16,7 +16,7 @@ struct reference {
     struct smooth smooth;
     struct sampled sampled;
     double energy_error; /* largest |E - E_0| */
-    double uncertainty;  /* relative, of the solution: what interpolation adds, or how far a looser tolerance leads */
+    double uncertainty;  /* relative, of the solution: what interpolation adds, and how far a looser tolerance leads */
     double rounding;     /* the same, where rounding leaves more than interpolation adds (smooth.h); else 0 */
 };
 

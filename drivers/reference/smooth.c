@@ -9,9 +9,12 @@
 
 /* The tolerance of a step of rk8pd, and the share of the state that interpolation may add. */
 static const double step_tolerance = 1e-14, interpolation_tolerance = 1e-13;
-/* The first panels. They are halved until the interpolants are good, as long as that helps or takes no memory that
- * is not there. */
-static const double first_panel = 0.5;
+/* That of a second solution, which tells how errors of a step have grown. They go as the tolerance: what the first one is
+ * off by is a hundredth of how far the two are apart, and a thirtieth is said; but where they have parted. */
+static const double looser = 100.0, share_of_spread = 1.0 / 30.0;
+/* The first panels, but not so many at first. They are halved until the interpolants are good, as long as that helps or
+ * takes no memory that is not there. */
+static const double first_panel = 0.5, first_panels = 4096.0;
 static const double most_panels = 0x1p40;
 
 int smooth_create(struct smooth *s, struct model *model, struct message *message)
@@ -20,7 +23,8 @@ int smooth_create(struct smooth *s, struct model *model, struct message *message
     s->model = model;
     s->state = calloc((size_t)equations_width(model), sizeof *s->state);
     s->block = calloc((size_t)(PANELS_BLOCK * equations_width(model) + PANELS_SPARE), sizeof *s->block);
-    if (s->state == NULL || s->block == NULL)
+    s->samples = calloc((size_t)(SMOOTH_SAMPLES * equations_width(model)), sizeof *s->samples);
+    if (s->state == NULL || s->block == NULL || s->samples == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
     return 0;
 }
@@ -31,9 +35,10 @@ void smooth_destroy(struct smooth *s)
     equations_destroy(&s->equations);
     free(s->state);
     free(s->block);
+    free(s->samples);
     free(s->starts);
     free(s->sums);
-    s->state = s->block = s->starts = NULL;
+    s->state = s->block = s->samples = s->starts = NULL;
     s->sums = NULL;
 }
 
@@ -158,6 +163,22 @@ static void hand_on(struct smooth *s, int64_t window)
     start_of(s, window + 1)[2] = sum.low;
 }
 
+static double sample_time(double t_end, int64_t k)
+{
+    return t_end * ((double)(k + 1) / SMOOTH_SAMPLES);
+}
+
+/** Those of the window in memory. */
+static void take_samples(struct smooth *s, int64_t window)
+{
+    for (int64_t k = 0; k < SMOOTH_SAMPLES; ++k) {
+        double tau;
+        const int64_t p = panels_find(&s->panels, sample_time(s->panels.t_end, k), &tau);
+        if (window_of(s, p) == window)
+            panels_read(&s->panels, p, tau, s->samples + k * equations_width(s->model));
+    }
+}
+
 /** One pass over all panels, which leaves the last window in memory; or over those up to the first that interpolates
  *  worse than tolerance. */
 static int one_pass(struct smooth *s, double tolerance, const struct watch *watch, struct message *message)
@@ -188,6 +209,7 @@ static int one_pass(struct smooth *s, double tolerance, const struct watch *watc
         squares += equations_rounding_squared(&s->equations);
         s->rounding = sqrt(squares);
         s->window = window;
+        take_samples(s, window);
         if (window + 1 < s->windows)
             hand_on(s, window);
     }
@@ -202,7 +224,7 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
     if (!(t_end / first_panel <= most_panels))
         return message_set(message, "%s: no reference solution can be had up to t = %g; shorten t_end",
                            s->model->scene->name, t_end);
-    for (int64_t count = (int64_t)ceil(t_end / first_panel);; count *= 2) {
+    for (int64_t count = (int64_t)fmin(ceil(t_end / first_panel), first_panels);; count *= 2) {
         const double windows = ceil((double)count / fit), held = ceil((double)count / windows),
                      twice = 2.0 * (double)count;
         if (smooth_resize(s, count, (int64_t)held, t_end) != 0)
@@ -216,6 +238,38 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
             (twice > fit && (!helps || twice > most_panels)))
             return failed;
     }
+}
+
+int smooth_looser(struct model *model, double t_end, double *other, const struct watch *watch, struct message *message)
+{
+    const int64_t width = equations_width(model);
+    struct equations eq;
+    double t = 0.0;
+    int failed = equations_create(&eq, model, looser * step_tolerance, watch);
+    if (failed != 0)
+        return message_set(message, "%s: out of memory; use fewer bodies", model->scene->name);
+    equations_start(model, other);
+    for (int64_t k = 0; k < SMOOTH_SAMPLES && failed == 0; ++k) {
+        double *const state = other + k * width;
+        if (k > 0)
+            memcpy(state, state - width, (size_t)width * sizeof *state);
+        failed = equations_advance(&eq, (double)k / SMOOTH_SAMPLES, &t, sample_time(t_end, k), state, message);
+    }
+    equations_destroy(&eq);
+    return failed;
+}
+
+double smooth_spread(struct smooth *s, const double *other)
+{
+    const int64_t width = equations_width(s->model);
+    double sum = 0.0;
+    for (int64_t k = 0; k < SMOOTH_SAMPLES; ++k) {
+        const vti_bodies kept = equations_bodies(s->model, s->samples + k * width),
+                         looser_one = equations_bodies(s->model, (double *)other + k * width);
+        sum += vti_h1_distance(&looser_one, &kept) * s->panels.t_end / SMOOTH_SAMPLES;
+    }
+    const double spread = sum == 0.0 ? 0.0 : sqrt(sum / smooth_norm_squared(s, s->panels.t_end));
+    return spread < REFERENCE_PARTED ? share_of_spread * spread : spread;
 }
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */

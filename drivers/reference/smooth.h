@@ -24,11 +24,16 @@ struct smooth {
     int64_t sums_window, sums_known; /* and the last of them that is known */
     double energy_error;             /* largest |E - E_0| at the ends of the panels */
     double interpolation_error;      /* largest panels_tail */
+    double spread;                   /* smooth_spread */
+    double *samples;      /* [SMOOTH_SAMPLES][a state's width]: at SMOOTH_SAMPLES times, evenly up to t_end */
     double rounding;      /* of velocities and spins in all steps, where that is above the tolerance; else 0 */
     double rounding_most; /* the most of a step, likewise, or an ulp or two of what is farthest from 0 */
 };
 
-enum { SMOOTH_START = 3 };
+/** A reference that is known to less, relative: its trajectories have parted from the true ones. */
+#define REFERENCE_PARTED 1e-3
+
+enum { SMOOTH_START = 3, SMOOTH_SAMPLES = 128 };
 
 /** Room for a reference of *model; the panels are made by smooth_integrate, or by smooth_resize and a copy. */
 int smooth_create(struct smooth *smooth, struct model *model, struct message *message);
@@ -37,6 +42,10 @@ void smooth_destroy(struct smooth *smooth);
  *  WATCH_ASKED. */
 int smooth_integrate(struct smooth *smooth, double t_end, double bytes, const struct watch *watch,
                      struct message *message);
+/** The samples of a solution by a looser tolerance, into other, [SMOOTH_SAMPLES][a state's width]. Likewise. */
+int smooth_looser(struct model *model, double t_end, double *other, const struct watch *watch, struct message *message);
+/** How well the solution is known, relative, from how far it is from that one. */
+double smooth_spread(struct smooth *smooth, const double *other);
 /** Room for count panels on [0, t_end], held of them at once. No window is in memory then. Returns 0, or -1 if there
  *  is no memory. */
 int smooth_resize(struct smooth *smooth, int64_t count, int64_t held, double t_end);

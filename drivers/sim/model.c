@@ -197,6 +197,17 @@ double model_energy(struct model *model, const vti_bodies *bodies)
     return vti_energy(model->effects, model->effects_count, bodies);
 }
 
+double model_energy0(struct model *model)
+{
+    static const double rounding = 1e-13;
+    const vti_bodies *b = &model->bodies;
+    const double energy = model_energy(model, b), kinetic = vti_energy(NULL, 0, b);
+    double size = kinetic;
+    for (int64_t k = 0; k < model->effects_count; ++k)
+        size += fabs(vti_energy(&model->effects[k], 1, b) - kinetic);
+    return fabs(energy) > rounding * size ? energy : 0.0;
+}
+
 /* ---- what takes energy ------------------------------------------------------------------------------------------- */
 
 const vti_effect *model_dissipates(const struct model *model)

@@ -82,6 +82,8 @@ int model_find_pairs(struct model *model, const vti_bodies *bodies);
 int model_forces(struct model *model, const vti_bodies *bodies);
 /** Kinetic energies and all energies of the effects; NaN if the pairs cannot be found. */
 double model_energy(struct model *model, const vti_bodies *bodies);
+/** That of the model's bodies, for shares of it: 0 where it is nothing but what rounding leaves of its terms. */
+double model_energy0(struct model *model);
 /** The first effect that flows, carries, breaks or dissipates; NULL if none does. Steps of such a model are those of
  *  vti_effects_begin. */
 const vti_effect *model_dissipates(const struct model *model);

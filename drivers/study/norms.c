@@ -119,6 +119,7 @@ int norms_create(struct norms *n, struct model *model, const struct trial *trial
     n->compare_every = compare_every;
     n->model = model;
     n->energy0 = norms_energy(model, &model->bodies);
+    n->energy_unit = model_energy0(model) != 0.0 ? fabs(n->energy0) : 1.0;
     n->invariants = model_invariants(model, n->invariant);
     for (int64_t momenta = model_momenta(model); momenta != 0; momenta &= momenta - 1)
         ++n->momenta;

@@ -20,6 +20,7 @@ struct norms {
 
     struct model *model;
     double energy0, invariants0[MODEL_INVARIANTS]; /* at the start */
+    double energy_unit;                            /* |E_0|, or 1 where it is 0 */
     struct invariant invariant[MODEL_INVARIANTS];
     int64_t invariants, momenta; /* how many, and of these the momenta of bodies, which are first */
     vti_integral energy_squared; /* (E_h - E_0)^2 */

@@ -83,7 +83,7 @@ static void measures_end(struct measures *m)
 {
     struct outcome *o = m->outcome;
     const double norm_squared = reference_norm_squared(m->reference, m->t_end);
-    const double energy_norm = (m->norms.energy0 != 0.0 ? fabs(m->norms.energy0) : 1.0) * sqrt(m->t_end);
+    const double energy_norm = m->norms.energy_unit * sqrt(m->t_end);
     o->e_error = sqrt(vti_integral_value(&m->norms.energy_squared)) / energy_norm;
     o->q_error = sampled_relative(fabs(vti_integral_value(&m->norms.norm_squared) - norm_squared), norm_squared);
     o->h1_error = sampled_relative(vti_integral_value(&m->norms.error_squared), norm_squared);

@@ -42,8 +42,13 @@ static int choose_interval(struct study *study, struct message *message)
                                "or many bodies are compared at common times; use a ladder such as 1/1000:1/8000",
                                NUMBER(plan->h[k]), NUMBER(study->interval));
     }
+    const double longest = study->interval;
     while (plan->t_end / study->interval * width > plan->memory)
         study->interval *= 2.0;
+    study->thinned = study->interval / longest;
+    if (study->thinned > 1.0 && study->interval > plan->t_end)
+        return message_set(message, "--memory: %s bytes hold no two states of the reference solution; give more",
+                           NUMBER(plan->memory));
     study->t_end = (double)loop_steps(plan->t_end, study->interval) * study->interval;
     return 0;
 }
@@ -172,13 +177,16 @@ static void longest_first(const struct study *study, int64_t *order)
 
 /* ---- orders ------------------------------------------------------------------------------------------------------ */
 
-/** Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. Energies of a stiff or fast scene are known
+/** Of trajectories that part there is none above which errors mean anything. Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. Energies of a stiff or fast scene are known
  *  to what rounding leaves of them on the reference. */
 double study_floor(int measure, int64_t steps, double t_end, double uncertainty, double energy_error)
 {
     const double rounding = 16.0 * DBL_EPSILON * sqrt((double)steps) * fmax(1.0, t_end);
+    const int is_energy = strcmp(study_measures[measure], "e_error") == 0;
+    if (!is_energy && uncertainty > REFERENCE_PARTED)
+        return INFINITY;
     const double known = fmax(rounding, 10.0 * uncertainty);
-    if (strcmp(study_measures[measure], "e_error") == 0)
+    if (is_energy)
         return fmax(rounding, 10.0 * energy_error);
     return strcmp(study_measures[measure], "q_error") == 0 ? sqrt(known) : known;
 }
@@ -269,7 +277,7 @@ static double finest(const struct plan *plan)
 
 static void note_reference(struct study *study, struct reference *reference)
 {
-    study->energy0 = model_energy(&study->model, &study->model.bodies);
+    study->energy0 = model_energy0(&study->model);
     study->norm_squared = reference_norm_squared(reference, study->t_end);
     study->reference_energy_error = reference->energy_error;
     study->reference_uncertainty = reference->uncertainty;

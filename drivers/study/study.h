@@ -44,6 +44,7 @@ struct study {
     double energy0, norm_squared;
     double t_end;    /* the plan's, or the last common time of all runs before it */
     double interval; /* at which runs are compared with the reference; 0 is every step */
+    double thinned;  /* so many of the longest steps, as memory holds no more states; 1: every one, 0: no interval */
     double reference_energy_error, reference_uncertainty; /* the second relative, of the solution */
     double reference_rounding;                            /* the same where it is rounding that leaves it so, else 0 */
     double seconds;                                       /* for all runs, reference excluded */

@@ -475,7 +475,23 @@ what_others_need("pendulum", 10, 1e-5, "vti2")
 what_others_need("chain", 10, 1e-4, "exact")
 words()
 h_max_omega()
+def stable_step_of_the_stepper():
+    """stable_h is that of the stepper that is advised, which the text has too, and no step is longer."""
+    with tempfile.TemporaryDirectory() as root:
+        with open(f"{root}/fall.yaml", "w", encoding="ascii") as file:
+            file.write("bodies: {x: [0, 0, 0.85], v: [1.7, 0, 0], mass: 0.7, diameter: 0.1}\ngravity: [0, 0, -9.81]\n"
+                       "wall: {stiffness: 1000, planes: [[0, 0, 1, 0.5]]}\nh: 1/64\nt_end: 1\n")
+        for stepper, reach in (("vti2", 2), ("an9", 0.593), ("suzuki4", None)):
+            done = run(advise, "--json", "--error", "1e-3", "--steppers", stepper, f"{root}/fall.yaml")
+            advice = json.loads(done.stdout)
+            bound = advice["stable_h"] / (reach or 1)
+            first = bound if stepper == "vti2" else first
+            check(advice["h"] <= 0.9001 * advice["stable_h"], f"{stepper}: h = {advice['h']:.4g} of {advice['stable_h']:.4g}")
+            check(reach is None or abs(bound / first - 1) < 1e-9, f"... which goes by the reach of {stepper}")
+
+
 h_max_omega_of_the_solution()
+stable_step_of_the_stepper()
 known_to_its_share()
 far_below()
 rivals()

@@ -57,6 +57,14 @@ def same_bytes(base):
         check(result.returncode == 0, f"{ranks} ranks run {result.stderr}")
     contents = {open(f"{base}/ranks{ranks}/errors.csv", "rb").read() for ranks in (1, 2, 3)}
     check(len(contents) == 1, "errors.csv is the same on 1, 2 and 3 ranks")
+    with open(f"{base}/two.csv", "w", encoding="ascii") as file:
+        file.write("x,y,z,vx,vy,vz\n0,0,0,0.1,0.01,0.02\n1.03,0.1,0.05,-0.1,0,0\n")
+    with open(f"{base}/two.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {table: two.csv, diameter: 1, mass: 1}\ncontact: {stiffness: 1000}\nh: 1/256\nt_end: 2\n")
+    for ranks in (1, 3):
+        cost(ranks, f"{base}/two.yaml", "--evals", "1000", "--steppers", "vti2,srkn6,an9", folder=f"{base}/two{ranks}")
+    contents = {open(f"{base}/two{ranks}/errors.csv", "rb").read() for ranks in (1, 3)}
+    check(len(contents) == 1, "... and where pairs are searched for")
     scenes = sorted({scene for scene, _ in ladders(f"{base}/ranks2")})
     check(scenes == ["chain", "pendulum-2", "pendulum-4"], f"a scene with several ends is named with each: {scenes}")
 

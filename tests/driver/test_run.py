@@ -412,6 +412,32 @@ def notes(base):
     check(not lines("spring", each, "contact: {}\nfriction: {sliding: 0.5, stiffness: 1}\n"), "... of friction that asks for none")
 
 
+PARTED = """x,y,z,vx,vy,vz
+0,0,5,-0.1,0,0
+1,0,5,0.1,0,0
+5,0,5,-0.1,0,0
+6.0001,0,5,0.1,0,0
+10,0,0.5,0,0,0.1
+19.5,0,5,-0.1,0,0
+"""
+
+
+def parted(base):
+    """Pairs and bodies at walls that have just parted fly freely by multistep methods, too, whose first steps go back in
+    time, where they would meet."""
+    with open(f"{base}/parted.csv", "w", encoding="ascii") as file:
+        file.write(PARTED)
+    with open(f"{base}/parted.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {table: parted.csv, mass: 1, diameter: 1}\ncontact: {stiffness: 1000}\nh: 1/64\nt_end: 1\n"
+                   "wall: {stiffness: 1000, planes: [[0, 0, 1, 0]], cylinders: [[0, 0, 1, 0, 0, 0, 20]]}\n")
+    for stepper in ("an4", "an7", "an9", "an10-mid", "an10-fine"):
+        stem = f"{base}/parted-{stepper}"
+        done = run(RUN, f"{base}/parted.yaml", "--stepper", stepper, "-o", f"{stem}.h5", "--no-dump")
+        names, rows = read_csv(f"{stem}.csv")
+        change = numpy.ptp(rows[:, names.index("total")])
+        check(done.returncode == 0 and change < 1e-15, f"{stepper}: bodies that have parted fly freely, {change:.1e}")
+
+
 with tempfile.TemporaryDirectory() as root:
     with open(f"{root}/gravity.yaml", "w", encoding="ascii") as out:
         out.write(GRAVITY)
@@ -426,4 +452,5 @@ with tempfile.TemporaryDirectory() as root:
     odd_name(root)
     notes(root)
     loads(root)
+    parted(root)
 conclude()

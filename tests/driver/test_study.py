@@ -302,6 +302,51 @@ def keeps_what_was_there(base):
     check(len(before) == 3 and before == contents(folder), "a failed study leaves the files of the one before")
 
 
+def known_as_well(base):
+    """The middle axis of a body turns errors of a step into many times as much: the reference says so, and what is below
+    has no order."""
+    scene = os.path.join(os.path.dirname(CHAIN), "dzhanibekov.yaml")
+    done = study(2, scene, "--h", "1/64,1/128,1/256", "--steppers", "srkn11", folder=f"{base}/known")
+    with h5py.File(f"{base}/known/study.h5") as file:
+        known = file.attrs["reference_uncertainty"]
+        table = dict(zip(file["orders"]["measure"][...], file["orders"]["order"][...]))
+    least = min(float(row["h1_error"]) for row in rows(f"{base}/known"))
+    check(done.returncode == 0 and least < known < 100 * least, f"known to {known:.1e}, below which no error falls: {least:.1e}")
+    check(numpy.isnan(table[b"h1_error"]) and numpy.isnan(table[b"attitude_error"]), "... and such errors have no order")
+
+
+FALL = """bodies: {x: [0, 0, 0.85], v: [1.7153, 0, 0], mass: 0.7, diameter: 0.1}
+gravity: [0, 0, -9.81]
+wall: {stiffness: 1000, planes: [[0, 0, 1, 0.5]]}
+h: 1/64
+t_end: 1
+"""
+
+
+def when_compared(base):
+    """Scenes with walls are compared at common times, of which memory may hold few: both are said."""
+    with open(f"{base}/fall.yaml", "w", encoding="ascii") as file:
+        file.write(FALL)
+    steps = ("--h", "0.02,0.01,0.005", "--steppers", "vti2")
+    for options, said in ((("--t-end", "0.99"), "multiples of 0.02, the longest step, and all end at t = 0.98"),
+                          (("--memory", "2e-3"), "multiples of 0.04, as --memory holds no more of its states, and all end at t = 1")):
+        done = study(1, f"{base}/fall.yaml", *steps, *options, folder=f"{base}/fall")
+        check([said in line for line in done.stdout.splitlines() if line.startswith("note:")] == [True], said)
+    one_refusal("memory", study(1, f"{base}/fall.yaml", *steps, "--memory", "1e-5", folder=f"{base}/few"), "--memory: 10 bytes hold",
+                f"{base}/few")
+
+
+def energies_that_cancel(base):
+    """An energy at the start of which rounding is all that is left is none that errors are shares of."""
+    with open(f"{base}/cancel.yaml", "w", encoding="ascii") as file:
+        file.write(FALL.replace("0.85", "-0.15").replace("0.5]]", "-0.5]]"))
+    for v in ("1.7155174146594953", "1.7155174146594951"):
+        study(1, f"{base}/cancel.yaml", "--h", "1/1024", "--steppers", "vti2", "--set", f"bodies.v=[{v}, 0, 0]",
+              folder=f"{base}/cancel{v}")
+        error = float(rows(f"{base}/cancel{v}")[0]["e_error"])
+        check(error < 0.1, f"v = {v}: an energy error of {error:.1e}")
+
+
 with tempfile.TemporaryDirectory() as base:
     full = study(2, "--steppers", "vti1,vti2,vti3,vti3-leapfrog", folder=f"{base}/full")
     check(full.returncode == 0 and "vti-study:" not in full.stderr, f"the default study runs {full.stderr}")
@@ -323,4 +368,7 @@ with tempfile.TemporaryDirectory() as base:
     rivals(base)
     general_inertia(base)
     keeps_what_was_there(base)
+    known_as_well(base)
+    when_compared(base)
+    energies_that_cancel(base)
 conclude()

@@ -276,7 +276,21 @@ def memory(base):
     check(not MEMORY_TELLS or many - few < 1500, f"{few} kB for 5000 runs, {many} kB for 15000")
 
 
-for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory):
+def strays(base):
+    """Where motion is chaotic a sweep says so, and tells orders of the energy alone."""
+    with open(f"{base}/stray.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {lattice: {counts: [2, 2, 2], spacing: 1.1, corner: [0, 0, 1]}, diameter: 1, mass: 1,\n"
+                   "  random: {seed: 1, v: 1}}\ncontact: {stiffness: 500}\nwall: {stiffness: 500, planes: [[0, 0, 1, 0], "
+                   "[1, 0, 0, -1], [-1, 0, 0, -2.5], [0, 1, 0, -1], [0, -1, 0, -2.5], [0, 0, -1, -4]]}\nh: 1/128\nt_end: 20\n")
+    done = study(2, f"{base}/stray.yaml", "--steppers", "vti2", "--h", "1/64:1/256", "--sweep", "bodies.random.seed=1:2",
+                 folder=f"{base}/stray")
+    check("at 2 of 2 points the solution is known to no better than 0.001: the motion is chaotic" in done.stdout,
+          f"the sweep says that the motion is chaotic {done.stderr}")
+    fitted = [line.split() for line in done.stdout.splitlines() if line.startswith("vti2")][-1]
+    check(fitted[1] != "-" and fitted[-3:] == ["-", "-", "-"], f"orders: {fitted}")
+
+
+for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory, strays):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()

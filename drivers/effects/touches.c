@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "touches.h"
+
+#include <string.h>
+
+/** What begins just touching, up to rounding, does not touch yet. */
+static const double nearly = 1.0 - 1e-12;
+
+static int pair_touches(const vti_contacts *p, int64_t k, const vti_view *x, double nearer)
+{
+    const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
+    const vti_scalars *d = &p->diameter;
+    const double length = p->length.p != NULL ? p->length.p[k * p->length.stride]
+                                              : 0.5 * (d->p[i * d->stride] + d->p[j * d->stride]);
+    double r2 = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        const double apart = x->c[c][j * x->stride] - x->c[c][i * x->stride];
+        r2 += apart * apart;
+    }
+    return sqrt(r2) < length * nearer;
+}
+
+static int wall_touches(const vti_walls *p, int64_t w, int64_t i, const vti_view *view, double nearer)
+{
+    double x[3], n[3];
+    for (int c = 0; c < 3; ++c)
+        x[c] = view->c[c][i * view->stride];
+    return vti_walls_gap(p, w, x, n) < 0.5 * p->diameter.p[i * p->diameter.stride] * nearer;
+}
+
+/** Adds what pair k does. */
+static void add_pair(const vti_contacts *p, int64_t k, const vti_bodies *b)
+{
+    vti_contacts one = *p;
+    one.count = 1;
+    one.pair = p->pair + 2 * k;
+    if (p->length.p != NULL)
+        one.length = vti_scalars_one(p->length.p + k * p->length.stride);
+    const vti_effect effect = vti_contacts_effect(&one);
+    effect.apply(effect.self, b);
+}
+
+/** Adds what wall w does to body i. */
+static void add_wall(const vti_walls *p, int64_t w, int64_t i, const vti_bodies *b)
+{
+    vti_walls one = *p;
+    one.count = w < p->count;
+    one.cylinders = 1 - one.count;
+    if (one.count > 0)
+        one.plane = p->plane + 4 * w;
+    else
+        one.cylinder = p->cylinder + 7 * (w - p->count);
+    one.each = p->each != NULL ? p->each + w : NULL;
+    one.moduli = p->moduli != NULL ? p->moduli + w : NULL;
+    one.motion = NULL; /* none moves back in time */
+    const vti_bodies slice = vti_bodies_slice(*b, i, 1);
+    const vti_effect effect = vti_walls_effect(&one);
+    effect.apply(effect.self, &slice);
+}
+
+void touches_take_new(const struct effect_surfaces *surfaces, const double *start, const vti_bodies *bodies,
+                      double *scratch)
+{
+    const vti_contacts *const pairs = surfaces->contacts;
+    const vti_walls *const walls = surfaces->walls;
+    const vti_view was = vti_view_packed((double *)start);
+    const size_t n = (size_t)bodies->count;
+    vti_bodies b = *bodies;
+    memset(scratch, 0, 3 * n * sizeof *scratch);
+    b.force = vti_view_packed(scratch);
+    b.moment = vti_view_none();
+    for (int64_t k = 0; pairs != NULL && k < pairs->count; ++k)
+        if (pair_touches(pairs, k, &b.x, 1.0) && !pair_touches(pairs, k, &was, nearly))
+            add_pair(pairs, k, &b);
+    for (int64_t w = 0; walls != NULL && w < walls->count + walls->cylinders; ++w)
+        for (int64_t i = 0; i < b.count; ++i)
+            if (wall_touches(walls, w, i, &b.x, 1.0) && !wall_touches(walls, w, i, &was, nearly))
+                add_wall(walls, w, i, &b);
+    for (size_t k = 0; k < 3 * n; ++k)
+        bodies->force.c[0][k] -= scratch[k];
+}
