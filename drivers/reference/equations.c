@@ -8,6 +8,7 @@
 
 #include "euler.h"
 #include "random.h"
+#include "units.h"
 
 /* ---- the state as bodies ----------------------------------------------------------------------------------------- */
 
@@ -195,7 +196,7 @@ static int matters(const struct equations *eq)
 {
     double most = 0.0;
     for (int64_t c = 0; c < equations_body_width(eq->model); ++c)
-        most = fmax(most, eq->noise[c]);
+        most = fmax(most, eq->noise[c] / eq->unit[c]);
     return isfinite(eq->oscillation) && most * eq->oscillation > some * eq->tolerance;
 }
 
@@ -221,7 +222,7 @@ static void look_at_noise(struct equations *eq, double t, const double *state)
 
 double equations_rounding_squared(const struct equations *eq)
 {
-    return eq->floor.squares / (stages * stages);
+    return eq->floor.squares / (stages * stages * eq->unit[eq->width - 1]);
 }
 
 /* ---- integration ------------------------------------------------------------------------------------------------- */
@@ -249,6 +250,19 @@ static double oscillation_of(const struct model *model)
     return model_find_limits(model, &limits, &ignored) == 0 ? fmin(limits.rest.h, limits.within.h) : 0.0;
 }
 
+/** Those of the scene; 1 where forces cannot be had. */
+static void find_units(struct equations *eq)
+{
+    double *const state = eq->noise + eq->width, *const rate = state + eq->width;
+    equations_start(eq->model, state);
+    for (int64_t k = 0; k < eq->width; ++k)
+        eq->unit[k] = 1.0;
+    if (rates(0.0, state, rate, eq) == GSL_SUCCESS)
+        units_of(eq->model, eq->width, state, rate, eq->unit);
+    eq->evals = 0;
+    control_in_units(eq->driver->c, eq->unit);
+}
+
 int equations_create(struct equations *eq, struct model *model, double tolerance, const struct watch *watch)
 {
     memset(eq, 0, sizeof *eq);
@@ -260,13 +274,16 @@ int equations_create(struct equations *eq, struct model *model, double tolerance
     eq->width = equations_width(model);
     eq->system = (gsl_odeiv2_system){rates, NULL, (size_t)eq->width, eq};
     eq->loads = calloc((size_t)(6 * model->bodies.count), sizeof *eq->loads);
+    eq->unit = calloc((size_t)eq->width, sizeof *eq->unit);
     eq->noise = calloc((size_t)(4 * eq->width), sizeof *eq->noise);
     eq->floor.noise = eq->noise;
     eq->driver = gsl_odeiv2_driver_alloc_y_new(&eq->system, gsl_odeiv2_step_rk8pd, first_step, tolerance, tolerance);
     gsl_odeiv2_control *control = control_new(tolerance);
-    if (eq->loads != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL && bound_steps(eq) == 0) {
+    if (eq->loads != NULL && eq->unit != NULL && eq->noise != NULL && eq->driver != NULL && control != NULL &&
+        bound_steps(eq) == 0) {
         gsl_odeiv2_control_free(eq->driver->c);
         eq->driver->c = control;
+        find_units(eq);
         return 0;
     }
     if (control != NULL)
@@ -280,6 +297,7 @@ void equations_destroy(struct equations *eq)
     if (eq->driver != NULL)
         gsl_odeiv2_driver_free(eq->driver);
     free(eq->loads);
+    free(eq->unit);
     free(eq->noise);
     memset(eq, 0, sizeof *eq);
 }

@@ -19,6 +19,7 @@ struct equations {
     struct model *model; /* its contacts follow the states that are looked at */
     int64_t width;       /* doubles in a state: all bodies, then ||q||^2 up to now */
     double *loads;       /* force and moment of every body */
+    double *unit;        /* [width]: units.h */
     double *noise;       /* [4][width]: what rounding changes in rates, and scratch to find it */
     int64_t evals, next; /* of rates; at which noise is looked at again */
     struct control_floor floor;
@@ -39,7 +40,7 @@ int equations_create(struct equations *equations, struct model *model, double to
 void equations_destroy(struct equations *equations);
 
 /** The sum of the squares of what rounding has changed in velocities and spins at steps that it is a bound of, above
- *  the tolerance; 0 if there was none. */
+ *  the tolerance, in the unit of the norm; 0 if there was none. */
 double equations_rounding_squared(const struct equations *equations);
 
 /** Doubles of one body in a state: x v if it translates, q Omega if it turns. */

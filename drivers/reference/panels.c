@@ -53,7 +53,7 @@ double *panels_row(const struct panels *panels, int64_t p, int k)
     return panels->values + ((p - panels->first) * PANELS_NODES + k) * panels->width;
 }
 
-double panels_tail(const struct panels *panels, int64_t p)
+double panels_tail(const struct panels *panels, int64_t p, const double *unit)
 {
     double largest = 0.0;
     for (int64_t c = 0; c < panels->width; ++c)
@@ -61,17 +61,17 @@ double panels_tail(const struct panels *panels, int64_t p)
             double sum = 0.0;
             for (int k = 0; k < PANELS_NODES; ++k)
                 sum += panels_row(panels, p, k)[c] * panels->last[j][k];
-            largest = fmax(largest, fabs(2.0 * sum / PANELS_NODES));
+            largest = fmax(largest, fabs(2.0 * sum / PANELS_NODES) / (unit != NULL ? unit[c] : 1.0));
         }
     return largest;
 }
 
-double panels_most(const struct panels *panels, int64_t p)
+double panels_most(const struct panels *panels, int64_t p, const double *unit)
 {
     const double *value = panels_row(panels, p, 0);
     double most = 0.0;
     for (int64_t k = 0; k < PANELS_NODES * panels->width; ++k)
-        most = fmax(most, fabs(value[k]));
+        most = fmax(most, fabs(value[k]) / unit[k % panels->width]);
     return most;
 }
 

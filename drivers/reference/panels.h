@@ -36,11 +36,11 @@ void panels_destroy(struct panels *panels);
 double panels_time(const struct panels *panels, int64_t p, double tau);
 double *panels_row(const struct panels *panels, int64_t p, int k);
 
-/** Largest of the last two Chebyshev coefficients of any component of panel p: what the interpolant leaves out is
- *  smaller. */
-double panels_tail(const struct panels *panels, int64_t p);
-/** The largest of its values. */
-double panels_most(const struct panels *panels, int64_t p);
+/** Largest of the last two Chebyshev coefficients of any component of panel p, in its unit (NULL: 1): what the
+ *  interpolant leaves out is smaller. */
+double panels_tail(const struct panels *panels, int64_t p, const double *unit);
+/** The largest of its values, likewise. */
+double panels_most(const struct panels *panels, int64_t p, const double *unit);
 
 /** The panel that holds t, in memory or not, and t's place tau in it. */
 int64_t panels_find(const struct panels *panels, double t, double *tau);

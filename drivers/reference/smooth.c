@@ -186,22 +186,24 @@ static int one_pass(struct smooth *s, double tolerance, const struct watch *watc
     const vti_bodies bodies = equations_bodies(s->model, s->state);
     const vti_sum nothing = {0.0, 0.0};
     double squares = 0.0;
-    s->t = s->energy_error = s->interpolation_error = s->rounding = s->rounding_most = 0.0;
+    s->t = s->energy_error = s->tail = s->interpolation_error = s->rounding = s->rounding_most = 0.0;
     equations_start(s->model, s->state);
     keep_start(s, 0, nothing);
     const double energy = model_energy(s->model, &bodies);
     for (int64_t window = 0; window < s->windows; ++window) {
         if (enter(s, window, watch, message) != 0)
             return -1;
+        const double *const unit = s->equations.unit, norm_unit = sqrt(unit[equations_width(s->model) - 1]);
         for (int64_t p = s->panels.first; p < end_of(s, window); ++p) {
             const int failed = one_panel(s, p, message);
             if (failed != 0)
                 return failed;
-            s->rounding_most = fmax(s->rounding_most, 2.0 * DBL_EPSILON * panels_most(&s->panels, p));
+            s->rounding_most = fmax(s->rounding_most, 2.0 * DBL_EPSILON * panels_most(&s->panels, p, unit));
             s->rounding_most = fmax(s->rounding_most, s->equations.floor.highest);
             s->energy_error = fmax(s->energy_error, fabs(model_energy(s->model, &bodies) - energy));
-            s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p));
-            if (s->interpolation_error > fmax(tolerance, s->rounding_most))
+            s->tail = fmax(s->tail, panels_tail(&s->panels, p, unit));
+            s->interpolation_error = fmax(s->interpolation_error, panels_tail(&s->panels, p, NULL) / norm_unit);
+            if (s->tail > fmax(tolerance, s->rounding_most))
                 return 0;
             if (watch_see(watch, (double)(p + 1) / (double)s->panels.count))
                 return WATCH_ASKED;
@@ -232,8 +234,8 @@ int smooth_integrate(struct smooth *s, double t_end, double bytes, const struct 
         /* where the passes after this one are made whatever it finds, one bad panel is enough */
         const double enough = 2.0 * twice <= fit ? interpolation_tolerance : INFINITY;
         const int failed = one_pass(s, enough, watch, message);
-        const int helps = s->interpolation_error < 0.5 * last;
-        last = s->interpolation_error;
+        const int helps = s->tail < 0.5 * last;
+        last = s->tail;
         if (failed != 0 || last <= fmax(interpolation_tolerance, s->rounding_most) ||
             (twice > fit && (!helps || twice > most_panels)))
             return failed;

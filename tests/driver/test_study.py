@@ -336,6 +336,26 @@ def when_compared(base):
                 f"{base}/few")
 
 
+def in_other_units(base):
+    """Grains of a micrometre in SI units, and the same in micrometres: solutions known as well, errors the same shares, of
+    contacts (GSL's states at intervals) and of bonds (panels)."""
+    touch = "contact: {young: %g, poisson: 0.3}\nwall: {young: %g, poisson: 0.3, planes: [[0, 0, 1, %g]]}\nh: 1/64\nt_end: 10\n"
+    bond = "binder: {axial: %g}\nh: 1/64\nt_end: 2\n"
+    for name, si, scaled in (("touch", touch % (1e-3, 1e-3, -0.52e-6), touch % (1e9, 1e9, -0.52)),
+                             ("bond", bond % 6.5e-26, bond % 6.5e4)):
+        found = []
+        for unit, effects in ((1e-6, si), (1, scaled)):
+            with open(f"{base}/grains.yaml", "w", encoding="ascii") as file:
+                file.write(f"bodies: {{chain: {{count: 3, spacing: {1.02 * unit}}}, diameter: {unit}, density: 2500, "
+                           f"random: {{seed: 7, v: {1e-2 * unit}}}}}\n" + effects)
+            study(2, f"{base}/grains.yaml", "--h", "1/64,1/256", "--steppers", "vti2", folder=f"{base}/grains{name}{unit}")
+            with h5py.File(f"{base}/grains{name}{unit}/study.h5") as file:
+                found.append((file.attrs["reference_uncertainty"], float(rows(f"{base}/grains{name}{unit}")[0]["h1_error"])))
+        (known, error), (of_scaled, error_of_scaled) = found
+        check(known < 1e-8 and of_scaled < 1e-8, f"{name}: solutions known to {known:.1e} and {of_scaled:.1e}")
+        check(abs(error / error_of_scaled - 1) < 1e-3, f"{name}: the same error, {error:.4e} and {error_of_scaled:.4e}")
+
+
 def energies_that_cancel(base):
     """An energy at the start of which rounding is all that is left is none that errors are shares of."""
     with open(f"{base}/cancel.yaml", "w", encoding="ascii") as file:
@@ -370,5 +390,6 @@ with tempfile.TemporaryDirectory() as base:
     keeps_what_was_there(base)
     known_as_well(base)
     when_compared(base)
+    in_other_units(base)
     energies_that_cancel(base)
 conclude()

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * M. Galassi et al., GNU Scientific Library Reference Manual, 3rd ed. (2009), "Adaptive Step-size Control": with
- * E_i/D_i the estimated over the desired error of component i, D_i = epsilon + epsilon |y_i|, r the largest of them,
+ * E_i/D_i the estimated over the desired error of component i, D_i = epsilon u_i + epsilon |y_i|, u_i = 1 unless units
+ * are given, r the largest of them,
  * q = 8 the order,
  *
  *     h <- 0.9 r^(-1/q) h         if r > 1.1,  at least h/5 (and the step is made again)
@@ -18,6 +19,7 @@ static const double safety = 0.9, most = 5.0;
 
 struct settings {
     double epsilon;
+    const double *unit;          /* NULL: 1 */
     struct control_floor *floor; /* NULL: none */
 };
 
@@ -33,9 +35,14 @@ static int init(void *state, double absolute, double relative, double a_y, doubl
     return 0;
 }
 
-static double desired(const struct settings *s, double y)
+static double unit_of(const struct settings *s, size_t i)
 {
-    return s->epsilon * fabs(y) + s->epsilon;
+    return s->unit != NULL ? s->unit[i] : 1.0;
+}
+
+static double desired(const struct settings *s, size_t i, double y)
+{
+    return s->epsilon * fabs(y) + s->epsilon * unit_of(s, i);
 }
 
 /** The least error that can be had of component i by a step h. */
@@ -49,12 +56,12 @@ static void note_floor(const struct settings *s, size_t n, const double y[], dou
 {
     double largest = 0.0;
     for (size_t i = 0; i < n && s->floor != NULL; ++i)
-        if (least(s, i, h) > desired(s, y[i]))
+        if (least(s, i, h) > desired(s, i, y[i])) {
             largest = fmax(largest, least(s, i, h));
-    if (largest > 0.0) {
-        s->floor->highest = fmax(s->floor->highest, largest);
+            s->floor->highest = fmax(s->floor->highest, least(s, i, h) / unit_of(s, i));
+        }
+    if (largest > 0.0)
         s->floor->squares += largest * largest;
-    }
 }
 
 static double eighth_root(double r)
@@ -87,7 +94,7 @@ static int adjust(void *state, size_t n, unsigned int order, const double y[], c
     double r = 0.0;
     (void)order, (void)rate;
     for (size_t i = 0; i < n; ++i)
-        r = worst_of(r, fabs(error[i]) / fmax(desired(s, y[i]), least(s, i, *h)));
+        r = worst_of(r, fabs(error[i]) / fmax(desired(s, i, y[i]), least(s, i, *h)));
     if (r > 1.1) {
         *h *= fmax(safety / eighth_root(r), 1.0 / most);
         return GSL_ODEIV_HADJ_DEC;
@@ -102,8 +109,8 @@ static int adjust(void *state, size_t n, unsigned int order, const double y[], c
 
 static int level(void *state, const double y, const double rate, const double h, const size_t i, double *found)
 {
-    (void)rate, (void)h, (void)i;
-    *found = desired(state, y);
+    (void)rate, (void)h;
+    *found = desired(state, i, y);
     return 0;
 }
 
@@ -111,6 +118,11 @@ static int set_driver(void *state, const gsl_odeiv2_driver *driver)
 {
     (void)state, (void)driver;
     return 0;
+}
+
+void control_in_units(gsl_odeiv2_control *control, const double *unit)
+{
+    ((struct settings *)control->state)->unit = unit;
 }
 
 void control_stop_at(gsl_odeiv2_control *control, struct control_floor *floor)
