@@ -200,6 +200,7 @@ static void fit_orders(struct study *study)
 {
     const double energy_error = study_share(study->reference_energy_error, study->energy0);
     const struct plan *plan = study->plan;
+    const int64_t fitted = plan->scene->tolerance > 0.0 ? 0 : plan->h_count; /* errors follow the tolerance, not h */
     for (int64_t s = 0; s < plan->steppers_count; ++s)
         for (int m = 0; m < STUDY_MEASURES; ++m) {
             double error[LADDER_MOST], floor[LADDER_MOST];
@@ -209,7 +210,7 @@ static void fit_orders(struct study *study)
                 floor[k] = study_floor(m, study->trials[run].steps, study->trials[run].t_end,
                                        study->reference_uncertainty, energy_error);
             }
-            study->orders[s][m] = fit_order(plan->h, error, floor, plan->h_count);
+            study->orders[s][m] = fit_order(plan->h, error, floor, fitted);
         }
 }
 

@@ -164,6 +164,7 @@ def without_orders(base):
         done = study(1, *arguments, "--t-end", "1", folder=f"{base}/without")
         check(done.returncode == 0 and [said in line for line in done.stdout.splitlines() if line.startswith("- ")] == [True],
               f"{' '.join(arguments)}: {said}")
+    check(done.stdout.splitlines()[-5].split() == ["srkn11", "-", "-", "-", "-"], "steps by a tolerance have no orders of h")
 
 
 def stiff_energies(base):
