@@ -266,8 +266,8 @@ static inline int vti_inertia_check(const vti_bodies *b)
 /** Whether a contact, a wall and bonds may be worked on: what can be seen at once, or everything where the library was
  *  built to look. */
 int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b);
-int vti_walls_ready(const vti_walls *walls, const vti_bodies *b);
-int vti_bonds_ready(const vti_bonds *bonds, const vti_bodies *b);
+int vti_walls_ready(const vti_walls *p, const vti_bodies *b);
+int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b);
 
 /** VTI_OK if the library has such a law and frame. */
 static inline int vti_law_check(int64_t law, int64_t frame)

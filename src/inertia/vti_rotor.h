@@ -218,7 +218,7 @@ VTI_INLINE lanes rotor_most(int law, int rotor, const struct rotor_start *from)
     list.watches = 1;
     rotor_lists_of(law, rotor, &from, &list, 1);
     const lanes about = lanes_sqrt(from->about_L);
-    return lanes_where((about <= list.most) | (list.most != list.most), list.most, about);
+    return lanes_where(about > list.most, about, list.most + 0.0 * about); /* NaN of either shows */
 }
 
 #endif
