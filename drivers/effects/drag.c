@@ -256,7 +256,7 @@ static void destroy(struct effect *e)
 
 static const struct effect_term terms[] = {
     {"lost_drag_translation", "$Q^{\\mathrm{d}}$", "lost to drag", "#5C7A29"},
-    {"lost_drag_rotation", "$Q^{\\mathrm{d}}_\\Omega$", "lost to drag, turning", "#CC6677"}};
+    {"lost_drag_rotation", "$Q^{\\mathrm{d}}_\\Omega$", "lost to drag, turning", "#FF6F61"}};
 
 const struct effect_kind effect_drag = {.number = EFFECT_drag,
                                         .key = "drag",

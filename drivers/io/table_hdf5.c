@@ -55,7 +55,8 @@ static int read_set(struct table *table, hid_t set, const char *name, const char
         return fail_column(table, name, text, message);
     }
     if (rows < 0)
-        return fail_column(table, name, "is not a list of numbers; give a dataset of one dimension", message);
+        return fail_column(table, name, "is not a list of numbers; give a dataset of numbers, of one dimension",
+                           message);
     if (first != NULL && rows != table->rows) {
         snprintf(text, sizeof text, "%lld rows, and %s has %lld; give all columns the same number", (long long)rows,
                  first, (long long)table->rows);
@@ -84,7 +85,8 @@ static int read_group(struct table *table, hid_t group, struct message *message)
             return table_fail_whole(table, message, "is damaged; make it anew");
         const hid_t set = H5Dopen2(group, name, H5P_DEFAULT);
         if (set < 0)
-            return fail_column(table, name, "is not a list of numbers; give a dataset of one dimension", message);
+            return fail_column(table, name, "is not a list of numbers; give a dataset of numbers, of one dimension",
+                               message);
         const int result = read_set(table, set, name, k > 0 ? first : NULL, message);
         H5Dclose(set);
         if (result != 0)

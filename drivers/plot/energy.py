@@ -17,9 +17,8 @@ def draw(run):
     lowered = [name for name, values in energies.items() if np.min(values) < -1e-9 * np.max(np.abs(values))]
     energies.update((name, energies[name] - np.min(energies[name])) for name in lowered)
 
-    figure = style.new_figure(7.6)
-    figure.suptitle(f"{words.plain(run.scene)}: energies over time, {words.stepper_name(run.stepper)}, "
-                    rf"$h$ = {words.step_text(run.h)}")
+    figure = style.new_figure(max(7.6, 1.3 + 0.42 * (1 + len(energies))))  # as high as its legend asks for
+    figure.suptitle(f"{words.plain(run.scene)}: energies over time, {words.steps_of(run)}")
     stack, single = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
     _draw_stack(stack, t, energies, looks)
     _draw_single(single, t, energies, looks)

@@ -15,8 +15,7 @@ def draw(run):
         return None, ["not drawn, fewer than two times are recorded"]
     scale, symbol = (abs(total[0]), r"(E_h-E_0)\,/\,|E_0|") if total[0] != 0 else (1.0, "E_h-E_0")
     figure = style.new_figure(4.4)
-    figure.suptitle(f"{words.plain(run.scene)}: error of the total energy over time, {words.stepper_name(run.stepper)}, "
-                    rf"$h$ = {words.step_text(run.h)}")
+    figure.suptitle(f"{words.plain(run.scene)}: error of the total energy over time, {words.steps_of(run)}")
     axes = figure.subplots()
     if run.lost is None:
         _draw_sound(axes, t, (total - total[0]) / scale, symbol)

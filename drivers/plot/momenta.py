@@ -74,7 +74,7 @@ def draw(run):
 
     figure = style.new_figure(5.3)
     figure.suptitle(f"{words.plain(run.scene)}: deviation of the momenta from their initial values, "
-                    rf"{words.stepper_name(run.stepper)}, $h$ = {words.step_text(run.h)}")
+                    f"{words.steps_of(run)}")
     grid = figure.add_gridspec(2, len(panels), height_ratios=(4.0, 0.3))
     for column, panel in enumerate(panels):
         axes = figure.add_subplot(grid[0, column])

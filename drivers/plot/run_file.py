@@ -122,7 +122,9 @@ class Run:
             if not self.breaks:
                 return Frame(float(self.times[k]), x, attitude, self.lines, **shapes)
             cells = self.bodies + len(self.lines)
-            holds = reader.numbers("/VTKHDF/CellData/bond_holds", 1, slice(k * cells + self.bodies, (k + 1) * cells))
+            holds = np.zeros(0)
+            if len(self.lines):  # a run in which no bond was made has no such data
+                holds = reader.numbers("/VTKHDF/CellData/bond_holds", 1, slice(k * cells + self.bodies, (k + 1) * cells))
             fragment = reader.numbers("/VTKHDF/PointData/fragment", 1, rows)
         return Frame(float(self.times[k]), x, attitude, self.lines[holds == 1], fragment, **shapes)
 

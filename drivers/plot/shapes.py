@@ -55,8 +55,7 @@ def draw(run):
     rows, columns = _grid(len(frames), *(2 * scene.half))
     panel = TITLE + (style.WIDTH / columns - AROUND) * scene.half[1] / scene.half[0]
     figure = style.new_figure(0.95 + rows * min(panel, TALLEST / rows))
-    figure.suptitle(f"{words.plain(run.scene)}: shapes over time, {words.stepper_name(run.stepper)}, "
-                    rf"$h$ = {words.step_text(run.h)}")
+    figure.suptitle(f"{words.plain(run.scene)}: shapes over time, {words.steps_of(run)}")
     grid = figure.subplots(rows, columns, sharex=not scene.follows, sharey=not scene.follows, squeeze=False)
     touched, base = False, _base(scene)
     power = _power([scene.window(frame) - base for frame in frames])

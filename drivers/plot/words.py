@@ -37,6 +37,12 @@ def step_text(h):
     return f"1/{whole}" if power_of_two or (whole >= 1000 and len(f"{h:.15g}".strip("0.").split("e")[0]) > 1) else given(h)
 
 
+def steps_of(run):
+    """The stepper of a run and its step, if that is always the same."""
+    name = stepper_name(run.stepper)
+    return f"{name}, steps that vary" if re.search("-(tol|integrating|naive)$", run.stepper) else rf"{name}, $h$ = {step_text(run.h)}"
+
+
 def number(value, digits=2):
     """Plain near 1, otherwise with a power of ten: 0.25, 12, 3.1 x 10^-5."""
     if value == 0 or not math.isfinite(value):

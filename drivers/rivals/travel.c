@@ -22,7 +22,10 @@ static int check_inertia(const struct rival *way, const struct model *model, str
     if (way->general)
         return 0;
     const int controlled = method_rival(&way->stepper) == NULL && way->table != NULL;
-    return model_of_spheres(model, controlled ? "step control" : way->stepper.name, message);
+    return model_of_spheres(model, controlled ? "step control" : way->stepper.name,
+                            controlled ? "leave --tolerance and --control out"
+                                       : "run the scene by a stepper of kicks and drifts, such as vti2",
+                            message);
 }
 
 /** Only lists of kicks and drifts flow and carry, and of those only the ones that never step back. */

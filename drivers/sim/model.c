@@ -238,19 +238,16 @@ int model_breaks(const struct model *model)
     return any;
 }
 
-int model_of_spheres(const struct model *model, const char *what, struct message *message)
+int model_of_spheres(const struct model *model, const char *what, const char *remedy, struct message *message)
 {
     if (model_has_clumps(model))
-        return message_set(message,
-                           "%s: bodies.clumps: %s knows bodies that are spheres; run the scene by a stepper of kicks "
-                           "and drifts, such as vti2",
-                           model->scene->name, what);
+        return message_set(message, "%s: bodies.clumps: %s knows bodies that are spheres; %s", model->scene->name, what,
+                           remedy);
     if (model->bodies.moments.c[0] == NULL)
         return 0;
-    return message_set(message,
-                       "%s: bodies.moments: %s knows bodies of one moment of inertia, spheres; give "
-                       "bodies.inertia, or run the scene by a stepper of kicks and drifts, such as vti2",
-                       model->scene->name, what);
+    return message_set(
+        message, "%s: bodies.moments: %s knows bodies of one moment of inertia, spheres; give bodies.inertia, or %s",
+        model->scene->name, what, remedy);
 }
 
 int model_rupture(struct model *model, int64_t step, double t)

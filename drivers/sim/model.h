@@ -95,8 +95,9 @@ int model_twists(const struct model *model);
 /** Whether something in it may break. */
 int model_breaks(const struct model *model);
 
-/** Returns 0 if the bodies are spheres, as the method named what requires; else -1 with one line in *message. */
-int model_of_spheres(const struct model *model, const char *what, struct message *message);
+/** Returns 0 if the bodies are spheres, as the method named what requires; else -1 with one line in *message, of which
+ *  remedy is the end. */
+int model_of_spheres(const struct model *model, const char *what, const char *remedy, struct message *message);
 
 /** What breaks at the end of the step, at t, and what bonds are made then; where something is, forces are evaluated anew.
  *  Returns VTI_OK or a status that model_text explains. */

@@ -247,6 +247,27 @@ def test_fragments(_program, _folder):
     assert set(scenery.fragment_colours(frames([-1, -1, 2, 2]))[0][:2]) == {scenery.SINGLE}, "bodies without bonds"
 
 
+def test_no_bond_made(program, folder):
+    """A run whose bonds are made on touch, and none was."""
+    run = os.path.join(folder, "out.h5")
+    write_run(run, frames=9)
+    with h5py.File(run, "a") as file:
+        del file["VTKHDF/Lines/Connectivity"]
+        file["VTKHDF/Lines/Connectivity"] = np.zeros(0, int)
+        file["VTKHDF/PointData/fragment"] = np.full(24 * 9, -1)
+    draws(program, run, os.path.join(folder, "no-bond"), pictures=ALL[3:], only=ALL[3:])
+
+
+def test_varying_steps(program, folder):
+    """Titles of runs whose steps vary name none."""
+    del program
+    words = importlib.import_module("plot.words")
+    run = types.SimpleNamespace(stepper="srkn11-tol", h=1 / 64)
+    assert words.steps_of(run) == "SRKN11 tol, steps that vary", folder
+    run.stepper = "vti2"
+    assert words.steps_of(run) == "VTI-2, $h$ = 1/64"
+
+
 def test_scale(_program, folder):
     """Both coordinates are written in one power of ten, near 1 in none; less a round base far from the origin, where ticks are
     apart and name where they are. What of the walls is seen at a slant is said not to be drawn."""
@@ -329,4 +350,5 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_scale, test_film, test_refusals)
+    plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_no_bond_made, test_varying_steps,
+                      test_scale, test_film, test_refusals)

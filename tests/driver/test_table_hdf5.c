@@ -119,7 +119,7 @@ TEST(values)
                 "break_normal, break_shear, break_bending, break_torsion, break_energy, length, nx, ny, nz, turn_x, "
                 "turn_y, turn_z, turn_w");
     refused_set(&table_bodies, "x", 2, 1, 1,
-                "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
+                "b.h5: /bodies/x: is not a list of numbers; give a dataset of numbers, of one dimension");
     refused_set(&table_bodies, "x", 1, 1, NAN, "b.h5: row 1: x: 'nan' is not finite; give a number");
     refused_set(&table_bodies, "x", 1, -INFINITY, 1, "b.h5: row 0: x: '-inf' is not finite; give a number");
     refused_set(&table_bodies, "mass", 1, 1, 0, "b.h5: row 1: mass: '0' is not positive; it must be > 0");
@@ -146,7 +146,7 @@ TEST(groups)
     H5Gclose(group);
     H5Gclose(open_group(file, "bonds"));
     H5Fclose(file);
-    refused(&table_bodies, "b.h5: /bodies/x: is not a list of numbers; give a dataset of one dimension");
+    refused(&table_bodies, "b.h5: /bodies/x: is not a list of numbers; give a dataset of numbers, of one dimension");
     refused(&binder_table, "b.h5: no bonds; give a row for each");
     file = open_file("b.h5");
     group = open_group(file, "bodies");

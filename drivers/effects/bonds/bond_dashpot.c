@@ -132,7 +132,7 @@ static double slowing(const struct effect *e, const struct model *model)
 }
 
 static const struct effect_term terms[] = {
-    {"lost_bond_axial", "$Q^{\\mathrm{ba}}$", "lost to axial dashpots", "#999944"},
+    {"lost_bond_axial", "$Q^{\\mathrm{ba}}$", "lost to axial dashpots", "#5533DD"},
     {"lost_bond_shear", "$Q^{\\mathrm{bs}}$", "lost to shear dashpots", "#B15928"},
     {"lost_bond_bending", "$Q^{\\mathrm{bb}}$", "lost to bending dashpots", "#88CCEE"},
     {"lost_bond_twisting", "$Q^{\\mathrm{bw}}$", "lost to torsion dashpots", "#66A61E"}};
