@@ -79,14 +79,15 @@ extern const char *const cost_measures[COST_MEASURES];
 /** The error of a run by that measure. */
 double cost_error(const struct race_result *run, int measure);
 
-/** Steps of the first run of a ladder that is found: four times as long as the stable step is, two at least. model has just
- *  been made: lists of pairs depend on what was searched for before, and all ranks are to begin alike. */
+/** Steps of the first run of a ladder that is found: they are four times as long as the stable step, and two at least.
+ *  model has just been made: lists of pairs depend on what was searched for before, and all ranks are to begin alike. */
 double cost_first_steps(const struct cost_case *c, struct model *model);
 
-/** Goes down the plan's steps. Without any: from that first run, each next one with sqrt(2) times as many steps. It ends when the error is below 3e-11, the next run would take more force
- *  evaluations than allowed, or the error, below 1e-6, is rounding: over the last factor of four in steps it has
- *  not even halved, twice in a row. Runs at the start whose error is above 1 say nothing and are left out. model is of
- *  the case, at t = 0. poll (may be NULL) is called between runs and ends the ladder if it returns non-zero. */
+/** Goes down the plan's steps. Without any: from that first run on, each next one with sqrt(2) times as many steps. It
+ *  ends when the error is below 3e-11, the next run would take more force evaluations than allowed, or the error, below
+ *  1e-6, is rounding: over the last factor of four in steps it has not even halved, twice in a row. Runs at the start
+ *  whose error is above 1 say nothing and are left out. model is of the case, at t = 0. poll (may be NULL) is called
+ *  between runs and ends the ladder if it returns non-zero. */
 void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method,
                      const struct model *model, double first, struct reference *reference,
                      int (*poll)(void *self, int64_t work), void *poll_self, struct cost_ladder *ladder);

@@ -306,8 +306,7 @@ static int say_survey(const struct survey *survey, const struct survey_counts *c
     if (counts->parted > 0)
         printf(
             "\nat %lld of %lld points the solution is known to no better than %g: the motion is chaotic or something "
-            "breaks, "
-            "errors of trajectories mean nothing there and have no orders",
+            "breaks, errors of trajectories mean nothing there and have no orders",
             (long long)counts->parted, (long long)survey->points, REFERENCE_PARTED);
     printf("\n%lld runs in %.2f s, written to %s: study.h5 study.csv timing.csv\n", (long long)survey->runs,
            survey->seconds, folder);
