@@ -263,11 +263,18 @@ static inline int vti_inertia_check(const vti_bodies *b)
     return vti_has(&b->omega) && !vti_has(&b->moments) && b->inertia.p == NULL ? VTI_E_INERTIA : VTI_OK;
 }
 
-/** Whether a contact, a wall and bonds may be worked on: what can be seen at once, or everything where the library was
+/** Whether contacts, walls and bonds may be worked on: what can be seen at once, or everything where the library was
  *  built to look. */
 int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b);
 int vti_walls_ready(const vti_walls *p, const vti_bodies *b);
 int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b);
+
+/** The same of what touches, of which either may be NULL. */
+static inline int vti_touches_ready(const vti_contacts *contacts, const vti_walls *walls, const vti_bodies *b)
+{
+    const int status = contacts != NULL ? vti_contacts_ready(contacts, b) : VTI_OK;
+    return status == VTI_OK && walls != NULL ? vti_walls_ready(walls, b) : status;
+}
 
 /** VTI_OK if the library has such a law and frame. */
 static inline int vti_law_check(int64_t law, int64_t frame)

@@ -10,13 +10,7 @@ static const double nearly = 1.0 - 1e-12;
 
 static int pair_touches(const vti_contacts *p, int64_t k, const vti_view *x, double nearer)
 {
-    const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
-    double r2 = 0.0;
-    for (int c = 0; c < 3; ++c) {
-        const double apart = x->c[c][j * x->stride] - x->c[c][i * x->stride];
-        r2 += apart * apart;
-    }
-    return sqrt(r2) < contact_length(p, k) * nearer;
+    return partings_distance(x, p->pair[2 * k], p->pair[2 * k + 1]) < contact_length(p, k) * nearer;
 }
 
 static int wall_touches(const vti_walls *p, int64_t w, int64_t i, const vti_view *view, double nearer)

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sampled.h"
+
 /* The tolerance of a step of rk8pd, and the share of the state that interpolation may add. */
 static const double step_tolerance = 1e-14, interpolation_tolerance = 1e-13;
 /* That of a second solution, which tells how errors of a step have grown. They go as the tolerance: what the first one is
@@ -270,7 +272,7 @@ double smooth_spread(struct smooth *s, const double *other)
                          looser_one = equations_bodies(s->model, (double *)other + k * width);
         sum += vti_h1_distance(&looser_one, &kept) * s->panels.t_end / SMOOTH_SAMPLES;
     }
-    const double spread = sum == 0.0 ? 0.0 : sqrt(sum / smooth_norm_squared(s, s->panels.t_end));
+    const double spread = sampled_relative(sum, smooth_norm_squared(s, s->panels.t_end));
     return spread < REFERENCE_PARTED ? share_of_spread * spread : spread;
 }
 

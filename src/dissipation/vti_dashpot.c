@@ -274,9 +274,7 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    int status = p->contacts != NULL ? vti_contacts_ready(p->contacts, b) : VTI_OK;
-    if (status == VTI_OK && p->walls != NULL)
-        status = vti_walls_ready(p->walls, b);
+    const int status = vti_touches_ready(p->contacts, p->walls, b);
     return status != VTI_OK ? status : vti_inertia_check(b);
 }
 

@@ -264,9 +264,7 @@ static int check(const void *self, const vti_bodies *b)
         return VTI_E_DAMPING;
     if (p->history->slot == NULL)
         return VTI_E_NULL;
-    int status = p->contacts != NULL ? vti_contacts_ready(p->contacts, b) : VTI_OK;
-    if (status == VTI_OK && p->walls != NULL)
-        status = vti_walls_ready(p->walls, b);
+    const int status = vti_touches_ready(p->contacts, p->walls, b);
     if (status != VTI_OK)
         return status;
     return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
