@@ -102,6 +102,9 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
         !scene_reader_has(reader, "drag.angular") && !scene_reader_has(reader, "drag.coefficient"))
         return scene_reader_fail(reader, "drag",
                                  "no coefficient; give linear, quadratic or angular, viscosity or density");
+    if (slows == NULL && scene_reader_has(reader, "drag.medium"))
+        return scene_reader_fail(reader, "drag.medium",
+                                 "nothing is drawn along with it; give linear, quadratic, viscosity or density");
     if (known && slows != NULL && !scene->translates)
         return scene_reader_fail(reader, slows,
                                  "acts on bodies that translate; give bodies.x or an arrangement of them");

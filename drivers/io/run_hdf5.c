@@ -154,6 +154,16 @@ static void choices_write(const struct scene *scene, struct hdf5_sink *file)
     }
 }
 
+/** By what steps vary, where they do. */
+static void control_write(const struct scene *scene, struct hdf5_sink *file)
+{
+    const char *word = scene_control_word(scene);
+    if (scene->tolerance > 0.0)
+        hdf5_attribute(file, "tolerance", H5T_NATIVE_DOUBLE, 1, &scene->tolerance);
+    if (word != NULL)
+        hdf5_text(file, "control", word);
+}
+
 /** What the verdict is, and the numbers behind it. */
 static void verdict_write(const struct judgement *judgement, struct hdf5_sink *file)
 {
@@ -198,6 +208,7 @@ int run_hdf5_write(const struct record *record, const char *path, struct message
         hdf5_text(&file, "stepper", record->stepper->name);
         hdf5_text(&file, "vti_version", vti_version());
         hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
+        control_write(record->model->scene, &file);
         hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
         verdict_write(&record->judgement, &file);
         scenery_write(record->model, &file);

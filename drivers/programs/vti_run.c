@@ -193,6 +193,7 @@ static void say_notes(const struct run *run, FILE *file)
 static void say_start(struct run *run, FILE *file)
 {
     const double wanted = run->scene.t_end, h = run->scene.h;
+    struct travel_tally tally;
     say_bodies(run, file);
     say_effects(run, file);
     say_step(run, file);
@@ -201,9 +202,10 @@ static void say_start(struct run *run, FILE *file)
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
-    fprintf(file, "a row every %lld steps (%.6g of time) and a frame every %lld (%.6g)\n",
-            (long long)run->checkpoint.record_every, (double)run->checkpoint.record_every * h,
-            (long long)run->checkpoint.frames_every, (double)run->checkpoint.frames_every * h);
+    fprintf(file, "a row every %lld %s (%.6g of time) and a frame every %lld (%.6g)\n",
+            (long long)run->checkpoint.record_every, travel_tally(&run->travel, &tally) ? "h" : "steps",
+            (double)run->checkpoint.record_every * h, (long long)run->checkpoint.frames_every,
+            (double)run->checkpoint.frames_every * h);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
     if (run->restored && run->from > 0)

@@ -169,7 +169,9 @@ def outputs(base, u):
     made = [run(RUN, scene(base, u), "--fields", "force,moment", "-o", f"{base}/all.h5"),
             run(RUN, pendulum(base, u), "-o", f"{base}/pendulum.h5"),
             run(RUN, dissipating(base, u), "--fields", "lost", "-o", f"{base}/dissipating.h5"),
-            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5")]
+            run(RUN, shaped(base, u), "-o", f"{base}/clumps.h5"), run(RUN, ellipsoids(base, u), "--stepper", "srkn6", "--errors", "-o", f"{base}/ellipsoids.h5"),
+            run(RUN, pendulum(base, u), "--stepper", "srkn11", "--tolerance", "1e-6", "-o", f"{base}/tolerant.h5"),
+            run(RUN, pendulum(base, u), "--stepper", "exact", "--set", "control=integrating", "-o", f"{base}/controlled.h5")]
     for name in SHIPPED if u is USUAL else ():
         made.append(run(MPIRUN, "-n", "1", STUDY, f"{SCENES}/{name}.yaml", "--steppers", "vti2", "--h", "1/2048", "--t-end", "1/64",
                         "--no-plot", "-o", f"{base}/study-{name}"))
@@ -235,6 +237,8 @@ def written(base, u):
     found += [("`OUT.csv`", "column", columns_of(f"{base}/ellipsoids.csv"))]
     for name in ("clumps", "ellipsoids"):
         found += [("`OUT.dump`", "column", dump_of(f"{base}/{name}.dump")), ("`OUT.h5`", "dataset", hdf5_of(f"{base}/{name}.h5")[1])]
+    found += [("`OUT.h5`", "attribute", {key: hdf5_of(f"{base}/{name}.h5")[0][key]})
+              for name, key in (("tolerant", "tolerance"), ("controlled", "control"))]
     attributes, datasets = hdf5_of(f"{base}/clumps-spheres.h5")
     found += [("`OUT-spheres.h5`", "attribute", attributes), ("`OUT-spheres.h5`", "dataset", datasets)]
     check(not os.path.exists(f"{base}/all-spheres.h5"), "no file of spheres where there are no clumps")

@@ -382,6 +382,13 @@ def notes(base):
     for radius, word in (("9.6", False), ("0.5", True)):
         narrow = [line for line in lines("narrow", start.replace("9", "0.1"), pipes % radius) if "as wide as wall 3, a cylinder" in line]
         check((len(narrow) == 1 and "body 0" in narrow[0]) == word, f"... in a cylinder of {radius}: {narrow}")
+    for moving, damped, word in (("spins: [0, 2]", "", 1), ("velocities: [[0, 0, 0], [0, 1, 3]]", "", 1),
+                                 ("velocities: [[0, 0, 0], [1e-3, 1, 3]]", "", None), ("spins: [2, 0]", "dashpot: {normal: 1}\n", None)):
+        said = lines("sliding", start, walls.replace("]]}", f"]], {moving}}}") + damped)
+        check([f"wall {word} moves along its own face" in line for line in said] == ([] if word is None else [True]),
+              f"... a wall that moves to no effect, {moving}: {said}")
+    said = lines("unbonded", start, "contact: {stiffness: 1, bonded: yes}\n")
+    check(len(said) == 1 and "nothing bonds bodies" in said[0], f"... contacts of bonded bodies, without bonds: {said}")
     for name, table, scene in (("through", "x,y,z,vx,vy,vz\n0,0,0,1,0,0\n2,0,0,-1,0,0\n", "contact: {stiffness: 0.5}\n"),
                                ("into", "x,y,z,vx,vy,vz\n1,0,0,-1,0,0\n", "wall: {stiffness: 0.5, planes: [[1, 0, 0, 0]]}\n")):
         for soft, word in ((scene, True), (scene.replace("0.5", "500"), False)):

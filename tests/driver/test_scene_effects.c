@@ -146,6 +146,8 @@ static const struct refusal refused[] = {
      "2:17: drag.density: acts by diameters, which spheres of clumps have; give on: spheres"},
     {CHAIN "drag: {linear: 1, on: spheres}\n" TIME,
      "2:23: drag.on: there are no clumps; give bodies.clumps, or leave it out"},
+    {CHAIN "drag: {angular: 1, medium: [1, 0, 0]}\n" TIME,
+     "2:28: drag.medium: nothing is drawn along with it; give linear, quadratic, viscosity or density"},
     {CHAIN "drag: {linear: 1, on: air}\n" TIME, "2:23: drag.on: 'air' is not one of bodies, spheres; take one of them"},
 
     /* friction */

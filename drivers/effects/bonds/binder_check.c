@@ -126,9 +126,9 @@ static int check_rows(const struct binder_settings *binder, const struct table *
 int binder_check_tables(const struct model *model, const void *settings, const struct tables *tables,
                         struct message *message)
 {
-    static const char *const both[] = {"gives what the scene gives as binder.moment too; keep one of them",
-                                       "gives what the scene gives as binder.axial too; keep one of them",
-                                       "gives what the scene gives as binder.shear too; keep one of them"};
+    static const char *const both[] = {"gives moment, which the scene gives as binder.moment too; keep one of them",
+                                       "gives axial, which the scene gives as binder.axial too; keep one of them",
+                                       "gives shear, which the scene gives as binder.shear too; keep one of them"};
     const struct binder_settings *binder = settings;
     const struct table *table = &tables->effect[EFFECT_binder];
     int terms = 0;
