@@ -1,183 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * Runs studies, sweeps and studies of cost on all MPI ranks, from plan to files; keeps what --resume needs. */
-#define _POSIX_C_SOURCE 200809L
+ * Runs studies, sweeps and studies of cost on all MPI ranks, from plan to files. */
 #include "study_go.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 
-#include "hdf5_sink.h"
-#include "identity.h"
-#include "left.h"
 #include "number.h"
-#include "terminal.h"
-#include "signals.h"
 #include "study_files.h"
-#include "tasks.h"
+#include "study_tasks.h"
+#include "terminal.h"
 
-/* ---- all ranks -------------------------------------------------------------------------------------------------- */
-
-int study_agree(int failed, int rank, const struct message *message)
-{
-    int ranks;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    /* whether all ranks went on; and the lowest rank that has a message, which prints it */
-    int mine[2] = {failed == 0, failed != 0 && message->text[0] != '\0' ? rank : ranks}, all[2] = {0, 0};
-    MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    if (all[0] == 1)
-        return 0;
-    if (all[1] == rank || (all[1] == ranks && rank == 0)) {
-        progress_clear();
-        fprintf(stderr, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
-    }
-    return -1;
-}
-
-/* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
-
-static struct tasks tasks;
-static const char *results = "runs"; /* what they are, for people */
-static const char study_journal[] = "study.journal", cost_journal[] = "cost.journal";
-
-/** name is where results are kept, and left says whether it is ours (overwrite.h). */
-static int check_files(const struct study_place *place, const char *name, int left, const struct output *files,
-                       int count, struct message *message)
-{
-    const struct kept kept = {name, left};
-    return overwrite_check(place->folder, files, count, place->inputs, place->inputs_count, &kept, place->force,
-                           message);
-}
-
-/** Pictures do not say whose they are: they are ours where study.h5 is, which they are drawn of. */
-static int check_pictures(const struct study_place *place, struct message *message)
-{
-    static const struct mark hdf5 = {NULL, NULL, NULL};
-    char path[FOLDER_PATH];
-    struct stat info;
-    if (place->pictures == NULL || place->force)
-        return 0;
-    if (folder_output(place->folder, "study.h5", 0, path, message) != 0)
-        return -1;
-    const int ours = mark_is_ours(path, &hdf5);
-    for (const char *const *name = place->pictures; *name != NULL && !ours; ++name) {
-        if (folder_path(place->folder, *name, 0, path, message) != 0)
-            return -1;
-        if (lstat(path, &info) == 0)
-            return message_set(message,
-                               "%.600s: is there already and is no picture of a study; choose another place with -o, "
-                               "replace it with --force, or draw none with --no-plot",
-                               path);
-    }
-    return 0;
-}
-
-static int check_start(const struct study_place *place, const char *name, const struct output *files, int count,
-                       struct message *message)
-{
-    char path[FOLDER_PATH];
-    if (folder_path(place->folder, name, 0, path, message) != 0)
-        return -1;
-    return check_files(place, name, left_is_there(path), files, count, message) != 0 ? -1
-                                                                                     : check_pictures(place, message);
-}
-
-/** On rank 0; identify writes what the study is. */
-static int open_here(const struct study_place *place, const char *name, const struct output *files, int count,
-                     void (*identify)(FILE *text, const void *plan), const void *plan, size_t bytes,
-                     struct message *message)
-{
-    size_t size;
-    char *identity = NULL;
-    FILE *text = open_memstream(&identity, &size);
-    int failed = text == NULL ? -1 : 0;
-    if (failed == 0) {
-        identity_version(text);
-        identify(text, plan);
-        fprintf(text, "bytes of a result: %zu\n", bytes);
-        failed = fclose(text) != 0 ? -1 : 0;
-    }
-    if (failed == 0 &&
-        (check_start(place, name, files, count, message) != 0 || folder_create(place->folder, message) != 0 ||
-         tasks_open(&tasks, place->folder, name, place->resume, identity, bytes, message) != 0))
-        failed = -1;
-    free(identity);
-    return failed;
-}
-
-/** Collective. */
-static int open_tasks(const struct study_place *place, const char *name, const struct output *files, int count,
-                      void (*identify)(FILE *text, const void *plan), const void *plan, int64_t all, size_t bytes,
-                      int rank)
-{
-    struct message message = {""};
-    hdf5_start();
-    const int failed = rank == 0 ? open_here(place, name, files, count, identify, plan, bytes, &message) : 0;
-    if (study_agree(failed, rank, &message) != 0)
-        return -1;
-    if (rank == 0 && place->resume && tasks.kept > 0)
-        printf("goes on: %lld of %lld %s are there already\n", (long long)tasks.kept, (long long)all, results);
-    else if (rank == 0 && place->resume)
-        printf("no %s are there yet: starts\n", results);
-    fflush(stdout);
-    return 0;
-}
-
-/** What is wrong with the files, and where the results are. */
-static int not_written(const struct message *problem, struct message *message)
-{
-    if (tasks_commit(&tasks, message) != 0)
-        return -1;
-    return message_set(message, "%.600s; the results are kept in %.300s: when that is mended go on with --resume",
-                       problem->text, tasks.keep.path);
-}
-
-/* ---- the person at the terminal --------------------------------------------------------------------------------- */
-
-static void show(const char *what, int64_t done, int64_t all, double seconds)
-{
-    tasks_settle(&tasks);
-    progress_show_what(what, done, all, seconds);
-}
-
-static int is_asked(void)
-{
-    return run_signals_seen() != NULL;
-}
-
-/** From now on signals are noted, and the study ends at its next look for them. */
-static struct study_watch begin_watch(void)
-{
-    const struct study_watch watch = {show, is_asked};
-    run_signals_catch();
-    return watch;
-}
-
-static int say_stopped(int64_t all, struct message *message)
-{
-    if (tasks_commit(&tasks, message) != 0)
-        return -1;
-    if (tasks.kept == 0)
-        return message_set(message, "stopped before any %s were done; the same command with --resume starts again",
-                           results);
-    return message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume",
-                       (long long)tasks.kept, (long long)all, results, tasks.keep.path);
-}
-
-/** The end of a study of so many runs that returned failed, on all ranks. */
-static int end_study(int failed, int64_t all, int done, int rank, struct message *message)
-{
-    struct message ignored;
-    if (failed == WATCH_ASKED && rank == 0)
-        say_stopped(all, message);
-    else if (rank == 0 && !done)
-        tasks_commit(&tasks, &ignored);
-    if (rank == 0)
-        tasks_end(&tasks, done);
-    const int agreed = study_agree(failed, rank, message);
-    return failed == WATCH_ASKED ? failed : agreed;
-}
+static const char study_journal[] = "study.journal";
 
 static int count_ranks(void)
 {
@@ -254,22 +86,22 @@ int study_go(const struct plan *plan, const struct study_place *place, int rank)
 {
     struct study study;
     struct message message = {""}, problem = {""};
-    const int64_t all = plan->steppers_count * plan->h_count;
-    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    if (open_tasks(place, study_journal, study_outputs, STUDY_FILES, study_identify, plan, all, sizeof(struct outcome),
-                   rank) != 0)
+    const struct study_work work = {study_journal,          "runs",        plan->steppers_count * plan->h_count,
+                                    sizeof(struct outcome), study_outputs, STUDY_FILES,
+                                    study_identify,         plan};
+    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
+    if (study_tasks_open(&work, place, rank) != 0)
         return -1;
-    const struct store store = tasks_store(&tasks);
+    const struct store store = study_tasks_store();
     if (rank == 0)
         say_plan(plan);
     int failed = study_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &study, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, study_journal, 1, study_outputs, STUDY_FILES, &problem) != 0 ||
-         study_files_write(&study, place->folder, &problem) != 0))
-        failed = not_written(&problem, &message);
+        (study_tasks_check(place, &problem) != 0 || study_files_write(&study, place->folder, &problem) != 0))
+        failed = study_tasks_not_written(&problem, &message);
     /* a run that is refused would be refused again */
-    failed = end_study(failed, all, failed == 0 || study.refused, rank, &message);
+    failed = study_tasks_end(failed, failed == 0 || study.refused, rank, &message);
     if (failed == 0 && rank == 0)
         say_study(&study, place->folder);
     if (failed == 0)
@@ -318,22 +150,22 @@ int survey_go(const struct survey_plan *plan, const struct study_place *place, i
     struct survey survey;
     struct survey_counts counts = {{0}, 0, 0};
     struct message message = {""}, problem = {""};
-    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    results = "points";
-    if (open_tasks(place, study_journal, study_outputs, STUDY_FILES, survey_identify, plan, survey_points(plan),
-                   (size_t)survey_bytes(plan), rank) != 0)
+    const struct study_work work = {study_journal, "points",    survey_points(plan), (size_t)survey_bytes(plan),
+                                    study_outputs, STUDY_FILES, survey_identify,     plan};
+    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
+    if (study_tasks_open(&work, place, rank) != 0)
         return -1;
-    const struct store store = tasks_store(&tasks);
+    const struct store store = study_tasks_store();
     if (rank == 0)
         say_survey_plan(plan);
     int failed = survey_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &survey, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, study_journal, 1, study_outputs, STUDY_FILES, &problem) != 0 ||
+        (study_tasks_check(place, &problem) != 0 ||
          survey_files_write(&survey, place->folder, &counts, &problem) != 0 ||
          say_survey(&survey, &counts, place->folder, &problem) != 0))
-        failed = not_written(&problem, &message);
-    failed = end_study(failed, survey_points(plan), failed == 0, rank, &message);
+        failed = study_tasks_not_written(&problem, &message);
+    failed = study_tasks_end(failed, failed == 0, rank, &message);
     int bad = counts.verdict[VERDICT_BAD] > 0 || counts.failed > 0;
     MPI_Bcast(&bad, 1, MPI_INT, 0, MPI_COMM_WORLD);
     return failed == 0 ? bad : failed;
@@ -363,22 +195,26 @@ int cost_go(const struct cost_plan *plan, const struct study_place *place, int r
 {
     static struct cost cost;
     struct message message = {""}, problem = {""};
-    const int64_t all = plan->cases_count * plan->methods_count;
-    const struct study_watch watch = begin_watch(); /* on all ranks before any of them says a word */
-    results = "ladders";
-    if (open_tasks(place, cost_journal, cost_outputs, COST_FILES, cost_identify, plan, all, sizeof(struct cost_ladder),
-                   rank) != 0)
+    const struct study_work work = {"cost.journal",
+                                    "ladders",
+                                    plan->cases_count * plan->methods_count,
+                                    sizeof(struct cost_ladder),
+                                    cost_outputs,
+                                    COST_FILES,
+                                    cost_identify,
+                                    plan};
+    const struct study_watch watch = study_watch_begin(); /* on all ranks before any of them says a word */
+    if (study_tasks_open(&work, place, rank) != 0)
         return -1;
-    const struct store store = tasks_store(&tasks);
+    const struct store store = study_tasks_store();
     if (rank == 0)
         say_cost_plan(plan);
     int failed = cost_run(plan, MPI_COMM_WORLD, &watch, rank == 0 ? &store : NULL, &cost, &message);
     progress_clear();
     if (failed == 0 && rank == 0 &&
-        (check_files(place, cost_journal, 1, cost_outputs, COST_FILES, &problem) != 0 ||
-         cost_files_write(&cost, place->folder, &problem) != 0))
-        failed = not_written(&problem, &message);
-    failed = end_study(failed, all, failed == 0, rank, &message);
+        (study_tasks_check(place, &problem) != 0 || cost_files_write(&cost, place->folder, &problem) != 0))
+        failed = study_tasks_not_written(&problem, &message);
+    failed = study_tasks_end(failed, failed == 0, rank, &message);
     if (failed == 0 && rank == 0)
         say_cost(&cost, place->folder);
     cost_destroy(&cost);

@@ -2,7 +2,6 @@
 #include "smooth.h"
 
 #include <float.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,8 +50,7 @@ static double *start_of(const struct smooth *s, int64_t window)
     return s->starts + window * (SMOOTH_START + equations_width(s->model));
 }
 
-/** ||q||^2 up to the start of a window. */
-static vti_sum sum_before(const struct smooth *s, int64_t window)
+vti_sum smooth_sum_before(const struct smooth *s, int64_t window)
 {
     const double *start = start_of(s, window);
     const vti_sum sum = {start[1], start[2]};
@@ -152,15 +150,13 @@ int smooth_seek(struct smooth *s, double t, const struct watch *watch, struct me
     return 0;
 }
 
-static double panel_integral(struct smooth *s, int64_t p, double end);
-
 /** Keeps what the window after this one starts from. */
 static void hand_on(struct smooth *s, int64_t window)
 {
-    vti_sum sum = sum_before(s, window);
+    vti_sum sum = smooth_sum_before(s, window);
     keep_start(s, window + 1, sum);
     for (int64_t p = s->panels.first; p < end_of(s, window); ++p) /* which needs s->state */
-        vti_sum_add(&sum, panel_integral(s, p, 1.0));
+        vti_sum_add(&sum, smooth_panel_integral(s, p, 1.0));
     start_of(s, window + 1)[1] = sum.high;
     start_of(s, window + 1)[2] = sum.low;
 }
@@ -292,81 +288,4 @@ const double *smooth_block(struct smooth *s, double h, int64_t step, int64_t *co
     const int64_t p = panels_find_block(&s->panels, h, step, tau, count);
     panels_read_block(&s->panels, p, tau, *count, block);
     return block;
-}
-
-/* ---- the exact norm ---------------------------------------------------------------------------------------------- */
-
-/** The next tau after from, up to to, where component c changes its sign between two nodes, or to. */
-static double next_sign_change(const struct panels *panels, int64_t p, int64_t c, double from, double to)
-{
-    double low = from, value = panels_read_one(panels, p, from, c);
-    for (int k = 0; k <= PANELS_NODES; ++k) {
-        double high = k < PANELS_NODES ? panels->node[k] : to;
-        if (high <= low || high > to)
-            continue;
-        if (signbit(panels_read_one(panels, p, high, c)) == signbit(value)) {
-            low = high;
-            continue;
-        }
-        while (0.5 * (low + high) > low && 0.5 * (low + high) < high) {
-            const double middle = 0.5 * (low + high);
-            if (signbit(panels_read_one(panels, p, middle, c)) == signbit(value))
-                low = middle;
-            else
-                high = middle;
-        }
-        return high;
-    }
-    return to;
-}
-
-/** The integral of the norm's integrand over [from, to] of panel p, on which it is smooth. */
-static double smooth_integral(struct smooth *s, int64_t p, double from, double to)
-{
-    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(PANELS_NODES);
-    double sum = 0.0;
-    for (size_t k = 0; k < PANELS_NODES; ++k) {
-        double tau, weight;
-        gsl_integration_glfixed_point(from, to, k, &tau, &weight, rule);
-        panels_read(&s->panels, p, tau, s->state);
-        const vti_bodies bodies = equations_bodies(s->model, s->state);
-        sum += weight * vti_h1_density(&bodies);
-    }
-    gsl_integration_glfixed_table_free(rule);
-    return sum * 0.5 * s->panels.t_end / (double)s->panels.count;
-}
-
-/** From the start of panel p to tau, in pieces without a half turn (quaternion w = 0) of any body. */
-static double panel_integral(struct smooth *s, int64_t p, double end)
-{
-    const int64_t width = equations_body_width(s->model), w = (s->model->translates ? 6 : 0) + 3;
-    vti_sum sum = {0.0, 0.0};
-    double from = -1.0;
-    while (from < end) {
-        double to = end;
-        for (int64_t i = 0; s->model->turns && i < s->model->bodies.count; ++i)
-            to = next_sign_change(&s->panels, p, i * width + w, from, to);
-        vti_sum_add(&sum, smooth_integral(s, p, from, to));
-        from = to;
-    }
-    return vti_sum_value(&sum);
-}
-
-double smooth_norm_squared(struct smooth *s, double t)
-{
-    double tau;
-    const int64_t last = panels_find(&s->panels, t, &tau);
-    if (s->sums_window != s->window) {
-        s->sums[0] = sum_before(s, s->window);
-        s->sums_known = 0;
-        s->sums_window = s->window;
-    }
-    for (; s->sums_known < last - s->panels.first; ++s->sums_known) {
-        vti_sum *next = &s->sums[s->sums_known + 1];
-        *next = s->sums[s->sums_known];
-        vti_sum_add(next, panel_integral(s, s->panels.first + s->sums_known, 1.0));
-    }
-    vti_sum sum = s->sums[last - s->panels.first];
-    vti_sum_add(&sum, panel_integral(s, last, tau));
-    return vti_sum_value(&sum);
 }

@@ -62,4 +62,11 @@ const double *smooth_block(struct smooth *smooth, double h, int64_t step, int64_
  *  integrand (theta in [0, pi]) has a kink there. */
 double smooth_norm_squared(struct smooth *smooth, double t);
 
+/* Between the two files of it. */
+
+/** ||q||^2 up to the start of a window. */
+vti_sum smooth_sum_before(const struct smooth *smooth, int64_t window);
+/** The part of ||q||^2 from the start of panel p, which is in memory, to tau = end. Overwrites smooth->state. */
+double smooth_panel_integral(struct smooth *smooth, int64_t p, double end);
+
 #endif
