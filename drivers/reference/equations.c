@@ -228,6 +228,8 @@ double equations_rounding_squared(const struct equations *eq)
 /* ---- integration ------------------------------------------------------------------------------------------------- */
 
 static const double first_step = 1e-4;
+/* More than anybody waits for between two times at which the solution is asked for. */
+static const double most_steps = 1e10;
 
 /** No step is longer than evaluations may be apart, so that none of the 13 within it passes by a touch. */
 static int bound_steps(struct equations *eq)
@@ -236,6 +238,7 @@ static int bound_steps(struct equations *eq)
     struct message ignored;
     if (model_longest_gap(eq->model, &longest, &ignored) != 0)
         return -1;
+    eq->longest = longest;
     if (!isfinite(longest))
         return 0;
     gsl_odeiv2_driver_reset_hstart(eq->driver, fmin(first_step, longest));
@@ -314,6 +317,11 @@ static const char *reason(const struct equations *eq, int status)
 int equations_advance(struct equations *eq, double share, double *t, double to, double *state, struct message *message)
 {
     eq->share = share;
+    if ((to - *t) / eq->longest > most_steps)
+        return message_set(message,
+                           "%s: the reference solution would need steps of at most %.3g to see what touches; shorten "
+                           "t_end or soften the scene",
+                           eq->model->scene->name, eq->longest);
     look_at_noise(eq, *t, state);
     const int status = gsl_odeiv2_driver_apply(eq->driver, t, to, state);
     if (status == GSL_SUCCESS)

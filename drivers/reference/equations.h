@@ -24,6 +24,7 @@ struct equations {
     int64_t evals, next; /* of rates; at which noise is looked at again */
     struct control_floor floor;
     double oscillation; /* 2/omega of what oscillates fastest; infinite if nothing does */
+    double longest;     /* step that passes by no touch; infinite if nothing meets */
     double tolerance;
     vti_bodies bodies; /* where rates are taken; sealed */
     int status, asked; /* why rates were refused: what the core said, 1 if the watch asked for the end */

@@ -133,6 +133,8 @@ def refused(base):
          ["chain: the reference solution stopped at t = ", "its error stays too large"]),
         ("forces that overflow, of pairs", lambda: [TORUS, "--set", "binder.axial=1e300", "--t-end", "1"],
          ["torus: the reference solution stopped at t = 0: contacts: body ", " is at (nan, nan, nan)"]),
+        ("contacts that no step can see", lambda: [TORUS, "--set", "contact.stiffness=1e300", "--t-end", "1"],
+         ["torus: the reference solution would need steps of at most ", "soften the scene"]),
         ("VTI-1 turns too far", lambda: [scene, "--steppers", "vti1", "--h", "1"], ["vti1 at h = 1", "body 0", "h|Omega|", "vti2"]),
         ("VTI-1 turns too far among good runs", lambda: [scene, "--h", "2,1,1/64,1/128,2^-16"], ["vti1 at h = ", "reduce h"]),
     ]
