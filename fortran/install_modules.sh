@@ -1,8 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the module files that a program which uses vti needs.      install_modules.sh OBJECT_FOLDER FOLDER_BELOW_PREFIX
+# Installs the module files that a program which uses vti needs.      install_modules.sh OBJECT_FOLDER FOLDER
 set -eu
-into=$MESON_INSTALL_DESTDIR_PREFIX/$2
+case $2 in
+/*) into=${DESTDIR:-}$2 ;;
+*) into=$MESON_INSTALL_DESTDIR_PREFIX/$2 ;;
+esac
 mkdir -p "$into"
 for file in "$1"/*.mod; do
     case $file in

@@ -135,7 +135,8 @@ contains
     end subroutine
 
     !> The callback of C, which hands over to that of Fortran.
-    function advance_for_c(self, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit) result(status) bind(c)
+    function advance_for_c(self, h, steps, n, x, v, quat, omega, mass, inertia, forces, kit) result(status) &
+            bind(c, name='vti_kit_advance_for_c')
         type(c_ptr), value :: self, kit
         real(c_double), value :: h
         integer(c_int64_t), value :: steps, n
@@ -150,7 +151,7 @@ contains
 
     !> The same of bodies of three moments.
     function advance_inertia_for_c(self, h, steps, n, x, v, quat, spin, mass, moments, forces, kit) &
-            result(status) bind(c)
+            result(status) bind(c, name='vti_kit_advance_inertia_for_c')
         type(c_ptr), value :: self, kit
         real(c_double), value :: h
         integer(c_int64_t), value :: steps, n

@@ -21,6 +21,7 @@ project = pathlib.Path(sys.argv[1])
 here = pathlib.Path(__file__).parent
 version = re.search(r'VTI_VERSION_STRING "(.*)"', (project / "include" / "vti.h").read_text(encoding="utf-8"))[1]
 major, minor = version.split(".")[:2]
+interface = f"0.{minor}" if major == "0" else major     # of 0.y.z each y has its own
 package = Installed(project)
 use = package.folder / "use"
 use.mkdir()
@@ -35,7 +36,7 @@ def expected():
     """What an installation holds, relative to its prefix."""
     lib = package.lib + "/"
     files = ["include/" + header.name for header in (project / "include").glob("*.h")]
-    files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + major, "pkgconfig/vti.pc",
+    files += [lib + name for name in ("libvti.a", "libvti.so", "libvti.so." + interface, "pkgconfig/vti.pc",
                                       "libvti_check.a", "pkgconfig/vti-check.pc")] + ["include/vti_check.h"]
     files += ["lib/cmake/vti/vti-config.cmake", "lib/cmake/vti/vti-config-version.cmake"]
     files += ["share/doc/vti/" + str(path.relative_to(project)) for path in (project / "examples").rglob("*")
@@ -82,7 +83,7 @@ def by_pkg_config():
                  is not None, "C, shared: compiled"):
         return
     needed = run("readelf", "-d", use / "c_shared") or ""
-    check(f"libvti.so.{major}" in needed, "the program asks for the library by its major version")
+    check(f"[libvti.so.{interface}]" in needed, "the program asks for the library by the version of its interface")
     ran(use / "c_shared", "C, shared")
     (use / "angle.c").write_text(ANGLE, encoding="utf-8")
     check(run("cc", "angle.c", "-o", "angle", *flags, folder=use) is not None, "what inline functions call is linked too")
@@ -181,9 +182,23 @@ def by_cmake(prefix, what, path):
     versions = [(f"{major}.{minor}", True), (f"{major}.{int(minor) + 1}", False), (str(int(major) + 1), False)]
     if int(minor) > 0:
         versions.append((f"{major}.{int(minor) - 1}", int(major) > 0)) # of 0.y.z each y has its own interface
-    for wanted, fits in versions:
-        out = run("cmake", "-G", "Ninja", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", *options) or ""
-        check(f"found: {1 if fits else 0}" in out, f"CMake, {what}: version {wanted} {'fits' if fits else 'does not fit'}")
+    next_one = f"{major}.{int(minor) + 1}"
+    for wanted, part, fits in [(wanted, "", fits) for wanted, fits in versions] + [
+            (f"0.0...{next_one}", "", True), (f"0.0...<{version}", "", False), (f"{next_one}...{next_one}.9", "", False),
+            (version, "check", True), (version, "fortran", package.fortran), (version, "nonsense", False)]:
+        out = run("cmake", "-G", "Ninja", "-S", use / "cmake", "-B", build, "-DWANTED=" + wanted, "-DONLY_FIND=ON", f"-DPARTS={part}", *options) or ""
+        check(f"found: {1 if fits else 0}" in out, f"CMake, {what}: version {wanted} {part} {'fits' if fits else 'does not fit'}")
+
+
+def elsewhere():
+    """Libraries and headers in folders of their own, outside the prefix."""
+    package.prefix, package.lib, headers = package.folder / "third", str(package.folder / "elsewhere" / "lib"), package.folder / "elsewhere" / "headers"
+    run("meson", "configure", package.build, f"-Dprefix={package.prefix}", f"-Dlibdir={package.lib}", f"-Dincludedir={headers}")
+    check(run("ninja", "-C", package.build) is not None and package.install(), "installed, libraries and headers elsewhere")
+    by_cmake(package.prefix, "elsewhere", package.library_path())
+    if package.fortran:
+        run("gfortran", "pendulum.f90", "-o", "elsewhere", *package.pkg_config("--cflags", "--libs", "vti-fortran"), folder=use)
+        ran(use / "elsewhere", "Fortran, elsewhere")
 
 
 destdir()
@@ -198,6 +213,7 @@ if have("cmake", "ninja", "c++"):
     moved = package.folder / "moved"
     package.prefix.rename(moved)
     by_cmake(moved, "moved", {"LD_LIBRARY_PATH": str(moved / package.lib)})
+    elsewhere()
 else:
     print("skipped: CMake, because cmake, ninja or c++ is not here")
 conclude()
