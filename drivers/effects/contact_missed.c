@@ -6,10 +6,11 @@
  * force there is at most F = K/L (1 - r/L)^{3/2}. With the overlap going as 1 - tau^2, tau from -1 to 1 over T, its mean is
  * (3 pi/16) F, and changes the relative velocity by 0.589 F T/m, m being the reduced mass. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "contact.h"
 
-/** Of pair k of the list. */
+/** Of pair k of a list. */
 static double missed_by(const vti_contacts *list, int64_t k, const struct effect_way *w)
 {
     const int64_t i = list->pair[2 * k] - list->base, j = list->pair[2 * k + 1] - list->base;
@@ -34,11 +35,96 @@ static double missed_by(const vti_contacts *list, int64_t k, const struct effect
     return 0.589 * force * time * (1.0 / m->p[i * m->stride] + 1.0 / m->p[j * m->stride]);
 }
 
+/* ---- pairs that come from far and go far -------------------------------------------------------------------------- */
+
+/** What a body covers of an axis on its way. */
+struct span {
+    double low, high;
+    int64_t body;
+};
+
+static int by_low(const void *a, const void *b)
+{
+    const struct span *const s = a, *const t = b;
+    if (s->low != t->low)
+        return s->low < t->low ? -1 : 1;
+    return s->body < t->body ? -1 : 1;
+}
+
+static struct span span_of(const vti_scalars *diameter, const struct effect_way *w, int axis, int64_t i)
+{
+    const double from = w->before[i * w->width + axis], to = w->now->x.c[axis][i * w->now->x.stride];
+    const double radius = 0.5 * diameter->p[i * diameter->stride];
+    const struct span span = {fmin(from, to) - radius, fmax(from, to) + radius, i};
+    return span;
+}
+
+/** The axis along which bodies are spread most. */
+static int longest_axis(const vti_scalars *diameter, const struct effect_way *w)
+{
+    double most = -1.0;
+    int longest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = INFINITY, high = -INFINITY;
+        for (int64_t i = 0; i < w->now->count; ++i) {
+            const struct span span = span_of(diameter, w, axis, i);
+            low = fmin(low, span.low);
+            high = fmax(high, span.high);
+        }
+        longest = high - low > most ? axis : longest;
+        most = fmax(most, high - low);
+    }
+    return longest;
+}
+
+/** Of a pair that need not be in the list, and touches at the mean diameter: one that has broken apart and touches at
+ *  another distance is near, and in the list. */
+static double missed_by_pair(const struct contact_self *self, int64_t i, int64_t j, const struct effect_way *w)
+{
+    const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
+    vti_contacts one = self->contacts;
+    one.count = 1;
+    one.pair = pair;
+    one.length.p = NULL;
+    const double missed = missed_by(&one, 0, w);
+    return missed > 0.0 && neighbours_exclude(&self->neighbours, pair[0], pair[1]) ? 0.0 : missed;
+}
+
+/** Of all pairs whose ways overlap along one axis; infinite if there is no memory. */
+static double missed_far(const struct contact_self *self, const struct effect_way *w)
+{
+    const vti_scalars *const diameter = &self->contacts.diameter;
+    const int64_t n = w->now->count;
+    struct span *const span = malloc((size_t)n * sizeof *span);
+    double most = 0.0;
+    if (span == NULL)
+        return INFINITY;
+    const int axis = longest_axis(diameter, w);
+    for (int64_t i = 0; i < n; ++i)
+        span[i] = span_of(diameter, w, axis, i);
+    qsort(span, (size_t)n, sizeof *span, by_low);
+    for (int64_t k = 0; k < n; ++k)
+        for (int64_t l = k + 1; l < n && span[l].low <= span[k].high; ++l)
+            most = fmax(most, missed_by_pair(self, span[k].body, span[l].body, w));
+    free(span);
+    return most;
+}
+
+/** The list has all pairs that may touch on the way if it has them at both of its ends. */
+static int list_has_way(struct contact_self *self, const struct effect_way *w)
+{
+    double *const x = (double *)w->before; /* which is read alone */
+    const vti_view before = {{x, x + 1, x + 2}, w->width, w->now->count};
+    return neighbours_hold(&self->neighbours, &w->now->x) && neighbours_hold(&self->neighbours, &before);
+}
+
 double contact_missed(const struct effect *e, const struct effect_way *way)
 {
-    const vti_contacts *const list = &((const struct contact_self *)e->self)->contacts;
+    struct contact_self *const self = e->self;
     double most = 0.0;
-    for (int64_t k = 0; k < list->count; ++k)
-        most = fmax(most, missed_by(list, k, way));
+    if (!list_has_way(self, way))
+        return missed_far(self, way);
+    for (int64_t k = 0; k < self->contacts.count; ++k)
+        most = fmax(most, missed_by(&self->contacts, k, way));
     return most;
 }

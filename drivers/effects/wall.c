@@ -236,7 +236,10 @@ static const vti_wall_motion *motion(const struct effect *e)
 static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
 {
     (void)e, (void)at;
-    snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
+    if (stable->element < 0) /* of clumps */
+        snprintf(text, room, "pull of walls on body %lld", (long long)stable->i);
+    else
+        snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 
 /** A wall that moves brings m V^2 on top. */

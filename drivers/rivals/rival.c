@@ -184,6 +184,11 @@ static int refused(const struct course *c, int status, struct message *message)
                            "%s at h = %s: t = %.6g: within a step bodies come to turn so much more slowly that no "
                            "next one can be chosen; take a smaller h",
                            c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
+    if (status == RIVAL_E_FINE)
+        return message_set(message,
+                           "%s at h = %s: t = %.6g: steps become shorter than 2^-26 h, and a run ends and is kept at "
+                           "multiples of h alone; give a larger turning or tolerance, or a smaller h",
+                           c->rival->stepper.name, NUMBER(c->h), (double)c->steps * c->h);
     if (status == RIVAL_E_LATE)
         return message_set(message,
                            "%s at h = %s: t = %.6g: the next step is so short that t would stay what it is; end the "

@@ -18,18 +18,26 @@ static int stop(struct run *run, enum run_end end)
 
 /* ---- NaN and infinities ------------------------------------------------------------------------------------------ */
 
-/** Ends the run at a state that is not finite, or whose energies are not; row may be NULL. */
+/** The first column that should be a number and is none, of all columns but energies of what is not known, which are
+ *  NaN; -1 if there is none. Momenta may be infinite where energies are not. */
+static int first_broken(const struct columns *columns, const double *row)
+{
+    for (int c = 0; c < columns->count; ++c)
+        if (c <= columns->total ? !isfinite(row[c]) : isinf(row[c]) != 0)
+            return c;
+    return -1;
+}
+
+/** Ends the run at a state that is not finite, or whose energies or momenta are not; row may be NULL. */
 static int broken(struct run *run, int64_t step, double t, const vti_bodies *bodies, const double *row)
 {
     const struct columns *columns = &run->record.columns;
     const double square_root_of_infinity = 1e154;
     struct message what;
     if (state_watch(run_shown(run, bodies), square_root_of_infinity, &what) == 0) {
-        int c = 0;
-        while (row != NULL && c < columns->total && isfinite(row[c]))
-            ++c;
-        message_set(&what, "all bodies are finite, but the energy '%s' is %g", columns->name[c],
-                    row != NULL ? number_plain(row[c]) : 0.0);
+        const int c = row != NULL ? first_broken(columns, row) : -1;
+        message_set(&what, "all bodies are finite, but '%s' is %g", columns->name[c < 0 ? columns->total : c],
+                    c < 0 ? 0.0 : number_plain(row[c]));
     }
     if (step == 0)
         message_set(run->message,
@@ -116,7 +124,7 @@ static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
     struct run *run = self;
     double row[COLUMNS];
     verdict_row(&run->verdict, t, bodies, row);
-    if (!isfinite(row[run->record.columns.total]))
+    if (first_broken(&run->record.columns, row) >= 0)
         return broken(run, step, t, bodies, row);
     if (run->model.errors != NULL)
         step_errors_row(run->model.errors);

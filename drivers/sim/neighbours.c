@@ -238,10 +238,14 @@ int neighbours_update(struct neighbours *list, const vti_view *x, struct message
     return 1;
 }
 
-void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
+int neighbours_hold(struct neighbours *list, const vti_view *x)
 {
-    struct neighbours_search *const s = list->search;
-    const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
+    return list->search->is_built && !has_moved(list, x);
+}
+
+/** The first that is excluded and not before the pair. */
+static int64_t find_excluded(const struct neighbours_search *s, const int64_t pair[2])
+{
     int64_t at = 0, end = s->excluded_count;
     while (at < end) {
         const int64_t middle = at + (end - at) / 2;
@@ -250,7 +254,23 @@ void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
         else
             end = middle;
     }
-    for (; at < s->excluded_count && !is_before(pair, s->excluded + 2 * at); ++at) {
+    return at;
+}
+
+int neighbours_exclude(const struct neighbours *list, int64_t i, int64_t j)
+{
+    const struct neighbours_search *const s = list->search;
+    const int64_t pair[2] = {i, j}, at = find_excluded(s, pair);
+    if (list->owner != NULL && list->owner[i] == list->owner[j])
+        return 1;
+    return at < s->excluded_count && !is_before(pair, s->excluded + 2 * at) && !s->released[at];
+}
+
+void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
+{
+    struct neighbours_search *const s = list->search;
+    const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
+    for (int64_t at = find_excluded(s, pair); at < s->excluded_count && !is_before(pair, s->excluded + 2 * at); ++at) {
         s->is_built &= s->released[at];
         s->released[at] = 1;
     }

@@ -48,6 +48,12 @@ int neighbours_create(struct neighbours *list, int64_t n, const vti_scalars *dia
  *  (the line names the body) or memory is out. The list is empty then, and the next update builds it. */
 int neighbours_update(struct neighbours *list, const vti_view *x, struct message *message);
 
+/** Whether the list has every pair that touches at the positions x [n], or has a gap below list->reach, as it stands:
+ *  1 or 0. */
+int neighbours_hold(struct neighbours *list, const vti_view *x);
+/** Whether the pair of bodies i < j is never in the list: excluded, or of one owner. */
+int neighbours_exclude(const struct neighbours *list, int64_t i, int64_t j);
+
 /** From the next update on the pair of bodies, either way round, is in the list where it is near, though it was
  *  excluded. Harmless for one that was not. */
 void neighbours_release(struct neighbours *list, int64_t i, int64_t j);

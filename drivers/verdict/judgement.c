@@ -25,7 +25,6 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {MEMBER(verdict, 
 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
-static const double cut_travel = 0.5;   /* the same where a tolerance takes steps anew that have met one too deep */
 static const double much_slowing = 0.8; /* z of a drift: bodies settle by 5 % too fast */
 static const double most_travel = 1.0;  /* two bodies may pass through each other unseen */
 
@@ -38,15 +37,15 @@ const char *verdict_word(int64_t grade)
 static double much_travel(const struct verdict *v)
 {
     const struct scene *scene = v->model->scene;
-    return scene->tolerance > 0.0                         ? cut_travel
+    return scene->tolerance > 0.0                         ? INFINITY /* which takes steps anew that have met one late */
            : scene_first_with(scene, EFFECT_NEAR) != NULL ? near_travel
                                                           : some_travel;
 }
 
-/** A pair may be through within a step, and a wall be met at any depth. */
+/** A pair may be through within a step, and a wall be met at any depth; a tolerance finds both. */
 static int passes(const struct verdict *v)
 {
-    return v->found.travel > most_travel;
+    return v->found.travel > most_travel && v->model->scene->tolerance == 0.0;
 }
 
 static int64_t grade(const struct verdict *v, const struct judgement *j, int broken)

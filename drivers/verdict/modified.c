@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "modified.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 int modified_exists(const vti_stepper *s, const struct model *model)
@@ -69,6 +70,12 @@ static double turn_part(int64_t law)
     return law == VTI_LAW_CLOSED ? 1.0 / 24.0 : law == VTI_LAW_CAYLEY ? -1.0 / 48.0 : 0.0;
 }
 
+/** The series knows nothing where its terms overflow. */
+static double or_nan(double energy)
+{
+    return isfinite(energy) ? energy : NAN;
+}
+
 struct energies modified_energies(struct modified *m, const vti_bodies *bodies, double total)
 {
     struct energies e = {NAN, NAN};
@@ -86,9 +93,9 @@ struct energies modified_energies(struct modified *m, const vti_bodies *bodies, 
     const double centred = total + (vti_kinetic_translation(p) - vti_kinetic_translation(bodies)) +
                            (vti_kinetic_rotation(p) - vti_kinetic_rotation(bodies));
     const double before = power(p), loads = squares(p), turns = turn_part(s->law) * fourths(p);
-    e.kicked = centred - h2 / 8.0 * loads;
+    e.kicked = or_nan(centred - h2 / 8.0 * loads);
     if (vti_drift(VTI_LAW_EXACT, (int)s->frame, t, p, NULL) != VTI_OK || model_forces(m->model, p) != VTI_OK)
         return e;
-    e.modified = centred + h2 * ((before - power(p)) / t / 12.0 - loads / 24.0 + turns);
+    e.modified = or_nan(centred + h2 * ((before - power(p)) / t / 12.0 - loads / 24.0 + turns));
     return e;
 }

@@ -98,11 +98,11 @@ struct levered {
 };
 
 /** A force F at r = R rho holds its body against turning, as the weight of a pendulum does: of the energy -F.R rho the
- *  second derivative is at most |F||rho|. */
-static void show_pull(const struct levered *l, int64_t s, double force)
+ *  second derivative is at most |F||rho|. element: of the effect that gives it; -1 of all of them. */
+static void show_pull(const struct levered *l, int64_t element, int64_t s, double force)
 {
     const double stiffness = force * vti_norm(l->clumps->offset + 3 * s);
-    const vti_spring pull = {.element = s,
+    const vti_spring pull = {.element = element,
                              .i = l->clumps->body[s] - l->clumps->base,
                              .j = -1,
                              .length = 1.0,
@@ -134,9 +134,9 @@ static void show_levered(void *context, const vti_spring *between)
     if (s.i == s.j)
         return;
     l->visit(l->context, &s);
-    show_pull(l, between->i, pull);
+    show_pull(l, between->element, between->i, pull);
     if (between->j >= 0)
-        show_pull(l, between->j, pull);
+        show_pull(l, between->element, between->j, pull);
 }
 
 static int springs(const void *self, const vti_bodies *b, const vti_deformation *at, vti_spring_visit *visit,
@@ -154,7 +154,7 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
     for (int64_t s = spheres.first; s < spheres.first + spheres.count; ++s) {
         double force[3];
         vti_load(&spheres.force, s, force);
-        show_pull(&levered, s, vti_norm(force));
+        show_pull(&levered, -1, s, vti_norm(force));
     }
     return VTI_OK;
 }

@@ -105,7 +105,8 @@ def signals_before(base):
 
 def failed_starts(base):
     """They say why, leave nothing, and do not touch an earlier run's files."""
-    for name, text in (("velocity", "{x: [0, 0, 0], v: [1e200, 0, 0], mass: 1}"), ("energy", "{x: [0, 0, 0], v: [1e150, 0, 0], mass: 1e100}")):
+    for name, text in (("velocity", "{x: [0, 0, 0], v: [1e200, 0, 0], mass: 1}"), ("energy", "{x: [0, 0, 0], v: [1e150, 0, 0], mass: 1e100}"),
+                       ("momentum", "{x: [9e153, 0, 0], v: [0, 1e153, 0], mass: 100}")):
         with open(f"{base}/{name}.yaml", "w", encoding="ascii") as file:
             file.write(f"bodies: {text}\nh: 0.1\nt_end: 1\n")
         run(RUN, scene("spin"), "-o", f"{base}/{name}/out.h5")
@@ -190,6 +191,23 @@ def stopped(arguments, seconds):
         said, words = process.stdout.read(), process.stderr.read()
         killer.cancel()
     return process.returncode, first + said, words
+
+
+def far_from_multiples(base):
+    """Within a step of h of millions of shorter ones a run cannot end: a signal that comes again some seconds later ends it."""
+    with subprocess.Popen([RUN, scene("pendulum"), "--stepper", "srkn6", "--control", "integrating", "--set", "turning=1e-7", "--h", "65536",
+                           "--t-end", "131072", "-o", f"{base}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                          preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
+        process.stdout.readline()
+        for seconds in (0.2, 0.1, 3):  # twice at once, as launchers do
+            time.sleep(seconds)
+            waited = process.poll() is None
+            process.terminate()
+        killer = threading.Timer(20, process.kill)
+        killer.start()
+        process.wait()
+        killer.cancel()
+    check(waited and process.returncode == -signal.SIGTERM, f"a second signal: code {process.returncode}")
 
 
 def between_rows(base):
@@ -565,7 +583,7 @@ TOPICS = [lambda base: kills(base, "chain", "--stepper", "rk8pd-adaptive", "--h"
           lambda base: kills(base, "chain", "--stepper", "yade-leapfrog", "--h", "1/2048", "--t-end", "20"),
           lambda base: kills(base, "torus", "--t-end", "4", "--fields", "force,moment"),
           lambda base: kills(base, "pile", "--t-end", "1/2"),
-          signals, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
+          signals, far_from_multiples, between_rows, signals_before, failed_starts, one_stem, vanished, full_disk, changed_tables, prolonged,
           fields, continued, refused_ends, completed, prolonged_and_killed, unheard, prolonged_from_nothing, broken,
           refused_resumes, refused]
 for topic in TOPICS:

@@ -260,6 +260,29 @@ TEST(refused)
     assert_refused("slender", "srkn6", "bodies.moments");
 }
 
+/** Bodies that turn freely: no moment changes the density of steps. */
+TEST(no_moments)
+{
+    for (int naive = 0; naive < 2; ++naive) {
+        const struct scene scene = scene_with("spin", naive ? SCENE_NAIVE : SCENE_INTEGRATING, 0.1);
+        struct journey j;
+        begin(&j, &scene, method_of("exact"), 1.0 / 16);
+        go(&j, 16);
+        end(&j);
+    }
+}
+
+/** Steps of which a step of h has more than anybody waits for. */
+TEST(too_fine)
+{
+    const struct scene scene = scene_with("pendulum", SCENE_INTEGRATING, 1e-12);
+    struct journey j;
+    begin(&j, &scene, method_of("exact"), 1.0 / 16);
+    assert_int_equal(travel_go(&j.travel, 1, &j.message), -1);
+    assert_non_null(strstr(j.message.text, "give a larger turning"));
+    end(&j);
+}
+
 /** Where a step is as long as the wish changes over, the density comes to nothing. */
 TEST(too_long)
 {
@@ -273,4 +296,5 @@ TEST(too_long)
 
 RUN_TESTS_OF_SCENES(cmocka_unit_test(equation), cmocka_unit_test(many_bodies), cmocka_unit_test(no_drift),
                     cmocka_unit_test(looking_and_stopping), cmocka_unit_test(wanted_sooner), cmocka_unit_test(too_late),
-                    cmocka_unit_test(refused), cmocka_unit_test(too_long))
+                    cmocka_unit_test(refused), cmocka_unit_test(too_long), cmocka_unit_test(no_moments),
+                    cmocka_unit_test(too_fine))

@@ -14,6 +14,9 @@
 /** What the bodies are: those of a step that was not cut, or for whom it was. */
 enum { NOT_CUT, CUT_TO_LOOK, CUT_AT_END };
 
+/** The shortest steps, as a share of h: a run can end and go on at multiples of h alone. */
+#define CUT_SHORTEST 0x1p-26
+
 /** Doubles of a body's copy. */
 enum { KEEPS = 19 };
 

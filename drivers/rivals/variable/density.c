@@ -28,7 +28,8 @@ static void wish_of(const struct course *c, double *wish, double *rate)
     for (int64_t i = 0; i < c->n; ++i) {
         const double *const omega = c->w + 3 * i;
         square += vti_dot(omega, omega);
-        growth += vti_dot(omega, c->m + 3 * i) * c->per_inertia.p[i * c->per_inertia.stride];
+        if (c->m != NULL)
+            growth += vti_dot(omega, c->m + 3 * i) * c->per_inertia.p[i * c->per_inertia.stride];
     }
     const double unit = (double)c->n * w * w, inverse = 1.0 + square / unit;
     *wish = 1.0 / sqrt(inverse);
@@ -50,6 +51,8 @@ static int choose_step(struct course *c, int first)
                                             : vti_density_next(&density, rate);
     c->number[DENSITY] = density.rho;
     c->number[STEP] = density.h;
+    if (wish < CUT_SHORTEST)
+        return RIVAL_E_FINE;
     return status == VTI_E_TIME ? RIVAL_E_SPARSE : status;
 }
 

@@ -2,10 +2,12 @@
  *
  * Steps by a tolerance (EQUATIONS 8.3), of the steppers that estimate their error: vti_control chooses them. The
  * tolerance is the scene's, or, where it has none, SHARE (h f)^(q+1), f the fastest there is, so that steps are in
- * proportion to h. */
+ * proportion to h; not less than rounding. */
+#include <float.h>
 #include <math.h>
 
 #include "cut.h"
+#include "number.h"
 #include "plain.h"
 #include "rivals.h"
 #include "scene.h"
@@ -14,7 +16,7 @@
 
 enum { CONTROLLED = 3 };
 
-static const double share = 1e-6, shortest = 0x1p-40;
+static const double share = 1e-6;
 
 /** Numbers of a course: the tolerance, where it is and what it would try next, what programs are told of it, and
  *  whether the bodies are those of a step that was cut, with the evaluations that it took. */
@@ -31,7 +33,7 @@ static vti_control control_of(const struct course *c)
     control.speed = scene_unit(scene->speed);
     control.turning = scene_unit(scene->turning);
     control.held = (int64_t)c->number[HELD];
-    control.least = shortest * c->h;
+    control.least = CUT_SHORTEST * c->h;
     control.most = c->longest;
     return control;
 }
@@ -57,19 +59,38 @@ static double gap_of(const vti_stepper *by)
     return gap;
 }
 
+/** What rounding leaves of the largest velocity and spin at the start, in the units of the tolerance. */
+static double rounding_of(const struct course *c)
+{
+    const struct scene *scene = c->model->scene;
+    double most = 0.0;
+    for (int64_t i = 0; i < c->n; ++i) {
+        if (c->v != NULL)
+            most = fmax(most, vti_norm(c->v + 3 * i) / scene_unit(scene->speed));
+        if (c->w != NULL)
+            most = fmax(most, vti_norm(c->w + 3 * i) / scene_unit(scene->turning));
+    }
+    return 0.5 * DBL_EPSILON * most;
+}
+
 static int prepare_controlled(struct course *c, struct message *message)
 {
     const vti_stepper *const by = c->rival->table;
+    const double rounding = rounding_of(c);
     double most;
     if (course_longest(c, gap_of(by), message) != 0)
         return -1;
     c->number[STEP] = fmin(c->h, c->longest);
     c->number[TOLERANCE] = c->model->scene->tolerance;
+    if (c->number[TOLERANCE] > 0.0 && c->number[TOLERANCE] < rounding)
+        return message_set(message,
+                           "%s: tolerance: %s is less than rounding leaves of velocities and spins, %.2g; give more",
+                           c->model->scene->name, NUMBER(c->number[TOLERANCE]), rounding);
     if (c->number[TOLERANCE] > 0.0)
         return 0;
     if (course_fastest(c, &most, message) != 0)
         return -1;
-    c->number[TOLERANCE] = share * plain_power(most, (int)by->estimate_order + 1);
+    c->number[TOLERANCE] = fmax(rounding, share * plain_power(most, (int)by->estimate_order + 1));
     return 0;
 }
 
