@@ -56,8 +56,8 @@ static const struct scene_field fields[] = {
      NULL},
     {"wall.spins", SCENE_NUMBERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, spins), "spin of each wall",
      "A number for each plane, then for each cylinder, radians per unit of time: cylinders turn about their axes, "
-     "planes about their normals through the origin; friction and dashpots feel it. Steppers as "
-     "with velocities.",
+     "planes about those normals that go through the origin at t = 0, axes moving with their walls; friction and "
+     "dashpots feel it. Steppers as with velocities.",
      NULL},
 };
 

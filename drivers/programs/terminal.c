@@ -20,9 +20,11 @@ static void say_bound(const vti_stable *stable, const char *by, const vti_steppe
         fputs("not known", file);
     else if (isinf(step))
         fputs("nothing oscillates", file);
+    else if (step == 0.0)
+        fprintf(file, "no step is sure, for %s", by);
     else
         fprintf(file, "%.4g, set by %s", step, by);
-    if (isfinite(step) && h > 0.0)
+    if (isfinite(step) && step > 0.0 && h > 0.0)
         fprintf(file, "; h is %.3g of it", h / step);
     fputc('\n', file);
 }
@@ -44,7 +46,7 @@ void stable_say(const struct model_limits *l, const vti_stepper *stepper, double
 
 double stable_least(const struct model_limits *l, const vti_stepper *stepper)
 {
-    return 0.5 * stepper->reach * fmin(l->rest.h, l->within.h);
+    return 0.5 * stepper->reach * model_limits_least(l);
 }
 
 enum { WIDTH = 40, REST = 40 /* what stands beside the bar, at most */ };

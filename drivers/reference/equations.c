@@ -250,7 +250,7 @@ static double oscillation_of(const struct model *model)
 {
     struct model_limits limits;
     struct message ignored;
-    return model_find_limits(model, &limits, &ignored) == 0 ? fmin(limits.rest.h, limits.within.h) : 0.0;
+    return model_find_limits(model, &limits, &ignored) == 0 ? model_limits_least(&limits) : 0.0;
 }
 
 /** Those of the scene; 1 where forces cannot be had. */

@@ -153,6 +153,11 @@ struct model_limits {
     char rest_by[96], within_by[96];
 };
 int model_find_limits(const struct model *model, struct model_limits *limits, struct message *message);
+/** The lesser of the two; that at rest where energies allow a deformation within which no step is sure (within.h = 0). */
+static inline double model_limits_least(const struct model_limits *limits)
+{
+    return limits->within.h > 0.0 ? fmin(limits->rest.h, limits->within.h) : limits->rest.h;
+}
 /** The longest time between two evaluations of forces by which methods that choose their steps may not miss a touch: an
  *  error that they estimate between touches knows of none. It is 3/omega of the stiffest contact that energies at the
  *  start allow. A touch of two spheres lasts 4.0/omega or longer (2.94 delta/v of Hertz, with omega = 1.37 v/delta), so

@@ -97,12 +97,14 @@ static double fall(const struct model *model, const vti_bodies *spheres, int64_t
     return isfinite(least) ? least : 0.0;
 }
 
-/** The velocity of the centre of mass, which deforms nothing unless it meets a wall. */
+/** The velocity of the centre of mass, which deforms nothing but along axes on which walls act. */
 static void velocity_of_whole(const struct model *model, const vti_bodies *b, double whole[3])
 {
     double mass = 0.0, momentum[3] = {0.0, 0.0, 0.0};
-    const int counts = model->translates && !has_walls(model);
-    for (int64_t i = 0; i < b->count && counts; ++i) {
+    int64_t broken = 0;
+    for (int64_t e = 0; e < model->effects_count && has_walls(model); ++e)
+        broken |= model->effects[e].breaks;
+    for (int64_t i = 0; i < b->count && model->translates; ++i) {
         double v[3];
         load(&b->v, i, v);
         mass += scalar(&b->mass, i);
@@ -110,7 +112,7 @@ static void velocity_of_whole(const struct model *model, const vti_bodies *b, do
             momentum[k] += scalar(&b->mass, i) * v[k];
     }
     for (int k = 0; k < 3; ++k)
-        whole[k] = mass > 0.0 ? momentum[k] / mass : 0.0;
+        whole[k] = mass > 0.0 && (broken >> k & 1) == 0 ? momentum[k] / mass : 0.0;
 }
 
 /** m v^2 of body i less the velocity of the whole, and 2 T of how it turns, if it is a clump, whose spheres that
