@@ -12,7 +12,7 @@ static volatile time_t since;
 
 /** One that comes again after so many seconds is not to be waited for any longer. Launchers send the same one twice at
  *  once, to the process and to its group. */
-enum { PATIENCE = 2 };
+enum { PATIENCE = 5 };
 
 static void note(int number)
 {

@@ -199,7 +199,7 @@ def far_from_multiples(base):
                            "--t-end", "131072", "-o", f"{base}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                           preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
         process.stdout.readline()
-        for seconds in (0.2, 0.1, 3):  # twice at once, as launchers do
+        for seconds in (0.2, 0.1, 6):  # twice at once, as launchers do
             time.sleep(seconds)
             waited = process.poll() is None
             process.terminate()

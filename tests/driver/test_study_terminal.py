@@ -29,7 +29,7 @@ HOURS = ("--h", "2^-9:2^-27", "--no-plot")
 HOURS_TO_COMPARE = ("--h", "1e6", "--t-end", "1e6", "--no-plot")  # the reference of the only interval takes as long
 SECONDS = ("--h", "2^-4:2^-15", "--no-plot")  # a bar is drawn ten times per second at most
 
-HOURS_OF_FEW = ("--h", "1/16", "--t-end", "40", "--steppers", "srkn6", "--set", "tolerance=1e-18", "--no-plot")  # 640 steps of h
+HOURS_OF_FEW = ("--h", "1/16", "--t-end", "40", "--steppers", "srkn6", "--set", "tolerance=1e-16", "--no-plot")  # 640 steps of h
 
 
 class Terminal:
