@@ -170,7 +170,7 @@ static void say_step(struct run *run, FILE *file)
 
 static void say_warnings(const struct run *run, FILE *file)
 {
-    struct message lines[2];
+    struct message lines[VERDICT_WARNINGS];
     const int n = run->from == 0 ? verdict_warnings(&run->verdict, &run->model.bodies, lines) : 0;
     for (int k = 0; k < n; ++k)
         fprintf(file, "warning: %s\n", lines[k].text);

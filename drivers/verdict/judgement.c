@@ -26,7 +26,8 @@ const struct verdict_number verdict_numbers[VERDICT_NUMBERS] = {MEMBER(verdict, 
 static const double some_travel = 0.1;  /* diameters per step: contacts are met that deep */
 static const double near_travel = 0.01; /* the same of two, if dashpots or friction look no further ahead (contact.c) */
 static const double much_slowing = 0.8; /* z of a drift: bodies settle by 5 % too fast */
-static const double most_travel = 1.0;  /* two bodies may pass through each other unseen */
+static const double much_rounding = 1e-3; /* of the way of a step */
+static const double most_travel = 1.0;    /* two bodies may pass through each other unseen */
 
 const char *verdict_word(int64_t grade)
 {
@@ -55,7 +56,7 @@ static int64_t grade(const struct verdict *v, const struct judgement *j, int bro
         return VERDICT_BAD;
     const int doubtful = f->loss > VERDICT_MOST_GAIN * verdict_scale(f) || f->travel > much_travel(v) ||
                          j->angle_error > turning_tolerance(v->stepper) || f->share > 1.0 || j->bonds_turned > 0 ||
-                         f->slowing > much_slowing || f->deepest > VERDICT_MUCH_OVERLAP;
+                         f->slowing > much_slowing || f->deepest > VERDICT_MUCH_OVERLAP || f->rounding > much_rounding;
     return doubtful ? VERDICT_DOUBTFUL : VERDICT_GOOD;
 }
 
@@ -119,6 +120,9 @@ static void say_steps(const struct verdict *v, const struct judgement *j, struct
             f->deepest);
     if (f->slowing > much_slowing)
         SAY("; h is %.3g times the time m/c in which a body is slowed: what is pushed settles too fast", f->slowing);
+    if (f->rounding > much_rounding)
+        SAY("; bodies are so far from the origin that rounding takes up to %.2g of their way in a step: move it nearer",
+            f->rounding);
     if (j->bonds_turned > 0)
         SAY("; %lld bonds turned past half a turn", (long long)j->bonds_turned);
 }
@@ -147,11 +151,18 @@ struct judgement verdict_judge(const struct verdict *v, int broken, struct messa
     return j;
 }
 
-int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2])
+int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[VERDICT_WARNINGS])
 {
     int n = 0;
+    double fastest = 0.0;
     if (v->model->scene->tolerance > 0.0) /* h is not that of the steps */
         return 0;
+    const double rounding = v->model->translates ? verdict_rounding(v, bodies, &fastest) : 0.0;
+    if (rounding > much_rounding)
+        message_set(&lines[n++],
+                    "bodies are so far from the origin that rounding takes up to %.2g of their way in a step; move the "
+                    "origin nearer, or take a larger h",
+                    rounding);
     const double far = v->diameter > 0.0 ? verdict_travel(v, bodies) : 0.0, turn = vti_max_turn(v->h, bodies);
     if (far > much_travel(v))
         message_set(&lines[n++],

@@ -95,6 +95,7 @@ struct findings {
     double deepest;         /* the largest overlap at a look, as a share of the contact's length */
     double force2;          /* the square of the largest force on a body at a look between rows */
     double slowing; /* largest z = c t/m of a drift of bodies that are pushed too; 0 without drag and dashpots */
+    double rounding, fastest; /* verdict_rounding, the largest; the largest speed along an axis */
     struct trend trend;
 };
 
@@ -120,8 +121,8 @@ void verdict_destroy(struct verdict *v);
 /** At every look of a run whose steps vary: the longest since the look before. */
 void verdict_longest(struct verdict *v, double h);
 /** The row of the bodies at t, whose forces are those of their positions (or, after a step that ends with a drift,
- *  nearly), and takes it into account. The stable step is taken at the first 64 rows, then at every second up to row
- *  128, at every fourth up to 256, and so on, as it costs about as much as a step, and at those at which what touches
+ *  nearly), and takes it into account. The stable step is taken at the first 32 rows, then at every second up to row
+ *  64, at every fourth up to 128, and so on, as it costs about as much as a step, and at those at which what touches
  *  holds a tenth more energy than before. */
 void verdict_row(struct verdict *v, double t, const vti_bodies *bodies, double row[COLUMNS]);
 /** At every step, whose forces are those of its positions. Contacts come and go between rows: where the largest force on
@@ -137,9 +138,10 @@ static inline double verdict_scale(const struct findings *f)
 /** What is found so far; broken: 1 if the run ended on its way. In *line one line of it. */
 struct judgement verdict_judge(const struct verdict *v, int broken, struct message *line);
 
-/** At t = 0, before any step: what of travel and rotation per step calls for a word. Returns how many lines there are.
- *  */
-int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[2]);
+enum { VERDICT_WARNINGS = 3 };
+/** At t = 0, before any step: what of travel, rotation and rounding per step calls for a word. Returns how many lines
+ *  there are. */
+int verdict_warnings(const struct verdict *v, const vti_bodies *bodies, struct message lines[VERDICT_WARNINGS]);
 
 /** What a run must keep to end with the same verdict after it was interrupted. */
 int64_t verdict_size(const struct verdict *v);

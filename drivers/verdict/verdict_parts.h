@@ -17,4 +17,8 @@ struct effect *verdict_next_watch(const struct model *model, int64_t *k);
  *  which also swing about their body's centre, a bound. */
 double verdict_travel(const struct verdict *v, const vti_bodies *bodies);
 
+/** The largest share of its way h|v| that rounding may take from a body in a step, or add to it: half the spacing of
+ *  doubles at its place, of bodies that move by more than a hundredth of *fastest, the largest speed so far. */
+double verdict_rounding(const struct verdict *v, const vti_bodies *bodies, double *fastest);
+
 #endif

@@ -302,7 +302,31 @@ TEST(what_energies_allow)
     }
 }
 
+/** A bonded pair with a wall far away: flying along it deforms nothing, flying at it or turning at it may, if friction
+ *  is there along it too. */
+TEST(flying_along_a_wall)
+{
+    static const struct {
+        const char *v, *more;
+        int strains;
+    } cases[] = {{"5, 0, 0", "", 0}, {"0, -5, 0", "", 1}, {"5, 0, 0", "friction: {sliding: 0.5, stiffness: 100}\n", 1}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
+        struct scene scene;
+        struct model model;
+        char text[TEXT_SIZE];
+        snprintf(text, sizeof text,
+                 "bodies: {chain: {count: 2, spacing: 1}, mass: 1, diameter: 1, v: [%s], omega: [0, 0, 0.3]}\n"
+                 "binder: {moment: 5, axial: 100}\nwall: {planes: [[0, 1, 0, -100]], stiffness: 1000}\n%sh: 0.01\n"
+                 "t_end: 1\n",
+                 cases[k].v, cases[k].more);
+        make_model(text, &scene, &model);
+        const vti_deformation at = model_deformation(&model, &model.bodies);
+        assert_int_equal(at.strain > 0.1, cases[k].strains);
+        model_destroy(&model);
+    }
+}
+
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(what_energies_allow), cmocka_unit_test(what_is_there), cmocka_unit_test(terms),
                     cmocka_unit_test(planes_are_made_unit), cmocka_unit_test(contact_inside_bonds),
                     cmocka_unit_test(contacts_follow_the_bodies), cmocka_unit_test(a_body_that_is_nowhere),
-                    cmocka_unit_test(overlaps_and_stable_steps))
+                    cmocka_unit_test(overlaps_and_stable_steps), cmocka_unit_test(flying_along_a_wall))

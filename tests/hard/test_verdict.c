@@ -170,7 +170,7 @@ TEST(travel)
     static const char wall[] = "bodies: {x: [%d, 0, 0], v: [-1e6, 0, 0], mass: 1, diameter: 1}\n"
                                "wall: {stiffness: 1e6, planes: [[1, 0, 0, 0]]}\nh: 1e-4\nt_end: 0.01\n";
     char text[TEXT_SIZE];
-    struct message lines[2];
+    struct message lines[VERDICT_WARNINGS];
     static struct model model;
     write_text("pair.csv", "x,y,z,vx,vy,vz\n0,0,0,500,0,0\n20.1,0,0,-500,0,0\n");
     static const char passing[] = "bodies: {table: pair.csv, mass: 1, diameter: 1}\ncontact: {stiffness: 1}\n"

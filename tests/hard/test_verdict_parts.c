@@ -451,7 +451,7 @@ static void warned(const char *text, const char *remedy)
     static struct model model;
     static struct verdict v;
     struct columns columns;
-    struct message message, lines[2];
+    struct message message, lines[VERDICT_WARNINGS];
     make_model(text, &scene, &model);
     columns_of(&model, scene.stepper, &columns);
     assert_int_equal(verdict_create(&v, &model, scene.stepper, scene.h, &columns, &message), 0);
@@ -472,6 +472,11 @@ TEST(remedies)
     warned(text, "; reduce h to 0.0025"); /* 0.1 diameters a step */
     snprintf(text, sizeof text, fast, "srkn11", "tolerance: 1e-6\n");
     warned(text, NULL);
+    /* doubles at 1e9 are 1.2e-7 apart; a body that stands still has no way, wherever it is */
+    warned("bodies: {x: [0, -1e9, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n",
+           "rounding takes up to 0.011 of their way in a step; move the origin nearer");
+    warned("bodies: {x: [0, -1e6, 0], v: [1e-2, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
+    warned("bodies: {x: [0, -1e9, 0], v: [0, 0, 0], mass: 2}\nh: 1e-3\nt_end: 1\n", NULL);
     snprintf(text, sizeof text, fast, "vti2", "dashpot: {restitution: 0.5}\n");
     warned(text, "; reduce h to 0.00025"); /* 0.01 */
     snprintf(text, sizeof text, "%sstepper: vti2\n", pendulum);
