@@ -309,8 +309,8 @@ TEST(flying_along_a_wall)
     static const struct {
         const char *v, *more;
         int strains;
-    } cases[] = {{"5, 0, 0", "", 0}, {"0, -5, 0", "", 1}, {"5, 0, 0", "friction: {sliding: 0.5, stiffness: 100}\n", 1}};
-    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
+    } flights[] = {{"5, 0, 0", "", 0}, {"0, -5, 0", "", 1}, {"5, 0, 0", "friction: {sliding: 0.5, stiffness: 100}\n", 1}};
+    for (size_t k = 0; k < sizeof flights / sizeof flights[0]; ++k) {
         struct scene scene;
         struct model model;
         char text[TEXT_SIZE];
@@ -318,10 +318,10 @@ TEST(flying_along_a_wall)
                  "bodies: {chain: {count: 2, spacing: 1}, mass: 1, diameter: 1, v: [%s], omega: [0, 0, 0.3]}\n"
                  "binder: {moment: 5, axial: 100}\nwall: {planes: [[0, 1, 0, -100]], stiffness: 1000}\n%sh: 0.01\n"
                  "t_end: 1\n",
-                 cases[k].v, cases[k].more);
+                 flights[k].v, flights[k].more);
         make_model(text, &scene, &model);
         const vti_deformation at = model_deformation(&model, &model.bodies);
-        assert_int_equal(at.strain > 0.1, cases[k].strains);
+        assert_int_equal(at.strain > 0.1, flights[k].strains);
         model_destroy(&model);
     }
 }

@@ -80,6 +80,7 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | killed at any such call, or within a write | the same | the same bytes after --resume | hard trouble |
 | SIGTERM at any such call | vti-run | ends with a checkpoint, 75, or with all files, 0; before the first step by the signal, and leaves nothing | hard trouble |
 | SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGUSR1 | vti-run | a checkpoint, 75; before the first step the program ends; under nohup SIGHUP is ignored | run_resume |
+| the same twice, 5 s or more apart | vti-run | ends by the signal, where steps of variable length are too short for h to end soon; an earlier checkpoint stays | run_resume |
 | a complete run, a later --t-end and --resume | vti-run | the bytes of one run to that end with the same --record and --frames | run_resume |
 | outputs that are inputs, links and hard links too | vti-run, vti-study | refused, --force or not | overwrite |
 | outputs that are there and no results of vti | the same | refused, but with --force | overwrite |
