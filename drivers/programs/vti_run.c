@@ -41,7 +41,8 @@ static const struct option_row rows[] = {
     {"--t-end", "T", OPTION_KEY, &sets, OPTION_ANY, "end time (default: the scene's)"},
     {"--set", "PATH=VALUE", OPTION_EACH, &sets, OPTION_ANY, "override a value of the scene; may be repeated"},
     {"--record", "EVERY", OPTION_WHOLE, &request.record_every, 1, 0x1p53, "50 or 1e3",
-     "steps between rows of energies and momenta (default: about 1000 rows)"},
+     "steps between rows of energies and momenta (default: about 1000 rows; from 1000 bodies on a row for some ten "
+     "steps, but 100)"},
     {"--frames", "EVERY", OPTION_WHOLE, &request.frames_every, 1, 0x1p53, "50 or 1e3",
      "steps between frames of the trajectory (default: about 100 frames); the state at the end is always recorded"},
     {"--fields", "force,moment,lost", OPTION_TEXT, &fields, OPTION_ANY,

@@ -19,14 +19,16 @@
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
+/* Bodies; for fewer, waking threads up is taken to cost more than they save. */
+enum { MANY = 1000 };
+
 int64_t run_threads(int64_t bodies)
 {
     static const char *const launched[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"};
-    enum { LEAST = 1000 }; /* bodies; for fewer, waking threads up is taken to cost more than they save */
     for (size_t k = 0; k < sizeof launched / sizeof launched[0]; ++k)
         if (getenv(launched[k]) != NULL)
             return 1;
-    return bodies >= LEAST ? threads_most() : 1;
+    return bodies >= MANY ? threads_most() : 1;
 }
 
 static int start_threads(struct run *run, struct message *message)
@@ -202,11 +204,16 @@ static int take_checkpoint(struct run *run, struct message *message)
     return taken ? 1 : keep_damaged(&run->journal.keep, "is damaged: its checkpoint is of other bodies", message);
 }
 
-/** How many rows a run has if nobody says: where steps have to be ended for them, as many as frames. */
+/** How many rows a run has if nobody says: where steps have to be ended for them, as many as frames. A row costs as much
+ *  as three to six steps, and one thread does it: of many bodies a step in ten is enough. */
 static int64_t about_rows(const struct run *run)
 {
+    enum { FEW = 100, USUAL = 1000, STEPS = 10 };
     struct travel_tally tally;
-    return travel_tally(&run->travel, &tally) ? 100 : 1000;
+    const int64_t tenth = run->steps / STEPS < USUAL ? run->steps / STEPS : USUAL;
+    if (travel_tally(&run->travel, &tally))
+        return FEW;
+    return run->model.bodies.count < MANY ? USUAL : tenth > FEW ? tenth : FEW;
 }
 
 /** Whether the files of a complete run are all that are asked for: a file may have been removed, a field or OUT.xdmf be
