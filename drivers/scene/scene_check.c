@@ -164,6 +164,11 @@ static int check_moments(const struct scene_reader *reader, const struct scene *
     if (has(reader, "bodies.inertia"))
         return scene_reader_fail(reader, "bodies.moments",
                                  "given besides bodies.inertia, which spheres have; keep one");
+    for (int k = 0; k < 3; ++k)
+        if (!number_divides(moments[k]))
+            return scene_reader_fail(reader, "bodies.moments",
+                                     "%s is too small to divide by; choose units in which it is larger",
+                                     NUMBER(moments[k]));
     if (vti_bodies_check(&body) != VTI_OK)
         return scene_reader_fail(reader, "bodies.moments",
                                  "one of %.10g, %.10g, %.10g is more than the sum of the others; no body has such "

@@ -179,7 +179,8 @@ static vti_scalars derived(const struct model *model, const struct tables *table
     return vti_scalars_array(inertia);
 }
 
-static void place_properties(struct model *model, const struct tables *tables, double **block)
+/** Returns the masses, which bodies that do not translate have not. */
+static vti_scalars place_properties(struct model *model, const struct tables *tables, double **block)
 {
     const struct scene *s = model->scene;
     const struct table *t = &tables->bodies;
@@ -198,10 +199,10 @@ static void place_properties(struct model *model, const struct tables *tables, d
     }
     if (model->translates)
         b->mass = mass;
-    if (!model->turns || is_general(model, t))
-        return;
-    b->inertia = derives_inertia(model, t) ? derived(model, tables, &mass, block)
-                                           : property(block, b->count, t, BODY_INERTIA, &model->inertia);
+    if (model->turns && !is_general(model, t))
+        b->inertia = derives_inertia(model, t) ? derived(model, tables, &mass, block)
+                                               : property(block, b->count, t, BODY_INERTIA, &model->inertia);
+    return mass;
 }
 
 /** The same moments for all. */
@@ -285,7 +286,7 @@ int model_place_bodies(struct model *model, const struct tables *tables, struct 
         return message_set(message, "%s: out of memory for %lld bodies; use fewer", model->scene->name, (long long)n);
     double *block = model->memory;
     place_vectors(model, tables, &block);
-    place_properties(model, tables, &block);
+    const vti_scalars mass = place_properties(model, tables, &block);
     if (is_general(model, &tables->bodies)) {
         if (has_own_moments(model, &tables->bodies))
             place_own_moments(model, tables, &block);
@@ -293,5 +294,7 @@ int model_place_bodies(struct model *model, const struct tables *tables, struct 
             place_moments(model);
         place_spin(model, &block);
     }
+    if (model_check_masses(model, tables, &mass, message) != 0)
+        return -1;
     return place_spheres(model, tables, message);
 }

@@ -138,6 +138,11 @@ static int check_moments(const struct scene *s, const struct table *bodies, stru
         vti_bodies body = vti_bodies_none(1);
         for (int k = 0; k < 3; ++k)
             m[k] = bodies->column[BODY_MOMENTS + k][i];
+        for (int k = 0; k < 3; ++k)
+            if (!number_divides(m[k]))
+                return table_fail(bodies, i, message,
+                                  "%s: '%s' is too small to divide by; choose units in which it is larger",
+                                  table_column(bodies->kind, BODY_MOMENTS + k), NUMBER(m[k]));
         body.moments = vti_view_packed(m);
         if (vti_bodies_check_values(&body, NULL) != VTI_OK)
             return table_fail(bodies, i, message,

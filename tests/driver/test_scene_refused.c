@@ -84,6 +84,8 @@ static const struct refusal files[] = {
      "1:19: bodies.moments: one of 1, 2, 3.1 is more than the sum of the others; no body has such moments, give "
      "smaller "
      "ones"},
+    {"bodies: {moments: [1, 1e-320, 1], alpha: [0, 0, 0], omega: [0, 0, 1]}\n" TIME,
+     "1:19: bodies.moments: 1e-320 is too small to divide by; choose units in which it is larger"},
     {"bodies: {moments: [1, -2, 3], alpha: [0, 0, 0], omega: [0, 0, 1]}\n" TIME,
      "1:23: bodies.moments[1]: '-2' is not positive; the principal moments of inertia A, B, C must be > 0"},
     {BODIES "  x: [0, 0]\n" TIME, "5:6: bodies.x: 2 values in a list of three numbers; write them as in [0, 0, 1]"},

@@ -198,6 +198,36 @@ static const struct {
      "b.csv: has columns x, y, z; a pendulum hangs bodies on fixed pivots, where they cannot translate"},
     {"bodies: {mass: 1, inertia: 1, chain: {count: 2, spacing: 1}}\nbinder: {table: c.csv}\n", "", "i,j,axial\n0,2,1\n",
      "c.csv:2: j: '2' is not a body; there are 2, counted from 0"},
+    /* what is too small to divide by, whatever it follows from; mass of bodies that do not translate is not looked at */
+    {"bodies: {mass: 1e-320, chain: {count: 2, spacing: 1}}\n", "", "",
+     "t: bodies.mass: '1e-320' is too small to divide by; choose units in which it is larger"},
+    {"bodies: {table: b.csv}\n", "x,y,z,mass\n0,0,0,1\n1,0,0,1e-309\n", "",
+     "b.csv:3: mass: '1e-309' is too small to divide by; choose units in which it is larger"},
+    {"bodies: {density: 1e-300, diameter: 1e-9, chain: {count: 2, spacing: 1}}\n", "", "",
+     "t: bodies.density: '1e-300' and the diameter 1e-09 give a mass of 0, which is too small to divide by; choose "
+     "units "
+     "in which it is larger"},
+    {"bodies: {table: b.csv, density: 1e300}\n", "x,y,z,diameter\n0,0,0,1\n1,0,0,1e3\n", "",
+     "b.csv:3: bodies.density: '1e+300' and the diameter 1000 give a mass of inf, which is too large to divide by; "
+     "choose "
+     "units in which it is smaller"},
+    {"bodies: {mass: 1e-308, diameter: 1e-20, omega: [0, 0, 1], chain: {count: 2, spacing: 1}}\n", "", "",
+     "t: bodies.inertia: the mass 1e-308 and the diameter 1e-20 give 0, which is too small to divide by; choose units "
+     "in "
+     "which it is larger, or give it"},
+    {BODIES, "x,y,z,omega_x,omega_y,omega_z,diameter\n0,0,0,0,0,1,1\n1,0,0,0,0,1,1e-160\n", "",
+     "b.csv:3: bodies.inertia: the mass 1 and the diameter 1e-160 give 1e-321, which is too small to divide by; choose "
+     "units in which it is larger, or give it"},
+    {"bodies: {inertia: 1e-320, alpha: [0, 0, 0], omega: [0, 0, 1]}\n", "", "",
+     "t: bodies.inertia: '1e-320' is too small to divide by; choose units in which it is larger"},
+    {"bodies: {table: b.csv}\n", "omega_x,omega_y,omega_z,inertia\n0,0,1,1\n0,0,1,1e-320\n", "",
+     "b.csv:3: inertia: '1e-320' is too small to divide by; choose units in which it is larger"},
+    {"bodies: {table: b.csv}\n", "omega_x,omega_y,omega_z,moment_a,moment_b,moment_c\n0,0,1,1,1e-320,1\n", "",
+     "b.csv:2: moment_b: '1e-320' is too small to divide by; choose units in which it is larger"},
+    {"bodies: {mass: 1e-300, x: [0, 0, 0], v: [0, 0, 0], clumps: {spheres: [[0, 0, 0, 1e-9], [1e-9, 0, 0, 1e-9]]}}\n",
+     "", "",
+     "t: bodies.clumps: spheres of the mass 1e-300 in all give a moment of inertia of 3.5e-319, which is too small to "
+     "divide by; choose units in which it is larger"},
     {"bodies: {table: b.h5}\n", "", "", "b.h5: HDF5 tables are not read here; give a CSV file"},
     /* without a table too: so close that they fall on one number */
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1e-9, start: [1e9, 0, 0]}}\nbinder: {axial: 1}\n", "", "",
