@@ -251,6 +251,12 @@ static int touching(const struct effect *e)
     return ((const struct contact_settings *)e->settings)->bonded ? EFFECT_TOUCH_ALL : EFFECT_TOUCH_APART;
 }
 
+static int by_material(const struct effect *e)
+{
+    const struct contact_settings *contact = e->settings;
+    return contact->stiffness == 0.0 && contact->young == 0.0;
+}
+
 static const struct effect_term terms[] = {{"contact", "$U^{\\mathrm{pp}}$", "particle-particle", "#332288"}};
 
 const struct effect_kind effect_contact = {.number = EFFECT_contact,
@@ -274,5 +280,6 @@ const struct effect_kind effect_contact = {.number = EFFECT_contact,
                                            .deepest = deepest,
                                            .missed = contact_missed,
                                            .surfaces = surfaces,
+                                           .by_material = by_material,
                                            .touching = touching,
                                            .memory = &contact_memory};

@@ -91,6 +91,10 @@ static int check(const struct scene_reader *reader, const struct scene *scene, c
         return scene_reader_fail(reader, "dashpot.ratio",
                                  "there is no normal coefficient that it could be a share of; give restitution, zeta "
                                  "or normal, or leave it out");
+    if (d->pull && !has_normal(reader, d))
+        return scene_reader_fail(reader, "dashpot.pull",
+                                 "there is no normal coefficient that could pull; give restitution, zeta or normal, or "
+                                 "leave it out");
     if (d->restitution > 1.0)
         return scene_reader_fail(reader, "dashpot.restitution", "'%s' is above 1; give a share of the velocity",
                                  scene_reader_value(reader, "dashpot.restitution"));

@@ -229,6 +229,8 @@ struct effect_kind {
     double (*slowing)(const struct effect *e, const struct model *model);
     /** effect_touch; NULL: no pairs, because of it. */
     int (*touching)(const struct effect *e);
+    /** Whether it is as stiff as the bodies' materials make it, columns young and poisson of their table. NULL: it is not. */
+    int (*by_material)(const struct effect *e);
     /** Where body i is drawn, which does not translate. */
     void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
     const struct effect_invariants *invariants;

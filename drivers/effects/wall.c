@@ -329,6 +329,11 @@ static void note(const struct effect *e, const struct model *model, char *text, 
                  number_of(model, at), share, (long long)wall);
 }
 
+static int by_material(const struct effect *e)
+{
+    return ((const struct wall_settings *)e->settings)->young > 0.0;
+}
+
 static const struct effect_planes faces = {"wall", planes, cylinders, motion, approach};
 
 static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "particle-wall", "#009E73"},
@@ -350,4 +355,5 @@ const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .deepest = deepest,
                                         .planes = &faces,
                                         .surfaces = surfaces,
+                                        .by_material = by_material,
                                         .memory = &remembered};

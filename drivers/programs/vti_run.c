@@ -15,6 +15,7 @@
 #include "scene.h"
 #include "shape.h"
 #include "travel.h"
+#include "unused.h"
 
 enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
 
@@ -177,10 +178,14 @@ static void say_warnings(const struct run *run, FILE *file)
         fprintf(file, "warning: %s\n", lines[k].text);
 }
 
-/** What effects want to have said of the start. */
+/** What is given for nothing, and what effects want to have said of the start. */
 static void say_notes(const struct run *run, FILE *file)
 {
     const struct model *m = run->shown;
+    struct message unused[RUN_UNUSED];
+    const int n = run->from == 0 ? run_unused(m, &run->tables, unused) : 0;
+    for (int k = 0; k < n; ++k)
+        fprintf(file, "note: %s\n", unused[k].text);
     for (int64_t e = 0; run->from == 0 && e < m->rooms_count; ++e) {
         char text[256] = "";
         if (m->rooms[e].kind->note != NULL)

@@ -361,7 +361,7 @@ def notes(base):
         with open(f"{base}/{name}.csv", "w", encoding="ascii") as file:
             file.write(table)
         with open(f"{base}/{name}.yaml", "w", encoding="ascii") as file:
-            file.write(f"bodies: {{table: {name}.csv, mass: 1, inertia: 1}}\n{scene}h: 1/1024\nt_end: 1/256\n")
+            file.write(f"bodies: {{table: {name}.csv, mass: 1}}\n{scene}h: 1/1024\nt_end: 1/256\n")
         told = []
         for options in ([], ["--renumber"]):
             result = run(RUN, f"{base}/{name}.yaml", "-o", f"{base}/{name}-out.h5", *options)

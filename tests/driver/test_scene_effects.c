@@ -192,6 +192,10 @@ static const struct refusal refused[] = {
     {CHAIN "contact: {stiffness: 1}\ndashpot: {ratio: 0.5, tangential: 1}\n" TIME,
      "3:18: dashpot.ratio: there is no normal coefficient that it could be a share of; give restitution, zeta or "
      "normal, or leave it out"},
+    {CHAIN "contact: {stiffness: 1}\ndashpot: {tangential: 1, pull: yes}\n" TIME,
+     "3:32: dashpot.pull: there is no normal coefficient that could pull; give restitution, zeta or normal, or leave "
+     "it "
+     "out"},
     {CHAIN "contact: {stiffness: 1}\ndashpot: {zeta: 1, restitution: 0.5}\n" TIME,
      "3:33: dashpot.restitution: given with dashpot.zeta; keep one of them"},
     {CHAIN "contact: {stiffness: 1}\ndashpot: {restitution: 1.5}\n" TIME,

@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What vti-run says beside its results: what of a scene and its tables nothing goes by.      test_run_says.py VTI_RUN SCENES"""
+import glob
+import os
+import sys
+import tempfile
+
+from programs import run
+from tally import check, conclude
+
+RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+
+MOVING = "x,y,z,vx,vy,vz"
+TURNING = "omega_x,omega_y,omega_z"
+TURNED = "nothing turns bodies"
+MOVED = "bodies do not translate, and their inertia is given"
+MADE = "no stiffness of this scene follows from the bodies' materials"
+WALL = "wall: {stiffness: 1, planes: [[0, 0, 1, -9]]}\n"
+# columns, values, keys of bodies, the rest of the scene, notes
+UNUSED = [
+    (MOVING, "0,0,0,1,0,0", "mass: 1, inertia: 0.37", "", [f"bodies.inertia is not used: {TURNED}; leave it out"]),
+    (MOVING, "0,0,0,1,0,0", "mass: 1, moments: [1, 1, 1]", "", [f"bodies.moments is not used: {TURNED}; leave it out"]),
+    (MOVING + ",inertia", "0,0,0,1,0,0,2", "mass: 1", "", [f"TABLE: column inertia is not used: {TURNED}"]),
+    (MOVING + ",moment_a,moment_b,moment_c", "0,0,0,1,0,0,1,1,1", "mass: 1", "",
+     [f"TABLE: columns moment_a, moment_b, moment_c are not used: {TURNED}"]),
+    (TURNING, "0,0,1", "mass: 1, inertia: 1", "", [f"bodies.mass is not used: {MOVED}; leave it out"]),
+    (TURNING + ",inertia", "0,0,1,1", "density: 1, diameter: 1", "", [f"bodies.density is not used: {MOVED}; leave it out"]),
+    (TURNING + ",mass", "0,0,1,1", "moments: [1, 1, 1]", "", [f"TABLE: column mass is not used: {MOVED}"]),
+    (TURNING, "0,0,1", "mass: 1, diameter: 1", "", []),
+    (TURNING + ",mass,diameter", "0,0,1,1,1", "", "", []),
+    (MOVING + "," + TURNING, "0,0,0,1,0,0,0,0,1", "mass: 1, inertia: 1", "", []),
+    (MOVING + ",young,poisson", "0,0,0,1,0,0,1,0.3", "mass: 1", "", [f"TABLE: columns young and poisson are not used: {MADE}"]),
+    (MOVING + ",young,poisson", "0,0,0,1,0,0,1,0.3", "mass: 1, diameter: 1", "contact: {stiffness: 1}\n" + WALL,
+     [f"TABLE: columns young and poisson are not used: {MADE}"]),
+    (MOVING + ",young,poisson", "0,0,0,1,0,0,1,0.3", "mass: 1, diameter: 1", "contact: {}\n", []),
+    (MOVING + ",young,poisson", "0,0,0,1,0,0,1,0.3", "mass: 1, diameter: 1",
+     WALL.replace("stiffness: 1", "young: 1, poisson: 0.3"), []),
+]
+
+
+def unused(base):
+    """A note for each key and column that nothing goes by, and none where something does."""
+    for columns, row, keys, more, notes in UNUSED:
+        with open(f"{base}/b.csv", "w", encoding="ascii") as file:
+            file.write(f"{columns}\n{row}\n")
+        with open(f"{base}/b.yaml", "w", encoding="ascii") as file:
+            file.write(f"bodies: {{table: b.csv, {keys}}}\n{more}h: 1/64\nt_end: 1/8\n")
+        done = run(RUN, f"{base}/b.yaml", "-o", f"{base}/b-out.h5")
+        said = [line[len("note: "):] for line in done.stdout.splitlines() if line.startswith("note: ")]
+        wanted = [note.replace("TABLE", f"{base}/b.csv") for note in notes]
+        check(done.returncode == 0 and said == wanted, f"{columns}; {keys}: {said} {done.stderr.strip()}")
+
+
+def shipped(base):
+    """Scenes that are shipped say nothing in vain."""
+    for scene in sorted(glob.glob(f"{SCENES}/*.yaml")):
+        done = run(RUN, scene, "--t-end", "1e-6", "--h", "1e-6", "-o", f"{base}/shipped.h5", "--force")
+        check(done.returncode in (0, 3) and "not used" not in done.stdout,
+              f"{os.path.basename(scene)}: nothing is given that is not used {done.stderr.strip()}")
+
+
+with tempfile.TemporaryDirectory() as root:
+    unused(root)
+    shipped(root)
+conclude()
