@@ -26,3 +26,9 @@ int run_csv_write(const struct record *record, FILE *file, struct message *messa
         fprintf(file, "%s%c", record->columns.name[c], c + 1 == w.columns ? '\n' : ',');
     return record_rows(record, take_rows, &w, message);
 }
+
+double run_csv_bytes(const struct record *record, int64_t rows)
+{
+    enum { NUMBER_BYTES = 19 }; /* of 17 digits with a comma; there are zeros among them */
+    return NUMBER_BYTES * (double)record->columns.count * (double)rows;
+}

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "run_formats.h"
 
+#include <math.h>
+
 #include "number.h"
 #include "shape.h"
 
@@ -113,6 +115,18 @@ static int take_frame(void *self, int64_t k, const double *frame)
     for (int64_t i = 0; spheres == 0 && i < w->record->frames.n; ++i)
         write_body(w, frame, i);
     return ferror(w->file) ? -1 : 0;
+}
+
+double run_dump_bytes(const struct record *record, int64_t frames)
+{
+    enum { NUMBER_BYTES = 20, SHORT = 4, HEAD = 200 }; /* of 17 digits with a blank; of radii, mostly; of a frame */
+    const struct frame_layout *layout = &record->frames;
+    const struct writer w = {record, NULL, {0}, {0}};
+    const int64_t n = is_of_clumps(&w) ? record->model->clumps.list.count : layout->n;
+    const int numbers = 3 + (layout->translates ? 3 : 0) + (layout->turns ? 7 : 0);
+    double row = NUMBER_BYTES * numbers + 3.0 + log10((double)n);
+    row += is_of_clumps(&w) ? SHORT + 1.0 + log10((double)layout->n) : is_of_ellipsoids(&w) ? 3.0 * SHORT : SHORT;
+    return (double)frames * ((double)n * row + HEAD);
 }
 
 int run_dump_write(const struct record *record, FILE *file, struct message *message)

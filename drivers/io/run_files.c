@@ -146,6 +146,14 @@ int run_files_has_xdmf(const struct run_files *files, const struct record *recor
     return wants_xdmf(files, record->journal->frames.mark.count);
 }
 
+double run_files_bytes(const struct run_files *files, const struct record *record, int64_t rows, int64_t frames)
+{
+    return run_hdf5_bytes(record, rows, frames) + run_csv_bytes(record, rows) +
+           (wants_xdmf(files, frames) ? run_xdmf_bytes(record, frames) : 0.0) +
+           (files->dump ? run_dump_bytes(record, frames) : 0.0) +
+           (files->spheres ? spheres_hdf5_bytes(record, frames) : 0.0);
+}
+
 int run_files_are_there(const struct run_files *files, int64_t frames)
 {
     const int wanted[KINDS] = {1, 1, wants_xdmf(files, frames), files->dump, files->spheres};

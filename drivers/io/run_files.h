@@ -30,6 +30,8 @@ enum { RUN_XDMF_FRAMES = 2000 };
 
 /** Whether OUT.xdmf is written. */
 int run_files_has_xdmf(const struct run_files *files, const struct record *record);
+/** About how many bytes the files of so many rows and frames take, to a fifth where there are 100 MB. */
+double run_files_bytes(const struct run_files *files, const struct record *record, int64_t rows, int64_t frames);
 /** Whether all that would be written of so many frames is there. */
 int run_files_are_there(const struct run_files *files, int64_t frames);
 /** Whether they may be written (overwrite.h). Returns 0, or -1 with one line in *message. */

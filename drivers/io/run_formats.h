@@ -47,4 +47,12 @@ int run_dump_write(const struct record *record, FILE *file, struct message *mess
 int run_xdmf_write(const struct record *record, const char *name, const char *spheres, FILE *file,
                    struct message *message);
 
+/* About how many bytes they take, of runs long enough that it matters. */
+double run_hdf5_bytes(const struct record *record, int64_t rows, int64_t frames);
+double vtkhdf_bytes(const struct record *record, int64_t frames);
+double spheres_hdf5_bytes(const struct record *record, int64_t frames);
+double run_csv_bytes(const struct record *record, int64_t rows);
+double run_xdmf_bytes(const struct record *record, int64_t frames);
+double run_dump_bytes(const struct record *record, int64_t frames);
+
 #endif

@@ -199,6 +199,11 @@ static int restart_write(const struct record *record, struct hdf5_sink *file, st
     return failed != 0 || file->failed ? -1 : 0;
 }
 
+double run_hdf5_bytes(const struct record *record, int64_t rows, int64_t frames)
+{
+    return vtkhdf_bytes(record, frames) + 8.0 * (double)record->columns.count * (double)rows;
+}
+
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);

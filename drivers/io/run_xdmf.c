@@ -336,3 +336,20 @@ int run_xdmf_write(const struct record *record, const char *name, const char *sp
     fputs("</Domain>\n</Xdmf>\n", file);
     return failed;
 }
+
+double run_xdmf_bytes(const struct record *record, int64_t frames)
+{
+    enum { GRID = 1150, ATTRIBUTE = 340 }; /* characters */
+    const struct frame_layout *layout = &record->frames;
+    struct shape_group list[MODEL_EFFECTS];
+    const int groups = shape_groups(record->model, list);
+    int64_t attributes =
+        (layout->translates ? 1 : 0) + (layout->turns ? 5 : 0) + (layout->entries > 0) + layout->entries;
+    attributes += shape_has_axes(record->model) + frame_has_fragments(layout);
+    attributes += ((record->fields & FIELD_FORCE) != 0) + ((record->fields & FIELD_MOMENT) != 0);
+    int64_t bytes = (1 + groups) * (GRID + ATTRIBUTE * attributes);
+    for (int g = 0; g < groups; ++g)
+        bytes += ATTRIBUTE * shape_quantities(list[g].effect);
+    bytes += model_has_clumps(record->model) ? GRID + ATTRIBUTE : 0;
+    return (double)bytes * (double)frames;
+}

@@ -67,6 +67,12 @@ static void write_spheres(const struct record *record, struct hdf5_sink *file, s
     hdf5_close(file, &root);
 }
 
+double spheres_hdf5_bytes(const struct record *record, int64_t frames)
+{
+    enum { FRAME = 6, ONCE = 4 }; /* 8 bytes of a sphere: place and velocity; diameter, body and its vertex */
+    return 8.0 * (double)record->model->clumps.list.count * (FRAME * (double)frames + ONCE);
+}
+
 int spheres_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
     struct hdf5_sink file = hdf5_file(path);

@@ -114,6 +114,23 @@ static void empty_cell_data(struct hdf5_sink *data, const struct record *record)
     }
 }
 
+/* ---- its size ---------------------------------------------------------------------------------------------------- */
+
+double vtkhdf_bytes(const struct record *record, int64_t frames)
+{
+    enum { STEP = 12, BODY = 6, LINE = 3 }; /* 8 bytes of each frame in Steps, and once of each body and line */
+    const int64_t n = record->frames.n;
+    struct quantity list[QUANTITIES];
+    struct shape_group groups[MODEL_EFFECTS];
+    int64_t numbers = 3 * n + STEP;
+    quantities_of(record, list);
+    for (int q = 0; q < QUANTITIES; ++q)
+        numbers += list[q].place != 0 ? n * list[q].components + 1 : 0;
+    for (int g = shape_groups(record->model, groups) - 1; g >= 0; --g)
+        numbers += (cells_of(record) + 1) * shape_quantities(groups[g].effect);
+    return 8.0 * ((double)numbers * (double)frames + (double)(BODY * n + LINE * shape_lines(record->model)));
+}
+
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
 struct writer {

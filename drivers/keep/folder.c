@@ -4,9 +4,11 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
@@ -80,6 +82,12 @@ int folder_create(const char *folder, struct message *message)
         return message_set(message, "%s: the folder cannot be written to: %s; choose another with -o", folder,
                            strerror(errno));
     return 0;
+}
+
+double folder_space(const char *folder)
+{
+    struct statvfs info;
+    return statvfs(folder, &info) == 0 ? (double)info.f_bavail * (double)info.f_frsize : HUGE_VAL;
 }
 
 /* ---- one file ---------------------------------------------------------------------------------------------------- */

@@ -13,6 +13,9 @@ enum { FOLDER_PATH = 4096 };
  *  in *message. */
 int folder_create(const char *folder, struct message *message);
 
+/** Bytes that one who is not root may write there; infinite if nobody says. */
+double folder_space(const char *folder);
+
 /** path = folder/name, or folder/name.part for the file while it is written. Returns 0, or -1 with *message if too
  *  long. */
 int folder_path(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);

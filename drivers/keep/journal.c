@@ -17,6 +17,13 @@ struct journal_mark journal_mark_start(int64_t doubles)
     return mark;
 }
 
+double journal_bytes(const struct journal *journal, int64_t rows, int64_t frames)
+{
+    const double share = 1.02; /* what the file adds to a double */
+    return 8.0 * share *
+           ((double)journal->rows.mark.doubles * (double)rows + (double)journal->frames.mark.doubles * (double)frames);
+}
+
 static int put_piece(struct journal *journal, const struct journal_file *file, int64_t doubles, struct message *message)
 {
     return keep_put(&journal->keep, file->table, file->loaded, file->piece, sizeof(double) * (size_t)doubles, message);

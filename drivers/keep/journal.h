@@ -48,6 +48,9 @@ struct journal_mark journal_mark_start(int64_t doubles);
 int journal_start(struct journal *journal, struct journal_mark rows, struct journal_mark frames,
                   struct message *message);
 
+/** About how many bytes it takes with so many rows and frames. */
+double journal_bytes(const struct journal *journal, int64_t rows, int64_t frames);
+
 /** Appends one record. Returns 0, or -1 with one line in *message. */
 int journal_add(struct journal *journal, struct journal_file *file, const double *record, struct message *message);
 /** Hands on what journal_add has held back. Returns 0, or -1 with one line in *message. */

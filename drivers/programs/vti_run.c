@@ -14,6 +14,7 @@
 #include "step_errors.h"
 #include "scene.h"
 #include "shape.h"
+#include "sizes.h"
 #include "travel.h"
 #include "unused.h"
 
@@ -195,6 +196,24 @@ static void say_notes(const struct run *run, FILE *file)
     }
 }
 
+/** The disk that files take, where that is much, and whether it is there. */
+static void say_files(const struct run *run, FILE *file)
+{
+    const double much = 1e8;
+    const struct run_sizes sizes = run_sizes(run);
+    char files[32], all[32], needed[32], space[32];
+    const int is_much = sizes.files + sizes.journal >= much;
+    if (is_much)
+        fprintf(file, "; files of some %s, %s while they are written", size_text(sizes.files, files),
+                size_text(sizes.files + sizes.journal, all));
+    fputc('\n', file);
+    if (is_much && sizes.needed > sizes.space)
+        fprintf(file,
+                "warning: %s has room for %s, and the run needs some %s of it: make room there, record fewer frames "
+                "(--frames), leave OUT.dump out (--no-dump), or choose another place with -o\n",
+                run->files.folder, size_text(sizes.space, space), size_text(sizes.needed, needed));
+}
+
 /** What will be computed, from where, and h against the bound of the stable step. */
 static void say_start(struct run *run, FILE *file)
 {
@@ -208,10 +227,11 @@ static void say_start(struct run *run, FILE *file)
     if (fabs((double)run->steps * h - wanted) > 1e-9 * wanted)
         fprintf(file, "note: t_end = %s is not a multiple of h: the run ends at t = %.10g\n", NUMBER(wanted),
                 (double)run->steps * h);
-    fprintf(file, "a row every %lld %s (%.6g of time) and a frame every %lld (%.6g)\n",
+    fprintf(file, "a row every %lld %s (%.6g of time) and a frame every %lld (%.6g)",
             (long long)run->checkpoint.record_every, travel_tally(&run->travel, &tally) ? "h" : "steps",
             (double)run->checkpoint.record_every * h, (long long)run->checkpoint.frames_every,
             (double)run->checkpoint.frames_every * h);
+    say_files(run, file);
     if (run->request->resume && run->from > 0)
         fprintf(file, "goes on from step %lld, t = %.10g\n", (long long)run->from, (double)run->from * h);
     if (run->restored && run->from > 0)

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run says beside its results: what of a scene and its tables nothing goes by.      test_run_says.py VTI_RUN SCENES"""
+"""What vti-run says beside its results: what of a scene and its tables nothing goes by, and how
+much disk it takes.      test_run_says.py VTI_RUN SCENES"""
 import glob
 import os
+import re
+import subprocess
 import sys
 import tempfile
 
@@ -60,7 +63,34 @@ def shipped(base):
               f"{os.path.basename(scene)}: nothing is given that is not used {done.stderr.strip()}")
 
 
+def start(base, *options):
+    """What is said before the first step; the run is ended then."""
+    folder = tempfile.mkdtemp(dir=base)
+    with subprocess.Popen([RUN, f"{SCENES}/heap.yaml", "-o", f"{folder}/long.h5", *options], text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL) as going:
+        said = []
+        for line in going.stdout:
+            said.append(line)
+            if line.startswith("a row every"):
+                break
+        going.terminate()
+        return "".join(said) + going.stdout.read()
+
+
+def disk(base):
+    """Runs that write much say how much; those that write more than there is room for are warned."""
+    short = start(base, "--t-end", "1", "--frames", "1000")
+    check("files of some" not in short, f"a short run says nothing of its files: {short.splitlines()[-1]}")
+    large = start(base, "--t-end", "1", "--frames", "1")
+    found = re.search(r"; files of some ([\d.]+) MB, ([\d.]+) MB while they are written\n", large)
+    check(found and 100 < float(found[1]) < float(found[2]) < 1.5 * float(found[1]), f"... a long one: {found and found[0].strip()}")
+    check("room" not in large and "--no-dump" in start(base, "--t-end", "1e7", "--frames", "1"), "... and whether there is room")
+    less = re.search(r"files of some ([\d.]+) MB", start(base, "--t-end", "2", "--frames", "1", "--no-dump"))
+    check(less and float(less[1]) < 1.2 * float(found[1]), f"... which is less without the dump, of twice the time: {less and less[0]}")
+
+
 with tempfile.TemporaryDirectory() as root:
     unused(root)
     shipped(root)
+    disk(root)
 conclude()

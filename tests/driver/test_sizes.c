@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What a run says beforehand of the disk that it takes, beside what it takes then. */
+#define _POSIX_C_SOURCE 200809L
+#include <sys/stat.h>
+
+#include "scene_support.h"
+
+#include "folder.h"
+#include "sizes.h"
+
+static const char *folder; /* of the shipped scenes */
+
+static double size_of(const char *name)
+{
+    struct stat info;
+    return stat(name, &info) == 0 ? (double)info.st_size : 0.0;
+}
+
+static void no_progress(int64_t done, int64_t all, double seconds)
+{
+    (void)done, (void)all, (void)seconds;
+}
+
+static void assert_about(const char *what, double told, double found)
+{
+    if (!(told > 0.8 * found && told < 1.25 * found))
+        fail_msg("%s: %.0f bytes are told, and it has %.0f", what, told, found);
+}
+
+/** Long enough that frames are most of it: all of them in the journal, which is there until run_close. */
+static const struct {
+    const char *scene, *t_end;
+    int fields, dump;
+} cases[] = {
+    {"heap", "t_end=0.2", 0, 1},
+    {"pile", "t_end=2", FIELD_FORCE, 1},
+    {"torus", "t_end=1", FIELD_LOADS, 0},
+    {"clump-pile", "t_end=0.02", 0, 1},
+    {"ellipsoid-chain", "t_end=20", 0, 1},
+};
+
+TEST(sizes)
+{
+    static const char *const files[] = {"out.h5", "out.csv", "out.xdmf", "out.dump", "out-spheres.h5"};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
+        static struct run run;
+        char path[1024];
+        struct message message = {""};
+        snprintf(path, sizeof path, "%s/%s.yaml", folder, cases[k].scene);
+        const struct run_request request = {.scene = path,
+                                            .sets = &cases[k].t_end,
+                                            .sets_count = 1,
+                                            .output = "out.h5",
+                                            .record_every = 50,
+                                            .frames_every = 5,
+                                            .checkpoint_seconds = 60.0,
+                                            .fields = cases[k].fields,
+                                            .dump = cases[k].dump};
+        if (run_open(&request, &run, &message) != 0)
+            fail_msg("%s", message.text);
+        const struct run_sizes told = run_sizes(&run);
+        if (run_go(&run, no_progress, &message) != RUN_COMPLETE)
+            fail_msg("%s", message.text);
+        double all = 0.0;
+        for (size_t f = 0; f < sizeof files / sizeof files[0]; ++f)
+            all += size_of(files[f]);
+        print_message("%s: %.3g and %.3g bytes told, %.3g and %.3g found\n", cases[k].scene, told.files, told.journal, all,
+                      size_of("out.run"));
+        assert_about(cases[k].scene, told.files, all);
+        assert_about("out.run", told.journal, size_of("out.run"));
+        assert_true(told.needed == told.files + told.journal);
+        run_close(&run);
+        for (size_t f = 0; f < sizeof files / sizeof files[0]; ++f)
+            remove(files[f]);
+    }
+}
+
+TEST(words)
+{
+    char text[32];
+    assert_string_equal(size_text(1.23e8, text), "123 MB");
+    assert_string_equal(size_text(2.314e9, text), "2.31 GB");
+    assert_string_equal(size_text(1.5e12, text), "1.5 TB");
+}
+
+TEST(space)
+{
+    assert_true(folder_space(".") > 0.0);
+    assert_true(isinf(folder_space("no/such/folder")));
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sizes), cmocka_unit_test(words), cmocka_unit_test(space)};
+    folder = argc > 1 ? argv[1] : ".";
+    method_admit();
+    return cmocka_run_group_tests(tests, enter_directory, leave_directory);
+}
