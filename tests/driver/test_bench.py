@@ -49,8 +49,10 @@ def test_programs(bench, vti_run, vti_study):
         check(value["step_ns"] > 0 and abs(value["study_ns"] / value["step_ns"] / value["ratio"] - 1) < 2e-3
               and value["least"] == value["ratio"] == value["most"], f"a round of one: {row}")
     rows = printed(os.path.join(bench, "memory.py"), vti_run, "16", "32")
-    check([row["threads"] for row in rows] == ["1", "2"], "memory by one thread and by two")
-    check(all(float(row["body_bytes"]) > 18 * 8 and float(row["bond_bytes"]) > 6 * 8 for row in rows), "more than the library reads")
+    check([row.pop("of") for row in rows] == ["body", "bond", "touching", "rubbing"], "memory of bodies, bonds and what touches")
+    body, bond, touching, rubbing = ([float(value) for value in row.values()] for row in rows)
+    check(len(body) == 2 and min(body) > 18 * 8 and min(bond) > 6 * 8, "more than the library reads, by one thread and by two")
+    check(all(a < b < c for a, b, c in zip(body, touching, rubbing)), f"what touches takes more, what rubs most: {touching} {rubbing}")
 
 
 def test_page(vti_plot, folder, rows):
@@ -70,7 +72,7 @@ def test_page(vti_plot, folder, rows):
     with open(os.path.join(folder, "machine.txt"), "w", encoding="utf-8") as file:
         file.write("cpu: some processor\ncores: 7\n")
     with open(os.path.join(folder, "memory.csv"), "w", encoding="utf-8") as file:
-        file.write("threads,body_bytes,bond_bytes\n1,344,112\n")
+        file.write("of,one_thread_bytes,two_threads_bytes\nbody,344,352\nbond,112,128\ntouching,500,600\n")
     with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
         file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
                    "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
@@ -97,7 +99,8 @@ def test_page(vti_plot, folder, rows):
           "and beside LAMMPS")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
     check("| `vti2` | 40 | 120 | 3.00 (2.90 to 3.25) |" in made, "a study's step")
-    check("| 1 | 344 (248) | 112 (48) |" in made, "memory beyond the arrays")
+    check("| a body that touches nothing | 344 (248) | 352 (256) |\n| a bond | 112 (48) | 128 (64) |" in made, "memory beyond the arrays")
+    check("| a body that touches its neighbours | 500 | 600 |" in made, "... and of what touches")
     check("| body's step, `fix nve/sphere` (no attitude) | 1000 | 8 | `vti2` | 2.00 (1.50 to 2.50) | "
           "1.00 (0.90 to 1.10) |" in made, "LAMMPS beside two builds")
     check("| bond, `bond_style bpm/rotational` | 8000 | 240 | `bond` | 12.00 (11.00 to 13.00) | - |" in made,

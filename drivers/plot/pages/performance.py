@@ -23,8 +23,10 @@ TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (S
         "drift: NO_SQUISH": "drift of NO_SQUISH, sine and cosine of libm", "three moments: vti2": "step, `vti2`",
         "three moments: vti2 next": "step, `vti2 next`"}
 STUDY_STEP = ["stepper", "step_ns", "study_ns", "ratio", "least", "most"]
-MEMORY = ["threads", "body_bytes", "bond_bytes"]
+MEMORY = ["of", "one_thread_bytes", "two_threads_bytes"]
 STATE, BOND = 8 * 12, 8 * 6 + 16 # bytes of a body: four vectors; of a bond: two indices, n0, L0, and a third of two vectors
+HELD = {"body": ("a body that touches nothing", STATE), "bond": ("a bond", BOND), "touching": ("a body that touches its neighbours", None),
+        "rubbing": ("a body that touches them, with friction and dashpots", None)}
 SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
@@ -188,17 +190,18 @@ def holdings_part(page, folder):
     page.heading("Memory")
     page.text("The library takes none beyond the caller's arrays. `vti-run` is such a caller. Bytes that it holds at most, what "
               "it takes to write its files included: differences of whole processes between lattices of 64000 and of 262144 "
-              "spheres, and between those with bonds (moment, axial, shear) and those without. In brackets: beyond the arrays that "
+              "spheres, and between those with bonds (moment, axial, shear) and those without. Spheres that touch are those of lattices in which each "
+              "is in contact with its neighbours, three pairs for each body. In brackets: beyond the arrays that "
               f"the library reads, which are {STATE} bytes of a body (four vectors, as nothing loads the spheres without bonds; mass and inertia "
               f"are one for all) and {BOND} of a bond (two indices, direction and length at rest, and force and moment of a third "
               "of a body).")
-    page.table(["threads", "of a body", "of a bond"],
-               [[row["threads"], beyond(row["body_bytes"], STATE), beyond(row["bond_bytes"], BOND)]
+    page.table(["of", "1 thread", "2 threads"],
+               [[HELD[row["of"]][0], *(beyond(row[threads], HELD[row["of"]][1]) for threads in MEMORY[1:])]
                 for row in read_rows(folder, "memory", MEMORY)])
 
 
 def beyond(all_bytes, arrays):
-    return f"{float(all_bytes):.0f} ({float(all_bytes) - arrays:.0f})"
+    return f"{float(all_bytes):.0f}" + (f" ({float(all_bytes) - arrays:.0f})" if arrays is not None else "")
 
 
 def lammps_part(page, folder, benches):
