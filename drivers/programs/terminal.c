@@ -13,6 +13,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "number.h"
+
 static void say_bound(const vti_stable *stable, const char *by, const vti_stepper *stepper, double h, FILE *file)
 {
     const double step = 0.5 * stepper->reach * stable->h;
@@ -119,21 +121,79 @@ static void let_pass(void)
 /* ---- the bar ---------------------------------------------------------------------------------------------------- */
 
 /** "12 s left", "25 min left", "3.5 h left" */
-static void say_left(double seconds, FILE *file)
+static void say_left(const char *before, double seconds, FILE *file)
 {
     if (seconds < 100.0)
-        fprintf(file, "  %.0f s left", seconds);
+        fprintf(file, "%s%.0f s left", before, seconds);
     else if (seconds < 6000.0)
-        fprintf(file, "  %.0f min left", seconds / 60.0);
+        fprintf(file, "%s%.0f min left", before, seconds / 60.0);
     else
-        fprintf(file, "  %.3g h left", seconds / 3600.0);
+        fprintf(file, "%s%.3g h left", before, seconds / 3600.0);
 }
+
+/* ---- lines where there is no terminal ---------------------------------------------------------------------------- */
+
+static const char *speaker = NULL;
+
+/** Seconds between lines; infinite: none. */
+static double log_interval(void)
+{
+    const char *told = getenv("VTI_LOG");
+    double seconds = 60.0;
+    if (told != NULL && number_read(told, &seconds) != 0)
+        seconds = 60.0;
+    return seconds > 0.0 ? seconds : INFINITY;
+}
+
+/** Whether one is due; it is written then. */
+static int log_is_due(double seconds)
+{
+    static double last = 0.0, interval = 0.0;
+    interval = interval > 0.0 ? interval : log_interval();
+    last = fmin(last, seconds); /* another clock has begun */
+    if (speaker == NULL || terminal() != NULL || !(seconds - last >= interval))
+        return 0;
+    last = seconds;
+    return 1;
+}
+
+void log_as(const char *program)
+{
+    speaker = program;
+}
+
+static void end_line(double left)
+{
+    if (isfinite(left))
+        say_left(", about ", left, stderr);
+    fputc('\n', stderr);
+}
+
+void log_step(int64_t step, int64_t steps, double t, double left, double seconds)
+{
+    if (!log_is_due(seconds))
+        return;
+    fprintf(stderr, "%s: step %lld of %lld (t = %.10g)", speaker, (long long)step, (long long)steps, t);
+    end_line(left);
+}
+
+static void log_share(const char *what, double share, double seconds)
+{
+    if (!log_is_due(seconds))
+        return;
+    fprintf(stderr, "%s: %s%s%.0f %% done", speaker, what, *what != '\0' ? ": " : "", 100.0 * share);
+    end_line(share > 0.0 ? seconds * (1.0 - share) / share : INFINITY);
+}
+
+/* ---- the bar, drawn ---------------------------------------------------------------------------------------------- */
 
 void progress_show_what(const char *what, int64_t done, int64_t all, double seconds)
 {
     char bar[WIDTH + 1];
     static const char *last = NULL;
     const int same = last != NULL && strcmp(what, last) == 0;
+    if (terminal() == NULL && all > 0)
+        log_share(what, (double)done / (double)all, seconds);
     if (terminal() == NULL || all <= 0 || (shown >= 0.0 && same && seconds >= shown && seconds - shown < 0.1))
         return;
     if (shown < 0.0)
@@ -147,14 +207,15 @@ void progress_show_what(const char *what, int64_t done, int64_t all, double seco
     bar[WIDTH] = '\0';
     fprintf(terminal(), "\r%s%s[%s] %3.0f %%", what, *what != '\0' ? " " : "", bar, 100.0 * share);
     if (done > 0)
-        say_left(seconds * (1.0 - share) / share, terminal());
+        say_left("  ", seconds * (1.0 - share) / share, terminal());
     fputs("   ", terminal()); /* over the rest of a longer one */
     fflush(terminal());
 }
 
 void progress_show(int64_t done, int64_t all, double seconds)
 {
-    progress_show_what("", done, all, seconds);
+    if (terminal() != NULL) /* who shows a step without a name has lines of his own */
+        progress_show_what("", done, all, seconds);
 }
 
 void progress_clear(void)

@@ -25,6 +25,18 @@ void progress_show_what(const char *what, int64_t done, int64_t all, double seco
 /** Wipes the bar. */
 void progress_clear(void);
 
+/* ---- where there is no terminal ---------------------------------------------------------------------------------- */
+
+/* Lines on the standard error, so that logs show that a program is alive: a minute apart or more, or as many seconds as
+ * VTI_LOG in the environment says, where 0 is never. progress_show_what writes "vti-study: runs: 37 % done, about 25 min
+ * left". */
+
+/** The program that says so; until then nobody does. */
+void log_as(const char *program);
+/** "vti-run: step 512 of 1024 (t = 0.5), about 3 h left"; seconds have passed, and so many are left, infinite if nobody
+ *  knows. */
+void log_step(int64_t step, int64_t steps, double t, double left, double seconds);
+
 /* ---- the bounds on the step ------------------------------------------------------------------------------------- */
 
 /** A line for the bound at rest and one for that of what energies of single bodies allow, if it is another; h beside

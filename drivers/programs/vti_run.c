@@ -60,7 +60,9 @@ static const struct option_row rows[] = {
     {"--force", NULL, OPTION_ON, &request.force, OPTION_ANY,
      "replace files that are no results of vti too; what the scene is read from is never replaced"},
     {"--checkpoint", "SECONDS", OPTION_NUMBER, &request.checkpoint_seconds, 0, 0, "60 or 1e3",
-     "time between checkpoints (default 60)"},
+     "time between checkpoints (default 60); where no terminal shows a bar, they are told on the standard error, a "
+     "minute "
+     "or more apart"},
     {"--threads", "N", OPTION_WHOLE, &request.threads, 1, 1024, "2 or 8",
      "threads that work on the scene (default: all cores from 1000 bodies on, 1 under mpirun); the bytes are the same "
      "for any number, and a resumed run may have another one"},
@@ -309,6 +311,7 @@ static void say_end(const struct run *run, FILE *file)
 /** Runs the scene of the request. */
 static int run_scene(struct message *message)
 {
+    static const struct run_watch watch = {progress_show, log_step};
     static struct run run;
     enum run_end end = RUN_FAILED;
     const int opened = run_open(&request, &run, message) == 0;
@@ -317,7 +320,7 @@ static int run_scene(struct message *message)
         end = output_end(message) == 0 ? RUN_COMPLETE : RUN_FAILED;
     } else if (opened) {
         say_start(&run, stdout);
-        end = run_go(&run, progress_show, message);
+        end = run_go(&run, &watch, message);
         progress_clear();
         if (end == RUN_COMPLETE || end == RUN_BROKEN)
             say_end(&run, stdout);
@@ -336,6 +339,7 @@ int main(int argc, char **argv)
     const char *const *scenes;
     int count, code = EXIT_FAILURE;
     method_admit();
+    log_as(options.program);
     const enum options_end asked = options_read(&options, argc, argv, 1, &scenes, &count, &message);
     if (asked == OPTIONS_TOLD) {
         code = output_end(&message) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

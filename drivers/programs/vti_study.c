@@ -305,6 +305,8 @@ int main(int argc, char **argv)
     method_admit();
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank == 0)
+        log_as("vti-study");
     int failed = run(argc, argv, rank, folder, &wants_plot);
     if (failed >= 0 && study_agree(output_end(&message), rank, &message) != 0)
         failed = -1;

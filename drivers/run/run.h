@@ -85,10 +85,15 @@ const vti_bodies *run_shown(struct run *run, const vti_bodies *bodies);
  *  MPI launcher, which has given the cores away already. */
 int64_t run_threads(int64_t bodies);
 
-/** Runs and writes the files. The line in *message is that of all ends but RUN_COMPLETE. progress is shown as in
- *  terminal.h. */
-enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
-                    struct message *message);
+/** Who watches a run. */
+struct run_watch {
+    void (*progress)(int64_t done, int64_t all, double seconds); /* as in terminal.h, every now and then */
+    /** At each checkpoint on the way: log_step of terminal.h. */
+    void (*saved)(int64_t step, int64_t steps, double t, double left, double seconds);
+};
+
+/** Runs and writes the files. The line in *message is that of all ends but RUN_COMPLETE. */
+enum run_end run_go(struct run *run, const struct run_watch *watch, struct message *message);
 
 void run_close(struct run *run);
 

@@ -69,7 +69,7 @@ static int save(struct run *run, int64_t step, double t, const vti_bodies *bodie
 
 struct poll {
     struct run *run;
-    void (*progress)(int64_t done, int64_t all, double seconds);
+    const struct run_watch *watch;
     int looks;     /* at this step */
     int64_t asked; /* poll_wants */
 };
@@ -91,6 +91,17 @@ static int poll_wants(void *self)
     const struct run *run = p->run;
     return run_signals_seen() != NULL ||
            (++p->asked % SELDOM == 0 && keep_now() - run->saved >= run->request->checkpoint_seconds);
+}
+
+/** Saves on the way, and says so. */
+static int save_by_the_way(const struct poll *p, int64_t step, double t, const vti_bodies *bodies)
+{
+    struct run *run = p->run;
+    if (save(run, step, t, bodies) != 0)
+        return 1;
+    const double seconds = run->saved - run->began, done = (double)(step - run->from);
+    p->watch->saved(step, run->steps, t, done > 0.0 ? seconds * (double)(run->steps - step) / done : INFINITY, seconds);
+    return 0;
 }
 
 /** Sees the bodies before the recorders do, so that the checkpoint's step is the first that is not yet in the
@@ -115,8 +126,8 @@ static int poll(void *self, int64_t step, double t, const vti_bodies *bodies)
     }
     if (step % run->poll_every != 0)
         return 0;
-    p->progress(step - run->from, run->steps - run->from, keep_now() - run->began);
-    return keep_now() - run->saved >= run->request->checkpoint_seconds ? save(run, step, t, bodies) : 0;
+    p->watch->progress(step - run->from, run->steps - run->from, keep_now() - run->began);
+    return keep_now() - run->saved >= run->request->checkpoint_seconds ? save_by_the_way(p, step, t, bodies) : 0;
 }
 
 static int see_row(void *self, int64_t step, double t, const vti_bodies *bodies)
@@ -220,11 +231,10 @@ static int64_t look_every(const struct run *run)
     return every;
 }
 
-enum run_end run_go(struct run *run, void (*progress)(int64_t done, int64_t all, double seconds),
-                    struct message *message)
+enum run_end run_go(struct run *run, const struct run_watch *watch, struct message *message)
 {
     enum { POLL_BODIES = 8192 };
-    struct poll poller = {run, progress, 1, 0};
+    struct poll poller = {run, watch, 1, 0};
     const int64_t every = look_every(run);
     const struct observer observers[] = {{poll, &poller, every, 1, poll_looks, poll_wants},
                                          {see_step, run, every, 1, never_looks, NULL},

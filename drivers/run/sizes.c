@@ -18,7 +18,8 @@ struct run_sizes run_sizes(const struct run *run)
                   frames = records(run->steps, run->checkpoint.frames_every);
     struct run_sizes sizes = {run_files_bytes(&run->files, &run->record, rows, frames),
                               journal_bytes(journal, rows, frames), 0.0, folder_space(run->files.folder)};
-    sizes.needed = sizes.files + sizes.journal - journal_bytes(journal, journal->rows.mark.count, journal->frames.mark.count);
+    sizes.needed =
+        sizes.files + sizes.journal - journal_bytes(journal, journal->rows.mark.count, journal->frames.mark.count);
     return sizes;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run says beside its results: what of a scene and its tables nothing goes by, and how
-much disk it takes.      test_run_says.py VTI_RUN SCENES"""
+"""What vti-run says beside its results: what of a scene and its tables nothing goes by, how much disk it takes, how
+far it is.      test_run_says.py VTI_RUN SCENES"""
 import glob
 import os
 import re
@@ -89,8 +89,25 @@ def disk(base):
     check(less and float(less[1]) < 1.2 * float(found[1]), f"... which is less without the dump, of twice the time: {less and less[0]}")
 
 
+def logged(base):
+    """Where there is no terminal, a line at each checkpoint, as far apart as asked for."""
+    def lines(name, **more):
+        done = run(RUN, f"{SCENES}/heap.yaml", "--t-end", "4", "--checkpoint", "0.05", "--frames", "8192", "-o", f"{base}/{name}.h5",
+                   env={**os.environ, **more})
+        check(done.returncode == 0, f"logged {more}: code {done.returncode}")
+        return done.stderr.splitlines()
+    said = lines("lines", VTI_LOG="0.05")
+    found = [re.fullmatch(r"vti-run: step (\d+) of 8192 \(t = ([\d.]+)\), about \d+ s left", line) for line in said]
+    check(found and all(found), f"{len(said)} lines: {said[:1]}")
+    steps = [int(line[1]) for line in found if line]
+    check(steps == sorted(set(steps)) and all(abs(float(line[2]) - int(line[1]) / 2048) < 1e-6 for line in found), "... each farther on")
+    check(not lines("never", VTI_LOG="0"), "... none if none are wanted")
+    check(not lines("minute"), "... nor in a run shorter than a minute")
+
+
 with tempfile.TemporaryDirectory() as root:
     unused(root)
     shipped(root)
     disk(root)
+    logged(root)
 conclude()

@@ -21,6 +21,11 @@ static void no_progress(int64_t done, int64_t all, double seconds)
     (void)done, (void)all, (void)seconds;
 }
 
+static void not_saved(int64_t step, int64_t steps, double t, double left, double seconds)
+{
+    (void)step, (void)steps, (void)t, (void)left, (void)seconds;
+}
+
 static void assert_about(const char *what, double told, double found)
 {
     if (!(told > 0.8 * found && told < 1.25 * found))
@@ -32,17 +37,15 @@ static const struct {
     const char *scene, *t_end;
     int fields, dump;
 } cases[] = {
-    {"heap", "t_end=0.2", 0, 1},
-    {"pile", "t_end=2", FIELD_FORCE, 1},
-    {"torus", "t_end=1", FIELD_LOADS, 0},
-    {"clump-pile", "t_end=0.02", 0, 1},
-    {"ellipsoid-chain", "t_end=20", 0, 1},
+    {"heap", "t_end=0.2", 0, 1},        {"pile", "t_end=2", FIELD_FORCE, 1},   {"torus", "t_end=1", FIELD_LOADS, 0},
+    {"clump-pile", "t_end=0.02", 0, 1}, {"ellipsoid-chain", "t_end=20", 0, 1},
 };
 
 TEST(sizes)
 {
     static const char *const files[] = {"out.h5", "out.csv", "out.xdmf", "out.dump", "out-spheres.h5"};
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
+        static const struct run_watch watch = {no_progress, not_saved};
         static struct run run;
         char path[1024];
         struct message message = {""};
@@ -59,13 +62,13 @@ TEST(sizes)
         if (run_open(&request, &run, &message) != 0)
             fail_msg("%s", message.text);
         const struct run_sizes told = run_sizes(&run);
-        if (run_go(&run, no_progress, &message) != RUN_COMPLETE)
+        if (run_go(&run, &watch, &message) != RUN_COMPLETE)
             fail_msg("%s", message.text);
         double all = 0.0;
         for (size_t f = 0; f < sizeof files / sizeof files[0]; ++f)
             all += size_of(files[f]);
-        print_message("%s: %.3g and %.3g bytes told, %.3g and %.3g found\n", cases[k].scene, told.files, told.journal, all,
-                      size_of("out.run"));
+        print_message("%s: %.3g and %.3g bytes told, %.3g and %.3g found\n", cases[k].scene, told.files, told.journal,
+                      all, size_of("out.run"));
         assert_about(cases[k].scene, told.files, all);
         assert_about("out.run", told.journal, size_of("out.run"));
         assert_true(told.needed == told.files + told.journal);

@@ -123,6 +123,14 @@ def bars(base):
           "VTI_TERMINAL=1 where no terminal can be found")
 
 
+def lines(base):
+    """Where there is no terminal: lines, if the study takes longer than they are apart."""
+    for seconds, word in (("0.001", True), ("60", False)):
+        done = run(STUDY, *SECONDS, "-o", f"{base}/lines{seconds}", PENDULUM, env=dict(ENVIRONMENT, VTI_LOG=seconds))
+        found = re.findall(r"^vti-study: runs: \d+ % done, about \d+ s left$", done.stderr, flags=re.M)
+        check(done.returncode == 0 and bool(found) == word and "[" not in done.stderr, f"lines {seconds} s apart: {found[:1]}")
+
+
 def stopped_words(said):
     return "stopped" in said and "--resume" in said
 
@@ -226,7 +234,7 @@ def by_dev(base):
           f"SIGTERM: code {process.returncode}, {said!r}")
 
 
-for topic in (first_line, bars, ctrl_c, signals, by_dev):
+for topic in (first_line, bars, lines, ctrl_c, signals, by_dev):
     started = time.monotonic()
     with tempfile.TemporaryDirectory() as root:
         topic(root)
