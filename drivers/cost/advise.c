@@ -80,7 +80,9 @@ static int look_at(struct stages *g)
     vti_stable begin;
     if (model_create(s->scene, &model, s->message) != 0)
         return -1;
-    s->advice->checked = vti_stepper_find(model_dissipates(&model) != NULL ? "chin4" : "srkn11");
+    s->dissipates = model_dissipates(&model) != NULL;
+    s->advice->checked = vti_stepper_find(s->dissipates ? "chin4" : "srkn11");
+    s->advice->nominal = search_order(s, s->advice->checked);
     s->bodies = model.bodies.count;
     s->omega0 = vti_max_turn(1.0, &model.bodies);
     s->kinked = scene_first_with(s->scene, EFFECT_KINKED) != NULL;
@@ -148,7 +150,8 @@ static int64_t by_stability(struct stages *g)
         o->source = OFFER_STABILITY;
         for (int m = 0; m < COST_MEASURES; ++m)
             o->errors[m] = NAN;
-        if (method_rival(o->stepper) == NULL && (best < 0 || o->stepper->order == 2))
+        if (method_rival(o->stepper) == NULL &&
+            (best < 0 || (o->stepper->order == 2 && search_order(&at_end, o->stepper) > 1.0)))
             best = k;
     }
     return best;

@@ -121,6 +121,7 @@ struct advice {
     double energy;               /* at the start; errors of it are shares of this unless it is 0 */
     double max_omega;            /* of the solution; NaN: there is none */
     double order;                /* that the most accurate runs showed; NaN if they needed no refining */
+    double nominal;              /* ... and that of their stepper in this scene, were its forces smooth */
     const vti_stepper *checked;  /* whose runs these were */
     double known;                /* error of the solution that others are compared with; NaN: there is none */
     double seconds, work, evals; /* that the pilots took; evaluations times bodies, and evaluations */
@@ -157,9 +158,10 @@ struct search {
     double stable_h; /* of bonds at rest and whatever may touch: searches begin there, and no longer step is advised */
     double limit;    /* force evaluations beyond which runs are too dear */
     int64_t bodies;
-    int kinked;   /* the forces are */
-    int breaks;   /* something may break: sooner or later by a step, and errors follow no order for long */
-    double doubt; /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5) */
+    int kinked;     /* the forces are */
+    int dissipates; /* something does */
+    int breaks;     /* something may break: sooner or later by a step, and errors follow no order for long */
+    double doubt;   /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5) */
     void (*say)(const char *stepper, int64_t steps);
     struct message *message;
 };
@@ -175,13 +177,22 @@ double search_aim(const struct search *s);
 double search_longest(const struct search *s, const vti_stepper *stepper);
 /** The fewest steps that are worth trying, of that or a little less; LOOP_STEPS where these would be more. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
+/** The stepper's order in this scene, of ever finer steps. Where something dissipates that is 2 at most, and 1 where
+ *  velocities lag: no flow goes back by half a kick (EQUATIONS 6.8). */
+double search_order(const struct search *s, const vti_stepper *stepper);
+/** The highest that longer steps may show: what dissipates may be feeble. */
+double search_most_order(const struct search *s, const vti_stepper *stepper);
 /** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more
  *  than the others. */
-double search_kinked_order(const vti_stepper *stepper);
+double search_kinked_order(const struct search *s, const vti_stepper *stepper);
 /** By what order errors fall where forces have kinks, as docs/accuracy.md has found it. */
-double search_usual_order(const vti_stepper *stepper);
-/** Says of how much doubt an error is that was followed by this order to so many times the steps: below it where forces
- *  have kinks, since it may fall by one more than the usual order, though by no more than the stepper's own. */
+double search_usual_order(const struct search *s, const vti_stepper *stepper);
+/** What is left of an order that coarse runs have shown: where forces have kinks or something dissipates it need not
+ *  last. */
+double search_lasting_order(const struct search *s, const vti_stepper *stepper, double shown);
+/** Says of how much doubt an error is that was followed by this order to so many times the steps. It is below it by
+ *  more where a higher order may last: among kinks one more than the usual one, though no more than the stepper's own,
+ *  and the stepper's own where something dissipates. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);
 /** Fills in the offer of o->stepper for s->t_end and s->target by runs of up to limit force evaluations, compared with
  *  s->solution. Returns likewise. */

@@ -22,19 +22,20 @@ double law_evals(const struct search *s, const vti_stepper *stepper)
 }
 
 /** How many times less the finer run errs than the two differ, at the most and at the least. */
-static double most_finer(const vti_stepper *stepper)
+static double most_finer(const struct search *s, const vti_stepper *stepper)
 {
-    return plain_exp2((double)(stepper->order + (vti_multistep_find(stepper->name) != NULL))) - 1.0;
+    const double more = vti_multistep_find(stepper->name) != NULL ? 1.0 : 0.0;
+    return plain_exp2(search_most_order(s, stepper) + more) - 1.0;
 }
 
-static double least_finer(const vti_stepper *stepper)
+static double least_finer(const struct search *s, const vti_stepper *stepper)
 {
-    return plain_exp2(search_kinked_order(stepper)) - 1.0;
+    return plain_exp2(search_kinked_order(s, stepper)) - 1.0;
 }
 
-static double finer_by(const vti_stepper *stepper)
+static double finer_by(const struct search *s, const vti_stepper *stepper)
 {
-    return sqrt(most_finer(stepper) * least_finer(stepper));
+    return sqrt(most_finer(s, stepper) * least_finer(s, stepper));
 }
 
 /** The difference at the end, which may pass through zero there, or what is usual at the second half of the marks, of
@@ -73,7 +74,7 @@ static void offer_run(const struct search *s, struct offer *o, const struct pilo
     o->h = s->t_end / (double)fine->steps;
     o->force_evals = fine->force_evals;
     o->seconds = fine->seconds;
-    o->order = search_kinked_order(o->stepper);
+    o->order = search_kinked_order(s, o->stepper);
 }
 
 /** The energy of that run is known, and may be good enough. */
@@ -97,7 +98,7 @@ void search_law_follow(const struct search *s, struct offer *o)
     static const double scatter = 3.0, coarser = 0.5;
     static const double faster = 4.0; /* two orders of a doubling: 5.5 of chin4 on the torus to t = 1, from 176 steps */
     const double above = o->errors[s->measure] / (search_aim(s) * s->target),
-                 order = above > 1.0 ? o->order : plain_log2(1.0 + finer_by(o->stepper)),
+                 order = above > 1.0 ? o->order : plain_log2(1.0 + finer_by(s, o->stepper)),
                  fewest = (double)search_fewest(s, o->stepper) / (double)o->steps,
                  finer = fmax(plain_power(above, 1.0 / order), fmax(coarser, fewest));
     const int64_t steps = pilot_steps((double)o->steps * finer);
@@ -115,7 +116,7 @@ void search_law_follow(const struct search *s, struct offer *o)
     if (s->measure == COST_ENERGY && vti_multistep_find(o->stepper->name) == NULL)
         o->doubt = fmin(o->doubt, 5.0 * sqrt(fmax(finer, 1.0)));
     if (s->measure != COST_ENERGY) { /* of which the finer run has shown its own */
-        const double either = sqrt(most_finer(o->stepper) / least_finer(o->stepper)),
+        const double either = sqrt(most_finer(s, o->stepper) / least_finer(s, o->stepper)),
                      wider = fmax(1.0, scatter * either / s->doubt);
         o->doubt *= wider;
         o->below *= wider;
@@ -128,7 +129,7 @@ void search_law_follow(const struct search *s, struct offer *o)
 static int tell(struct search *s, struct offer *o, const struct pilot *coarse, const struct pilot *fine)
 {
     const struct pilot *whole = fine->parted > 0 ? coarse : fine;
-    errors_of(s, coarse, whole, finer_by(o->stepper), o->errors);
+    errors_of(s, coarse, whole, finer_by(s, o->stepper), o->errors);
     offer_run(s, o, whole);
     o->coarse = coarse->steps < 2 * search_fewest(s, o->stepper);
     if (s->measure != COST_ENERGY)

@@ -24,8 +24,9 @@ int laws_are_due(const struct stages *g)
 static double guess_evals(const struct search *whole, const vti_stepper *stepper, const struct offer *known)
 {
     const double finer = fmax((double)known->steps / (double)search_fewest(whole, known->stepper), 1.0),
-                 steps = (double)search_fewest(whole, stepper) *
-                         plain_power(finer, search_usual_order(known->stepper) / search_usual_order(stepper));
+                 steps =
+                     (double)search_fewest(whole, stepper) *
+                     plain_power(finer, search_usual_order(whole, known->stepper) / search_usual_order(whole, stepper));
     return steps * (double)(stepper->evals > 0 ? stepper->evals : 1);
 }
 

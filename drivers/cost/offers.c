@@ -69,8 +69,7 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
     if (found->steps == 0)
         return;
     double finer = 1.0, luck = 1.0;
-    /* below the errors that were seen kinks may leave no more than that */
-    const double order = s->kinked ? fmin(found->order, search_kinked_order(found->stepper)) : found->order;
+    const double order = search_lasting_order(s, found->stepper, found->order);
     if (target > g->goal) {
         luck = found->usual;
         finer = fmax(plain_power(luck * found->error / (search_aim(s) * g->goal), 1.0 / order), 1.0);
@@ -105,7 +104,7 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
         if (o->source != OFFER_SHORTER)
             continue;
         const double more = offers_growth(s, o->stepper, s->measure) / before[k];
-        if (lengthen(s, o, plain_power(fmax(more, 1.0), 1.0 / o->order)))
+        if (lengthen(s, o, plain_power(fmax(more, 1.0), 1.0 / search_lasting_order(s, o->stepper, o->order))))
             o->doubt = o->below = s->doubt * growth_doubt(s, o->stepper);
     }
 }

@@ -58,17 +58,6 @@ int64_t search_fewest(const struct search *s, const vti_stepper *stepper)
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-double search_kinked_order(const vti_stepper *stepper)
-{
-    const double most = vti_multistep_find(stepper->name) != NULL ? 3.0 : 2.0;
-    return fmin((double)stepper->order, most);
-}
-
-double search_usual_order(const vti_stepper *stepper)
-{
-    return fmin((double)stepper->order, vti_multistep_find(stepper->name) != NULL ? 4.5 : 2.5);
-}
-
 /** That of a run of this stage: at the end if that is the scene's. Else errors grow with the time on the whole and swing
  *  about that, through zero or to twice of it: the median of what the second half of the marks says of the end. */
 static double error_of(const struct search *s, const struct pilot *pilot, int measure)
@@ -130,7 +119,7 @@ static int weigh(struct search *s, struct refining *r, double target)
     struct advice *a = s->advice;
     /* what is left after a halving of h is 1/(2^p - 1) of what that changed; no order is taken for granted, and where
      * forces have kinks a lucky halving tells of one that is not there */
-    const double most = s->kinked ? search_kinked_order(a->checked) : 8.0;
+    const double most = s->kinked ? search_kinked_order(s, a->checked) : 8.0;
     const double order =
         isfinite(r->last) && r->apart > 0.0 ? fmin(fmax(plain_log2(r->last / r->apart), 1.0), 8.0) : 1.0;
     a->order = isfinite(r->last) && r->apart > 1e-13 ? order : a->order;
@@ -208,12 +197,14 @@ struct price {
 };
 
 /** Order between two points, kept within what can be meant, since coarse runs may not converge yet and kinks leave 2
- *  of any order; the stepper's own if there is only one. */
-static double order_between(const vti_stepper *stepper, const struct point *coarse, const struct point *fine)
+ *  of any order; that of the stepper in this scene if there is only one. */
+static double order_between(const struct search *s, const vti_stepper *stepper, const struct point *coarse,
+                            const struct point *fine)
 {
-    const double most = (double)stepper->order + 1.0, least = 0.9 * fmin((double)stepper->order, 2.0);
+    const double here = search_order(s, stepper), most = search_most_order(s, stepper) + 1.0,
+                 least = 0.9 * fmin(here, 2.0);
     if (coarse->steps == 0 || !(coarse->error < too_far))
-        return (double)stepper->order;
+        return here;
     return fmin(
         fmax(plain_log2(coarse->error / fine->error) / plain_log2((double)fine->steps / (double)coarse->steps), least),
         most);
@@ -275,7 +266,7 @@ static int64_t next_try(const struct search *s, const vti_stepper *stepper, cons
     }
     if (!(above->error < too_far))
         return 2 * above->steps;
-    const int64_t steps = steps_for(above, order_between(stepper, before, above), aim * s->target);
+    const int64_t steps = steps_for(above, order_between(s, stepper, before, above), aim * s->target);
     return pilot_steps(fmin(fmax((double)steps, 1.2 * (double)above->steps + 1.0), 4.0 * (double)above->steps));
 }
 
@@ -298,8 +289,8 @@ static double usual_of(const struct search *s, const vti_stepper *stepper, const
     int told = 0;
     for (int k = 0; k < count && s->kinked; ++k)
         if (runs[k].error < too_far) {
-            most = fmax(most, runs[k].error *
-                                  plain_power((double)runs[k].steps / (double)p->steps, search_kinked_order(stepper)));
+            most = fmax(most, runs[k].error * plain_power((double)runs[k].steps / (double)p->steps,
+                                                          search_kinked_order(s, stepper)));
             ++told;
         }
     return p->error > 0.0 ? (told == 1 ? 1.0 + scatter / (double)s->bodies : 1.0) * most / p->error : 1.0;
@@ -310,27 +301,16 @@ static double usual_of(const struct search *s, const vti_stepper *stepper, const
 static void follow(const struct search *s, struct offer *o, const struct point *before, const struct point *finest,
                    double usual, const struct price *price)
 {
-    const double error = search_aim(s) * s->target, nominal = (double)o->stepper->order;
-    const double shown = order_between(o->stepper, before, finest),
-                 seen = s->kinked ? fmin(shown, search_kinked_order(o->stepper)) : shown;
+    const double error = search_aim(s) * s->target, here = search_order(s, o->stepper);
+    const double seen = search_lasting_order(s, o->stepper, order_between(s, o->stepper, before, finest));
     const struct point from = {finest->steps, usual * finest->error};
-    const int64_t steps = steps_for(&from, fabs(seen - nominal) < 0.7 ? nominal : seen, error);
+    const int64_t steps = steps_for(&from, fabs(seen - here) < 0.7 ? here : seen, error);
     offer_set(s, o, steps, error, price);
     for (int m = 0; m < COST_MEASURES; ++m)
         o->errors[m] = m == s->measure ? error : NAN;
     o->source = OFFER_FOLLOWED;
     search_doubt(s, o, seen, (double)steps / (double)finest->steps);
     o->below *= usual;
-}
-
-void search_doubt(const struct search *s, struct offer *o, double order, double finer)
-{
-    const double more = 1.0, root = 0.5,
-                 most = fmin((double)o->stepper->order, search_usual_order(o->stepper) + more) - order;
-    o->doubt = s->doubt * sqrt(fmax(finer, 1.0));
-    if (s->breaks) /* a bond that breaks at another step changes what comes after */
-        o->doubt = INFINITY;
-    o->below = s->kinked && isfinite(o->doubt) ? s->doubt * plain_power(fmax(finer, 1.0), fmax(most, root)) : o->doubt;
 }
 
 int search_stepper(struct search *s, struct offer *o, double limit)
@@ -366,7 +346,8 @@ int search_stepper(struct search *s, struct offer *o, double limit)
         if (below.steps == 0 && is_too_dear(s, &price, &above, steps, limit))
             break;
     }
-    o->order = below.steps > 0 ? order_between(o->stepper, &above, &below) : order_between(o->stepper, &before, &above);
+    o->order =
+        below.steps > 0 ? order_between(s, o->stepper, &above, &below) : order_between(s, o->stepper, &before, &above);
     if (below.steps > 0) {
         o->missed = above.steps > 0 ? above.error : NAN;
         o->usual = usual_of(s, o->stepper, runs, count, &below);

@@ -163,7 +163,6 @@ static void say_small(const struct offer *best, double asked, double stable, FIL
 static void say_warnings(const struct scene *scene, const struct advice *a, FILE *file)
 {
     const struct offer *best = &a->offers[0];
-    const double nominal = (double)a->checked->order;
     /* by half of the stable step it is half as many steps, and twice these, by nine tenths of a purse that is to hold
      * the pace of a slower moment too */
     const double two_runs = 2.0;
@@ -173,12 +172,12 @@ static void say_warnings(const struct scene *scene, const struct advice *a, FILE
                 "warning: trajectories of the finest pilots part at t = %.4g: from there on they mean nothing at steps "
                 "like these, and the advice goes by the error of the energy%s\n",
                 a->together, a->unsure ? "; whether those of finer ones part too a larger --budget tells" : "");
-    if (kink != NULL && a->order < nominal - 1.0)
+    if (kink != NULL && a->order < a->nominal - 1.0)
         fprintf(
             file,
             "warning: the forces of this scene are not smooth enough for high order: %s, of order %.0f, shows order "
             "%.1f; that of %s has kinks\n",
-            a->checked->name, nominal, a->order, kink);
+            a->checked->name, a->nominal, a->order, kink);
     if (best->h > 0.95 * stable_least(&a->limits, best->stepper))
         fprintf(file,
                 "warning: h = %.4g is %s the stable step %.4g: what is off by less than the error may still grow\n",
