@@ -235,10 +235,10 @@ static void offer_set(const struct search *s, struct offer *o, int64_t steps, do
     o->seconds = price->seconds * (double)steps;
 }
 
-/** How far off an error may be because the solution is. */
+/** How far off an error may be because the solution is: twice what halvings let expect, since that may be more. */
 static double unsure(const struct search *s)
 {
-    return s->solved && s->measure != COST_ENERGY ? s->advice->known : 0.0;
+    return s->solved && s->measure != COST_ENERGY ? 2.0 * s->advice->known : 0.0;
 }
 
 /** The run was made: its error is as sure as the solution is. One that is not known to as much tells that it is small. */
@@ -248,9 +248,9 @@ static void offer_measured(const struct search *s, struct offer *o, const struct
     offer_set(s, o, pilot->steps, error, price);
     all_errors(s, pilot, o->errors);
     o->source = OFFER_MEASURED;
-    const double sure = 1.2, known = unsure(s);
-    o->doubt = fmax(sure, 1.0 + known / error);
-    o->below = error > known ? fmax(sure, error / (error - known)) : INFINITY;
+    const double sure = 1.2, off = unsure(s);
+    o->doubt = fmax(sure, 1.0 + off / error);
+    o->below = error > off ? fmax(sure, error / (error - off)) : INFINITY;
 }
 
 /** The next number of steps to try, or 0 if the search is over. above: the finest run that misses the error; below: the

@@ -92,6 +92,21 @@ static void say_offer(const struct offer *o, int width, FILE *file)
     fprintf(file, " %s%s\n", sources[o->source], method_rival(o->stepper) != NULL ? "(a rival, to compare with)" : "");
 }
 
+/** Whether the run was made, and errs by so little that the solution does not tell how much. */
+static int errs_by_less(const struct offer *o)
+{
+    return o->source == OFFER_MEASURED && !isfinite(o->below) && isfinite(o->doubt);
+}
+
+/** "3.4e-05", "at most 3.4e-05" */
+static void say_error(const struct offer *o, FILE *file)
+{
+    if (errs_by_less(o))
+        fprintf(file, "at most %.1e", o->error * o->doubt);
+    else
+        fprintf(file, "%.1e", o->error);
+}
+
 /** The advice in a sentence. */
 static void say_best(const struct scene *scene, const struct advice *a, FILE *file)
 {
@@ -102,8 +117,9 @@ static void say_best(const struct scene *scene, const struct advice *a, FILE *fi
         fprintf(file, " is stable; nothing is known of its error: the budget is spent, allow more by --budget\n\n");
         return;
     }
-    fprintf(file, " reaches an error of the %s of %.1e%s (asked for: %g) in", what, best->error,
-            best->source == OFFER_MEASURED ? "" : " or so", a->target);
+    fprintf(file, " reaches an error of the %s of ", what);
+    say_error(best, file);
+    fprintf(file, "%s (asked for: %g) in", best->source == OFFER_MEASURED ? "" : " or so", a->target);
     say_seconds(best->seconds, file);
     if (best->source != OFFER_MEASURED && !isfinite(best->doubt))
         fprintf(file, ";\nit is told %s: nothing is known of how far off that is",
@@ -150,13 +166,14 @@ static void say_small(const struct offer *best, double asked, double stable, FIL
 {
     if (!(best->error < 0.33 * asked))
         return;
+    fprintf(file, "note: %sthe error is ",
+            isfinite(best->missed)   ? ""
+            : best->h > 0.5 * stable ? "stability, not the error, sets the step: "
+                                     : "fewer steps are not tried: ");
+    say_error(best, file);
     if (isfinite(best->missed))
-        fprintf(file, "note: the error is %.1e, and steps a little longer miss what was asked for: %.1e\n", best->error,
-                best->missed);
-    else
-        fprintf(file, "note: %s: the error is %.1e\n",
-                best->h > 0.5 * stable ? "stability, not the error, sets the step" : "fewer steps are not tried",
-                best->error);
+        fprintf(file, ", and steps a little longer miss what was asked for: %.1e", best->missed);
+    fputc('\n', file);
 }
 
 /** One line each for what should give pause. */

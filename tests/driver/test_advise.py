@@ -174,6 +174,19 @@ def far_below():
     found, (least, most) = float(follow("block", 0.75, "an9", advice["h"])["attitude_error"]), advice["interval"]
     check(advice["predicted_error"] < 1e-3 * 0.01 and least <= found <= most,
           f"block, far below 0.01: {found:.3g} lies between {least:.3g} and {most:.3g}")
+    # and what halvings say of a smooth one is an estimate: three bodies, of whose solution it was 1.26e-9, and 1.40e-9 true
+    with tempfile.TemporaryDirectory() as folder:
+        with open(f"{folder}/three.yaml", "w", encoding="ascii") as file:
+            file.write("name: three\nbodies: {chain: {count: 3, spacing: 1}, mass: 1, diameter: 1, random: {seed: 6, v: 0.5, omega: 0.5}}\n"
+                       "binder: {moment: 5, axial: 60, shear: {stiffness: 30}}\nh: 1/1024\nt_end: 2\n")
+        for stepper in ("an10-mid", "an10-fine"):
+            asked = ("--error", "1e-3", "--steppers", stepper, f"{folder}/three.yaml")
+            advice = json.loads(run(advise, "--json", *asked).stdout)
+            found, (least, most) = float(follow(f"{folder}/three", 2, stepper, advice["h"])["attitude_error"]), advice["interval"]
+            check(least <= found <= most < 1e-8, f"{stepper}, far below 1e-3: {found:.3g} lies between {least:.3g} and {most:.3g}")
+            words = run(advise, *asked).stdout
+            check(f"of the attitude of at most {most:.1e}" in words and f"the error is at most {most:.1e}" in words,
+                  f"... and words say so: {words}")
 
 
 def rivals():
