@@ -69,7 +69,8 @@ static const struct scene_field head[] = {
     {"bodies.clumps", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "bodies of several spheres each",
      "Each body moves as one solid and stands where its centre of mass is; contacts and walls act on its spheres, all "
      "else on the body, drag and bonds on either. Mass, moments and principal axes are those of the spheres' union, by "
-     "256 lines across a sphere that overlaps others. Bonds of clumps neither break nor are made on the way.",
+     "256 lines across a sphere that overlaps others. All templates together have at most 128 spheres. Bonds of clumps "
+     "neither break nor are made on the way.",
      NULL},
     {"bodies.clumps.spheres", SCENE_SPHERES, SCENE_MUST, SCENE_ANY, AT(clumps.spheres), "spheres of the templates",
      "Lengths: centre and diameter of each in the body at alpha = 0, from any point.", NULL},

@@ -5,6 +5,8 @@
  * whatever the order. One that overlaps none is added exactly; of others lines parallel to z through their own box, exact
  * along each and by the midpoint rule across: what a line has left of a ball changes without jumps from line to line, so
  * that the rule is good, however far the spheres are spread. */
+#include <string.h>
+
 #include "../vti_internal.h"
 
 /** Volume, int x dV and int x x^T dV (xx, yy, zz, xy, xz, yz), about a place near the spheres. */
@@ -50,7 +52,7 @@ static double distance(const double *centre, int64_t i, int64_t j)
 }
 
 /** The spheres that overlap sphere s, if they are no more than there is room for; else count is -1, and all are asked. */
-enum { ROOM = 64 };
+enum { ROOM = 128 };
 struct neighbours {
     int64_t s, count, of[ROOM];
 };
@@ -91,29 +93,96 @@ struct scan {
     int behind;
 };
 
-/** Where neighbour k passes the line, if it takes from it; 0 if it does not. */
-static int taken(const struct scan *scan, int64_t k, double x, double y, double ends[2])
+/** Who takes from the lines of one x, which pass its centre at half2 less than its radius squared, seen along y. */
+struct taker {
+    double half2, y, z;
+};
+struct row {
+    int64_t count;
+    struct taker of[ROOM];
+};
+
+static void find_row(const struct scan *scan, double x, struct row *row)
 {
     const struct neighbours *near = scan->near;
-    const int64_t j = near->count < 0 ? k : near->of[k];
-    return j != near->s && (j > near->s) == scan->behind && pass(scan->centre, scan->diameter, near->s, j, x, y, ends);
+    const double *a = scan->centre + 3 * near->s;
+    row->count = 0;
+    for (int64_t k = 0; k < near->count; ++k) {
+        const int64_t j = near->of[k];
+        const double *b = scan->centre + 3 * j, d = scan->diameter[j], dx = x - (b[0] - a[0]);
+        const double half2 = 0.25 * d * d - dx * dx;
+        if ((j > near->s) == scan->behind && half2 > 0.0)
+            row->of[row->count++] = (struct taker){half2, b[1] - a[1], b[2] - a[2]};
+    }
 }
 
-/** The first piece of the line from `from` on, up to `to`, that nobody takes: none if piece[0] >= piece[1]. */
+/** What may be left of a line, and what is taken from its midst, in the order in which it begins. */
+struct line {
+    double from, to, taken[ROOM][2];
+    int64_t count;
+};
+
+/** What reaches an end of the line moves that end: so few are kept in most lines. */
+static void take(struct line *line, double from, double to)
+{
+    int64_t k = line->count;
+    if (!(to > line->from && from < line->to))
+        return;
+    if (from <= line->from)
+        line->from = to;
+    else if (to >= line->to)
+        line->to = from;
+    else {
+        for (; k > 0 && line->taken[k - 1][0] > from; --k)
+            memcpy(line->taken[k], line->taken[k - 1], sizeof line->taken[k]);
+        line->taken[k][0] = from;
+        line->taken[k][1] = to;
+        ++line->count;
+    }
+}
+
+/** Who takes the last that is left of a line is the first to be asked about the next one. */
+static void find_line(struct row *row, double y, const double ball[2], struct line *line)
+{
+    line->from = ball[0];
+    line->to = ball[1];
+    line->count = 0;
+    for (int64_t k = 0; k < row->count && line->from < line->to; ++k) {
+        const struct taker of = row->of[k];
+        const double dy = y - of.y, half2 = of.half2 - dy * dy;
+        if (!(half2 > 0.0))
+            continue;
+        const double half = sqrt(half2);
+        take(line, of.z - half, of.z + half);
+        if (!(line->from < line->to)) {
+            row->of[k] = row->of[0];
+            row->of[0] = of;
+        }
+    }
+}
+
+/** Whether sphere j passes the line and takes from it, and where. */
+static int takes(const struct scan *scan, int64_t j, double x, double y, double ends[2])
+{
+    const int64_t s = scan->near->s;
+    return j != s && (j > s) == scan->behind && pass(scan->centre, scan->diameter, s, j, x, y, ends);
+}
+
+/** The first piece of the line from `from` on, up to `to`, that no sphere takes, all being asked: none if
+ *  piece[0] >= piece[1]. */
 static void next_free(const struct scan *scan, double x, double y, double from, double to, double piece[2])
 {
-    const int64_t count = scan->near->count < 0 ? scan->n : scan->near->count;
     double ends[2];
     for (int moved = 1; moved;) {
         moved = 0;
-        for (int64_t k = 0; k < count; ++k)
-            if (taken(scan, k, x, y, ends) && ends[0] <= from && ends[1] > from) {
+        for (int64_t j = 0; j < scan->n; ++j)
+            if (takes(scan, j, x, y, ends) && ends[0] <= from && ends[1] > from) {
                 from = ends[1];
                 moved = 1;
             }
     }
-    for (int64_t k = 0; k < count; ++k)
-        if (taken(scan, k, x, y, ends) && ends[0] > from)
+    for (int64_t j = 0; j < scan->n; ++j)
+        if (takes(scan, j, x, y, ends) && ends[0] > from)
             to = fmin(to, ends[0]);
     piece[0] = from;
     piece[1] = to;
@@ -144,21 +213,63 @@ static void add_piece(double x, double y, double z0, double area, const double p
         vti_sum_add(&sum->second[k], length * (k == 2 ? z2 : first[row_of[k]] * first[column_of[k]]));
 }
 
+/** Adds pieces of lines of one area, about the centre c of their sphere. */
+struct adder {
+    const double *c;
+    double area;
+    struct integrals *sum;
+};
+
+static void add_free(const struct adder *to, double x, double y, double from, double end)
+{
+    const double piece[2] = {from, end};
+    if (from < end)
+        add_piece(to->c[0] + x, to->c[1] + y, to->c[2], to->area, piece, to->sum);
+}
+
+static void add_left(const struct line *line, double x, double y, const struct adder *to)
+{
+    double from = line->from;
+    for (int64_t k = 0; k < line->count && line->taken[k][0] < line->to; ++k) {
+        add_free(to, x, y, from, line->taken[k][0]);
+        from = line->taken[k][1] > from ? line->taken[k][1] : from;
+    }
+    add_free(to, x, y, from, line->to);
+}
+
+/** The same where the neighbours are more than there is room for. */
+static void add_crowded(const struct scan *scan, double x, double y, const double ball[2], const struct adder *to)
+{
+    double piece[2];
+    next_free(scan, x, y, ball[0], ball[1], piece);
+    for (; piece[0] < piece[1]; next_free(scan, x, y, piece[1], ball[1], piece))
+        add_free(to, x, y, piece[0], piece[1]);
+}
+
 /** Half of what the sphere at c has for itself: along lines x lines lines through its box. */
 static void add_lines(const struct scan *scan, int64_t lines, const double c[3], struct integrals *sum)
 {
     const int64_t s = scan->near->s;
-    const double d = scan->diameter[s] / (double)lines, area = 0.5 * d * d;
-    for (int64_t i = 0; i < lines; ++i)
+    const double d = scan->diameter[s] / (double)lines;
+    const struct adder to = {c, 0.5 * d * d, sum};
+    struct row row;
+    struct line line;
+    for (int64_t i = 0; i < lines; ++i) {
+        const double x = 0.5 * (double)(2 * i + 1 - lines) * d;
+        find_row(scan, x, &row);
         for (int64_t j = 0; j < lines; ++j) {
-            const double x = 0.5 * (double)(2 * i + 1 - lines) * d, y = 0.5 * (double)(2 * j + 1 - lines) * d;
-            double ball[2], piece[2];
+            const double y = 0.5 * (double)(2 * j + 1 - lines) * d;
+            double ball[2];
             if (!pass(scan->centre, scan->diameter, s, s, x, y, ball))
                 continue;
-            next_free(scan, x, y, ball[0], ball[1], piece);
-            for (; piece[0] < piece[1]; next_free(scan, x, y, piece[1], ball[1], piece))
-                add_piece(c[0] + x, c[1] + y, c[2], area, piece, sum);
+            if (scan->near->count < 0)
+                add_crowded(scan, x, y, ball, &to);
+            else {
+                find_line(&row, y, ball, &line);
+                add_left(&line, x, y, &to);
+            }
         }
+    }
 }
 
 /** What overlaps belongs half to the sphere before and half to the one behind: so a pair is as symmetric as it is. */
