@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The film of a run: what shapes.png shows, moving. MP4 by ffmpeg where there is one, else GIF."""
+import gc
 import io
+import itertools
 import math
 import os
 import shutil
@@ -11,13 +13,14 @@ import tempfile
 import numpy as np
 from PIL import Image, ImageColor
 
-from . import scenery, style, words
+from . import progress, scenery, style, words
 from .trouble import Trouble
 
 SECONDS = 10
 RATE = 20                   # pictures per second; GIF counts in hundredths of a second
 LARGEST = 1_500_000         # bytes
 WIDTH, NARROWEST = 960, 320 # pixels; as wide as is light enough
+INCHES = 8.0
 
 
 def make(run, folder):
@@ -27,16 +30,10 @@ def make(run, folder):
     if len(run.times) < 2:
         raise Trouble(run.path, "holds fewer than two frames", "run it again with more --frames")
     count = min(len(run.times), SECONDS * RATE)
-    frames = [run.frame(k) for k in np.round(np.linspace(0, len(run.times) - 1, count)).astype(int)]
-    scene = scenery.Scenery(run, frames)
+    chosen = np.round(np.linspace(0, len(run.times) - 1, count)).astype(int)
     ffmpeg = shutil.which("ffmpeg")
-    width = WIDTH
-    while True:
-        pictures = _pictures(run, scene, frames, width)
-        film = _mp4(ffmpeg, pictures) if ffmpeg else _gif(pictures)
-        if len(film) <= LARGEST or width == NARROWEST:
-            break
-        width = max(NARROWEST, 2 * int(0.47 * width * LARGEST / len(film)))     # outlines weigh as their length
+    with progress.Bar() as bar:
+        film = _light(bar, run, chosen, lambda pictures: _mp4(ffmpeg, pictures) if ffmpeg else _gif(pictures))
     path = os.path.join(folder, "film.mp4" if ffmpeg else "film.gif")
     if not ffmpeg:
         print("vti-plot: there is no ffmpeg here, so the film is a GIF; with it (package ffmpeg) it is an MP4, smaller and sharper",
@@ -45,25 +42,53 @@ def make(run, folder):
     return path
 
 
-def _pictures(run, scene, frames, width):
-    inches = 8.0
-    # Even numbers of pixels, which H.264 asks for.
-    height = 2 * round(0.5 * width * min(1.5, (0.9 + (inches - 0.9) * scene.half[1] / scene.half[0]) / inches))
-    figure = style.new_figure(inches * (height + 0.25) / width, inches)     # a canvas drops fractions of a pixel
-    figure.set_dpi(width / inches)
+def _light(bar, run, chosen, encoded):
+    """The film as wide as is light enough. Pictures are drawn once, and kept as small as they can be for narrower films."""
+    scene, width, kept = scenery.Scenery(run, map(run.frame, chosen)), WIDTH, []
+    film = encoded(bar.over(_keeping(_pictures(run, scene, chosen), kept), len(chosen)))
+    while len(film) > LARGEST and width > NARROWEST:
+        width = max(NARROWEST, 2 * int(0.47 * width * LARGEST / len(film)))     # outlines weigh as their length
+        film = encoded(bar.over(_narrower(kept, (width, _height(scene, width))), len(chosen)))
+    return film
+
+
+def _height(scene, width):
+    """An even number of pixels, which H.264 asks for."""
+    return 2 * round(0.5 * width * min(1.5, (0.9 + (INCHES - 0.9) * scene.half[1] / scene.half[0]) / INCHES))
+
+
+def _pictures(run, scene, chosen):
+    height = _height(scene, WIDTH)
+    figure = style.new_figure(INCHES * (height + 0.25) / WIDTH, INCHES)     # a canvas drops fractions of a pixel
+    figure.set_dpi(WIDTH / INCHES)
     axes = figure.add_subplot()
-    gap = (frames[-1].t - frames[0].t) / max(1, len(frames) - 1)
+    gap = float(run.times[chosen[-1]] - run.times[chosen[0]]) / (len(chosen) - 1)
     places = max(2, 1 - math.floor(math.log10(gap))) if gap > 0 else 2     # two digits of it: titles do not jump
-    for k, frame in enumerate(frames):
+    for frame in map(run.frame, chosen):
         axes.clear()
+        if not scene.detailed:
+            gc.collect()    # what has been drawn refers to itself: of many bodies it would pile up
         scene.draw(axes, frame)
         axes.set(xlabel=scene.axis_names()[0], ylabel=scene.axis_names()[1])
         axes.set_title(f"{words.plain(run.scene)}, {words.stepper_name(run.stepper)}: $t$ = {frame.t:.{places}f}"
                        + "".join("\n" + line for line in scene.meaning()))
         figure.canvas.draw()
-        if k == 0:
-            figure.set_layout_engine("none")    # the layout is found once: nothing may jump
-        yield Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[:height, :width, :3])
+        figure.set_layout_engine("none")    # the layout is found once: nothing may jump
+        yield Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[:height, :WIDTH, :3])
+
+
+def _keeping(pictures, kept):
+    for picture in pictures:
+        memory = io.BytesIO()
+        picture.save(memory, "PNG", compress_level=1)
+        kept.append(memory.getvalue())
+        yield picture
+
+
+def _narrower(kept, size):
+    for png in kept:
+        with Image.open(io.BytesIO(png)) as picture:
+            yield picture.resize(size, Image.Resampling.HAMMING)     # sharp, and without halos, which weigh
 
 
 def _gif(pictures):
@@ -75,9 +100,9 @@ def _gif(pictures):
         colours += [np.round(ends[0] + share * (ends[1] - ends[0])).astype(int) for share in (0.25, 0.5, 0.75)]
     palette = Image.new("P", (1, 1))
     palette.putpalette(np.concatenate(colours + [colours[0]] * (256 - len(colours))).tolist())
-    frames = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    frames = (picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures)
     memory = io.BytesIO()
-    frames[0].save(memory, "GIF", save_all=True, append_images=frames[1:], duration=1000 // RATE, loop=0, optimize=False)
+    next(frames).save(memory, "GIF", save_all=True, append_images=frames, duration=1000 // RATE, loop=0, optimize=False)
     return memory.getvalue()
 
 
@@ -89,10 +114,27 @@ def _mp4(ffmpeg, pictures):
         command = [ffmpeg, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{first.width}x{first.height}",
                    "-r", str(RATE), "-i", "-", "-c:v", "libx264", "-crf", "26", "-pix_fmt", "yuv420p", "-threads", "1",
                    "-movflags", "+faststart", "-fflags", "+bitexact", "-flags:v", "+bitexact", path]
-        raw = first.tobytes() + b"".join(picture.tobytes() for picture in pictures)
-        done = subprocess.run(command, input=raw, capture_output=True, check=False)
-        if done.returncode != 0:
-            said = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["it said nothing"]
-            raise Trouble(ffmpeg, f"failed ({said[-1]})", "repair it, or take it off the PATH for a GIF")
+        failed = _feed(command, itertools.chain([first], pictures))
+        if failed is not None:
+            raise Trouble(ffmpeg, f"failed ({failed})", "repair it, or take it off the PATH for a GIF")
         with open(path, "rb") as file:
             return file.read()
+
+
+def _feed(command, pictures):
+    """Pictures into the command's standard input as they come. Returns the last that it said if it fails, else None."""
+    with tempfile.TemporaryFile() as said:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said) as encoder:
+            try:
+                for picture in pictures:
+                    encoder.stdin.write(picture.tobytes())
+                encoder.stdin.close()
+            except BrokenPipeError:     # it has ended, and its status tells why
+                pass
+            except BaseException:
+                encoder.kill()
+                raise
+        if encoder.returncode == 0:
+            return None
+        said.seek(0)
+        return (said.read().decode("utf-8", "replace").strip().splitlines() or ["it said nothing"])[-1]

@@ -21,48 +21,59 @@ EDGES = ((BODY, RIM), (RIM, "#FFFFFF"), (MARK, "#FFFFFF"), (MARK, BODY), (CONTAC
 
 class Scenery:
     def __init__(self, run, frames):
-        """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get."""
+        """frames: all that will be drawn, the first of them at t = 0; or as many as show how far the bodies get. They may come one by
+        one: but for the first none is kept."""
         self.run = run
         self.detailed = run.bodies <= MOST_MARKED
         self.level = level.axes_of(run.walls)
         self.walls = run.walls if self.level is None else level.of_walls(self.level, run.walls)
-        frames = [self._seen(frame) for frame in frames]
-        self.plane = _plane(frames, 3 if self.level is None else 2, self.walls)
-        self.radius = outlines.radius(run, frames[0])
-        extents = [self._extent(frame) for frame in frames]
-        largest = max(np.max(high - low) for low, high in extents)
-        low, high = np.min([low for low, _ in extents], axis=0), np.max([high for _, high in extents], axis=0)
+        first, moved, extents, times = self._look_at(frames)
+        self.plane = _plane(moved, 3 if self.level is None else 2, self.walls)
+        lows, highs = (np.array(ends)[:, self.plane] for ends in zip(*extents))
+        largest, low, high = np.max(highs - lows), np.min(lows, axis=0), np.max(highs, axis=0)
         self.follows = np.max(high - low) > FAR * largest
         if self.follows:
-            low, high = np.zeros(2), np.max([high - low for low, high in extents], axis=0)
+            low, high = np.zeros(2), np.max(highs - lows, axis=0)
         else:
-            low, high = self._with_cylinders(frames, low, high)
+            low, high = self._with_cylinders(times, low, high)
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
         self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.small = 2 * np.min(self.radius) < SMALL * 2 * np.max(self.half)
         self.marked = run.turns and self.detailed and not self.small and not run.breaks and run.clumps is None
-        self.outward = _outward(frames[0], self.plane) if self.marked else None
+        self.outward = _outward(first, self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
-        self.fragment_colours = {frame.t: colours for frame, colours in zip(frames, fragment_colours(frames))}
+
+    def _look_at(self, frames):
+        """One pass: the first frame, how far bodies move along x, y and z, and of each frame what it extends over, and its time."""
+        first, moved, extents, times = None, np.zeros(3), [], []
+        self.fragment_colours = {}
+        for frame, colours in _with_colours(map(self._seen, frames)):
+            if first is None:
+                first, self.radius = frame, outlines.radius(self.run, frame)
+            moved = np.maximum(moved, np.max(np.abs(frame.x - first.x), axis=0))
+            extents.append(self._extent(frame))
+            times.append(frame.t)
+            self.fragment_colours[frame.t] = colours
+        return first, moved, extents, times
 
     def _seen(self, frame):
         return frame if self.level is None else level.of_frame(self.level, frame)
 
     def _extent(self, frame):
         seen = outlines.of(self.run, frame, self.radius)
-        return np.min(seen.x - seen.reach, axis=0)[self.plane], np.max(seen.x + seen.reach, axis=0)[self.plane]
+        return np.min(seen.x - seen.reach, axis=0), np.max(seen.x + seen.reach, axis=0)
 
-    def _with_cylinders(self, frames, low, high):
+    def _with_cylinders(self, times, low, high):
         """The window that shows the cylinders seen along their axes, too, but for those that dwarf the bodies."""
-        for frame in frames:
-            for centre, radius, _ in walls.circles(self.walls, frame.t, self.plane):
+        for t in times:
+            for centre, radius, _ in walls.circles(self.walls, t, self.plane):
                 if 2 * radius <= FAR * np.max(high - low):
                     low, high = np.minimum(low, centre - radius), np.maximum(high, centre + radius)
         return low, high
 
     def window(self, frame):
-        middle = np.mean(self._extent(frame), axis=0) if self.follows else self.middle
+        middle = np.mean(self._extent(frame), axis=0)[self.plane] if self.follows else self.middle
         return middle - self.half, middle + self.half
 
     def axis_names(self):
@@ -106,7 +117,7 @@ class Scenery:
         """Colours of what is seen: one for all, those of the fragments that bodies are in, or of clumps each its own."""
         if self.run.clumps is not None:
             return np.array(CLUMPS)[(seen.body + seen.body // len(CLUMPS)) % len(CLUMPS)]
-        return self.fragment_colours[frame.t] if frame.t in self.fragment_colours else fragment_colours([frame])[0]
+        return _painted(frame, self.fragment_colours[frame.t]) if frame.t in self.fragment_colours else fragment_colours([frame])[0]
 
     def _touching(self, frame):
         """Bodies that overlap a plane, or another body which the scene lets them touch; of clumps the colours say more."""
@@ -123,11 +134,10 @@ class Scenery:
         return touching
 
 
-def _plane(frames, some, walls_of):
+def _plane(moved, some, walls_of):
     """The two coordinates to draw; left out is the one, of some from the first on, in which bodies move least, the last of them
     if that does not tell. Cylinders that turn are seen along their axes, floors from the side: what a plane without another one opposite
     is normal to is not left out, but where such planes are normal to all."""
-    moved = np.max([np.max(np.abs(frame.x - frames[0].x), axis=0) for frame in frames], axis=0)
     turning, sides = _signs(walls_of.cylinders[walls_of.cylinder_spin != 0, :3]), _signs(walls_of.planes[:, :3])
     free = ([axis for axis in range(some) if np.any(turning[:, axis])]
             or [axis for axis in range(some) if len(set(sides[:, axis]) - {0.0}) != 1] or list(range(some)))
@@ -155,25 +165,41 @@ def _outward(frame, plane):
 
 
 def fragment_colours(frames):
-    """Of each frame the colours of all bodies. A fragment keeps its colour: of the pieces that one has broken into the one with most of
-    its bodies does, and each other one gets a colour that no fragment has, while there is one, else that of the fewest bodies."""
-    found, before = [], None
+    """Of each frame the colours of all bodies."""
+    return [_painted(frame, colours) for frame, colours in _with_colours(frames)]
+
+
+def _with_colours(frames):
+    """Frames and the colours of their fragments by number. A fragment keeps its colour: of the pieces that one has broken into the one
+    with most of its bodies does, and each other one gets a colour that no fragment has, while there is one, else that of the fewest
+    bodies."""
+    before = None
     for frame in frames:
-        if frame.fragment is None:
-            found.append(np.full(len(frame.x), BODY))
-            continue
-        fragment = np.where(frame.fragment < 0, np.arange(len(frame.x)), frame.fragment).astype(int)
-        sizes = np.bincount(fragment, minlength=len(frame.x))
-        colour = _inherited(fragment, sizes, *before) if before else {}
-        for piece in sorted(np.flatnonzero(sizes > 1), key=lambda piece: -sizes[piece]):
-            if piece not in colour:
-                held = np.zeros(len(FRAGMENTS), int)
-                for other, index in colour.items():
-                    held[index] += sizes[other]
-                colour[piece] = int(np.argmin(held))
-        before = fragment, colour
-        found.append(np.array([FRAGMENTS[colour[piece]] if piece in colour else SINGLE for piece in fragment]))
-    return found
+        colour = {}
+        if frame.fragment is not None:
+            fragment = _fragments(frame)
+            sizes = np.bincount(fragment, minlength=len(frame.x))
+            colour = _inherited(fragment, sizes, *before) if before else {}
+            for piece in sorted(np.flatnonzero(sizes > 1), key=lambda piece: -sizes[piece]):
+                if piece not in colour:
+                    held = np.zeros(len(FRAGMENTS), int)
+                    for other, index in colour.items():
+                        held[index] += sizes[other]
+                    colour[piece] = int(np.argmin(held))
+            before = fragment, colour
+        yield frame, colour
+
+
+def _fragments(frame):
+    """The fragment of each body; one without bonds is its own."""
+    return np.where(frame.fragment < 0, np.arange(len(frame.x)), frame.fragment).astype(int)
+
+
+def _painted(frame, colour):
+    """Of all bodies, given those of the fragments of several."""
+    if frame.fragment is None:
+        return np.full(len(frame.x), BODY)
+    return np.array([FRAGMENTS[colour[piece]] if piece in colour else SINGLE for piece in _fragments(frame)])
 
 
 def _inherited(fragment, sizes, fragment_before, colour_before):
