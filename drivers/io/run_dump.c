@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "run_formats.h"
 
-#include <math.h>
-
 #include "number.h"
 #include "shape.h"
 
@@ -117,6 +115,12 @@ static int take_frame(void *self, int64_t k, const double *frame)
     return ferror(w->file) ? -1 : 0;
 }
 
+/** Of a number from 1 on. */
+static int digits(int64_t number)
+{
+    return snprintf(NULL, 0, "%lld", (long long)number);
+}
+
 double run_dump_bytes(const struct record *record, int64_t frames)
 {
     enum { NUMBER_BYTES = 20, SHORT = 4, HEAD = 200 }; /* of 17 digits with a blank; of radii, mostly; of a frame */
@@ -124,8 +128,8 @@ double run_dump_bytes(const struct record *record, int64_t frames)
     const struct writer w = {record, NULL, {0}, {0}};
     const int64_t n = is_of_clumps(&w) ? record->model->clumps.list.count : layout->n;
     const int numbers = 3 + (layout->translates ? 3 : 0) + (layout->turns ? 7 : 0);
-    double row = NUMBER_BYTES * numbers + 3.0 + log10((double)n);
-    row += is_of_clumps(&w) ? SHORT + 1.0 + log10((double)layout->n) : is_of_ellipsoids(&w) ? 3.0 * SHORT : SHORT;
+    double row = NUMBER_BYTES * numbers + 3.0 + digits(n);
+    row += is_of_clumps(&w) ? SHORT + 1.0 + digits(layout->n) : is_of_ellipsoids(&w) ? 3.0 * SHORT : SHORT;
     return (double)frames * ((double)n * row + HEAD);
 }
 
