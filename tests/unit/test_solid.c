@@ -184,18 +184,33 @@ TEST(pieces)
     assert_close(solid.centre[2], 2.5, 1e-4);
 }
 
-/** A line through a sphere passes several inside of it, before and behind it in the list, in no order of height: they add
- *  nothing. */
+/** A line through a sphere passes several inside of it and inside of each other, before and behind it in the list, in no order
+ *  of height: they add nothing. */
 TEST(spheres_inside)
 {
-    const double diameter[7] = {0.2, 0.25, 0.3, 2, 0.3, 0.2, 0.25}, m = sphere_mass(1, 2);
-    double centre[7][3] = {{0, 0, 0.5}, {0, 0, -0.6},   {0, 0.02, 0}, {0, 0, 0},
-                           {0, 0, 0.7}, {0.01, 0, 0.1}, {0, 0, -0.4}};
-    make(7, centre[0], diameter, 1, 256);
+    const double diameter[8] = {0.2, 0.25, 0.3, 0.7, 2, 0.3, 0.2, 0.25}, m = sphere_mass(1, 2);
+    double centre[8][3] = {{0, 0, 0.4}, {0, 0, -0.6}, {0, 0.02, 0},   {0, 0, 0.4},
+                           {0, 0, 0},   {0, 0, 0.7},  {0.01, 0, 0.1}, {0, 0, -0.4}};
+    make(8, centre[0], diameter, 1, 256);
     assert_close(solid.mass, m, 1e-4 * m);
     for (int k = 0; k < 3; ++k) {
         assert_close(solid.centre[k], 0, 1e-4);
         assert_close(solid.moments[k], 0.4 * m, 1e-3 * m);
+    }
+}
+
+/** Whatever the spheres, axes point as they should. */
+TEST(frames)
+{
+    rng g = rng_seed(4203);
+    for (int trial = 0; trial < 2000; ++trial) {
+        double centre[4][3], diameter[4];
+        for (int s = 0; s < 4; ++s) {
+            diameter[s] = uniform(&g, 0.2, 0.8);
+            random_vector(&g, 1, centre[s]);
+        }
+        make(4, centre[0], diameter, 1, 4);
+        check_frame();
     }
 }
 
@@ -279,4 +294,5 @@ TEST(refused)
 
 RUN_TESTS(cmocka_unit_test(one_sphere), cmocka_unit_test(disjoint_spheres), cmocka_unit_test(tetrapod),
           cmocka_unit_test(overlapping_pair), cmocka_unit_test(pieces), cmocka_unit_test(spheres_inside),
-          cmocka_unit_test(pairs_far_apart), cmocka_unit_test(rows), cmocka_unit_test(refused))
+          cmocka_unit_test(frames), cmocka_unit_test(pairs_far_apart), cmocka_unit_test(rows),
+          cmocka_unit_test(refused))
