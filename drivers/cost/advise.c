@@ -72,6 +72,30 @@ static int choose_measure(struct stages *g, const struct model *model, struct me
     return 0;
 }
 
+static void stop(const vti_view *view, int64_t n)
+{
+    for (int64_t k = 0; view->c[0] != NULL && k < 3 * n; ++k)
+        view->c[k % 3][k / 3 * view->stride] = 0.0;
+}
+
+/** The largest |F|/m and |RM|/J at the start: what a kick for the time 1 gives the bodies of this model, which are
+ *  stopped for that. */
+static double pushed(struct model *model)
+{
+    const vti_bodies *b = &model->bodies;
+    double most = 0.0;
+    if (model_forces(model, b) != VTI_OK)
+        return INFINITY;
+    stop(&b->v, b->count);
+    stop(&b->omega, b->count);
+    if (vti_kick(1.0, b) != VTI_OK)
+        return INFINITY;
+    for (int64_t i = 0; b->v.c[0] != NULL && i < b->count; ++i)
+        most = fmax(most,
+                    hypot(hypot(b->v.c[0][i * b->v.stride], b->v.c[1][i * b->v.stride]), b->v.c[2][i * b->v.stride]));
+    return fmax(most, vti_max_turn(1.0, b));
+}
+
 /** The scene's own numbers. */
 static int look_at(struct stages *g)
 {
@@ -98,6 +122,7 @@ static int look_at(struct stages *g)
         failed = choose_measure(g, &model, s->message);
     if (failed == 0)
         failed = list_offers(g, &model, s->message);
+    s->pushed = failed == 0 ? pushed(&model) : NAN;
     model_destroy(&model);
     return failed;
 }

@@ -160,6 +160,7 @@ struct search {
     int64_t bodies;
     int kinked;     /* the forces are */
     int dissipates; /* something does */
+    double pushed;  /* at the start: the largest |F|/m and |RM|/J */
     int breaks;     /* something may break: sooner or later by a step, and errors follow no order for long */
     double doubt;   /* of what orders tell: 3 where forces are smooth, 10 where they have kinks (EQUATIONS 8.5) */
     void (*say)(const char *stepper, int64_t steps);
@@ -178,8 +179,11 @@ double search_longest(const struct search *s, const vti_stepper *stepper);
 /** The fewest steps that are worth trying, of that or a little less; LOOP_STEPS where these would be more. */
 int64_t search_fewest(const struct search *s, const vti_stepper *stepper);
 /** The stepper's order in this scene, of ever finer steps. Where something dissipates that is 2 at most, and 1 where
- *  velocities lag: no flow goes back by half a kick (EQUATIONS 6.8). */
+ *  velocities lag: no flow goes back by half a kick (EQUATIONS 6.8). Where nothing pushes at the start, places and
+ *  attitudes of vti3 are of order 2 (EQUATIONS 2). */
 double search_order(const struct search *s, const vti_stepper *stepper);
+/** Whether errors by another measure fall by that order too: velocities and energies of vti3 never do by 2. */
+int search_falls_alike(const struct search *s, const vti_stepper *stepper, int measure);
 /** The highest that longer steps may show: what dissipates may be feeble. */
 double search_most_order(const struct search *s, const vti_stepper *stepper);
 /** The least order by which errors fall where forces have kinks: those in which touches begin and end are off by more

@@ -104,7 +104,7 @@ void search_law_follow(const struct search *s, struct offer *o)
     const int64_t steps = pilot_steps((double)o->steps * finer);
     const double more = (double)steps / (double)o->steps, less = plain_power(more, -order);
     for (int m = 0; m < COST_MEASURES; ++m)
-        o->errors[m] *= less;
+        o->errors[m] = search_falls_alike(s, o->stepper, m) ? o->errors[m] * less : NAN;
     o->steps = steps;
     o->h = s->t_end / (double)steps;
     o->error = o->errors[s->measure];

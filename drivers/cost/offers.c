@@ -86,7 +86,9 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
         return;
     const double less = luck * plain_power(finer, -order);
     for (int m = 0; m < COST_MEASURES; ++m)
-        o->errors[m] = found->errors[m] * offers_growth(s, found->stepper, m) * less;
+        o->errors[m] = finer > 1.0 && !search_falls_alike(s, found->stepper, m)
+                           ? NAN
+                           : found->errors[m] * offers_growth(s, found->stepper, m) * less;
     o->error = found->error * offers_growth(s, found->stepper, s->measure) * less;
 }
 

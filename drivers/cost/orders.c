@@ -12,12 +12,28 @@ static int is_multistep(const vti_stepper *stepper)
     return vti_multistep_find(stepper->name) != NULL;
 }
 
+/** Whether places and attitudes are those of a reversible step to less than what is asked for: a kick and a drift are
+ *  Verlet's step but for half a kick at the start. */
+static int begins_unkicked(const struct search *s, const vti_stepper *stepper)
+{
+    static const double share = 0.01;
+    const int kick_and_drift = stepper->kick != NULL && stepper->stages == 1 && stepper->reversible == 0;
+    const double half = 0.5 * fmin(s->stable_h, s->t_end);
+    return kick_and_drift && (s->measure == COST_ATTITUDE || s->measure == COST_POSITION) &&
+           half * s->pushed * s->t_end <= share * s->target;
+}
+
 double search_order(const struct search *s, const vti_stepper *stepper)
 {
     const double own = (double)stepper->order;
-    if (!s->dissipates)
-        return own;
-    return stepper->lag > 0.0 ? 1.0 : fmin(own, 2.0);
+    if (s->dissipates)
+        return stepper->lag > 0.0 ? 1.0 : fmin(own, 2.0);
+    return begins_unkicked(s, stepper) ? 2.0 : own;
+}
+
+int search_falls_alike(const struct search *s, const vti_stepper *stepper, int measure)
+{
+    return measure == COST_ATTITUDE || measure == COST_POSITION || !begins_unkicked(s, stepper);
 }
 
 double search_most_order(const struct search *s, const vti_stepper *stepper)
