@@ -309,7 +309,8 @@ TEST(flying_along_a_wall)
     static const struct {
         const char *v, *more;
         int strains;
-    } flights[] = {{"5, 0, 0", "", 0}, {"0, -5, 0", "", 1}, {"5, 0, 0", "friction: {sliding: 0.5, stiffness: 100}\n", 1}};
+    } flights[] = {
+        {"5, 0, 0", "", 0}, {"0, -5, 0", "", 1}, {"5, 0, 0", "friction: {sliding: 0.5, stiffness: 100}\n", 1}};
     for (size_t k = 0; k < sizeof flights / sizeof flights[0]; ++k) {
         struct scene scene;
         struct model model;
