@@ -35,13 +35,13 @@ int study_agree(int failed, int rank, const struct message *message)
 /* ---- what is kept, which rank 0 has ----------------------------------------------------------------------------- */
 
 static struct tasks tasks;
-static const struct study_work *work;
+static const struct study_work *now; /* the one that is open */
 
 /** left says whether the journal is ours (overwrite.h). */
 static int check_files(const struct study_place *place, int left, struct message *message)
 {
-    const struct kept kept = {work->journal, left};
-    return overwrite_check(place->folder, work->files, work->files_count, place->inputs, place->inputs_count, &kept,
+    const struct kept kept = {now->journal, left};
+    return overwrite_check(place->folder, now->files, now->files_count, place->inputs, place->inputs_count, &kept,
                            place->force, message);
 }
 
@@ -76,7 +76,7 @@ static int check_pictures(const struct study_place *place, struct message *messa
 static int check_start(const struct study_place *place, struct message *message)
 {
     char path[FOLDER_PATH];
-    if (folder_path(place->folder, work->journal, 0, path, message) != 0)
+    if (folder_path(place->folder, now->journal, 0, path, message) != 0)
         return -1;
     return check_files(place, left_is_there(path), message) != 0 ? -1 : check_pictures(place, message);
 }
@@ -90,31 +90,31 @@ static int open_here(const struct study_place *place, struct message *message)
     int failed = text == NULL ? -1 : 0;
     if (failed == 0) {
         identity_version(text);
-        work->identify(text, work->plan);
-        fprintf(text, "bytes of a result: %zu\n", work->bytes);
+        now->identify(text, now->plan);
+        fprintf(text, "bytes of a result: %zu\n", now->bytes);
         failed = fclose(text) != 0 ? -1 : 0;
     }
     if (failed == 0 &&
         (check_start(place, message) != 0 || folder_create(place->folder, message) != 0 ||
-         tasks_open(&tasks, place->folder, work->journal, place->resume, identity, work->bytes, message) != 0))
+         tasks_open(&tasks, place->folder, now->journal, place->resume, identity, now->bytes, message) != 0))
         failed = -1;
     free(identity);
     return failed;
 }
 
-int study_tasks_open(const struct study_work *what, const struct study_place *place, int rank)
+int study_tasks_open(const struct study_work *work, const struct study_place *place, int rank)
 {
     struct message message = {""};
-    work = what;
+    now = work;
     hdf5_start();
     const int failed = rank == 0 ? open_here(place, &message) : 0;
     if (study_agree(failed, rank, &message) != 0)
         return -1;
     if (rank == 0 && place->resume && tasks.kept > 0)
-        printf("goes on: %lld of %lld %s are there already\n", (long long)tasks.kept, (long long)work->count,
-               work->results);
+        printf("goes on: %lld of %lld %s are there already\n", (long long)tasks.kept, (long long)now->count,
+               now->results);
     else if (rank == 0 && place->resume)
-        printf("no %s are there yet: starts\n", work->results);
+        printf("no %s are there yet: starts\n", now->results);
     fflush(stdout);
     return 0;
 }
@@ -158,9 +158,9 @@ static int say_stopped(struct message *message)
         return -1;
     if (tasks.kept == 0)
         return message_set(message, "stopped before any %s were done; the same command with --resume starts again",
-                           work->results);
+                           now->results);
     return message_set(message, "stopped; %lld of %lld %s are kept in %.300s: go on with --resume",
-                       (long long)tasks.kept, (long long)work->count, work->results, tasks.keep.path);
+                       (long long)tasks.kept, (long long)now->count, now->results, tasks.keep.path);
 }
 
 int study_tasks_end(int failed, int done, int rank, struct message *message)
