@@ -90,9 +90,11 @@ static double pushed(struct model *model)
     stop(&b->omega, b->count);
     if (vti_kick(1.0, b) != VTI_OK)
         return INFINITY;
-    for (int64_t i = 0; b->v.c[0] != NULL && i < b->count; ++i)
-        most = fmax(most,
-                    hypot(hypot(b->v.c[0][i * b->v.stride], b->v.c[1][i * b->v.stride]), b->v.c[2][i * b->v.stride]));
+    for (int64_t i = 0; b->v.c[0] != NULL && i < b->count; ++i) {
+        const int64_t at = i * b->v.stride;
+        const double v[3] = {b->v.c[0][at], b->v.c[1][at], b->v.c[2][at]};
+        most = fmax(most, vti_norm(v));
+    }
     return fmax(most, vti_max_turn(1.0, b));
 }
 

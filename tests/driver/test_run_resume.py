@@ -196,8 +196,8 @@ def stopped(arguments, seconds):
 
 def far_from_multiples(base):
     """Within a step of h of millions of shorter ones a run cannot end: a signal that comes again some seconds later ends it."""
-    with subprocess.Popen([RUN, scene("pendulum"), "--stepper", "srkn6", "--control", "integrating", "--set", "turning=1e-7", "--h", "65536",
-                           "--t-end", "131072", "-o", f"{base}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+    with subprocess.Popen([RUN, scene("spin"), "--stepper", "kl8", "--control", "integrating", "--set", "turning=2e-8", "--h", "4096",
+                           "--t-end", "8192", "-o", f"{base}/out.h5"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                           preexec_fn=lambda: as_usual(signal.SIGTERM)) as process:
         process.stdout.readline()
         for seconds in (0.2, 0.1, 6):  # twice at once, as launchers do
