@@ -279,27 +279,10 @@ static long long number_of(const struct model *model, int64_t sphere)
     return model_number(model, model_has_clumps(model) ? model->clumps.list.body[sphere] : sphere);
 }
 
-/** Whether wall w moves in its own face alone: spheres are pressed by what is along the normal of a plane, and across the
- *  axis of a cylinder. */
-static int slides(const struct wall_settings *wall, int64_t w)
-{
-    static const double rest[3] = {0.0, 0.0, 0.0};
-    const int64_t planes = wall->planes.count;
-    const double *v = w < wall->velocities.count ? wall->velocities.vector[w] : rest;
-    const double *axis = w < planes ? wall->planes.plane[w] : wall->cylinders.cylinder[w - planes];
-    const double speed = vti_norm(v), along = fabs(vti_dot(v, axis)) / vti_norm(axis);
-    const double pressing = w < planes ? along : sqrt(fmax(speed * speed - along * along, 0.0));
-    const double spin = w < wall->spins.count ? wall->spins.number[w] : 0.0;
-    return (speed > 0.0 || spin != 0.0) && !(pressing > 1e-7 * speed);
-}
-
 /** The first wall whose motion nothing feels, for want of what acts along faces; -1: none. */
-static int64_t unfelt(const struct wall_settings *wall, const struct scene *scene)
+static int64_t unfelt(const struct effect *e, const struct scene *scene)
 {
-    for (int64_t w = 0; w < count_of(wall) && !scene->has[EFFECT_friction] && !scene->has[EFFECT_dashpot]; ++w)
-        if (slides(wall, w))
-            return w;
-    return -1;
+    return scene->has[EFFECT_friction] || scene->has[EFFECT_dashpot] ? -1 : wall_first_sliding(walls_of(e));
 }
 
 /** One that fills a cylinder, which always presses it and from another side as it crosses the axis; or one that begins
@@ -312,7 +295,7 @@ static void note(const struct effect *e, const struct model *model, char *text, 
     int64_t wall = -1;
     const int64_t filling = wall_first_filled(walls_of(e), model_spheres(model), &wall);
     const int64_t at = filling < 0 ? wall_deepest(walls_of(e), model_spheres(model), much, &share, &wall) : -1;
-    const int64_t idle = unfelt(e->settings, model->scene);
+    const int64_t idle = unfelt(e, model->scene);
     text[0] = '\0';
     if (idle >= 0)
         snprintf(text, size_of_text,

@@ -91,3 +91,15 @@ int64_t wall_first_filled(const vti_walls *walls, const vti_bodies *spheres, int
             }
     return -1;
 }
+
+int64_t wall_first_sliding(const vti_walls *walls)
+{
+    for (int64_t w = 0; walls->motion != NULL && w < walls->count + walls->cylinders; ++w) {
+        const vti_wall_motion *m = &walls->motion[w];
+        const double speed = vti_norm(m->velocity), along = fabs(vti_dot(m->velocity, axis_of(walls, w)));
+        const double pressing = w < walls->count ? along : sqrt(fmax(speed * speed - along * along, 0.0));
+        if ((speed > 0.0 || m->spin != 0.0) && !(pressing > 1e-7 * speed))
+            return w;
+    }
+    return -1;
+}

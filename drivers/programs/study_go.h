@@ -22,9 +22,6 @@ struct study_place {
     const char *const *pictures; /* that will be drawn of study.h5 there, up to NULL; may be NULL itself */
 };
 
-/** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
-int study_agree(int failed, int rank, const struct message *message);
-
 /** Says what will be done, runs the plan, writes its files and says what came out. SIGTERM, SIGINT and their like
  *  end it as soon as what is done is kept. Collective. Returns, on all ranks, 0, 1 if all is written but the verdict
  *  on some run is bad, or when one line has been said about it WATCH_ASKED if it was ended so, or -1 if something

@@ -6,6 +6,9 @@
 #include "study_go.h"
 #include "tasks.h"
 
+/** Ends a stage on all ranks: 0 if it went well on all of them; else one line from one of them and -1. Collective. */
+int study_agree(int failed, int rank, const struct message *message);
+
 /** What a study keeps as it goes, and writes. */
 struct study_work {
     const char *journal; /* where results are kept in the study's folder */

@@ -61,8 +61,7 @@ static const struct option_row rows[] = {
      "replace files that are no results of vti too; what the scene is read from is never replaced"},
     {"--checkpoint", "SECONDS", OPTION_NUMBER, &request.checkpoint_seconds, 0, 0, "60 or 1e3",
      "time between checkpoints (default 60); where no terminal shows a bar, they are told on the standard error, a "
-     "minute "
-     "or more apart"},
+     "minute or more apart"},
     {"--threads", "N", OPTION_WHOLE, &request.threads, 1, 1024, "2 or 8",
      "threads that work on the scene (default: all cores from 1000 bodies on, 1 under mpirun); the bytes are the same "
      "for any number, and a resumed run may have another one"},

@@ -12,6 +12,7 @@
 #include "options.h"
 #include "terminal.h"
 #include "study_go.h"
+#include "study_tasks.h"
 #include "table_hdf5.h"
 
 enum { EXIT_BAD = 3, EXIT_RESUME = 75 /* EX_TEMPFAIL of sysexits.h */ };
