@@ -173,15 +173,6 @@ static double share_of(const vti_contacts *contacts, const vti_view *x, int64_t 
     return 1.0 - partings_distance(x, i, j) / contact_length(contacts, k);
 }
 
-/** Whether anything holds bodies together. */
-static int holds(const struct scene *scene)
-{
-    int any = 0;
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        any |= scene->has[k] && kinds_at(k)->lines != NULL;
-    return any;
-}
-
 /** Two that begin deep in each other: more than contacts are made for, and mostly a mistake in a table. Else
  *  what the scene asks for and cannot have. */
 static void note(const struct effect *e, const struct model *model, char *text, size_t size_of_text)
@@ -198,7 +189,8 @@ static void note(const struct effect *e, const struct model *model, char *text, 
         deepest = fmax(deepest, share);
     }
     text[0] = '\0';
-    if (((const struct contact_settings *)e->settings)->bonded && !model_has_clumps(model) && !holds(model->scene))
+    if (((const struct contact_settings *)e->settings)->bonded && !model_has_clumps(model) &&
+        scene_first_with(model->scene, EFFECT_BONDS) == NULL)
         snprintf(text, size_of_text, "contact.bonded: yes: nothing bonds bodies in this scene; leave it out");
     if (at < 0)
         return;

@@ -71,6 +71,7 @@ int kinds_has(const struct effect_kind *kind, const union effect_settings *all, 
            : trait == EFFECT_STIFF      ? translates && kind->field == NULL
            : trait == EFFECT_SPHERES    ? kind->spheres
            : trait == EFFECT_SURFACES   ? kind->surfaces != NULL
+           : trait == EFFECT_BONDS      ? kind->bonds != NULL
            : trait == EFFECT_NEAR       ? kind->near
            : trait == EFFECT_ON_SPHERES ? kind->spheres || (kind->on_spheres != NULL && kind->on_spheres(all))
                                         : !draft.smooth;

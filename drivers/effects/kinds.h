@@ -55,6 +55,7 @@ enum effect_trait {
     EFFECT_SPHERES,     /* acts where surfaces meet: bodies need diameters, and small steps to meet */
     EFFECT_SURFACES,    /* has surfaces, which others damp and rub */
     EFFECT_ON_SPHERES,  /* acts on the spheres of bodies that are clumps */
+    EFFECT_BONDS,       /* has bonds, which hold bodies together */
     EFFECT_NEAR,        /* looks at pairs that touch only at the end of the step, too */
     EFFECT_KINKED,      /* its force has kinks: where a contact begins, say */
     EFFECT_STIFF        /* pushes bodies that translate, and not all of them alike */

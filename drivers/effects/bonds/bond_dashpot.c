@@ -32,10 +32,7 @@ static const struct scene_field fields[] = {
 static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
 {
     const struct bond_dashpot_settings *d = settings;
-    int bonded = 0;
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        bonded |= scene->has[k] && kinds_at(k)->bonds != NULL;
-    if (!bonded)
+    if (scene_first_with(scene, EFFECT_BONDS) == NULL)
         return scene_reader_fail(reader, "bond_dashpot", "there are no bonds; give binder");
     if (!(d->zeta > 0.0 || d->axial > 0.0 || d->shear > 0.0 || d->bending > 0.0 || d->twisting > 0.0))
         return scene_reader_fail(reader, "bond_dashpot", "no coefficient above 0; give zeta");
