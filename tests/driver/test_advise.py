@@ -191,7 +191,7 @@ def far_below():
 
 def unkicked():
     """Two bodies that fly into each other: where nothing pushes at the start vti3 has the places of vti2, and is offered by the same
-    step. By its own order 1 it was offered by a ninetieth of that."""
+    step, or one of the next that kinks let pass, as pilots are timed. By its own order 1 it was offered by a ninetieth of that."""
     with tempfile.TemporaryDirectory() as folder:
         for name, text in (("bodies.csv", "mass,inertia,diameter,x,y,z,vx,vy,vz,alpha_x,alpha_y,alpha_z,omega_x,omega_y,omega_z\n"
                             "1,.1,1,0,0,0,.5,0,0,0,0,0,0,0,0\n1,.1,1,1.2,.1,0,-.5,0,0,0,0,0,0,0,0\n"),
@@ -202,7 +202,7 @@ def unkicked():
                                 os.path.join(folder, "two.yaml")).stdout)
         told = {offer["stepper"]: offer for offer in [advice] + advice["alternatives"]}
         h, (least, most) = told["vti3"]["h"], told["vti3"]["interval"]
-        check(0.9 < h / told["vti2"]["h"] < 1.1, f"unkicked: vti3 at h = {h:.3g}, vti2 at {told['vti2']['h']:.3g}")
+        check(0.25 < h / told["vti2"]["h"] < 4, f"unkicked: vti3 at h = {h:.3g}, vti2 at {told['vti2']['h']:.3g}")
         found = float(follow(f"{folder}/two", 0.75, "vti3", h)["position_error"])
         check(least <= found <= most, f"... errs by {found:.2g}, in {least:.2g} to {most:.2g}")
 
