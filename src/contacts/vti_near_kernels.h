@@ -57,8 +57,8 @@ static int64_t near_pairs(const vti_contacts *p, const vti_bodies *b, double rea
 
 /* ---- bodies at a wall -------------------------------------------------------------------------------------------- */
 
-/** So many bodies in a row, packed ones WIDTH, and where they are. */
-VTI_INLINE void gather_row(enum touch_layout layout, const vti_bodies *b, int64_t first, int64_t count, struct side *i,
+/** So many bodies in a row, packed ones WIDTH, and their vectors of a view: where they are. */
+VTI_INLINE void gather_row(enum touch_layout layout, const vti_view *view, int64_t first, int64_t count, struct side *i,
                            lanes x[3])
 {
     int64_t body[WIDTH];
@@ -68,10 +68,10 @@ VTI_INLINE void gather_row(enum touch_layout layout, const vti_bodies *b, int64_
     side_of(body, i);
     if (layout == PACKED) {
         for (int k = 0; k < 3; ++k)
-            row[k] = lanes_load(b->x.c[0] + 3 * first + k * WIDTH);
+            row[k] = lanes_load(view->c[0] + 3 * first + k * WIDTH);
         lanes_split(row, x);
     } else
-        gather(layout, &b->x, i, x);
+        gather(layout, view, i, x);
 }
 
 /** Of so many in a row. The way of the drift, and of the wall over it, is twice as long here, and a little more, as places
@@ -82,7 +82,7 @@ VTI_INLINE unsigned near_row(enum touch_layout layout, const vti_walls *p, const
     struct vti_touch at;
     struct side i;
     lanes x[3], v[3], way[3];
-    gather_row(layout, b, first, count, &i, x);
+    gather_row(layout, &b->x, first, count, &i, x);
     vti_face_touch(&at, p, w, x, 0.5 * scalars(&p->diameter, &i));
     if (!(h > 0.0))
         return lanes_bits(at.delta >= -reach);

@@ -16,6 +16,7 @@
  * the time since in x, whatever the order: after the time s since the crossing m v is wrong by P and m x by s P - Q,
  * which are taken off. What is left is of order h^{9/2}. */
 #include "vti_face.h"
+#include "vti_touch_table.h"
 
 /** zeta(-3/2, a) and zeta(-5/2, a) of 0 < a <= 1 to 2e-8: four terms, and the formula of Euler and Maclaurin. */
 static void zetas(double a, double *three, double *five)
@@ -37,9 +38,6 @@ struct crossing {
     double overlap[2], n[2][3], rate;
     double k;
 };
-
-/** What pairs that begin just touching, up to rounding, lack of that. */
-static const double nearly = 1.0 - 1e-12;
 
 /** Of one that has begun or ended: what is to be taken off m v and m x. */
 static void missed(const struct crossing *at, double h, double impulse[3], double shift[3])
@@ -70,45 +68,46 @@ static void take(const vti_bodies *b, int64_t i, double sign, const double impul
     }
 }
 
-static void of_pairs(const vti_contacts *p, double h, const vti_view *before, const vti_bodies *b)
+/** Pair k has begun or ended to touch. */
+static void of_pair(const vti_contacts *p, int64_t k, double h, const vti_view *before, const vti_bodies *b)
 {
-    for (int64_t k = 0; k < p->count; ++k) {
-        const int64_t i = p->pair[2 * k] - p->base, j = p->pair[2 * k + 1] - p->base;
-        const double length = vti_contact_length(p, k, i, j), touching = length * nearly;
-        struct crossing at;
-        double d[2][3], u[3], impulse[3], shift[3];
-        const double square[2] = {vti_difference(before, i, j, d[0]), vti_difference(&b->x, i, j, d[1])};
-        if (square[0] >= length * length && square[1] >= length * length)
-            continue;
-        for (int end = 0; end < 2; ++end) {
-            const double r = sqrt(square[end]), per = r > VTI_COINCIDENT ? 1.0 / r : 0.0;
-            at.overlap[end] = touching - r;
-            for (int c = 0; c < 3; ++c)
-                at.n[end][c] = d[end][c] * per;
-        }
-        if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
-            continue;
-        vti_difference(&b->v, i, j, u);
-        at.rate = -vti_dot(at.n[1], u);
-        at.k = vti_contact_stiffness(p, i, j, length) / (length * length * sqrt(length));
-        missed(&at, h, impulse, shift);
-        take(b, i, 1.0, impulse, shift);
-        take(b, j, -1.0, impulse, shift);
+    const int64_t i = vti_contact_body(p, k, 0), j = vti_contact_body(p, k, 1);
+    const double length = vti_contact_length(p, k, i, j);
+    struct crossing at;
+    double u[3], impulse[3], shift[3];
+    for (int end = 0; end < 2; ++end) {
+        const double r = sqrt(vti_difference(end == 0 ? before : &b->x, i, j, at.n[end]));
+        at.overlap[end] = length * VTI_JUST_TOUCHING - r;
+        for (int c = 0; c < 3; ++c)
+            at.n[end][c] *= r > VTI_COINCIDENT ? 1.0 / r : 0.0;
     }
+    vti_difference(&b->v, i, j, u);
+    at.rate = -vti_dot(at.n[1], u);
+    at.k = vti_contact_stiffness(p, i, j, length) / (length * length * sqrt(length));
+    missed(&at, h, impulse, shift);
+    take(b, i, 1.0, impulse, shift);
+    take(b, j, -1.0, impulse, shift);
 }
 
-/** Wall w, which moves with this velocity, and body i, which was at from, of the wall's place now, and is at x. Returns
- *  1 where that has crossed. */
-static int of_wall(const vti_walls *p, int64_t w, double h, int64_t i, const double from[3], const double x[3],
-                   const double velocity[3], const vti_bodies *b)
+/** Body i, if it has at wall w. Where that moves the body was where the wall's velocity says. */
+static void of_body(const vti_walls *p, int64_t w, int64_t i, double h, const vti_view *before, const vti_bodies *b)
 {
-    const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * nearly;
-    struct crossing at = {.rate = 0.0};
-    double v[3], impulse[3], shift[3];
+    static const vti_wall_motion still;
+    const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
+    const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * VTI_JUST_TOUCHING;
+    struct crossing at;
+    double from[3], x[3], v[3], way[3], impulse[3], shift[3];
+    vti_load(before, i, from);
+    vti_load(&b->x, i, x);
+    for (int k = 0; k < 3; ++k) {
+        from[k] += h * velocity[k];
+        way[k] = x[k] - from[k];
+    }
     at.overlap[0] = touching - vti_face_gap(p, w, from, at.n[0]);
     at.overlap[1] = touching - vti_face_gap(p, w, x, at.n[1]);
-    if ((at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
-        return 0;
+    const int far = at.overlap[1] * at.overlap[1] > 2.0 * vti_dot(way, way); /* as in cross_row */
+    if (far || (at.overlap[0] > 0.0) == (at.overlap[1] > 0.0))
+        return;
     vti_load(&b->v, i, v);
     for (int k = 0; k < 3; ++k)
         v[k] -= velocity[k];
@@ -116,39 +115,23 @@ static int of_wall(const vti_walls *p, int64_t w, double h, int64_t i, const dou
     at.k = vti_face_stiffness(p, w, i, radius) / (radius * radius * sqrt(radius));
     missed(&at, h, impulse, shift);
     take(b, i, 1.0, impulse, shift);
-    return 1;
 }
 
-/** Where a wall moves it was where its velocity says. Most bodies are farther from a wall than they have come, which
- *  takes the gap at their place alone. */
+/** One after the other: what is taken off one moves bodies that the next is looked for by. */
+static void of_pairs(const vti_contacts *p, double h, const vti_view *before, const vti_bodies *b)
+{
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(p->count);
+    for (int64_t k = 0; (k = kernels->crossing(p, before, b, k)) < p->count; ++k)
+        of_pair(p, k, h, before, b);
+}
+
 static void of_walls(const vti_walls *p, double h, const vti_view *before, const vti_bodies *b)
 {
-    static const vti_wall_motion still;
-    const int64_t faces = vti_faces(p);
-    for (int64_t i = b->first; i < b->first + b->count; ++i) {
-        const double touching = 0.5 * vti_scalar(&p->diameter, i) * nearly;
-        double was[3], x[3], from[3] = {0.0}, way[3], n[3], square = 0.0;
-        int fresh = 1; /* x is */
-        vti_load(before, i, was);
-        vti_load(&b->x, i, x);
-        for (int64_t w = 0; w < faces; ++w) {
-            const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
-            const double overlap = touching - vti_face_gap(p, w, x, n);
-            if (p->motion != NULL || fresh) {
-                for (int k = 0; k < 3; ++k) {
-                    from[k] = was[k] + h * velocity[k];
-                    way[k] = x[k] - from[k];
-                }
-                square = 2.0 * vti_dot(way, way);
-            }
-            fresh = 0;
-            if (overlap * overlap > square) /* it cannot have crossed */
-                continue;
-            fresh = of_wall(p, w, h, i, from, x, velocity, b);
-            if (fresh)
-                vti_load(&b->x, i, x);
-        }
-    }
+    const struct vti_touch_kernels *const kernels = vti_touch_kernels_for(b->count);
+    const int64_t faces = vti_faces(p), end = b->first + b->count;
+    for (int64_t i = b->first; (i = kernels->crossing_wall(p, h, before, b, i)) < end; ++i)
+        for (int64_t w = 0; w < faces; ++w)
+            of_body(p, w, i, h, before, b);
 }
 
 static int check(double h, const vti_view *before, const vti_contacts *contacts, const vti_walls *walls,

@@ -98,7 +98,7 @@ VTI_INLINE void press_row(enum touch_layout layout, const vti_walls *p, const vt
     lanes x[3], n[3];
     int64_t to[WIDTH];
     double force[3 * WIDTH];
-    gather_row(layout, b, first, count, &i, x);
+    gather_row(layout, &b->x, first, count, &i, x);
     const lanes radius = 0.5 * scalars(&p->diameter, &i), gap = vti_face_gap(p, w, x, n);
     const unsigned apart = lanes_bits(gap >= radius), all = (1u << WIDTH) - 1; /* exactly where no overlap is > 0 */
     if (apart == all)

@@ -9,6 +9,9 @@
  *  the second. */
 enum { VTI_TOUCHES = 64, VTI_LANES_MOST = 8 };
 
+/** Of a length: what begins just touching, up to rounding, lacks of that. */
+#define VTI_JUST_TOUCHING (1.0 - 1e-12)
+
 /** Pairs, or bodies at one wall, the springs of which follow a drift. */
 struct vti_carried {
     int64_t count;
@@ -58,6 +61,11 @@ struct vti_touch_kernels {
     void (*press)(const vti_contacts *p, const vti_bodies *b);
     /** And what wall w presses to so many bodies from the first on. */
     void (*press_at)(const vti_walls *p, const vti_bodies *b, int64_t w, int64_t first, int64_t count);
+    /** The first pair from the first on that has begun or ended to touch since bodies were where before says; p->count if
+     *  none has. */
+    int64_t (*crossing)(const vti_contacts *p, const vti_view *before, const vti_bodies *b, int64_t first);
+    /** The first body of the slice that has so at a wall within the time h; the slice's end if none has. */
+    int64_t (*crossing_wall)(const vti_walls *p, double h, const vti_view *before, const vti_bodies *b, int64_t first);
 };
 
 /** The pair's number in the list, of what near has found. */

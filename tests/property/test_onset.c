@@ -274,6 +274,98 @@ TEST(pairs)
     assert_true(all_finite(s.v[0], 3 * BODIES) && all_finite(s.x[0], 3 * BODIES));
 }
 
+enum { CROWD = 37, ROW = 4 };
+
+/** Spheres that have come some way, in rows of three or of four numbers. */
+struct crowd {
+    double x[ROW * CROWD], v[ROW * CROWD], force[ROW * CROWD], before[ROW * CROWD], mass[CROWD], diameter[CROWD];
+    int64_t pair[CROWD * (CROWD - 1) / 2][2];
+};
+
+enum { PAIRS = CROWD * (CROWD - 1) / 2 };
+
+static vti_bodies meet(struct crowd *c, int64_t row)
+{
+    rng g = rng_seed(11);
+    vti_bodies b = vti_bodies_none(CROWD);
+    int64_t pairs = 0;
+    memset(c, 0, sizeof *c);
+    for (int64_t i = 0; i < CROWD; ++i) {
+        random_vector(&g, 1.6, c->before + row * i);
+        random_vector(&g, 2.5, c->v + row * i);
+        for (int64_t k = row * i; k < row * i + 3; ++k)
+            c->x[k] = c->before[k] + 0.1 * c->v[k];
+        c->mass[i] = uniform(&g, 0.5, 2.0);
+        c->diameter[i] = uniform(&g, 0.8, 1.2);
+        for (int64_t j = 0; j < i; ++j, ++pairs) {
+            c->pair[pairs][0] = j;
+            c->pair[pairs][1] = i;
+        }
+    }
+    b.x = vti_view_member(c->x, row * (int64_t)sizeof(double));
+    b.v = vti_view_member(c->v, row * (int64_t)sizeof(double));
+    b.force = vti_view_packed(c->force);
+    b.mass = vti_scalars_array(c->mass);
+    return b;
+}
+
+/** One pair, and then one body at the walls, after the other. Returns how many of both have been moved. */
+static int64_t one_by_one(struct crowd *c, int64_t row, const vti_view *before, vti_contacts contacts,
+                          const vti_walls *walls, vti_bodies b)
+{
+    int64_t moved = 0;
+    double was[3];
+    for (int64_t k = 0; k < PAIRS; ++k) {
+        const double *const v = c->v + row * c->pair[k][0];
+        contacts.pair = c->pair[k];
+        contacts.count = 1;
+        memcpy(was, v, sizeof was);
+        assert_int_equal(vti_multistep_touch(0.1, before, &contacts, NULL, &b), VTI_OK);
+        moved += memcmp(was, v, sizeof was) != 0;
+    }
+    assert_true(moved > 10);
+    b.count = 1;
+    for (b.first = 0; b.first < CROWD; ++b.first) {
+        memcpy(was, c->v + row * b.first, sizeof was);
+        assert_int_equal(vti_multistep_touch(0.1, before, NULL, walls, &b), VTI_OK);
+        moved += memcmp(was, c->v + row * b.first, sizeof was) != 0;
+    }
+    return moved;
+}
+
+/** Those that begin or end are found among many as they are each by itself. */
+TEST(many)
+{
+    static const double plane[2][4] = {{0.6, 0.0, 0.8, -2.0}, {0.0, 1.0, 0.0, -2.0}},
+                        cylinder[7] = {0.0, 0.0, 1.0, 0.1, 0.2, 0.0, 3.0};
+    static vti_wall_motion motion[] = {{.velocity = {0.3, 0.0, 0.4}}, {.spin = 2.0}, {.velocity = {0.1, -0.2, 0.0}}};
+    for (int trial = 0; trial < 8; ++trial) {
+        struct crowd at_once, alone;
+        vti_sum work = {0.0, 0.0};
+        const int64_t row = trial & 1 ? ROW : 3;
+        const vti_bodies b = meet(&at_once, row), c = meet(&alone, row);
+        const vti_view before = vti_view_member(at_once.before, row * (int64_t)sizeof(double));
+        const vti_scalars diameter =
+            trial & 2 ? vti_scalars_one(at_once.diameter) : vti_scalars_array(at_once.diameter);
+        const vti_contacts contacts = {
+            .count = PAIRS, .pair = at_once.pair[0], .diameter = diameter, .stiffness = 10.0};
+        vti_walls walls = {.count = 2,
+                           .plane = plane[0],
+                           .cylinders = 1,
+                           .cylinder = cylinder,
+                           .diameter = diameter,
+                           .stiffness = 10.0};
+        if (trial & 4) {
+            walls.motion = motion;
+            walls.work = &work;
+        }
+        assert_int_equal(vti_multistep_touch(0.1, &before, &contacts, &walls, &b), VTI_OK);
+        assert_true(one_by_one(&alone, row, &before, contacts, &walls, c) > 14);
+        assert_same_bits(at_once.x, alone.x, ROW * CROWD);
+        assert_same_bits(at_once.v, alone.v, ROW * CROWD);
+    }
+}
+
 TEST(refusals)
 {
     struct scene s, as_before;
@@ -310,4 +402,4 @@ TEST(refusals)
 }
 
 RUN_TESTS(cmocka_unit_test(wall), cmocka_unit_test(pair), cmocka_unit_test(impulse), cmocka_unit_test(nothing_crosses),
-          cmocka_unit_test(moving_wall), cmocka_unit_test(pairs), cmocka_unit_test(refusals))
+          cmocka_unit_test(moving_wall), cmocka_unit_test(pairs), cmocka_unit_test(many), cmocka_unit_test(refusals))
