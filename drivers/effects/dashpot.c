@@ -211,9 +211,9 @@ static int make(struct effect *e, const struct model *model, const struct table 
     if (self == NULL)
         return -1;
     vti_dashpots *dashpots = &self->dashpots;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->friction != NULL)
-            friction = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->friction != NULL)
+            friction = &model->instances[k];
     dashpots->contacts = surfaces.contacts;
     dashpots->walls = surfaces.walls;
     dashpots->reach = surfaces.reach;

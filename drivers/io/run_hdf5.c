@@ -117,8 +117,8 @@ static void scenery_write(const struct model *model, struct hdf5_sink *file)
 {
     int64_t touching = 0;
     char all[256] = "";
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         const struct effect_planes *planes = e->kind->planes;
         touching |= e->kind->touching != NULL ? e->kind->touching(e) : 0;
         if (planes == NULL || walls_write(e, file) == 0)

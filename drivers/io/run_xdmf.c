@@ -330,9 +330,9 @@ int run_xdmf_write(const struct record *record, const char *name, const char *sp
         w.group = &list[g];
         failed = write_over_time(&w, take_frame, message);
     }
-    for (int64_t k = 0; k < model->rooms_count && failed == 0; ++k)
-        if (model->rooms[k].kind->planes != NULL)
-            failed = write_planes(&w, &model->rooms[k], message);
+    for (int64_t k = 0; k < model->instances_count && failed == 0; ++k)
+        if (model->instances[k].kind->planes != NULL)
+            failed = write_planes(&w, &model->instances[k], message);
     fputs("</Domain>\n</Xdmf>\n", file);
     return failed;
 }

@@ -119,11 +119,11 @@ static void say_effects(const struct run *run, FILE *file)
     }
     if (m->effects_count == 0)
         fputs("none", file);
-    for (int64_t e = 0; e < m->rooms_count; ++e) {
-        const struct effect_kind *kind = m->rooms[e].kind;
+    for (int64_t e = 0; e < m->instances_count; ++e) {
+        const struct effect_kind *kind = m->instances[e].kind;
         char text[80] = "";
         if (kind->say != NULL)
-            kind->say(&m->rooms[e], text, sizeof text);
+            kind->say(&m->instances[e], text, sizeof text);
         fprintf(file, "%s%s", text[0] != '\0' ? "; " : "", text);
         pairs |= kind->find_pairs != NULL;
     }
@@ -188,10 +188,10 @@ static void say_notes(const struct run *run, FILE *file)
     const int n = run->from == 0 ? run_unused(m, &run->tables, unused) : 0;
     for (int k = 0; k < n; ++k)
         fprintf(file, "note: %s\n", unused[k].text);
-    for (int64_t e = 0; run->from == 0 && e < m->rooms_count; ++e) {
+    for (int64_t e = 0; run->from == 0 && e < m->instances_count; ++e) {
         char text[256] = "";
-        if (m->rooms[e].kind->note != NULL)
-            m->rooms[e].kind->note(&m->rooms[e], m, text, sizeof text);
+        if (m->instances[e].kind->note != NULL)
+            m->instances[e].kind->note(&m->instances[e], m, text, sizeof text);
         if (text[0] != '\0')
             fprintf(file, "note: %s\n", text);
     }

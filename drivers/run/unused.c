@@ -10,8 +10,8 @@
 static int has_materials(const struct model *model)
 {
     int any = 0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         any |= e->kind->by_material != NULL && e->kind->by_material(e);
     }
     return any;

@@ -26,7 +26,7 @@ int64_t model_momenta(const struct model *model)
  *  said. */
 static const struct effect_invariants *own_of(const struct model *model, int64_t e, int64_t n)
 {
-    const struct effect_invariants *own = model->rooms[e].kind->invariants;
+    const struct effect_invariants *own = model->instances[e].kind->invariants;
     return own == NULL || model->bodies.moments.c[0] != NULL || n + own->count > MODEL_INVARIANTS ? NULL : own;
 }
 
@@ -37,7 +37,7 @@ int64_t model_invariants(const struct model *model, struct invariant list[MODEL_
     for (int k = 0; k < MOMENTA; ++k)
         if (conserved >> k & 1)
             list[n++] = momenta[k];
-    for (int64_t e = 0; e < model->rooms_count; ++e) {
+    for (int64_t e = 0; e < model->instances_count; ++e) {
         const struct effect_invariants *own = own_of(model, e, n);
         for (int k = 0; own != NULL && k < own->count; ++k)
             list[n++] = own->list[k];
@@ -72,11 +72,11 @@ void model_invariant_values(const struct model *model, const vti_bodies *bodies,
     int64_t n = take_conserved(conserved >> LINEAR, vti_momentum, bodies, values);
     n += take_conserved(conserved >> ANGULAR, take_angular, bodies, values + n);
     n += take_conserved(conserved >> SPIN, vti_spin, bodies, values + n);
-    for (int64_t e = 0; e < model->rooms_count; ++e) {
+    for (int64_t e = 0; e < model->instances_count; ++e) {
         const struct effect_invariants *own = own_of(model, e, n);
         if (own == NULL)
             continue;
-        own->values(&model->rooms[e], bodies, values + n);
+        own->values(&model->instances[e], bodies, values + n);
         n += own->count;
     }
 }
@@ -86,11 +86,11 @@ int64_t model_own_momenta(const struct model *model, const vti_bodies *states, d
     int64_t n = 0, taken = 0;
     for (int64_t left = model_momenta(model); left != 0; left &= left - 1)
         ++n;
-    for (int64_t e = 0; e < model->rooms_count; ++e) {
+    for (int64_t e = 0; e < model->instances_count; ++e) {
         const struct effect_invariants *own = own_of(model, e, n);
         if (own == NULL)
             continue;
-        own->of_states(&model->rooms[e], states, value + taken * stride, stride);
+        own->of_states(&model->instances[e], states, value + taken * stride, stride);
         taken += own->momenta;
         n += own->count;
     }

@@ -39,11 +39,11 @@ static int make_books(const struct model *model, struct effect *e, const vti_eff
 static int add_effect(struct model *model, const struct effect_kind *kind, const struct tables *tables,
                       struct message *message)
 {
-    struct effect *e = &model->rooms[model->rooms_count];
+    struct effect *e = &model->instances[model->instances_count];
     vti_effect *made = &model->effects[model->effects_count];
     e->settings = kinds_settings_of(kind, &model->scene->settings);
     e->kind = kind;
-    ++model->rooms_count;
+    ++model->instances_count;
     model->seeks |= kind->find_pairs != NULL;
     const struct table *table = &tables->effect[kind->number];
     const vti_effect draft = kinds_draft(kind, &model->scene->settings, table);
@@ -112,8 +112,8 @@ void model_destroy(struct model *model)
 {
     slices_destroy(model);
     step_errors_destroy(model->errors);
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         if (e->kind->destroy != NULL && e->self != NULL)
             e->kind->destroy(e);
         free(e->self);
@@ -134,9 +134,9 @@ const vti_bodies *model_spheres(const struct model *model)
 struct effect_surfaces model_surfaces(const struct model *model)
 {
     struct effect_surfaces surfaces = {NULL, NULL, INFINITY, NULL};
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->surfaces != NULL)
-            model->rooms[k].kind->surfaces(&model->rooms[k], &surfaces);
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->surfaces != NULL)
+            model->instances[k].kind->surfaces(&model->instances[k], &surfaces);
     return surfaces;
 }
 
@@ -155,8 +155,8 @@ int model_find_pairs(struct model *model, const vti_bodies *bodies)
     if (!model->seeks)
         return VTI_OK;
     const int status = spread(model, bodies);
-    for (int64_t k = 0; status == VTI_OK && k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; status == VTI_OK && k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         const vti_bodies *on = model->on_spheres[k] ? &model->clumps.list.spheres : bodies;
         if (e->kind->find_pairs != NULL && e->kind->find_pairs(e, on, &model->trouble) != 0)
             return MODEL_E_PAIRS;
@@ -257,18 +257,18 @@ int model_rupture(struct model *model, int64_t step, double t)
     const int status = vti_effects_rupture(model->effects, model->effects_count, &model->bodies, &broken);
     if (status != VTI_OK)
         return status;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         if (e->kind->breaks != NULL && e->kind->breaks->may(e))
             count = e->kind->breaks->broken(e, step, &pair);
     }
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         if (e->kind->release != NULL && e->kind->release(e, &model->bodies, count, pair, &model->trouble) != 0)
             return MODEL_E_PAIRS;
     }
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         const int64_t made = e->kind->join != NULL ? e->kind->join(e, model, step, t, &model->trouble) : 0;
         if (made < 0)
             return MODEL_E_PAIRS;

@@ -28,15 +28,14 @@ struct model {
     struct clumps clumps; /* their spheres, where they are clumps */
     vti_scalars diameter; /* of the spheres (model_spheres); p = NULL if neither scene nor table gives any */
     vti_scalars modulus;  /* E/(1 - nu^2) of each; p = NULL if the table gives none */
-    vti_effect effects[MODEL_EFFECTS];
+    vti_effect effects[MODEL_EFFECTS]; /* what each does to the bodies */
     int64_t effects_count;
-    vti_effect
-        acting[MODEL_EFFECTS];     /* effect k as it acts: where on_spheres says so, on the spheres of clumps, while */
-    int on_spheres[MODEL_EFFECTS]; /* effects[k] is what that does to the bodies */
-    vti_clumped clumped[MODEL_EFFECTS];
-    struct effect rooms[MODEL_EFFECTS]; /* of effect k, what only its own file knows */
-    int64_t rooms_count;                /* 0 where effects are not those of a scene */
-    int seeks;                          /* pairs are to be found, or spheres follow their clumps */
+    vti_effect acting[MODEL_EFFECTS];       /* effect k as it acts: on the spheres of clumps where on_spheres[k] says */
+    int on_spheres[MODEL_EFFECTS];          /* so, else effects[k] */
+    vti_clumped clumped[MODEL_EFFECTS];     /* makes effects[k] of acting[k] there */
+    struct effect instances[MODEL_EFFECTS]; /* settings and memory of effects[k], which only its own file knows */
+    int64_t instances_count;                /* effects_count; 0 where effects are not those of a scene */
+    int seeks;                              /* pairs are to be found, or spheres follow their clumps */
 
     double mass, inertia, sphere;    /* of all bodies, where no table says more; sphere is the diameter */
     double moments[3], principal[4]; /* of all bodies, where they are no spheres */

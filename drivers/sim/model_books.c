@@ -11,7 +11,7 @@ enum { BOOKS = 2 * VTI_TERMS }; /* doubles */
 /** Sums of all bodies of effect k. */
 static int64_t sums_of_bodies(const struct model *model, int64_t k)
 {
-    const struct effect *e = &model->rooms[k];
+    const struct effect *e = &model->instances[k];
     return e->by_body != NULL ? model_acted_on(model, e) * model->effects[k].of_body : 0;
 }
 
@@ -36,8 +36,8 @@ static const double *put_sums(vti_sum *sum, int64_t n, const double *memory)
 int64_t model_memory_size(const struct model *model)
 {
     int64_t size = 0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         size += model->effects[k].books > 0 ? BOOKS : 0;
         size += 2 * sums_of_bodies(model, k);
         size += e->kind->memory != NULL ? e->kind->memory->size(e) : 0;
@@ -47,8 +47,8 @@ int64_t model_memory_size(const struct model *model)
 
 void model_memory_get(const struct model *model, double *memory)
 {
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         if (model->effects[k].books > 0)
             memory = get_sums(e->booked, VTI_TERMS, memory);
         memory = get_sums(e->by_body, sums_of_bodies(model, k), memory);
@@ -61,8 +61,8 @@ void model_memory_get(const struct model *model, double *memory)
 
 int model_memory_put(struct model *model, const double *memory, int64_t size)
 {
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        struct effect *e = &model->instances[k];
         const int64_t terms = model->effects[k].books > 0 ? VTI_TERMS : 0, sums = sums_of_bodies(model, k);
         if (size < 2 * (terms + sums))
             return -1;
@@ -84,8 +84,8 @@ int model_memory_put(struct model *model, const double *memory, int64_t size)
 int64_t model_body_books(const struct model *model, const char *name[EFFECT_TERMS_OF_ALL])
 {
     int64_t count = 0;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        for (int64_t j = 0; model->rooms[k].by_body != NULL && j < model->effects[k].books; ++j)
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        for (int64_t j = 0; model->instances[k].by_body != NULL && j < model->effects[k].books; ++j)
             name[count++] = model->effects[k].book[j];
     return count;
 }
@@ -93,12 +93,12 @@ int64_t model_body_books(const struct model *model, const char *name[EFFECT_TERM
 void model_body_booked(const struct model *model, int64_t k, const int64_t *number, double *value)
 {
     int64_t of = 0;
-    while (model->rooms[of].by_body == NULL || k >= model->effects[of].books) {
-        k -= model->rooms[of].by_body != NULL ? model->effects[of].books : 0;
+    while (model->instances[of].by_body == NULL || k >= model->effects[of].books) {
+        k -= model->instances[of].by_body != NULL ? model->effects[of].books : 0;
         ++of;
     }
     const vti_effect *const acting = &model->acting[of];
-    const int64_t n = model_acted_on(model, &model->rooms[of]);
+    const int64_t n = model_acted_on(model, &model->instances[of]);
     memset(value, 0, (size_t)model->bodies.count * sizeof *value);
     for (int64_t s = 0; s < n; ++s) {
         const int64_t i = model->on_spheres[of] ? model->clumps.list.body[s] - model->clumps.list.base : s;

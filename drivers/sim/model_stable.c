@@ -34,8 +34,8 @@ static int64_t cylinders_of(const struct effect *e, const double **cylinder)
 static int has_walls(const struct model *model)
 {
     const double *face;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (planes_of(&model->rooms[k], &face) > 0 || cylinders_of(&model->rooms[k], &face) > 0)
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (planes_of(&model->instances[k], &face) > 0 || cylinders_of(&model->instances[k], &face) > 0)
             return 1;
     return 0;
 }
@@ -44,8 +44,8 @@ static int has_walls(const struct model *model)
 static void fields_of(const struct model *model, double g[3])
 {
     g[0] = g[1] = g[2] = 0.0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         const double *more = e->kind->field != NULL ? e->kind->field(e) : g;
         for (int c = 0; c < 3 && more != g; ++c)
             g[c] += more[c];
@@ -85,10 +85,10 @@ static double fall(const struct model *model, const vti_bodies *spheres, int64_t
     const double down[3] = {g[0] / length, g[1] / length, g[2] / length};
     double least = INFINITY, centre[3];
     load(&spheres->x, i, centre);
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
+    for (int64_t k = 0; k < model->instances_count; ++k) {
         const double *plane = NULL, *cylinder = NULL;
-        const int64_t planes = planes_of(&model->rooms[k], &plane),
-                      cylinders = cylinders_of(&model->rooms[k], &cylinder);
+        const int64_t planes = planes_of(&model->instances[k], &plane),
+                      cylinders = cylinders_of(&model->instances[k], &cylinder);
         for (int64_t w = 0; w < planes; ++w)
             least = fmin(least, way_to_plane(plane + 4 * w, centre, down, radius));
         for (int64_t w = 0; w < cylinders; ++w)
@@ -137,9 +137,9 @@ static const vti_bodies *acted_on(const struct model *model, int64_t k, const vt
 static double energy_held(const struct model *model, const vti_bodies *b)
 {
     double most = 0.0;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->held != NULL)
-            most = fmax(most, model->rooms[k].kind->held(&model->rooms[k], acted_on(model, k, b)));
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->held != NULL)
+            most = fmax(most, model->instances[k].kind->held(&model->instances[k], acted_on(model, k, b)));
     return 2.0 * most;
 }
 
@@ -162,9 +162,9 @@ static double energy_to_meet(const struct model *model, const vti_bodies *b)
 static vti_deformation deformation_by(const struct model *model, const vti_bodies *bodies, double energy)
 {
     vti_deformation at = {0.0, 0.0, 0};
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->deform != NULL)
-            model->rooms[k].kind->deform(&model->rooms[k], acted_on(model, k, bodies), energy, &at);
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->deform != NULL)
+            model->instances[k].kind->deform(&model->instances[k], acted_on(model, k, bodies), energy, &at);
     return at;
 }
 
@@ -238,8 +238,8 @@ void model_limit_text(const struct model *model, const vti_deformation *at, cons
     const int64_t k = stable->effect;
     if (k < 0)
         snprintf(text, size, "nothing oscillates");
-    else if (k < model->rooms_count && model->rooms[k].kind->limit != NULL)
-        model->rooms[k].kind->limit(&model->rooms[k], at, stable, text, size);
+    else if (k < model->instances_count && model->instances[k].kind->limit != NULL)
+        model->instances[k].kind->limit(&model->instances[k], at, stable, text, size);
     else if (stable->j < 0)
         snprintf(text, size, "%s at body %lld", model->effects[k].name, (long long)stable->i);
     else

@@ -8,9 +8,9 @@ void shape_centre(const struct model *model, const vti_bodies *bodies, int64_t i
 {
     for (int k = 0; k < 3; ++k)
         x[k] = model->translates ? bodies->x.c[k][i * bodies->x.stride] : 0.0;
-    for (int64_t k = 0; k < model->rooms_count && !model->translates; ++k)
-        if (model->rooms[k].kind->centre != NULL)
-            model->rooms[k].kind->centre(&model->rooms[k], bodies, i, x);
+    for (int64_t k = 0; k < model->instances_count && !model->translates; ++k)
+        if (model->instances[k].kind->centre != NULL)
+            model->instances[k].kind->centre(&model->instances[k], bodies, i, x);
 }
 
 static int64_t lines_of(const struct effect *e)
@@ -22,8 +22,8 @@ int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECT
 {
     int n = 0;
     int64_t first = 0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         const int64_t count = lines_of(e);
         const struct shape_group group = {e, first, count};
         if (count > 0)
@@ -36,8 +36,8 @@ int shape_groups(const struct model *model, struct shape_group list[MODEL_EFFECT
 int64_t shape_lines(const struct model *model)
 {
     int64_t count = 0;
-    for (int64_t r = 0; r < model->rooms_count; ++r)
-        count += lines_of(&model->rooms[r]);
+    for (int64_t r = 0; r < model->instances_count; ++r)
+        count += lines_of(&model->instances[r]);
     return count;
 }
 
@@ -49,8 +49,8 @@ int shape_quantities(const struct effect *effect)
 
 const struct effect *shape_breaking(const struct model *model)
 {
-    for (int64_t r = 0; r < model->rooms_count; ++r) {
-        const struct effect *e = &model->rooms[r];
+    for (int64_t r = 0; r < model->instances_count; ++r) {
+        const struct effect *e = &model->instances[r];
         if (e->kind->breaks != NULL && e->kind->breaks->may(e))
             return e;
     }
@@ -59,20 +59,20 @@ const struct effect *shape_breaking(const struct model *model)
 
 int shape_on_spheres(const struct model *model, const struct effect *effect)
 {
-    return model->on_spheres[effect - model->rooms];
+    return model->on_spheres[effect - model->instances];
 }
 
 int shape_lines_join_spheres(const struct model *model)
 {
     int all = 1;
-    for (int64_t r = 0; r < model->rooms_count; ++r)
-        all &= lines_of(&model->rooms[r]) == 0 || model->on_spheres[r];
+    for (int64_t r = 0; r < model->instances_count; ++r)
+        all &= lines_of(&model->instances[r]) == 0 || model->on_spheres[r];
     return all;
 }
 
 void shape_ends(const struct model *model, int64_t k, int64_t pair[2])
 {
-    const struct effect *e = model->rooms;
+    const struct effect *e = model->instances;
     for (; k >= lines_of(e); ++e)
         k -= lines_of(e);
     e->kind->lines->ends(e, k, pair);
@@ -80,7 +80,7 @@ void shape_ends(const struct model *model, int64_t k, int64_t pair[2])
 
 void shape_line(const struct model *model, int64_t k, int64_t pair[2])
 {
-    const struct effect *e = model->rooms;
+    const struct effect *e = model->instances;
     shape_ends(model, k, pair);
     for (; k >= lines_of(e); ++e)
         k -= lines_of(e);

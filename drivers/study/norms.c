@@ -49,7 +49,7 @@ static void take_conserved(struct norms *n, const vti_bodies *bodies)
 /** The effect whose energy is taken of many states at once, else NULL. */
 static const struct effect *each_of(const struct model *model, int64_t e)
 {
-    return e < model->rooms_count && model->rooms[e].kind->each != NULL ? &model->rooms[e] : NULL;
+    return e < model->instances_count && model->instances[e].kind->each != NULL ? &model->instances[e] : NULL;
 }
 
 /** Energies that effects alone know, of the state that joins those that wait. */

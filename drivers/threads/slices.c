@@ -73,7 +73,7 @@ static int apply(struct slice *slice, const struct task *task)
 {
     const struct model *model = task->model;
     for (int64_t k = 0; k < model->effects_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+        const struct effect *e = &model->instances[k];
         const int takes = e->kind->take_part != NULL;
         const vti_bodies *on = model->on_spheres[k] ? &slice->spheres : &slice->bodies;
         if (takes && e->kind->take_part(e, on, &slice->part[k]) != 0)

@@ -53,7 +53,8 @@ static const struct effect_term general = {"kinetic_rotation", "$L\\cdot\\Omega/
 /** What is known of the energy called name in pictures; NULL if nothing is. */
 static const struct effect_term *term_of(const struct model *model, const char *name, int effect)
 {
-    const struct effect_kind *kind = effect >= 0 && effect < model->rooms_count ? model->rooms[effect].kind : NULL;
+    const struct effect_kind *kind =
+        effect >= 0 && effect < model->instances_count ? model->instances[effect].kind : NULL;
     const struct effect_term *terms = kind != NULL ? kind->terms : kinetic;
     const int count = kind != NULL ? kind->terms_count : (int)(sizeof kinetic / sizeof kinetic[0]);
     if (kind == NULL && model->bodies.moments.c[0] != NULL && strcmp(general.name, name) == 0)

@@ -31,9 +31,9 @@ static double smallest_diameter(const struct model *model)
 
 struct effect *verdict_next_watch(const struct model *model, int64_t *k)
 {
-    while (*k < model->rooms_count)
-        if (model->rooms[(*k)++].kind->watch != NULL)
-            return (struct effect *)&model->rooms[*k - 1];
+    while (*k < model->instances_count)
+        if (model->instances[(*k)++].kind->watch != NULL)
+            return (struct effect *)&model->instances[*k - 1];
     return NULL;
 }
 
@@ -54,8 +54,8 @@ static double slowing_of(const struct model *model, const vti_stepper *stepper, 
     int pushes = 0;
     for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k)
         drift = fmax(drift, fabs(stepper->drift[k]));
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         pushes |= model->effects[k].apply != NULL;
         most = e->kind->slowing != NULL ? fmax(most, e->kind->slowing(e, model)) : most;
     }
@@ -72,8 +72,8 @@ int verdict_create(struct verdict *v, struct model *model, const vti_stepper *st
     v->h = h;
     v->diameter = smallest_diameter(model);
     v->found.slowing = slowing_of(model, stepper, h);
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        v->touches |= model->rooms[k].kind->deepest != NULL;
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        v->touches |= model->instances[k].kind->deepest != NULL;
     v->meet = model_surfaces(model).contacts != NULL && model->bodies.count > 1;
     v->found.stable = INFINITY;
     for (int64_t e = 0; e < model->effects_count; ++e)
@@ -147,8 +147,8 @@ static double swing(const vti_clumps *clumps, const vti_bodies *bodies, int64_t 
 static double approach(const struct model *model, const double x[3], const double v[3])
 {
     double most = 0.0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         if (e->kind->planes != NULL)
             most = number_larger(most, e->kind->planes->approach(e, x, v));
     }
@@ -179,8 +179,8 @@ static double deepest_of(const struct model *model, const vti_bodies *bodies)
 {
     const vti_clumps *clumps = &model->clumps.list;
     double most = 0.0;
-    for (int64_t k = 0; k < model->rooms_count; ++k) {
-        const struct effect *e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
         if (e->kind->deepest != NULL)
             most = fmax(most, e->kind->deepest(e, clumps->count > 0 ? &clumps->spheres : bodies));
     }

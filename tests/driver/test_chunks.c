@@ -29,7 +29,7 @@ static void make_scene(const char *spin, const char *effects, struct scene *scen
 static const struct chunks *chunks_of_model(const struct model *model)
 {
     struct effect_surfaces surfaces = {NULL, NULL, 0.0, NULL};
-    model->rooms[CONTACT].kind->surfaces(&model->rooms[CONTACT], &surfaces);
+    model->instances[CONTACT].kind->surfaces(&model->instances[CONTACT], &surfaces);
     assert_non_null(surfaces.chunks);
     return surfaces.chunks;
 }
@@ -99,7 +99,7 @@ struct whole {
 static void make_whole(const struct model *model, struct whole *w)
 {
     static vti_held slot[16384];
-    const struct friction_self *self = model->rooms[FRICTION].self;
+    const struct friction_self *self = model->instances[FRICTION].self;
     memset(slot, 0, sizeof slot);
     memset(w, 0, sizeof *w);
     w->history.slots = 16384;
@@ -145,7 +145,7 @@ TEST(friction_as_in_one_piece)
     make_scene("1", FRICTION_OF, &scene, &model);
     make_whole(&model, &w);
     const vti_effect whole = vti_friction_effect(&w.friction), *parts = &model.effects[FRICTION];
-    const struct friction_self *self = model.rooms[FRICTION].self;
+    const struct friction_self *self = model.instances[FRICTION].self;
     const vti_drifted drifted = {.t = 1.0 / 64, .law = VTI_LAW_EXACT9};
     for (int step = 0; step < 6; ++step) {
         assert_int_equal(vti_drift(VTI_LAW_EXACT9, VTI_FRAME_SPACE, drifted.t, &model.bodies, NULL), VTI_OK);

@@ -17,7 +17,7 @@
 
 static const struct binder_self *binder_of(const struct model *model)
 {
-    return model->rooms[0].self;
+    return model->instances[0].self;
 }
 
 /** Steps first + 1 to last of vti2. */
@@ -201,7 +201,7 @@ TEST(lines_as_they_were)
     struct model model;
     double counts[2];
     make_model(CROWD, &scene, &model);
-    struct effect *e = &model.rooms[0];
+    struct effect *e = &model.instances[0];
     go(&model, 0, 100);
     e->kind->breaks->count(e, counts);
     e->kind->breaks->fragments(e, 100, then);

@@ -82,9 +82,9 @@ static int make(struct effect *e, const struct model *model, const struct table 
     (void)table;
     if (dashpots == NULL)
         return -1;
-    for (int64_t k = 0; k < model->rooms_count; ++k)
-        if (model->rooms[k].kind->bonds != NULL)
-            dashpots->bonds = model->rooms[k].kind->bonds(&model->rooms[k]);
+    for (int64_t k = 0; k < model->instances_count; ++k)
+        if (model->instances[k].kind->bonds != NULL)
+            dashpots->bonds = model->instances[k].kind->bonds(&model->instances[k]);
     fill(dashpots, e->settings, e->booked);
     dashpots->by_body = e->by_body;
     *made = vti_bond_dashpots_effect(dashpots);

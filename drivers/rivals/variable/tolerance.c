@@ -128,8 +128,8 @@ static double with_missed(const struct course *c, const vti_kept *before, double
 {
     const struct model *const model = c->model;
     const struct effect_way way = {before->memory, before->width, &c->bodies, h, c->gap};
-    for (int64_t k = 0; k < model->rooms_count && !model_has_clumps(model); ++k) {
-        const struct effect *const e = &model->rooms[k];
+    for (int64_t k = 0; k < model->instances_count && !model_has_clumps(model); ++k) {
+        const struct effect *const e = &model->instances[k];
         const double missed = e->kind->missed != NULL ? e->kind->missed(e, &way) : 0.0;
         error = missed > error ? missed : error;
     }
