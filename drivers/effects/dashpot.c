@@ -246,10 +246,11 @@ static double slowing(const struct effect *e, const struct model *model)
     double most = 0.0, second = 0.0; /* of another body */
     int64_t at = -1;                 /* the one of most */
     for (int64_t s = 0; s < model_spheres(model)->count; ++s) {
-        const struct model_yield yield = model_yield_of(model, 1, s);
+        const struct model_inverse_mass inverse = model_inverse_mass_of(model, 1, s);
         const double radius = 0.5 * model->diameter.p[s * model->diameter.stride];
-        const double along = d->normal * (yield.per_mass + yield.by_turning);
-        const double rate = fmax(fmax(along, across * model_yield_across(&yield, radius)), turning * yield.per_inertia);
+        const double along = d->normal * (inverse.per_mass + inverse.by_turning);
+        const double rate =
+            fmax(fmax(along, across * model_inverse_mass_at(&inverse, radius)), turning * inverse.per_inertia);
         const int64_t body = model_has_clumps(model) ? model->clumps.list.body[s] : s;
         if (body != at)
             second = fmax(second, fmin(rate, most));

@@ -118,15 +118,15 @@ void model_body_booked(const struct model *model, int64_t k, const int64_t *numb
 /** One sentence for a status of model_forces. */
 const char *model_text(const struct model *model, int status);
 
-/** How a body gives way to an impulse, at most. */
-struct model_yield {
+/** Inverse effective mass: the velocity that a unit impulse gives a body where it acts, at most. */
+struct model_inverse_mass {
     double per_mass, per_inertia; /* 1/m, and 1/J by the smallest moment; 0 of what it has not */
-    double by_turning;            /* v, by the turn alone, of the centre of a sphere of a clump at which a unit acts */
+    double by_turning;            /* of an impulse at the centre of a sphere of a clump: its part by the clump's turn */
 };
 /** Of sphere k of clumps; of body k without of_spheres, or where there are no clumps. */
-struct model_yield model_yield_of(const struct model *model, int of_spheres, int64_t k);
-/** The velocity that a unit gives the place at which it acts, an arm from the centre. */
-double model_yield_across(const struct model_yield *yield, double arm);
+struct model_inverse_mass model_inverse_mass_of(const struct model *model, int of_spheres, int64_t k);
+/** That of an impulse that acts an arm from the centre, across it. */
+double model_inverse_mass_at(const struct model_inverse_mass *inverse, double arm);
 
 /** How far bodies may get from rest by the energy that they have: an estimate, since what pushes from behind, as in a
  *  pile or a fragment that bonds hold together, is not in it, nor what a medium or spin brings. e is twice the largest

@@ -89,7 +89,7 @@ static double flow_modes(const vti_bond_dashpots *p, struct vti_joint *at, const
     double u[3], push[3], c[3];
     vti_joint_modes_of(at, turns, along ? 1 : 2, span + !along, &modes);
     for (int m = 0; m < modes.count; ++m)
-        c[m] = modes.yield[m] > 0.0 ? coefficient(p, motion, 1.0 / modes.yield[m], k) : 0.0;
+        c[m] = modes.inverse_mass[m] > 0.0 ? coefficient(p, motion, 1.0 / modes.inverse_mass[m], k) : 0.0;
     vti_joint_velocity(at, turns, u);
     vti_joint_decay(&modes, c, t, u, push);
     vti_joint_push(at, turns, push);

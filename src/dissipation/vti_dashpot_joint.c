@@ -115,8 +115,9 @@ static void visit(const struct sweep *s, struct place *at)
     vti_damping_at(&at->touch, other, &at->damping);
     vti_joint_across(at->touch.n, at->span + 1);
     vti_joint_modes_of(&at->joint, 0, 1, (const double(*)[3])at->span, &normal);
-    const double yield = normal.yield[0]; /* 0 of a body that only turns, and not by what acts along the normal */
-    vti_damping_coefficients(s->p, &at->damping, yield > 0.0 ? 1.0 / yield : 0.0, at->c);
+    /* 0 of a body that only turns, and that nothing along the normal turns */
+    const double inverse = normal.inverse_mass[0];
+    vti_damping_coefficients(s->p, &at->damping, inverse > 0.0 ? 1.0 / inverse : 0.0, at->c);
     at->held = vti_damping_held(s->p, &at->touch);
     for (int k = 0; k < VTI_DASHPOT_BOOKS; ++k) {
         const int motion = s->drift < 0.0 ? VTI_DASHPOT_BOOKS - 1 - k : k;

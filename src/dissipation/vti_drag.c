@@ -63,7 +63,7 @@ static void slow_axes(struct vti_joint *at, double c, double t, vti_sum *lost)
     const double each[3] = {c, c, c};
     struct vti_joint_modes axes = {.count = 3};
     double l[3];
-    memcpy(axes.yield, at->side[0].per, sizeof axes.yield);
+    memcpy(axes.inverse_mass, at->side[0].per, sizeof axes.inverse_mass);
     memcpy(axes.along, at->side[0].axis, sizeof axes.along);
     vti_joint_decay(&axes, each, t, at->side[0].w, l);
     vti_sum_add(lost, vti_joint_lost(&axes, at->side[0].w, l));
@@ -93,7 +93,7 @@ static void find_modes(const struct vti_joint *at, struct vti_joint_modes *modes
     vti_joint_across(n, span);
     vti_joint_modes_of(at, 0, 2, (const double(*)[3])span, modes);
     memcpy(modes->along[2], n, sizeof n);
-    modes->yield[2] = at->side[0].per_m;
+    modes->inverse_mass[2] = at->side[0].per_m;
     modes->count = 3;
 }
 
@@ -118,7 +118,7 @@ static double exposure(const struct vti_joint_modes *modes, const double u[3], d
     const double uu = vti_dot(u, u);
     double kappa = 0.0;
     for (int m = 0; m < 3; ++m)
-        kappa += modes->yield[m] * vti_dot(u, modes->along[m]) * vti_dot(u, modes->along[m]);
+        kappa += modes->inverse_mass[m] * vti_dot(u, modes->along[m]) * vti_dot(u, modes->along[m]);
     if (!(k > 0.0 && kappa > 0.0))
         return c * t;
     kappa /= uu;

@@ -104,7 +104,7 @@ void vti_joint_push(struct vti_joint *at, int turns, const double p[3])
 /* ---- modes ------------------------------------------------------------------------------------------------------- */
 
 /** e.K f, or e.H f */
-static double yield_of(const struct vti_joint *at, int turns, const double e[3], const double f[3])
+static double inverse_mass_of(const struct vti_joint *at, int turns, const double e[3], const double f[3])
 {
     double sum = turns ? 0.0 : (at->side[0].per_m + at->side[1].per_m) * vti_dot(e, f);
     for (int j = 0; j < 2; ++j) {
@@ -137,9 +137,9 @@ static void rotate(double a[2][2], double g[2][3])
     }
 }
 
-/** What is not seen beside the largest is no less than its rounding error: a mode that gave way more than its yield
- *  says would gain. */
-static const double least_yield = 0x1p-48;
+/** Beside the largest inverse mass a small one is not known below the rounding error of the largest, which is taken
+ *  then: with one that is too small the impulse would be too large, and the mode would gain energy. */
+static const double least_inverse_mass = 0x1p-48;
 
 void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const double span[][3],
                         struct vti_joint_modes *modes)
@@ -151,12 +151,12 @@ void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const doub
             modes->along[p][k] = span[p][k];
     for (int p = 0; p < n; ++p)
         for (int q = p; q < n; ++q)
-            a[p][q] = a[q][p] = yield_of(at, turns, span[p], span[q]);
+            a[p][q] = a[q][p] = inverse_mass_of(at, turns, span[p], span[q]);
     rotate(a, modes->along);
     for (int p = 0; p < n; ++p)
         largest = a[p][p] > largest ? a[p][p] : largest;
     for (int p = 0; p < n; ++p)
-        modes->yield[p] = a[p][p] > least_yield * largest ? a[p][p] : least_yield * largest;
+        modes->inverse_mass[p] = a[p][p] > least_inverse_mass * largest ? a[p][p] : least_inverse_mass * largest;
 }
 
 void vti_joint_decay(const struct vti_joint_modes *modes, const double c[3], double t, const double a[3], double p[3])
@@ -165,10 +165,10 @@ void vti_joint_decay(const struct vti_joint_modes *modes, const double c[3], dou
     struct vti_decay d[3];
     p[0] = p[1] = p[2] = 0.0;
     for (int m = 0; m < modes->count; ++m)
-        z[m] = c[m] * t * modes->yield[m];
+        z[m] = c[m] * t * modes->inverse_mass[m];
     vti_decays(modes->count, z, d);
     for (int m = 0; m < modes->count; ++m) {
-        const double k = modes->yield[m], size = k > 0.0 ? -d[m].gone / k * vti_dot(a, modes->along[m]) : 0.0;
+        const double k = modes->inverse_mass[m], size = k > 0.0 ? -d[m].gone / k * vti_dot(a, modes->along[m]) : 0.0;
         for (int q = 0; q < 3; ++q)
             p[q] += size * modes->along[m][q];
     }
@@ -179,7 +179,7 @@ double vti_joint_lost(const struct vti_joint_modes *modes, const double a[3], co
     double lost = 0.0;
     for (int m = 0; m < modes->count; ++m) {
         const double size = vti_dot(p, modes->along[m]);
-        lost -= size * (vti_dot(a, modes->along[m]) + 0.5 * modes->yield[m] * size);
+        lost -= size * (vti_dot(a, modes->along[m]) + 0.5 * modes->inverse_mass[m] * size);
     }
     return lost;
 }

@@ -55,14 +55,14 @@ void vti_joint_push(struct vti_joint *at, int turns, const double p[3]);
 struct vti_joint_modes {
     int count;
     double along[3][3];
-    double yield[3]; /* by how much of the velocity an impulse of 1 changes it: eigenvalues of K, or of H */
+    double inverse_mass[3]; /* the change of the velocity by a unit impulse: eigenvalues of K, or of H */
 };
 
 /** Those along n directions `span`, 1 or 2; for turns of H. */
 void vti_joint_modes_of(const struct vti_joint *at, int turns, int n, const double span[][3],
                         struct vti_joint_modes *modes);
 /** The impulse by which dashpots of the coefficients c, one for each mode, let the velocity a decay for the time t:
- *  - sum (1 - exp(-c t k))/k (a.g) g over the modes g of yield k. */
+ *  - sum (1 - exp(-c t k))/k (a.g) g over the modes g of inverse mass k. */
 void vti_joint_decay(const struct vti_joint_modes *modes, const double c[3], double t, const double a[3], double p[3]);
 /** The kinetic energy that an impulse p takes, - p.(a + a')/2 with the velocity a before and a' after it. */
 double vti_joint_lost(const struct vti_joint_modes *modes, const double a[3], const double p[3]);

@@ -115,10 +115,11 @@ static double slowing(const struct effect *e, const struct model *model)
         const double length = p->rest[4 * k + 3], square = length * length;
         double along = 0.0, across = 0.0, turning = 0.0; /* 1/m_n, 1/m_t, 1/J_r */
         for (int side = 0; side < 2; ++side) {
-            const struct model_yield yield = model_yield_of(model, of_spheres, p->pair[2 * k + side] - p->base);
-            along += yield.per_mass + yield.by_turning;
-            across += model_yield_across(&yield, 0.5 * length);
-            turning += yield.per_inertia;
+            const struct model_inverse_mass inverse =
+                model_inverse_mass_of(model, of_spheres, p->pair[2 * k + side] - p->base);
+            along += inverse.per_mass + inverse.by_turning;
+            across += model_inverse_mass_at(&inverse, 0.5 * length);
+            turning += inverse.per_inertia;
         }
         const double bent = fmax(d->bending, d->twisting), moment = stiffness_of(&p->moment, k);
         most = fmax(most, rate(d->axial, d->zeta, stiffness_of(&p->axial, k) / square, along));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * How bodies give way to impulses, for effects that slow them. */
+ * Inverse effective masses of bodies, which say how fast dashpots slow them. */
 #include <math.h>
 
 #include "model.h"
@@ -31,7 +31,7 @@ static double most_by_turning(const double o[3], const double inverse[3])
     return 0.5 * (trace + sqrt(fmax(trace * trace - 4.0 * minors, 0.0)));
 }
 
-struct model_yield model_yield_of(const struct model *model, int of_spheres, int64_t k)
+struct model_inverse_mass model_inverse_mass_of(const struct model *model, int of_spheres, int64_t k)
 {
     const vti_bodies *b = &model->bodies;
     const vti_quat_view *axes = &b->principal;
@@ -47,13 +47,13 @@ struct model_yield model_yield_of(const struct model *model, int of_spheres, int
             q[c] = axes->xyzw[c][i * axes->stride];
         vti_pair_rotate(q, -1.0, body, offset);
     }
-    const struct model_yield yield = {inverse_mass(b, i), fmax(fmax(inverse[0], inverse[1]), inverse[2]),
-                                      most_by_turning(offset, inverse)};
-    return yield;
+    const struct model_inverse_mass made = {inverse_mass(b, i), fmax(fmax(inverse[0], inverse[1]), inverse[2]),
+                                            most_by_turning(offset, inverse)};
+    return made;
 }
 
-double model_yield_across(const struct model_yield *yield, double arm)
+double model_inverse_mass_at(const struct model_inverse_mass *inverse, double arm)
 {
-    const double at = sqrt(yield->by_turning) + arm * sqrt(yield->per_inertia);
-    return yield->per_mass + at * at;
+    const double at = sqrt(inverse->by_turning) + arm * sqrt(inverse->per_inertia);
+    return inverse->per_mass + at * at;
 }
