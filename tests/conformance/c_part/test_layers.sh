@@ -3,7 +3,8 @@
 # Includes point down only:
 #     L0  include/, src/             C99, math.h, string.h and the library's own
 #     L1  drivers/check              L0 and libc: the conformance kit, for hosts
-#     L2  drivers/scene, tables, effects, clumps, sim, threads, verdict  L0 and libc; no GSL, HDF5 or MPI; scene sees what effects declare
+#     L2  drivers/scene, tables, effects, neighbours, clumps, sim, threads, verdict  L0 and libc; no GSL, HDF5 or MPI; scene sees what
+#         effects declare
 #     L3  drivers/rivals             what is below, and GSL
 #         then reference, study, cost  what is below, and the kit
 #         drivers/keep, io, run        what is below, and each other
@@ -88,11 +89,12 @@ $bad"
 
 # L2 to L4
 heavy='gsl/|hdf5|H5|mpi'
-without "$(system_headers drivers/check/*.[ch] drivers/scene/*.[ch] drivers/tables/*.[ch] drivers/effects/*.[ch] drivers/effects/bonds/*.[ch] drivers/clumps/*.[ch] drivers/sim/*.[ch] drivers/threads/*.[ch] drivers/verdict/*.[ch])" "$heavy"
+without "$(system_headers drivers/check/*.[ch] drivers/scene/*.[ch] drivers/tables/*.[ch] drivers/effects/*.[ch] drivers/effects/bonds/*.[ch] drivers/neighbours/*.[ch] drivers/clumps/*.[ch] drivers/sim/*.[ch] drivers/threads/*.[ch] drivers/verdict/*.[ch])" "$heavy"
 from "$(own_headers drivers/check/*.[ch])" include drivers/check
 from "$(own_headers drivers/scene/*.[ch])" include drivers/scene drivers/effects
 from "$(own_headers drivers/tables/*.[ch])" include drivers/scene drivers/tables drivers/effects
-from "$(own_headers drivers/effects/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/sim drivers/threads
+from "$(own_headers drivers/neighbours/*.[ch])" include drivers/scene drivers/threads drivers/neighbours
+from "$(own_headers drivers/effects/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/neighbours drivers/sim drivers/threads
 from "$(own_headers drivers/effects/bonds/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/effects/bonds drivers/sim drivers/threads
 from "$(own_headers drivers/clumps/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads
@@ -100,7 +102,7 @@ from "$(own_headers drivers/threads/*.[ch])" include drivers/scene drivers/effec
 from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads drivers/verdict
 from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch] drivers/rivals/variable/*.[ch])" include drivers/scene \
     drivers/effects drivers/sim drivers/rivals drivers/rivals/inertia drivers/rivals/variable
-below="drivers/check drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
+below="drivers/check drivers/scene drivers/tables drivers/effects drivers/neighbours drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
 below="$below drivers/rivals/inertia drivers/rivals/variable"
 # shellcheck disable=SC2086  # several folders
 for room in reference study cost; do

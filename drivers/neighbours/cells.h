@@ -7,11 +7,7 @@
 
 #include <stdint.h>
 
-/** A list of pairs that grows. */
-struct pairs {
-    int64_t count, room;
-    int64_t *pair; /* [room][2], of which count are used */
-};
+#include "pairs.h"
 
 /** Of cells by their widths: the least is 4^-15 of the widest. */
 enum { CELLS_LEVELS = 16 };

@@ -44,60 +44,10 @@ struct neighbours_search {
     int64_t wait;     /* builds until a wider one may be tried */
     double shared[3]; /* how far bodies have moved together since then, as of the last look at it */
     int is_built;
-    int64_t pair_room;       /* of the list */
-    int64_t *start;          /* [n + 1] for sorting */
-    int64_t *excluded;       /* [excluded_count][2], i < j, sorted */
-    unsigned char *released; /* [excluded_count] 1: no longer excluded */
-    int64_t excluded_count;
+    int64_t pair_room; /* of the list */
+    int64_t *start;    /* [n + 1] for sorting */
+    struct excluded excluded;
 };
-
-/* ---- lists of pairs ---------------------------------------------------------------------------------------------- */
-
-/** Stable counting sort of pairs by their side 0 or 1, whose values are below n. */
-static void sort_by(int side, int64_t n, int64_t *start, int64_t count, const int64_t *from, int64_t *to)
-{
-    memset(start, 0, (size_t)(n + 1) * sizeof *start);
-    for (int64_t k = 0; k < count; ++k)
-        ++start[from[2 * k + side] + 1];
-    for (int64_t i = 0; i < n; ++i)
-        start[i + 1] += start[i];
-    for (int64_t k = 0; k < count; ++k) {
-        const int64_t at = start[from[2 * k + side]]++;
-        to[2 * at] = from[2 * k];
-        to[2 * at + 1] = from[2 * k + 1];
-    }
-}
-
-/** Sorts pairs by (i, j) in time O(n + count), however many neighbours a body has; other is as large as pair. */
-static void sort_pairs(struct neighbours_search *s, int64_t count, int64_t *pair, int64_t *other)
-{
-    sort_by(1, s->cells.n, s->start, count, pair, other);
-    sort_by(0, s->cells.n, s->start, count, other, pair);
-}
-
-static int is_before(const int64_t a[2], const int64_t b[2])
-{
-    return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-}
-
-/** Copies the sorted pairs that were found without those that are excluded, or of one owner; returns how many. */
-static int64_t leave_out_excluded(const struct neighbours_search *s, const int64_t *owner, int64_t *pair)
-{
-    int64_t count = 0, e = 0;
-    for (int64_t k = 0; k < s->found.count; ++k) {
-        const int64_t *const f = s->found.pair + 2 * k;
-        while (e < s->excluded_count && is_before(s->excluded + 2 * e, f))
-            ++e;
-        if (e < s->excluded_count && !is_before(f, s->excluded + 2 * e) && !s->released[e])
-            continue;
-        if (owner != NULL && owner[f[0]] == owner[f[1]])
-            continue;
-        pair[2 * count] = f[0];
-        pair[2 * count + 1] = f[1];
-        ++count;
-    }
-    return count;
-}
 
 /* ---- update ------------------------------------------------------------------------------------------------------ */
 
@@ -188,8 +138,8 @@ static int build(struct neighbours *list)
     struct neighbours_search *const s = list->search;
     if (cells_search(&s->cells, s->longest, list->skin, &s->found) != 0 || make_room(list) != 0)
         return -1;
-    sort_pairs(s, s->found.count, s->found.pair, list->pair);
-    list->count = leave_out_excluded(s, list->owner, list->pair);
+    pairs_sort(s->cells.n, s->start, s->found.count, s->found.pair, list->pair);
+    list->count = excluded_leave_out(&s->excluded, s->found.count, s->found.pair, list->owner, list->pair);
     return 0;
 }
 
@@ -243,37 +193,17 @@ int neighbours_hold(struct neighbours *list, const vti_view *x)
     return list->search->is_built && !has_moved(list, x);
 }
 
-/** The first that is excluded and not before the pair. */
-static int64_t find_excluded(const struct neighbours_search *s, const int64_t pair[2])
-{
-    int64_t at = 0, end = s->excluded_count;
-    while (at < end) {
-        const int64_t middle = at + (end - at) / 2;
-        if (is_before(s->excluded + 2 * middle, pair))
-            at = middle + 1;
-        else
-            end = middle;
-    }
-    return at;
-}
-
 int neighbours_exclude(const struct neighbours *list, int64_t i, int64_t j)
 {
-    const struct neighbours_search *const s = list->search;
-    const int64_t pair[2] = {i, j}, at = find_excluded(s, pair);
-    if (list->owner != NULL && list->owner[i] == list->owner[j])
-        return 1;
-    return at < s->excluded_count && !is_before(pair, s->excluded + 2 * at) && !s->released[at];
+    const int64_t pair[2] = {i, j};
+    return (list->owner != NULL && list->owner[i] == list->owner[j]) || excluded_has(&list->search->excluded, pair);
 }
 
 void neighbours_release(struct neighbours *list, int64_t i, int64_t j)
 {
-    struct neighbours_search *const s = list->search;
     const int64_t pair[2] = {i < j ? i : j, i < j ? j : i};
-    for (int64_t at = find_excluded(s, pair); at < s->excluded_count && !is_before(pair, s->excluded + 2 * at); ++at) {
-        s->is_built &= s->released[at];
-        s->released[at] = 1;
-    }
+    if (excluded_release(&list->search->excluded, pair))
+        list->search->is_built = 0;
 }
 
 /* ---- create and destroy ------------------------------------------------------------------------------------------ */
@@ -292,33 +222,6 @@ static int store_diameters(struct neighbours *list, const vti_scalars *diameter,
     }
     s->adapts = !(skin > 0.0);
     list->skin = s->adapts ? default_skin * s->mean : skin;
-    return 0;
-}
-
-static int store_excluded(struct neighbours_search *s, int64_t count, const int64_t *pair, struct message *message)
-{
-    const int64_t n = s->cells.n;
-    for (int64_t k = 0; k < 2 * count; ++k)
-        if (pair[k] < 0 || pair[k] >= n)
-            return message_set(message, "contacts: the excluded pair %lld names body %lld; there are %lld, from 0",
-                               (long long)(k / 2), (long long)pair[k], (long long)n);
-    if (count == 0)
-        return 0;
-    s->excluded = malloc((size_t)count * 2 * sizeof *s->excluded);
-    s->released = calloc((size_t)count, sizeof *s->released);
-    int64_t *const other = malloc((size_t)count * 2 * sizeof *other);
-    if (s->excluded == NULL || s->released == NULL || other == NULL) {
-        free(other);
-        return message_set(message, "contacts: out of memory for %lld excluded pairs; use fewer", (long long)count);
-    }
-    for (int64_t k = 0; k < count; ++k) {
-        const int64_t i = pair[2 * k], j = pair[2 * k + 1];
-        s->excluded[2 * k] = i < j ? i : j;
-        s->excluded[2 * k + 1] = i < j ? j : i;
-    }
-    sort_pairs(s, count, s->excluded, other);
-    s->excluded_count = count;
-    free(other);
     return 0;
 }
 
@@ -341,7 +244,8 @@ static int fill(struct neighbours *list, int64_t n, const vti_scalars *diameter,
         return message_set(message, "contacts: out of memory; use fewer bodies than %lld", (long long)n);
     if (store_diameters(list, diameter, skin, message) != 0)
         return -1;
-    return store_excluded(list->search, excluded_count, excluded, message);
+    struct neighbours_search *const s = list->search;
+    return excluded_create(&s->excluded, n, s->start, excluded_count, excluded, message);
 }
 
 int neighbours_create(struct neighbours *list, int64_t n, const vti_scalars *diameter, double skin,
@@ -360,8 +264,7 @@ void neighbours_destroy(struct neighbours *list)
         cells_destroy(&list->search->cells);
         free(list->search->found.pair);
         free(list->search->start);
-        free(list->search->excluded);
-        free(list->search->released);
+        excluded_destroy(&list->search->excluded);
     }
     free(list->search);
     free(list->pair);
