@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "friction.h"
-#include "hertz.h"
 #include "model.h"
 #include "number.h"
 #include "scene_reader.h"

@@ -110,7 +110,7 @@ void *effect_part_room(struct effect_part *part, int64_t n)
 
 static int fail(int k, const char *about, const char *what, struct message *message)
 {
-    return message_set(message, "effects/%s.c: %s%s%s", names[k], about, about[0] != '\0' ? ": " : "", what);
+    return message_set(message, "effect %s: %s%s%s", names[k], about, about[0] != '\0' ? ": " : "", what);
 }
 
 static int is_sentence(const char *text)

@@ -38,21 +38,21 @@ static void parts(void **state)
     copy();
     assert_int_equal(kinds_check_kind(EFFECT_wall, &kind, &message), 0);
     kind.number = EFFECT_contact;
-    refused("effects/wall.c: number: is not that of the list in kinds.h");
+    refused("effect wall: number: is not that of the list in kinds.h");
     kind.key = NULL;
-    refused("effects/wall.c: has no key, or no row for it");
+    refused("effect wall: has no key, or no row for it");
     kind.fields = NULL;
-    refused("effects/wall.c: has no key, or no row for it");
+    refused("effect wall: has no key, or no row for it");
     kind.settings = 0;
-    refused("effects/wall.c: wall.stiffness: goes behind the end of the settings");
+    refused("effect wall: wall.stiffness: goes behind the end of the settings");
     kind.draft = NULL;
-    refused("effects/wall.c: has no draft");
+    refused("effect wall: has no draft");
     kind.table = effect_binder.table;
-    refused("effects/wall.c: table: goes with one key of a path, and a path with a table");
+    refused("effect wall: table: goes with one key of a path, and a path with a table");
     kind.lines = &lines;
-    refused("effects/wall.c: lines: has more quantities than EFFECT_QUANTITIES");
+    refused("effect wall: lines: has more quantities than EFFECT_QUANTITIES");
     kind.lines = &one;
-    refused("effects/wall.c: lines: it must stand before those that search for pairs in kinds.h");
+    refused("effect wall: lines: it must stand before those that search for pairs in kinds.h");
 }
 
 static void rows(void **state)
@@ -60,27 +60,27 @@ static void rows(void **state)
     (void)state;
     copy();
     fields[0].path = "wall.stiffness";
-    refused("effects/wall.c: wall.stiffness: is not the effect's key, whose row comes first");
+    refused("effect wall: wall.stiffness: is not the effect's key, whose row comes first");
     fields[1].path = NULL;
-    refused("effects/wall.c: fields: a row without a path; fields_count is more than there are");
+    refused("effect wall: fields: a row without a path; fields_count is more than there are");
     fields[1].path = "walls.stiffness";
-    refused("effects/wall.c: walls.stiffness: does not begin with the effect's key");
+    refused("effect wall: walls.stiffness: does not begin with the effect's key");
     fields[1].about = "";
-    refused("effects/wall.c: wall.stiffness: does not say what it is (about)");
+    refused("effect wall: wall.stiffness: does not say what it is (about)");
     fields[2].says = NULL;
-    refused("effects/wall.c: wall.young: has no sentence that documents it (says)");
+    refused("effect wall: wall.young: has no sentence that documents it (says)");
     fields[2].says = "no full stop";
-    refused("effects/wall.c: wall.young: has no sentence that documents it (says)");
+    refused("effect wall: wall.young: has no sentence that documents it (says)");
     fields[1].kind = SCENE_WORD;
-    refused("effects/wall.c: wall.stiffness: has no words");
+    refused("effect wall: wall.stiffness: has no words");
     fields[1].offset = SCENE_NOWHERE;
-    refused("effects/wall.c: wall.stiffness: sections go nowhere, and all else to a member of the settings (offset)");
+    refused("effect wall: wall.stiffness: sections go nowhere, and all else to a member of the settings (offset)");
     terms[0].colour = NULL;
-    refused("effects/wall.c: terms: one of them lacks its name, symbol, meaning or colour");
+    refused("effect wall: terms: one of them lacks its name, symbol, meaning or colour");
     terms[1].colour = terms[0].colour;
-    refused("effects/wall.c: terms: the colour of one of them is that of another one");
+    refused("effect wall: terms: the colour of one of them is that of another one");
     terms[0].colour = effect_contact.terms[0].colour;
-    refused("effects/wall.c: terms: the colour of one of them is that of another one");
+    refused("effect wall: terms: the colour of one of them is that of another one");
 }
 
 /** What make hands over: all that is called, and terms that pictures know. */
@@ -96,22 +96,22 @@ static void effects(void **state)
     made.term = term;
     made.terms = 2;
     assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
-    assert_string_equal(message.text, "effects/wall.c: friction: the term has no row in terms");
+    assert_string_equal(message.text, "effect wall: friction: the term has no row in terms");
     made.terms = 0;
     assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
     assert_string_equal(message.text,
-                        "effects/wall.c: terms: the effect has some and there are no rows for them, or the reverse");
+                        "effect wall: terms: the effect has some and there are no rows for them, or the reverse");
     for (int k = 0; k < 3; ++k) {
         int64_t *const says[] = {&made.gives, &made.needs, &made.smooth};
         *says[k] ^= 1;
         assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
-        assert_string_equal(message.text, "effects/wall.c: draft: needs or gives something else than the effect, or is "
+        assert_string_equal(message.text, "effect wall: draft: needs or gives something else than the effect, or is "
                                           "smooth where it is not");
         *says[k] ^= 1;
     }
     made.energy = NULL;
     assert_int_equal(kinds_check_made(&effect_wall, &draft, &made, &message), -1);
-    assert_string_equal(message.text, "effects/wall.c: make: its effect lacks name, apply, energy or self");
+    assert_string_equal(message.text, "effect wall: make: its effect lacks name, apply, energy or self");
 }
 
 /** What of a scene decides whether its effects act on positions. */

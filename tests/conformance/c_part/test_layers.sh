@@ -89,20 +89,23 @@ $bad"
 
 # L2 to L4
 heavy='gsl/|hdf5|H5|mpi'
-without "$(system_headers drivers/check/*.[ch] drivers/scene/*.[ch] drivers/tables/*.[ch] drivers/effects/*.[ch] drivers/effects/bonds/*.[ch] drivers/neighbours/*.[ch] drivers/clumps/*.[ch] drivers/sim/*.[ch] drivers/threads/*.[ch] drivers/verdict/*.[ch])" "$heavy"
+without "$(system_headers drivers/check/*.[ch] drivers/scene/*.[ch] drivers/tables/*.[ch] drivers/effects/*.[ch] drivers/effects/*/*.[ch] drivers/neighbours/*.[ch] drivers/clumps/*.[ch] drivers/sim/*.[ch] drivers/threads/*.[ch] drivers/verdict/*.[ch])" "$heavy"
 from "$(own_headers drivers/check/*.[ch])" include drivers/check
 from "$(own_headers drivers/scene/*.[ch])" include drivers/scene drivers/effects
 from "$(own_headers drivers/tables/*.[ch])" include drivers/scene drivers/tables drivers/effects
 from "$(own_headers drivers/neighbours/*.[ch])" include drivers/scene drivers/threads drivers/neighbours
-from "$(own_headers drivers/effects/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/neighbours drivers/sim drivers/threads
-from "$(own_headers drivers/effects/bonds/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/effects/bonds drivers/sim drivers/threads
+from "$(own_headers drivers/effects/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/sim drivers/threads
+from "$(own_headers drivers/effects/contacts/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/effects/contacts \
+    drivers/neighbours drivers/sim drivers/threads
+from "$(own_headers drivers/effects/bonds/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/effects/contacts \
+    drivers/effects/bonds drivers/sim drivers/threads
 from "$(own_headers drivers/clumps/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim
 from "$(own_headers drivers/sim/*.[ch])" include drivers/scene drivers/tables drivers/effects drivers/clumps drivers/sim drivers/threads
 from "$(own_headers drivers/threads/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads
 from "$(own_headers drivers/verdict/*.[ch])" include drivers/scene drivers/effects drivers/sim drivers/threads drivers/verdict
 from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch] drivers/rivals/variable/*.[ch])" include drivers/scene \
-    drivers/effects drivers/sim drivers/rivals drivers/rivals/inertia drivers/rivals/variable
-below="drivers/check drivers/scene drivers/tables drivers/effects drivers/neighbours drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
+    drivers/effects drivers/effects/contacts drivers/sim drivers/rivals drivers/rivals/inertia drivers/rivals/variable
+below="drivers/check drivers/scene drivers/tables drivers/effects drivers/effects/contacts drivers/neighbours drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
 below="$below drivers/rivals/inertia drivers/rivals/variable"
 # shellcheck disable=SC2086  # several folders
 for room in reference study cost; do
