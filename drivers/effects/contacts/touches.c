@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "contact.h"
+#include "wall.h"
 
 /** What begins just touching, up to rounding, does not touch yet. */
 static const double nearly = 1.0 - 1e-12;
@@ -13,12 +14,9 @@ static int pair_touches(const vti_contacts *p, int64_t k, const vti_view *x, dou
     return partings_distance(x, p->pair[2 * k], p->pair[2 * k + 1]) < contact_length(p, k) * nearer;
 }
 
-static int wall_touches(const vti_walls *p, int64_t w, int64_t i, const vti_view *view, double nearer)
+static int wall_touches(const vti_walls *p, int64_t w, int64_t i, const vti_view *x, double nearer)
 {
-    double x[3], n[3];
-    for (int c = 0; c < 3; ++c)
-        x[c] = view->c[c][i * view->stride];
-    return vti_walls_gap(p, w, x, n) < 0.5 * p->diameter.p[i * p->diameter.stride] * nearer;
+    return wall_gap(p, w, x, i) < 0.5 * p->diameter.p[i * p->diameter.stride] * nearer;
 }
 
 /** Adds what pair k does. */
@@ -65,7 +63,7 @@ void touches_take_new(const struct effect_surfaces *surfaces, const double *star
     for (int64_t k = 0; pairs != NULL && k < pairs->count; ++k)
         if (pair_touches(pairs, k, &b.x, 1.0) && !pair_touches(pairs, k, &was, nearly))
             add_pair(pairs, k, &b);
-    for (int64_t w = 0; walls != NULL && w < walls->count + walls->cylinders; ++w)
+    for (int64_t w = 0; walls != NULL && w < wall_count(walls); ++w)
         for (int64_t i = 0; i < b.count; ++i)
             if (wall_touches(walls, w, i, &b.x, 1.0) && !wall_touches(walls, w, i, &was, nearly))
                 add_wall(walls, w, i, &b);

@@ -6,103 +6,13 @@
 #include "hertz.h"
 #include "kind.h"
 #include "model.h"
-#include "scene_reader.h"
-#include "wall_gaps.h"
-
-struct wall_settings {
-    double stiffness;      /* 0: each its own, or that of materials */
-    double young, poisson; /* of the walls, if they have a material */
-    struct scene_planes planes;
-    struct scene_cylinders cylinders;
-    struct scene_numbers each, spins;
-    struct scene_vectors velocities;
-};
+#include "wall.h"
 
 struct wall_self {
     vti_walls walls;
     vti_wall_motion motion[SCENE_WALLS_MAX];
     double moduli[SCENE_WALLS_MAX];
 };
-
-/* ---- what a scene says ------------------------------------------------------------------------------------------- */
-
-static const struct scene_field fields[] = {
-    {"wall", SCENE_SECTION, SCENE_MAY, SCENE_ANY, SCENE_NOWHERE, "rigid walls",
-     "Rigid planes that keep bodies on one side, and cylinders that keep them inside; at least one of them.", NULL},
-    {"wall.stiffness", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, stiffness),
-     "stiffness K^pw", "Energy: an overlap costs 2/5 K^pw (1 - g/(D/2))^(5/2), g being the distance of the centre.",
-     NULL},
-    {"wall.young", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, young), "Young's modulus E",
-     "Of all walls, with wall.poisson in place of wall.stiffness: K^pw of a body follows from its radius and both "
-     "materials, 4/3 E* R^3, 1/E* = (1 - nu_i^2)/E_i + (1 - nu^2)/E; that of the bodies is contact.young, or columns "
-     "young and poisson of their table.",
-     NULL},
-    {"wall.poisson", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, offsetof(struct wall_settings, poisson),
-     "Poisson's ratio nu", "Of the same material, at most 0.5.", NULL},
-    {"wall.planes", SCENE_PLANES, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, planes),
-     "planes nx x + ny y + nz z = d", "Rows nx, ny, nz, d; bodies stay where n.x > d; n need not be of unit length.",
-     NULL},
-    {"wall.stiffnesses", SCENE_NUMBERS, SCENE_MAY, SCENE_POSITIVE, offsetof(struct wall_settings, each),
-     "stiffness K^pw of each wall", "In place of stiffness: a number for each plane, then for each cylinder.", NULL},
-    {"wall.cylinders", SCENE_CYLINDERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, cylinders),
-     "cylinders about an axis",
-     "Rows ax, ay, az, x, y, z, R: the axis, a point on it and the radius; bodies stay inside; a need not be of unit "
-     "length.",
-     NULL},
-    {"wall.velocities", SCENE_VECTORS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, velocities),
-     "velocity of each wall",
-     "A row for each plane, then for each cylinder; what they put in is the column work_wall, negative. Multistep "
-     "steppers and those with negative coefficients are refused.",
-     NULL},
-    {"wall.spins", SCENE_NUMBERS, SCENE_MAY, SCENE_ANY, offsetof(struct wall_settings, spins), "spin of each wall",
-     "A number for each plane, then for each cylinder, radians per unit of time: cylinders turn about their axes, "
-     "planes about those normals that go through the origin at t = 0, axes moving with their walls; friction and "
-     "dashpots feel it. Steppers as with velocities.",
-     NULL},
-};
-
-static int64_t count_of(const struct wall_settings *wall)
-{
-    return wall->planes.count + wall->cylinders.count;
-}
-
-/** A list of walls has a row for each, or is left out. */
-static int check_list(const struct scene_reader *reader, const char *path, int64_t rows, int64_t walls)
-{
-    if (!scene_reader_has(reader, path) || rows == walls)
-        return 0;
-    return scene_reader_fail(reader, path, "%lld rows for %lld walls; give one for each plane, then for each cylinder",
-                             (long long)rows, (long long)walls);
-}
-
-static int check(const struct scene_reader *reader, const struct scene *scene, const void *settings)
-{
-    const struct wall_settings *wall = settings;
-    const int64_t walls = count_of(wall);
-    const int one = scene_reader_has(reader, "wall.stiffness"), each = scene_reader_has(reader, "wall.stiffnesses");
-    const int young = scene_reader_has(reader, "wall.young"), poisson = scene_reader_has(reader, "wall.poisson");
-    (void)scene;
-    if ((young || poisson) && (one || each))
-        return scene_reader_fail(reader, young ? "wall.young" : "wall.poisson", "given with wall.%s; keep one of them",
-                                 one ? "stiffness" : "stiffnesses");
-    if (young != poisson)
-        return scene_reader_fail(reader, young ? "wall.young" : "wall.poisson", "needs wall.%s; give both",
-                                 young ? "poisson" : "young");
-    if (wall->poisson > 0.5)
-        return scene_reader_fail(reader, "wall.poisson", "'%s' is above 0.5; no material has that",
-                                 scene_reader_value(reader, "wall.poisson"));
-    if (!young && !one && !each)
-        return scene_reader_fail(reader, "wall.stiffness", "missing; add 'stiffness:', the stiffness K^pw");
-    if (one && each)
-        return scene_reader_fail(reader, "wall.stiffnesses", "given with wall.stiffness; keep one of them");
-    if (walls == 0)
-        return scene_reader_fail(reader, "wall.planes", "no planes; give a list of them, such as [[1, 0, 0, 0]]");
-    return check_list(reader, "wall.stiffnesses", wall->each.count, walls) != 0 ||
-                   check_list(reader, "wall.velocities", wall->velocities.count, walls) != 0 ||
-                   check_list(reader, "wall.spins", wall->spins.count, walls) != 0
-               ? -1
-               : 0;
-}
 
 /* ---- what it does ------------------------------------------------------------------------------------------------ */
 
@@ -160,7 +70,7 @@ static int make(struct effect *e, const struct model *model, const struct table 
     if (wall->young > 0.0) {
         self->walls.modulus = modulus_of_bodies(model);
         self->walls.moduli = self->moduli;
-        for (int64_t w = 0; w < count_of(wall); ++w)
+        for (int64_t w = 0; w < wall_settings_count(wall); ++w)
             self->moduli[w] = hertz_modulus(wall->young, wall->poisson);
         if (self->walls.modulus.p == NULL)
             return message_set(message,
@@ -192,7 +102,7 @@ static void surfaces(const struct effect *e, struct effect_surfaces *surfaces)
 
 static int64_t size(const struct effect *e)
 {
-    return walls_of(e)->motion != NULL ? 3 * count_of(e->settings) : 0;
+    return walls_of(e)->motion != NULL ? 3 * wall_settings_count(e->settings) : 0;
 }
 
 static void get(const struct effect *e, double *memory)
@@ -233,19 +143,20 @@ static const vti_wall_motion *motion(const struct effect *e)
     return walls_of(e)->motion;
 }
 
-static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text, size_t room)
+static void limit(const struct effect *e, const vti_deformation *at, const vti_stable *stable, char *text,
+                  size_t size_of_text)
 {
     (void)e, (void)at;
     if (stable->element < 0) /* of clumps */
-        snprintf(text, room, "pull of walls on body %lld", (long long)stable->i);
+        snprintf(text, size_of_text, "pull of walls on body %lld", (long long)stable->i);
     else
-        snprintf(text, room, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
+        snprintf(text, size_of_text, "wall %lld at body %lld", (long long)stable->element, (long long)stable->i);
 }
 
 /** A wall that moves brings m V^2 on top. */
 static void deform(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at)
 {
-    const int64_t walls = count_of(e->settings), alike = walls_of(e)->modulus.p == NULL;
+    const int64_t walls = wall_settings_count(e->settings), alike = walls_of(e)->modulus.p == NULL;
     double least = INFINITY, heaviest = 0.0;
     for (int64_t w = 0; w < walls; ++w)
         for (int64_t i = 0; i < (alike ? 1 : bodies->count); ++i)
@@ -324,9 +235,9 @@ static const struct effect_term terms[] = {{"wall", "$U^{\\mathrm{pw}}$", "parti
 
 const struct effect_kind effect_wall = {.number = EFFECT_wall,
                                         .key = "wall",
-                                        EFFECT_FIELDS(fields),
+                                        EFFECT_FIELDS(wall_fields),
                                         .settings = sizeof(struct wall_settings),
-                                        .check = check,
+                                        .check = wall_check,
                                         .draft = draft,
                                         .spheres = 1,
                                         .make = make,
