@@ -75,7 +75,7 @@ def who_calls_libm():
 
 # vti-check judges a host's stepper to tolerances; the header's two are for angles beyond 2^20
 callers = {path: calls for path, calls in who_calls_libm().items() if not path.startswith("drivers/check/")}
-callers.pop("drivers/programs/vti_run.c", None)  # degrees on the terminal
+callers.pop("drivers/programs/run_text.c", None)  # degrees on the terminal
 check(callers == {"include/vti_rrv.h": ["cos", "sin"]}, f"nobody else calls libm's inexact functions: {callers}")
 
 usual = run(libm).stdout
