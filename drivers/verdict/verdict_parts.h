@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What finding (verdict.c) and judging (judgement.c) share. */
+ * What finding (verdict.c, stability.c, places.c) and judging (judgement.c) share. */
 #ifndef VTI_VERDICT_PARTS_H
 #define VTI_VERDICT_PARTS_H
 
@@ -10,6 +10,21 @@
 
 /** The next effect from *k that follows something along a run; NULL behind the last. */
 struct effect *verdict_next_watch(const struct model *model, int64_t *k);
+
+/* ---- stability.c ------------------------------------------------------------------------------------------------- */
+
+/** The largest rate at which something slows bodies that others push, times the longest drift: steps see such a push in
+ *  whole kicks, and what comes to a steady speed moves (z/2) coth(z/2) times as fast (EQUATIONS 6.3). */
+double stability_slowing(const struct model *model, const vti_stepper *stepper, double h);
+/** The largest overlap with each other or with walls. */
+double stability_deepest(const struct model *model, const vti_bodies *bodies);
+/** At a row: the stable step, where it is due, and the largest share of it that steps took. */
+void stability_row(struct verdict *v, double t, const vti_bodies *bodies, const double *row);
+/** At a step: overlaps and the stable step, where the largest force on a body exceeds by a quarter that of any step
+ *  before. Steps that vary are compared with the stable step at rows alone. */
+void stability_step(struct verdict *v, double t, const vti_bodies *bodies);
+
+/* ---- places.c ---------------------------------------------------------------------------------------------------- */
 
 /** How far bodies come in a step h towards what they touch, in diameters of the smallest: the largest h|v - u| where
  *  they touch each other, u being the velocity of their centre of mass, so that two come nearer by no more than twice

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * What is seen of the stable step along a run: the bound itself, overlaps, and what slows bodies. */
+#include <math.h>
+
+#include "far.h"
+#include "verdict_parts.h"
+
+double stability_slowing(const struct model *model, const vti_stepper *stepper, double h)
+{
+    double most = 0.0, drift = stepper->drift == NULL ? 1.0 : 0.0;
+    int pushes = 0;
+    for (int64_t k = 0; stepper->drift != NULL && k <= stepper->stages; ++k)
+        drift = fmax(drift, fabs(stepper->drift[k]));
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
+        pushes |= model->effects[k].apply != NULL;
+        most = e->kind->slowing != NULL ? fmax(most, e->kind->slowing(e, model)) : most;
+    }
+    return pushes ? most * drift * h : 0.0;
+}
+
+/* ---- at rows ----------------------------------------------------------------------------------------------------- */
+
+double stability_deepest(const struct model *model, const vti_bodies *bodies)
+{
+    const vti_clumps *clumps = &model->clumps.list;
+    double most = 0.0;
+    for (int64_t k = 0; k < model->instances_count; ++k) {
+        const struct effect *e = &model->instances[k];
+        if (e->kind->deepest != NULL)
+            most = fmax(most, e->kind->deepest(e, clumps->count > 0 ? &clumps->spheres : bodies));
+    }
+    return most;
+}
+
+/** Rows 0 to 31, every second of the next 32, every fourth of the next 64, ... */
+static int is_looked_at(double row)
+{
+    const int64_t number = (int64_t)row;
+    int64_t every = 1;
+    while (number >= 32 * every)
+        every *= 2;
+    return number % every == 0;
+}
+
+/** Whether what touches holds a tenth more energy than at any look before. The stable step of Hertzian
+ *  contact falls as E^(-1/10), so that a hundredth of it is missed. */
+static int is_pressed(struct verdict *v, const double *row)
+{
+    double energy = 0.0;
+    for (int c = 1; c < v->columns->held; ++c) {
+        const int effect = v->columns->effect[c];
+        energy += effect >= 0 && !v->model->effects[effect].smooth ? row[c] : 0.0;
+    }
+    if (!(energy > 1.1 * v->found.pressed))
+        return 0;
+    v->found.pressed = energy;
+    return 1;
+}
+
+/** The bound at t. Returns it, infinite if it is not known. */
+static double find_stable_step(struct verdict *v, double t, const vti_bodies *bodies)
+{
+    struct message ignored;
+    vti_stable stable;
+    if (model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
+        return INFINITY;
+    const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
+    if (h < v->found.stable) {
+        v->found.stable = h;
+        v->found.stable_t = t;
+    }
+    return h;
+}
+
+/** Of steps that vary the longest since the last look may have been taken where the stable step was that of either end. */
+void stability_row(struct verdict *v, double t, const vti_bodies *bodies, const double *row)
+{
+    struct findings *f = &v->found;
+    const int pressed = is_pressed(v, row);
+    f->longest = fmax(f->longest, v->h);
+    if (!(is_looked_at(f->rows) || pressed))
+        return;
+    f->slowing = fmax(f->slowing, stability_slowing(v->model, v->stepper, v->h)); /* bonds may have been made */
+    const double h = find_stable_step(v, t, bodies);
+    f->share = fmax(f->share, f->longest / (f->varies != 0.0 ? fmax(h, f->before) : h));
+    f->before = h;
+    f->longest = 0.0;
+}
+
+void verdict_longest(struct verdict *v, double h)
+{
+    v->found.lately = fmax(v->found.lately, h);
+    v->found.varies = 1.0;
+}
+
+/* ---- between rows ------------------------------------------------------------------------------------------------ */
+
+/** The square of the largest force on a body. */
+static double largest_force2(const vti_bodies *b)
+{
+    const double *x = b->force.c[0], *y = b->force.c[1], *z = b->force.c[2];
+    double most = 0.0;
+    for (int64_t i = 0; i < b->count; ++i) {
+        const int64_t at = i * b->force.stride;
+        const double f2 = x[at] * x[at] + y[at] * y[at] + z[at] * z[at];
+        most = f2 > most ? f2 : most;
+    }
+    return most;
+}
+
+/** Steps that vary are compared with the stable step at rows. */
+void stability_step(struct verdict *v, double t, const vti_bodies *bodies)
+{
+    static const double quarter = 1.5625; /* 1.25^2 */
+    static const double none[3];
+    struct findings *f = &v->found;
+    if (bodies->force.c[0] == NULL || !far_any(&bodies->force, 0, bodies->count, NULL, none, quarter * f->force2))
+        return;
+    const double force2 = largest_force2(bodies); /* without NaN, which the next row finds */
+    if (!(force2 > quarter * f->force2))
+        return;
+    f->force2 = force2;
+    f->deepest = fmax(f->deepest, stability_deepest(v->model, bodies));
+    if (f->varies == 0.0)
+        f->share = fmax(f->share, v->h / find_stable_step(v, t, bodies));
+}
