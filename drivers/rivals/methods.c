@@ -108,8 +108,8 @@ static const struct rival *controlled_of(const vti_stepper *stepper)
 
 const vti_stepper *method_controlled(const vti_stepper *stepper)
 {
-    const struct rival *way = controlled_of(stepper);
-    return way != NULL ? &way->stepper : NULL;
+    const struct rival *engine = controlled_of(stepper);
+    return engine != NULL ? &engine->stepper : NULL;
 }
 
 /** The stepper with steps that follow how fast bodies turn; NULL if they cannot. */
@@ -121,8 +121,8 @@ static const struct rival *varied_of(const vti_stepper *stepper, int naive)
     return NULL;
 }
 
-/** The way that the stepper is itself; NULL for all others. */
-static const struct rival *varied_way(const vti_stepper *stepper)
+/** The engine of a stepper that varies its steps so; NULL for all others. */
+static const struct rival *varied_engine(const vti_stepper *stepper)
 {
     for (int naive = 0; naive < 2; ++naive)
         for (int64_t i = 0; varied_at(i, naive) != NULL; ++i)
@@ -135,40 +135,41 @@ const vti_stepper *method_for(const struct scene *scene, const vti_stepper *step
 {
     if (scene->control == 0 && !(scene->tolerance > 0.0))
         return stepper;
-    if (scene->control != 0 && varied_way(stepper) != NULL)
+    if (scene->control != 0 && varied_engine(stepper) != NULL)
         return stepper;
-    const struct rival *way =
+    const struct rival *engine =
         scene->control != 0 ? varied_of(stepper, scene->control == SCENE_NAIVE) : controlled_of(stepper);
-    return way != NULL ? &way->stepper : NULL;
+    return engine != NULL ? &engine->stepper : NULL;
 }
 
-const struct rival *method_way(const vti_stepper *stepper)
+const struct rival *method_engine(const vti_stepper *stepper)
 {
     for (int64_t i = 0; multistep_at(i) != NULL; ++i)
         if (stepper == &multistep_at(i)->stepper)
             return multistep_at(i);
-    const struct rival *way = controlled_of(stepper);
-    if (way != NULL && stepper == &way->stepper)
-        return way;
-    way = varied_way(stepper);
-    return way != NULL ? way : method_rival(stepper);
+    const struct rival *engine = controlled_of(stepper);
+    if (engine != NULL && stepper == &engine->stepper)
+        return engine;
+    engine = varied_engine(stepper);
+    return engine != NULL ? engine : method_rival(stepper);
 }
 
 int method_estimates(const vti_stepper *stepper)
 {
-    const struct rival *way = method_way(stepper);
-    return stepper->estimates > 0 || (way != NULL && method_rival(stepper) == NULL && varied_way(stepper) == NULL);
+    const struct rival *engine = method_engine(stepper);
+    return stepper->estimates > 0 ||
+           (engine != NULL && method_rival(stepper) == NULL && varied_engine(stepper) == NULL);
 }
 
 int method_is_varied(const vti_stepper *stepper)
 {
-    return varied_way(stepper) != NULL;
+    return varied_engine(stepper) != NULL;
 }
 
 int method_chooses(const vti_stepper *stepper)
 {
-    const struct rival *way = method_way(stepper);
-    return way != NULL && way->tally != NULL;
+    const struct rival *engine = method_engine(stepper);
+    return engine != NULL && engine->tally != NULL;
 }
 
 int method_varies(const vti_stepper *stepper)

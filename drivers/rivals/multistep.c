@@ -15,7 +15,7 @@
 
 enum { MOST = 16 };
 
-static struct rival ways[MOST]; /* in the order of the library's table, filled in as they are asked for */
+static struct rival engines[MOST]; /* in the order of the library's table, filled in as they are asked for */
 
 /** When the step that is made ends. */
 static double step_end(const struct course *c)
@@ -93,7 +93,7 @@ enum { KEPT = 19, LOADS = 6 };
 
 static int prepare_multistep(struct course *c, struct message *message)
 {
-    const size_t depth = (size_t)vti_multistep_at(c->rival - ways)->depth, n = (size_t)c->n;
+    const size_t depth = (size_t)vti_multistep_at(c->rival - engines)->depth, n = (size_t)c->n;
     const struct effect_surfaces surfaces = model_surfaces(c->model);
     if (surfaces.contacts == NULL && surfaces.walls == NULL)
         return 0;
@@ -183,7 +183,7 @@ static int step(struct course *c, const vti_multistep *m, vti_past *past)
 /** The numbers of the course: how many accelerations are known. */
 static int go_multistep(struct course *c, int64_t steps)
 {
-    const vti_multistep *const m = vti_multistep_at(c->rival - ways);
+    const vti_multistep *const m = vti_multistep_at(c->rival - engines);
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
     int status = c->tool != NULL && past.known == 0 ? start_back(c, m, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
@@ -202,9 +202,9 @@ const struct rival *multistep_at(int64_t i)
     const vti_multistep *m = i < MOST ? vti_multistep_at(i) : NULL;
     if (m == NULL)
         return NULL;
-    if (ways[i].go == NULL) {
+    if (engines[i].go == NULL) {
         /* evaluations of a step vary, for the first ones take more */
-        const struct rival way = {
+        const struct rival engine = {
             .stepper = RIVAL_STEPPER(m->name, m->depth + (m->u == 0.0), 0.0, 0, m->reach, m->about),
             .own_width = 6 * m->depth,
             .prepare = prepare_multistep,
@@ -212,7 +212,7 @@ const struct rival *multistep_at(int64_t i)
             .dismiss = dismiss_multistep,
             .takes_forces = 1,
         };
-        ways[i] = way;
+        engines[i] = engine;
     }
-    return &ways[i];
+    return &engines[i];
 }

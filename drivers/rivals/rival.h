@@ -62,7 +62,7 @@ const struct rival *controlled_at(int64_t i);
  *  after the last. A scene calls for them by its control; they are not listed, nor found by name. */
 const struct rival *varied_at(int64_t i, int naive);
 
-/** A rival on its way through a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
+/** A rival that runs a model. Arrays are [n][3], and [n][4] in the order x, y, z, w for q; those of what
  *  the model does not have are NULL. x, v, w, L, f and m are the model's own memory. */
 struct course {
     const struct rival *rival;

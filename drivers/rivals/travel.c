@@ -8,21 +8,21 @@
 #include "rival.h"
 
 /** Lists of kicks and drifts take spheres and bodies of three moments, others only the ones or the others. */
-static int check_inertia(const struct rival *way, const struct model *model, struct message *message)
+static int check_inertia(const struct rival *engine, const struct model *model, struct message *message)
 {
-    if (way == NULL)
+    if (engine == NULL)
         return 0;
-    if (way->general == RIVAL_OF_BOTH)
+    if (engine->general == RIVAL_OF_BOTH)
         return 0;
-    if (way->general == RIVAL_OF_MOMENTS && model->bodies.moments.c[0] == NULL)
+    if (engine->general == RIVAL_OF_MOMENTS && model->bodies.moments.c[0] == NULL)
         return message_set(message,
                            "%s: %s moves bodies of three moments, and these have none; give bodies.moments, or take "
                            "one of the rivals that vti-run --list steppers names",
-                           model->scene->name, way->stepper.name);
-    if (way->general)
+                           model->scene->name, engine->stepper.name);
+    if (engine->general)
         return 0;
-    const int controlled = method_rival(&way->stepper) == NULL && way->table != NULL;
-    return model_of_spheres(model, controlled ? "step control" : way->stepper.name,
+    const int controlled = method_rival(&engine->stepper) == NULL && engine->table != NULL;
+    return model_of_spheres(model, controlled ? "step control" : engine->stepper.name,
                             controlled ? "leave --tolerance and --control out"
                                        : "run the scene by a stepper of kicks and drifts, such as vti2",
                             message);
@@ -31,18 +31,18 @@ static int check_inertia(const struct rival *way, const struct model *model, str
 /** Only lists of kicks and drifts flow and carry, and of those only the ones that never step back. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message)
 {
-    const struct rival *way = method_way(stepper);
-    if (check_inertia(way, model, message) != 0)
+    const struct rival *engine = method_engine(stepper);
+    if (check_inertia(engine, model, message) != 0)
         return -1;
     const vti_effect *e = model_dissipates(model);
-    if (e == NULL || (way == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
+    if (e == NULL || (engine == NULL && vti_step_check(stepper, model->effects, model->effects_count) == VTI_OK))
         return 0;
     const char *const why = method_is_varied(stepper)
                                 ? "a step that is undone would have dissipated already; leave control out"
-                            : way == NULL                   ? "it has negative coefficients"
+                            : engine == NULL                ? "it has negative coefficients"
                             : method_rival(stepper) != NULL ? "rivals have forces alone"
-                            : way->table != NULL            ? "a step that is undone would have dissipated already"
-                                                 : "a multistep method takes smooth forces of positions alone";
+                            : engine->table != NULL         ? "a step that is undone would have dissipated already"
+                                                    : "a multistep method takes smooth forces of positions alone";
     return message_set(message,
                        "%s: %s dissipates, which the stepper %s cannot do: %s; take vti2, vti1, exact or chin4",
                        model->scene->name, e->name, stepper->name, why);
@@ -71,7 +71,7 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
     stepper = method_for(model->scene, stepper);
     if (stepper == NULL)
         return refuse_variable(model->scene, asked, message);
-    const struct rival *way = method_way(stepper);
+    const struct rival *engine = method_engine(stepper);
     travel->stepper = stepper;
     travel->list = *stepper;
     travel->list.rotor = model->scene->rotor != 0 ? model->scene->rotor : stepper->rotor;
@@ -81,8 +81,8 @@ int travel_create(struct travel *travel, const vti_stepper *stepper, struct mode
         return message_set(message, "%s: h = %g is not a step; it has to be finite and > 0", stepper->name, h);
     if (travel_check(stepper, model, message) != 0)
         return -1;
-    if (way != NULL) {
-        travel->course = course_create(way, model, h, message);
+    if (engine != NULL) {
+        travel->course = course_create(engine, model, h, message);
         if (travel->course == NULL)
             return -1;
     }

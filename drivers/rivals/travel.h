@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * The seam through which all programs run a stepper, of the core or a rival: what there is, and one of them on its way
- * through a model. */
+ * The interface through which all programs run a stepper, of the core or a rival: which there are, and a run of one of
+ * them. */
 #ifndef VTI_TRAVEL_H
 #define VTI_TRAVEL_H
 
@@ -32,8 +32,9 @@ const struct rival *method_rival(const vti_stepper *stepper);
 const vti_stepper *method_controlled(const vti_stepper *stepper);
 /** What the scene runs the stepper as: itself, or with steps by its tolerance or its control; NULL if it cannot be. */
 const vti_stepper *method_for(const struct scene *scene, const vti_stepper *stepper);
-/** The rival that runs it, where it is not a list of kicks and drifts; else NULL. */
-const struct rival *method_way(const vti_stepper *stepper);
+/** What runs it, where it is not a list of kicks and drifts: the engine of a rival, of a multistep method or of steps of
+ *  variable length, which all are a struct rival; else NULL. */
+const struct rival *method_engine(const vti_stepper *stepper);
 /** Whether its steps follow how fast bodies turn. */
 int method_is_varied(const vti_stepper *stepper);
 /** Whether it is one of ours that chooses its steps itself. */
@@ -53,7 +54,7 @@ int64_t methods_read(const char *option, const char *text, const vti_stepper **l
 /** Of the longest name in letters, at least 14: a column of a table. */
 int methods_width(const vti_stepper *const *list, int64_t n);
 
-/** A stepper on its way through a model: it owns what the stepper needs beside the model. */
+/** A run of a stepper: it owns what the stepper needs beside the model. */
 struct travel {
     const vti_stepper *stepper;
     vti_stepper list; /* where that is one of kicks and drifts: the same with the scene's rotor */
@@ -69,9 +70,10 @@ struct travel {
  *  *message. */
 int travel_check(const vti_stepper *stepper, const struct model *model, struct message *message);
 
-/** Prepares *stepper to take *model, at t = 0, by steps of h; where the scene has a tolerance or a control, by steps
- *  that go by it, and h is between the times at which it can be looked at. The model must outlive the travel and be left alone by
- *  others: the stepper moves its bodies, or leaves them behind. Returns 0, or -1 with one line in *message. */
+/** Prepares a run of *model by *stepper from t = 0, by steps of h; where the scene has a tolerance or a control, by steps
+ *  that these choose, and h is then the time between two states that observers can see. The model must outlive the run,
+ *  and nobody else may change it; where its bodies are at any time travel_bodies tells, and they need not. Returns 0, or
+ *  -1 with one line in *message. */
 int travel_create(struct travel *travel, const vti_stepper *stepper, struct model *model, double h,
                   struct message *message);
 

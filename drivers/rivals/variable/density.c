@@ -136,7 +136,7 @@ static char names[2][MOST][NAME];
 static void make(const vti_stepper *s, int naive, int64_t i)
 {
     snprintf(names[naive][i], NAME, "%s-%s", s->name, naive ? "naive" : "integrating");
-    const struct rival way = {
+    const struct rival engine = {
         .stepper = RIVAL_STEPPER(names[naive][i], s->order, 0.0, 0, s->reach,
                                  naive ? "steps as the bodies turn, as they stand: drifts, to compare with"
                                        : "steps as the bodies turn, by the integrating controller"),
@@ -147,7 +147,7 @@ static void make(const vti_stepper *s, int naive, int64_t i)
         .tally = tally_varied,
         .takes_forces = 1,
     };
-    varied[naive][i] = way;
+    varied[naive][i] = engine;
 }
 
 const struct rival *varied_at(int64_t i, int naive)

@@ -247,7 +247,7 @@ const struct rival *controlled_at(int64_t i)
         return NULL;
     if (controlled[i].go == NULL) {
         const vti_stepper *s = vti_stepper_find(by[i]);
-        const struct rival way = {
+        const struct rival engine = {
             .stepper = RIVAL_STEPPER(names[i], s->order, 0.0, 0, NAN, about[i]),
             .table = s,
             .own_width = SUMS + 2 * KEEPS,
@@ -256,7 +256,7 @@ const struct rival *controlled_at(int64_t i)
             .tally = tally_controlled,
             .takes_forces = 1,
         };
-        controlled[i] = way;
+        controlled[i] = engine;
     }
     return &controlled[i];
 }
