@@ -207,6 +207,7 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
                                  .read_tables = tables_read};
     for (int k = 0; k < scenes_count; ++k) {
         plan->each[k] = common;
+        plan->each[k].scene = &read[k];
         if (survey_read_first(plan, k, &read[k], &tables[k], message) != 0)
             return -1;
         if (steps == NULL)

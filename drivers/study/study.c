@@ -177,8 +177,9 @@ static void longest_first(const struct study *study, int64_t *order)
 
 /* ---- orders ------------------------------------------------------------------------------------------------------ */
 
-/** Of trajectories that part there is none above which errors mean anything. Errors of attitude grow as t sqrt(steps) eps. The q-error is a square root. Energies of a stiff or fast scene are known
- *  to what rounding leaves of them on the reference. */
+/** Errors of attitude grow as t sqrt(steps) eps. Where trajectories part, no error of theirs means anything, however
+ *  large. The energy of a stiff or fast scene is known no better than the reference keeps it. The q-error is a square
+ *  root. */
 double study_floor(int measure, int64_t steps, double t_end, double uncertainty, double energy_error)
 {
     const double rounding = 16.0 * DBL_EPSILON * sqrt((double)steps) * fmax(1.0, t_end);
@@ -196,11 +197,15 @@ double study_share(double energy_error, double energy0)
     return energy_error / (energy0 != 0.0 ? fabs(energy0) : 1.0);
 }
 
+struct order study_order(const struct plan *plan, const double *error, const double *floor)
+{
+    return fit_order(plan->h, error, floor, plan->scene->tolerance > 0.0 ? 0 : plan->h_count);
+}
+
 static void fit_orders(struct study *study)
 {
     const double energy_error = study_share(study->reference_energy_error, study->energy0);
     const struct plan *plan = study->plan;
-    const int64_t fitted = plan->scene->tolerance > 0.0 ? 0 : plan->h_count; /* errors follow the tolerance, not h */
     for (int64_t s = 0; s < plan->steppers_count; ++s)
         for (int m = 0; m < STUDY_MEASURES; ++m) {
             double error[LADDER_MOST], floor[LADDER_MOST];
@@ -210,7 +215,7 @@ static void fit_orders(struct study *study)
                 floor[k] = study_floor(m, study->trials[run].steps, study->trials[run].t_end,
                                        study->reference_uncertainty, energy_error);
             }
-            study->orders[s][m] = fit_order(plan->h, error, floor, fitted);
+            study->orders[s][m] = study_order(plan, error, floor);
         }
 }
 

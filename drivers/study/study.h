@@ -32,6 +32,10 @@ double study_floor(int measure, int64_t steps, double t_end, double uncertainty,
 /** That of a reference as a share of the energy, as of runs. */
 double study_share(double energy_error, double energy0);
 
+/** The order of a stepper's errors [h_count] above their floors; none where a tolerance chooses the steps, which errors
+ *  follow then, and not h. */
+struct order study_order(const struct plan *plan, const double *error, const double *floor);
+
 /** What came out; filled in on rank 0, empty elsewhere. Row r is stepper r / h_count at h r % h_count. */
 struct study {
     const struct plan *plan;

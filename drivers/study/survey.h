@@ -39,7 +39,7 @@ struct survey_plan {
     const char *const *sets;   /* overrides of all */
     int sets_count;
     const struct sweep *sweep;
-    struct plan each[SURVEY_SCENES]; /* of each scene, but for the scene itself; t_end = 0: the scene's own */
+    struct plan each[SURVEY_SCENES]; /* of each scene, that at its first point; t_end = 0: the scene's own */
     struct survey_files *files;
     int (*read_tables)(struct scene *scene, struct tables *tables, struct message *message); /* io/table_hdf5.h */
 };

@@ -34,7 +34,7 @@ struct order survey_order(const struct plan *plan, const struct survey_point *po
         error[k] = run->error[measure];
         floor[k] = study_floor(measure, run->steps, run->t_end, facts->reference_uncertainty, energy_error);
     }
-    return fit_order(plan->h, error, floor, plan->h_count);
+    return study_order(plan, error, floor);
 }
 
 int survey_group_add(const struct survey_plan *plan, struct survey_group *group, int64_t p,

@@ -150,6 +150,10 @@ def tolerances(base):
     check(4 * 11 < evals[0] < evals[1] < evals[2], f"... and take evaluations: {evals}")
     check(all(float(row["momentum_error"]) < 1e-13 and row["verdict"] == "good" for row in of),
           "... momenta stay, and verdicts are good")
+    run(STUDY, "--no-plot", PENDULUM, "--tolerance", "1e-6", "--t-end", "1", "--sweep", "bodies.inertia=1,2", "--steppers",
+        "srkn11", "--h", "1/4:1/32", "-o", f"{base}/no_order")
+    with h5py.File(f"{base}/no_order/study.h5") as file:
+        check(len(file["orders/order"]) == 8 and all(numpy.isnan(file["orders/order"])), "... and no order of h is fitted to them")
     for arguments, words in ((["--steppers", "vti2"], ["vti2 has no estimate", "srkn11"]),
                              (["--cost"], ["tolerance", "srkn11-tol"])):
         result = run(STUDY, "--no-plot", CHAIN, "--tolerance", "1e-6", "--t-end", "1", *arguments, "-o", f"{base}/no")
