@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "number.h"
-#include "terminal.h"
+#include "stable.h"
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
 

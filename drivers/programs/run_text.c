@@ -8,8 +8,8 @@
 #include "run.h"
 #include "shape.h"
 #include "sizes.h"
+#include "stable.h"
 #include "step_errors.h"
-#include "terminal.h"
 #include "unused.h"
 
 /* ---- before ----------------------------------------------------------------------------------------------------- */

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * What a program shows at its terminal: a progress bar with the time left, the bounds on the step in words. */
+ * What a program shows at its terminal: a progress bar with the time left. */
 #ifndef VTI_TERMINAL_H
 #define VTI_TERMINAL_H
 
 #include <stdint.h>
-#include <stdio.h>
-
-#include "message.h"
-#include "model.h"
 
 /* ---- the bar ---------------------------------------------------------------------------------------------------- */
 
@@ -36,13 +32,5 @@ void log_as(const char *program);
 /** "vti-run: step 512 of 1024 (t = 0.5), about 3 h left"; seconds have passed, and so many are left, infinite if nobody
  *  knows. */
 void log_step(int64_t step, int64_t steps, double t, double left, double seconds);
-
-/* ---- the bounds on the step ------------------------------------------------------------------------------------- */
-
-/** A line for the bound at rest and one for that of what energies of single bodies allow, if it is another; h beside
- *  them, if it is > 0. */
-void stable_say(const struct model_limits *limits, const vti_stepper *stepper, double h, FILE *file);
-/** The smaller bound for a stepper, whose reach may be other than 2. */
-double stable_least(const struct model_limits *limits, const vti_stepper *stepper);
 
 #endif

@@ -18,7 +18,7 @@ struct run_request {
     const char *const *sets; /* overrides, see scene_read */
     int sets_count;
     const char *output;                 /* path of the HDF5 file; NULL: the scene's name and .h5 */
-    int64_t record_every, frames_every; /* steps; 0: about 1000 rows and 100 frames */
+    int64_t record_every, frames_every; /* steps; 0: about_rows of run.c, and about 100 frames */
     double checkpoint_seconds;
     int64_t threads; /* 0: run_threads chooses */
     int resume;      /* go on from the checkpoint, if there is one */

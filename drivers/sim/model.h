@@ -157,6 +157,12 @@ static inline double model_limits_least(const struct model_limits *limits)
 {
     return limits->within.h > 0.0 ? fmin(limits->rest.h, limits->within.h) : limits->rest.h;
 }
+/** The stable step of a stepper of which h is that of velocity Verlet, 2/omega, as vti_stable and model_limits have it:
+ *  the stepper's reach is h omega up to which it is stable. */
+static inline double model_stable_of(const vti_stepper *stepper, double h)
+{
+    return 0.5 * stepper->reach * h;
+}
 /** The longest time between two evaluations of forces by which methods that choose their steps may not miss a touch: an
  *  error that they estimate between touches knows of none. It is 3/omega of the stiffest contact that energies at the
  *  start allow. A touch of two spheres lasts 4.0/omega or longer (2.94 delta/v of Hertz, with omega = 1.37 v/delta), so

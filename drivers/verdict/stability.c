@@ -65,7 +65,7 @@ static double find_stable_step(struct verdict *v, double t, const vti_bodies *bo
     vti_stable stable;
     if (model_stable_step(v->model, bodies, NULL, &stable, &ignored) != 0)
         return INFINITY;
-    const double h = stable.h * 0.5 * v->stepper->reach; /* what the stepper itself stands, where stable.h is 2/omega */
+    const double h = model_stable_of(v->stepper, stable.h);
     if (h < v->found.stable) {
         v->found.stable = h;
         v->found.stable_t = t;
