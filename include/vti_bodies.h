@@ -169,7 +169,8 @@ static inline vti_scalars vti_scalars_array(const double *values)
 }
 
 /** A double member of an array of structs: p is the member in element 0, bytes the size of a struct. That must be a
- *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed; a term of bonds is off without. */
+ *  multiple of sizeof(double); otherwise the values are absent, which is refused where they are needed; a term of bonds is off
+ *  without. */
 static inline vti_scalars vti_scalars_member(const double *p, int64_t bytes)
 {
     const int64_t size = sizeof(double);

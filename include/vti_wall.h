@@ -44,11 +44,12 @@ typedef struct vti_walls {
                                   off */
 } vti_walls;
 
-/** Whether they may be walls of n bodies: normals and axes are of length 1 to 1e-12, radii and moduli finite and > 0, K
- *  finite and >= 0, or none with a modulus, places and motions finite, and the bodies' diameters and moduli finite and >
- *  0 and as many as are needed. VTI_E_NULL, VTI_E_COUNT, or VTI_E_CONTACT with the number of the wall in fault->body and
- *  what is wrong with it in fault->value, of a normal or axis its length; -1 where it is not about one: then fault->value is the body of which a number is wrong, or the stiffness that is one
- *  too many. Effects look at the walls themselves before every call, at the bodies' diameters they do not. */
+/** Whether they may be walls of n bodies: normals and axes are of length 1 to 1e-12, radii and moduli finite and > 0,
+ *  K finite and >= 0, or none with a modulus, places and motions finite, and the bodies' diameters and moduli finite
+ *  and > 0 and as many as are needed. VTI_E_NULL, VTI_E_COUNT, or VTI_E_CONTACT with the number of the wall in
+ *  fault->body and what is wrong with it in fault->value, of a normal or axis its length; -1 where it is not about
+ *  one wall: then fault->value is the body of which a number is wrong, or the stiffness that is one too many. Effects
+ *  look at the walls themselves before every call, at the bodies' diameters they do not. */
 VTI_API int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault);
 
 /** The distance of the place x from wall w where it is now, and in n the unit normal there, from the wall to x; on a

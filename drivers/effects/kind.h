@@ -107,9 +107,9 @@ struct effect_surfaces {
     const struct chunks *chunks;  /* of the list and the bodies; NULL: they are few, and done in one piece */
 };
 
-/** A step of h that has been made, gap being the largest part of it without an evaluation of the forces. */
+/** A step of h from `before` to `now`; the longest time between two evaluations of the forces in it is gap h. */
 struct effect_way {
-    const double *before; /* [count of bodies][width], rows that begin with a place */
+    const double *before; /* [count of bodies][width], rows that begin with x */
     int64_t width;
     const vti_bodies *now;
     double h, gap;
@@ -172,7 +172,7 @@ struct effect_kind {
     int spheres; /* 1: acts where surfaces meet: bodies need diameters, and small steps to meet */
     /** Whether it acts on the spheres of clumps, by the settings of all kinds; NULL: as spheres says. */
     int (*on_spheres)(const union effect_settings *all);
-    int near; /* 1: looks at pairs that touch only at the end of the step, too */
+    int near; /* 1: needs also the pairs that do not touch yet and may at the end of the step */
 
     /* Its table, which one of the fields names (SCENE_PATH). */
     const struct table_kind *table;
@@ -188,50 +188,53 @@ struct effect_kind {
     int (*make)(struct effect *e, const struct model *model, const struct table *table, vti_effect *made,
                 struct message *message);
     void (*destroy)(struct effect *e); /* frees what self points to, unless that is NULL; not self */
-    /** Finds the pairs that touch, before forces and energies. Returns 0, or -1 with one line in *message. */
+    /** Finds the pairs that touch, before forces and energies are evaluated. Returns 0, or -1 with one line in *message. */
     int (*find_pairs)(struct effect *e, const vti_bodies *bodies, struct message *message);
-    /** At the end of every step of a model whose lines break: those of these count pairs of bodies have just broken.
-     *  Returns as find_pairs. */
+    /** At the end of every step of a model whose lines break: the lines between these count pairs of bodies have just
+     *  broken. Returns as find_pairs. */
     int (*release)(struct effect *e, const vti_bodies *bodies, int64_t count, const int64_t *pair,
                    struct message *message);
     /** At the end of every step of such a model, at t, after what breaks: makes lines anew, and returns how many, or -1
      *  with one line in *message. */
     int64_t (*join)(struct effect *e, struct model *model, int64_t step, double t, struct message *message);
-    /** Makes *part act with the pairs alone that name a body of the slice, if the effect's have changed since it did
-     *  last. Threads call it at once, each with a part of its own. Returns 0, or -1 if there is no memory. NULL: a
-     *  slice looks at all pairs, or there are none. */
+    /** Makes *part act on the pairs alone that name a body of the slice, if the effect's pairs have changed since the last
+     *  call. Threads call it at the same time, each with a part of its own. Returns 0, or -1 if there is no memory. NULL:
+     *  the effect has no pairs, or a slice goes through all of them. */
     int (*take_part)(const struct effect *e, const vti_bodies *slice, struct effect_part *part);
     const struct effect_term *terms; /* of all energies that it may have, and may book */
     int terms_count;
 
-    /* What it tells of itself. */
-    /** What stands behind the list of effects at the start of a run: "80 bonds". */
+    /* What a run prints and checks of it. */
+    /** Printed after the list of effects at the start of a run: "80 bonds". */
     void (*say)(const struct effect *e, char *text, size_t size);
-    /** A line of its own there, of the model at t = 0, where scene or tables may not say what is meant; "" if it has none. */
+    /** A note at the start of a run about what scene or tables say and probably do not mean; "" if there is none. */
     void (*note)(const struct effect *e, const struct model *model, char *text, size_t size);
-    /** What limits the step (vti_stable_step), where "KEY at body 3" says too little. */
+    /** Names what limits the step (vti_stable_step). NULL: "KEY at body 3" does. */
     void (*limit)(const struct effect *e, const struct vti_deformation *at, const vti_stable *stable, char *text,
                   size_t size);
-    /** Raises what of *at an energy that two bodies bring to where they meet may do to it. */
+    /** Raises the strain or overlap of *at to what it is when two bodies that meet with this energy have none left. */
     void (*deform)(const struct effect *e, const vti_bodies *bodies, double energy, vti_deformation *at);
-    /** The largest energy that one of its springs holds where the bodies are, of the last find_pairs; NULL: none. */
+    /** The largest energy that a single spring of it holds where the bodies are, of the pairs of the last find_pairs. NULL:
+     *  it has no springs. */
     double (*held)(const struct effect *e, const vti_bodies *bodies);
-    /** How deep what touches is, as a share of the length of the contact: the largest of the spheres as they are, of the
-     *  last find_pairs; 0 and less where nothing touches. NULL: it has no contacts. */
+    /** The largest overlap, as a share of the distance at which the contact begins, of the pairs of the last find_pairs; at
+     *  most 0 where nothing touches. NULL: it has no contacts. */
     double (*deepest)(const struct effect *e, const vti_bodies *spheres);
-    /** The largest change of a relative velocity by a touch that fits between two evaluations of the forces, of bodies that
-     *  are apart at both ends of the way and overlap on the straight line between. Not asked of clumps. NULL: no touch
-     *  fits, as planes do not touch what is apart from them at both ends. */
+    /** The largest change of a relative velocity by a touch that the step has missed: one that lasts no longer than the time
+     *  between two evaluations of the forces, of bodies that are apart at both ends of the step and overlap on the straight
+     *  line between. Not called for clumps. NULL: it misses none; a plane touches nothing that is apart from it at both
+     *  ends. */
     double (*missed)(const struct effect *e, const struct effect_way *way);
     /** The acceleration [3] that it gives every body, for how far they fall. */
     const double *(*field)(const struct effect *e);
-    /** The largest rate, 1/time, at which it slows a body, whatever pushes that. */
+    /** The largest rate, 1/time, at which it slows a body. */
     double (*slowing)(const struct effect *e, const struct model *model);
-    /** effect_touch; NULL: no pairs, because of it. */
+    /** Which overlapping pairs are in contact: enum effect_touch. NULL: it has no contact between bodies. */
     int (*touching)(const struct effect *e);
-    /** Whether it is as stiff as the bodies' materials make it, columns young and poisson of their table. NULL: it is not. */
+    /** Whether its stiffness follows from the bodies' materials, columns young and poisson of their table. NULL: it does
+     *  not. */
     int (*by_material)(const struct effect *e);
-    /** Where body i is drawn, which does not translate. */
+    /** Where a body i that does not translate is drawn. */
     void (*centre)(const struct effect *e, const vti_bodies *bodies, int64_t i, double x[3]);
     const struct effect_invariants *invariants;
     /** energy[i] of each body i < count alone, whose attitudes are quaternions, of an effect with one term that is the
@@ -239,7 +242,7 @@ struct effect_kind {
     void (*each)(const struct effect *e, const vti_bodies *bodies, double *energy);
     const struct effect_lines *lines;
     const struct effect_planes *planes;
-    /** Fills in what touches in it, and leaves the rest of *surfaces as it is. */
+    /** Sets those members of *surfaces that it has, and no others. */
     void (*surfaces)(const struct effect *e, struct effect_surfaces *surfaces);
     /** The bonds of its lines, which others damp. */
     const vti_bonds *(*bonds)(const struct effect *e);

@@ -5,7 +5,8 @@
  *     x' = v,  v' = F/m,  q' = (1/2) Omega q,  Omega' = RM/J,  (||q||^2)' = |x|^2 + |v|^2 + theta^2 + |Omega|^2
  *
  * with the attitude as a quaternion; of bodies of three moments Omega' is by Euler's equations, J Omega' = RM - Omega x
- * J Omega with J = R_p diag(A, B, C) R_p^T, and not by the angular momentum that the steppers go by. They share the effects' forces with the steppers and nothing else. */
+ * J Omega with J = R_p diag(A, B, C) R_p^T, and not by the angular momentum that the steppers go by. They share the
+ * effects' forces with the steppers and nothing else. */
 #ifndef VTI_EQUATIONS_H
 #define VTI_EQUATIONS_H
 
