@@ -214,8 +214,9 @@ VTI_API int vti_bodies_check(const vti_bodies *bodies);
 /** vti_bodies_check once and for all: if it passes, this object is marked, and later calls with it do not check again.
  *  For hosts that step few bodies very often. A copy, as a slice is, is another object: it is looked at again, unless
  *  it is sealed itself. Seal again after changing a view. A library that is built with -Dchecked=true heeds no seal:
- *  every call looks at all that vti_bodies_check_values looks at, and vti_apply at the lists of its effects, whose
- *  bodies are those that x (or the attitude) has by its count, or, where that is 0, those up to the end of the slice.
+ *  every call looks at all that vti_bodies_check_values looks at, and vti_apply, vti_bonds_loads and vti_bonds_measure
+ *  at their lists, whose bodies are those that all views of what is read have by their counts; where none of these says,
+ *  those of x or the attitude; where these do not either, those up to the end of the slice.
  *  Meant for debugging; a library without the option spends no instruction on it. */
 VTI_API int vti_bodies_seal(vti_bodies *bodies);
 

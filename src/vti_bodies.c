@@ -137,6 +137,22 @@ int vti_bodies_fault(const vti_bodies *b, vti_fault *fault)
     return status;
 }
 
+int64_t vti_bodies_named(const vti_bodies *b, int64_t reads)
+{
+    const int64_t attitude = 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_QUAT;
+    const int64_t all = reads & attitude ? reads | attitude : reads;
+    const int64_t others[] = {b->x.count, b->alpha.count, b->quat.count, b->first + b->count};
+    int64_t named = 0;
+#define FEWEST(constant, number, member, type, role)                                                                   \
+    if (all & 1 << (constant) && b->member.count != 0 && (named == 0 || b->member.count < named))                      \
+        named = b->member.count;
+    VTI_QUANTITIES(FEWEST)
+#undef FEWEST
+    for (int k = 0; k < 4 && named == 0; ++k)
+        named = others[k];
+    return named;
+}
+
 int vti_bodies_check(const vti_bodies *b)
 {
     return vti_bodies_fault(b, NULL);

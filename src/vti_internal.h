@@ -229,16 +229,10 @@ static inline int vti_bodies_ready_or(const vti_bodies *b, vti_fault *fault)
     return b->sealed == vti_seal_of(b) ? VTI_OK : vti_bodies_fault(b, fault);
 }
 
-/** How many bodies lists may name, as far as is known: those that the views show, or else those up to the end of the
- *  slice. */
-static inline int64_t vti_bodies_named(const vti_bodies *b)
-{
-    const int64_t shown[] = {b->x.count, b->alpha.count, b->quat.count, b->first + b->count};
-    int k = 0;
-    while (k < 3 && shown[k] == 0)
-        ++k;
-    return shown[k];
-}
+/** How many bodies lists may name, as far as is known: the fewest that views of what is read show; where these do not say,
+ *  those of x or the attitude; else those up to the end of the slice. reads has bits 1 << vti_quantity, alpha or quat for
+ *  an attitude in either form. */
+int64_t vti_bodies_named(const vti_bodies *b, int64_t reads);
 
 static inline int vti_bodies_ready(const vti_bodies *b)
 {
@@ -264,15 +258,17 @@ static inline int vti_inertia_check(const vti_bodies *b)
 }
 
 /** Whether contacts, walls and bonds may be worked on: what can be seen at once, or everything where the library was
- *  built to look. */
-int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b);
+ *  built to look. reads: what is read of the bodies of pairs, as in vti_bodies_named;
+ *  of bonds beside what their terms read. */
+int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b, int64_t reads);
 int vti_walls_ready(const vti_walls *p, const vti_bodies *b);
-int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b);
+int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b, int64_t reads);
 
 /** The same of what touches, of which either may be NULL. */
-static inline int vti_touches_ready(const vti_contacts *contacts, const vti_walls *walls, const vti_bodies *b)
+static inline int vti_touches_ready(const vti_contacts *contacts, const vti_walls *walls, const vti_bodies *b,
+                                    int64_t reads)
 {
-    const int status = contacts != NULL ? vti_contacts_ready(contacts, b) : VTI_OK;
+    const int status = contacts != NULL ? vti_contacts_ready(contacts, b, reads) : VTI_OK;
     return status == VTI_OK && walls != NULL ? vti_walls_ready(walls, b) : status;
 }
 

@@ -90,21 +90,28 @@ static void energy(const void *self, const vti_bodies *b, double *energies)
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
+/** What the terms of bonds read of their bodies. */
+static int64_t needs_of(const vti_bonds *p)
+{
+    const int64_t pulls = p->axial.p != NULL || p->shear.p != NULL, turns = p->moment.p != NULL || p->shear.p != NULL;
+    return pulls << VTI_QUANTITY_X | turns << VTI_QUANTITY_ALPHA;
+}
+
 /** The list may be another one than when the effect was made. */
-int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b)
+int vti_bonds_ready(const vti_bonds *p, const vti_bodies *b, int64_t reads)
 {
     if (p->count <= 0)
         return p->count < 0 ? VTI_E_COUNT : VTI_OK;
     if (!vti_bonds_has_list(p))
         return VTI_E_NULL;
     if (VTI_LOOKS)
-        return vti_bonds_check(p, vti_bodies_named(b), NULL);
+        return vti_bonds_check(p, vti_bodies_named(b, reads | needs_of(p)), NULL);
     return p->shear.p != NULL && !vti_bonds_form_is_known(p) ? VTI_E_BOND : VTI_OK;
 }
 
 static int check(const void *self, const vti_bodies *b)
 {
-    return vti_bonds_ready(self, b);
+    return vti_bonds_ready(self, b, 0);
 }
 
 /** r of bond k over L0 where the bodies are; 1 if it does not matter. */
@@ -184,7 +191,7 @@ vti_effect vti_bonds_effect(const vti_bonds *bonds)
                                .check = check,
                                .springs = springs,
                                .self = bonds,
-                               .needs = pulls << VTI_QUANTITY_X | turns << VTI_QUANTITY_ALPHA,
+                               .needs = needs_of(bonds),
                                .gives = pulls << VTI_QUANTITY_FORCE | turns << VTI_QUANTITY_MOMENT,
                                .smooth = 1,
                                .terms = has_moment + has_axial + has_shear,
@@ -215,6 +222,8 @@ int vti_bonds_loads(const vti_bonds *bonds, const vti_bodies *b, int64_t first, 
     const int status = pass_check(bonds, b, first, last, loads);
     if (status != VTI_OK)
         return status;
+    if (VTI_LOOKS && vti_bonds_ready(bonds, b, 0) != VTI_OK)
+        return VTI_E_BOND;
     const int terms = terms_of(bonds);
     const enum layout layout = loads_layout(terms, bonds, layout_of(terms, b));
     kernel_of(kernels(bonds->count), bonds)->loads[layout](bonds, b, first, last, loads);
@@ -239,6 +248,8 @@ int vti_bonds_measure(const vti_bonds *bonds, const vti_bodies *b, int64_t first
         return status;
     if (!vti_has(&b->x))
         return VTI_E_NEEDS;
+    if (VTI_LOOKS && vti_bonds_ready(bonds, b, 1 << VTI_QUANTITY_X) != VTI_OK)
+        return VTI_E_BOND;
     kernels(bonds->count)->measure(terms_of(bonds), form_of(bonds), bonds, b, first, last, measures);
     return VTI_OK;
 }

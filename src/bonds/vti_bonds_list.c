@@ -11,12 +11,13 @@ static double separation(const int64_t pair[2], int64_t base, const vti_view *x,
     return vti_norm(d);
 }
 
-/** How many bodies there are is not known here, but that none comes before the first. */
+/** How many bodies there are only x may know; none comes before the first. */
 static int rest_check(int64_t count, const int64_t *pair, int64_t base, const vti_view *x, vti_fault *fault)
 {
+    const int64_t n = x->count != 0 ? x->count : INT64_MAX;
     for (int64_t k = 0; k < count; ++k) {
         for (int side = 0; side < 2; ++side)
-            if (pair[2 * k + side] < base)
+            if (!vti_is_body(pair[2 * k + side], base, n))
                 return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
         double d[3];
         const double length = separation(pair + 2 * k, base, x, d);
@@ -68,10 +69,11 @@ static int turn_now(const int64_t pair[2], int64_t base, const vti_bodies *b, do
 /** Bodies that do not exist, and attitudes that are none. */
 static int now_check(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, vti_fault *fault)
 {
+    const int64_t bodies = vti_bodies_named(b, 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_ALPHA);
     for (int64_t k = 0; k < count; ++k) {
         double n[4] = {1.0, 0.0, 0.0, 0.0}, turn[4];
         for (int side = 0; side < 2; ++side)
-            if (pair[2 * k + side] < base || pair[2 * k + side] - base >= vti_bodies_named(b))
+            if (!vti_is_body(pair[2 * k + side], base, bodies))
                 return vti_refuse(VTI_E_BOND, k, (double)pair[2 * k + side], VTI_QUANTITY_NONE, fault);
         if (!turn_now(pair + 2 * k, base, b, n, turn))
             return vti_refuse(VTI_E_BOND, k, NAN, VTI_QUANTITY_NONE, fault);

@@ -16,14 +16,15 @@ static inline int touch(const vti_contacts *p, const vti_bodies *b, int64_t k, d
 }
 
 /** The list may be another one than when the effect was made. */
-int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b)
+int vti_contacts_ready(const vti_contacts *contacts, const vti_bodies *b, int64_t reads)
 {
-    return VTI_LOOKS ? vti_contacts_check(contacts, vti_bodies_named(b), NULL) : vti_contacts_list_check(contacts);
+    return VTI_LOOKS ? vti_contacts_check(contacts, vti_bodies_named(b, reads), NULL)
+                     : vti_contacts_list_check(contacts);
 }
 
 static int check(const void *self, const vti_bodies *b)
 {
-    return vti_contacts_ready(self, b);
+    return vti_contacts_ready(self, b, 1 << VTI_QUANTITY_X);
 }
 
 static void apply(const void *self, const vti_bodies *b)

@@ -80,31 +80,37 @@ static int ends_or_is_bad(const vti_scalars *s, int64_t i)
     return vti_ends_before(s, i) || !vti_is_positive(vti_scalar(s, i));
 }
 
-int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
+/** vti_walls_check for the bodies first <= i < end. */
+static int check_for(const vti_walls *walls, int64_t first, int64_t end, vti_fault *fault)
 {
     double value;
     vti_refuse_none(VTI_OK, fault);
     if (walls == NULL || !is_list(walls))
         return VTI_E_NULL;
-    if (walls->count < 0 || walls->cylinders < 0 || n < 0)
+    if (walls->count < 0 || walls->cylinders < 0 || end < 0)
         return VTI_E_COUNT;
     const int64_t bad = first_bad(walls, &value);
     if (bad >= 0)
         return vti_refuse(VTI_E_CONTACT, bad, value, VTI_QUANTITY_NONE, fault);
     if (!is_one(walls))
         return vti_refuse(VTI_E_CONTACT, -1, walls->stiffness, VTI_QUANTITY_NONE, fault);
-    for (int64_t i = 0; vti_faces(walls) > 0 && i < n; ++i)
+    for (int64_t i = first; vti_faces(walls) > 0 && i < end; ++i)
         if (ends_or_is_bad(&walls->diameter, i) || (walls->modulus.p != NULL && ends_or_is_bad(&walls->modulus, i)))
             return vti_refuse(VTI_E_CONTACT, -1, (double)i, VTI_QUANTITY_NONE, fault);
     return VTI_OK;
 }
 
-/** Walls are few, and looked at always. */
+int vti_walls_check(const vti_walls *walls, int64_t n, vti_fault *fault)
+{
+    return check_for(walls, 0, n, fault);
+}
+
+/** Walls are few, and looked at always; of bodies a wall acts on those of the slice. */
 int vti_walls_ready(const vti_walls *p, const vti_bodies *b)
 {
     double value;
     if (VTI_LOOKS)
-        return vti_walls_check(p, vti_bodies_named(b), NULL);
+        return check_for(p, b->first, b->first + b->count, NULL);
     if (!is_list(p))
         return VTI_E_NULL;
     if (p->count < 0 || p->cylinders < 0)

@@ -263,6 +263,9 @@ double vti_dashpots_zeta(double e, int64_t pull)
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
+/** Of both bodies of a pair, whatever the motion. */
+static const int64_t needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS;
+
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_dashpots *p = self;
@@ -274,7 +277,7 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    const int status = vti_touches_ready(p->contacts, p->walls, b);
+    const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     return status != VTI_OK ? status : vti_inertia_check(b);
 }
 
@@ -296,8 +299,7 @@ vti_effect vti_dashpots_effect(const vti_dashpots *dashpots)
                                .flow = flow,
                                .flow_clumps = vti_dashpots_flow_joints,
                                .self = p,
-                               .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS |
-                                        (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
+                               .needs = needs | (turns ? 1 << VTI_QUANTITY_OMEGA : 0),
                                .breaks = breaks,
                                .dissipates = 1,
                                .books = p->twisting > 0.0  ? 4

@@ -248,6 +248,9 @@ static int springs(const void *self, const vti_bodies *b, const vti_deformation 
 
 /* ---- the effect -------------------------------------------------------------------------------------------------- */
 
+static const int64_t needs =
+    1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_OMEGA;
+
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_friction *p = self;
@@ -264,7 +267,7 @@ static int check(const void *self, const vti_bodies *b)
         return VTI_E_DAMPING;
     if (p->history->slot == NULL)
         return VTI_E_NULL;
-    const int status = vti_touches_ready(p->contacts, p->walls, b);
+    const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     if (status != VTI_OK)
         return status;
     return !is_power_of_2(p->history->slots) || p->history->missed != 0 ? VTI_E_HISTORY : VTI_OK;
@@ -278,24 +281,24 @@ vti_effect vti_friction_effect(const vti_friction *friction)
     const vti_friction *p = friction;
     if (p == NULL || p->lost == NULL || p->history == NULL || (p->contacts == NULL && p->walls == NULL))
         return vti_effect_none();
-    const vti_effect effect = {
-        .name = "friction",
-        .apply = apply,
-        .energy = energy,
-        .check = check,
-        .springs = springs,
-        .carry = vti_friction_carry,
-        .self = p,
-        .needs = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_ALPHA | 1 << VTI_QUANTITY_OMEGA,
-        .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
-        .breaks = p->walls != NULL ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS : VTI_BREAKS_SPINS,
-        .dissipates = 1,
-        .terms = terms_of(p),
-        .term = term,
-        .books = terms_of(p),
-        .book = book,
-        .booked = p->lost,
-        .by_body = p->by_body,
-        .of_body = VTI_FRICTION_BOOKS};
+    const vti_effect effect = {.name = "friction",
+                               .apply = apply,
+                               .energy = energy,
+                               .check = check,
+                               .springs = springs,
+                               .carry = vti_friction_carry,
+                               .self = p,
+                               .needs = needs,
+                               .gives = 1 << VTI_QUANTITY_FORCE | 1 << VTI_QUANTITY_MOMENT,
+                               .breaks = p->walls != NULL ? VTI_BREAKS_LINEAR | VTI_BREAKS_ANGULAR | VTI_BREAKS_SPINS
+                                                          : VTI_BREAKS_SPINS,
+                               .dissipates = 1,
+                               .terms = terms_of(p),
+                               .term = term,
+                               .books = terms_of(p),
+                               .book = book,
+                               .booked = p->lost,
+                               .by_body = p->by_body,
+                               .of_body = VTI_FRICTION_BOOKS};
     return effect;
 }

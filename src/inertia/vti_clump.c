@@ -60,7 +60,9 @@ int vti_clump_ready(const vti_clumps *c, const vti_bodies *b)
 {
     int status = vti_bodies_ready(b);
     if (status == VTI_OK)
-        status = VTI_LOOKS ? vti_clumps_check(c, vti_bodies_named(b), NULL) : vti_clump_list_check(c);
+        status = VTI_LOOKS
+                     ? vti_clumps_check(c, vti_bodies_named(b, 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_ALPHA), NULL)
+                     : vti_clump_list_check(c);
     if (status == VTI_OK)
         status = vti_bodies_fault(&c->spheres, NULL);
     return status == VTI_OK && !vti_has_attitude(b) ? VTI_E_NEEDS : status;

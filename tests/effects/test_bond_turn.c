@@ -281,6 +281,15 @@ TEST(refused)
     pair[1] = -1;
     assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, q0, &fault), VTI_E_BOND);
     assert_true(fault.body == 0 && fault.value == -1);
+    pair[1] = 5;
+    b.x.count = 8;
+    b.alpha.count = 5; /* of which there is a place, but no attitude */
+    b.count = 4;
+    assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, q0, &fault), VTI_E_BOND);
+    assert_true(fault.body == 0 && fault.value == 5);
+    b = crowd_bodies(&c);
+    pair[1] = INT64_MAX;
+    assert_int_equal(vti_bonds_rest_now(1, pair, -1, &b, rest, q0, NULL), VTI_E_BOND);
     pair[1] = 1;
     c.alpha[1][2] = NAN;
     assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, q0, &fault), VTI_E_BOND);

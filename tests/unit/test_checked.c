@@ -221,6 +221,57 @@ TEST(cylinders_and_motion_after_their_check)
     walls.cylinder = NULL;
 }
 
+/** The two passes of threads, and what bonds hold. */
+TEST(passes_after_the_check)
+{
+    double loads[VTI_BOND_LOADS], measures[VTI_BOND_MEASURES];
+    assert_int_equal(vti_bonds_loads(&bonds, &b, 0, 1, loads), VTI_OK);
+    assert_int_equal(vti_bonds_measure(&bonds, &b, 0, 1, measures), VTI_OK);
+    pair[1] = N;
+    assert_int_equal(vti_bonds_loads(&bonds, &b, 0, 1, loads), VTI_E_BOND);
+    assert_int_equal(vti_bonds_measure(&bonds, &b, 0, 1, measures), VTI_E_BOND);
+}
+
+/** The shortest view of what is read says which bodies there are; what is not read does not. */
+TEST(views_of_several_lengths)
+{
+    static vti_sum lost[VTI_DASHPOT_BOOKS];
+    const vti_dashpots dashpots = {.contacts = &contacts, .normal = 1, .reach = 1, .lost = lost};
+    const vti_bond_dashpots of_bonds = {.bonds = &bonds, .axial = 1, .lost = lost};
+    const vti_effect bond = vti_bonds_effect(&bonds), contact = vti_contacts_effect(&contacts),
+                     damper = vti_dashpots_effect(&dashpots), bond_damper = vti_bond_dashpots_effect(&of_bonds);
+    pair[1] = N - 1;
+    b = vti_bodies_slice(b, 0, 1);
+    b.x.count = N;
+    assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
+    b.alpha.count = 2;
+    list_refused(&bond, VTI_E_BOND);
+    assert_int_equal(vti_apply(&contact, 1, &b), VTI_OK);
+    assert_int_equal(vti_effects_check(&damper, 1, &b, NULL), VTI_OK);
+    b.alpha.count = 0;
+    b.v.count = 2;
+    assert_int_equal(vti_apply(&bond, 1, &b), VTI_OK);
+    assert_int_equal(vti_effects_check(&damper, 1, &b, NULL), VTI_E_CONTACT);
+    assert_int_equal(vti_effects_check(&bond_damper, 1, &b, NULL), VTI_E_BOND);
+    b.x.count = 0; /* then what else is known */
+    b.alpha.count = N;
+    assert_int_equal(vti_apply(&contact, 1, &b), VTI_OK);
+}
+
+/** Arrays may be longer than there are bodies: a wall acts on those of the slice, and what lies behind them is nobody's
+ *  diameter. */
+TEST(room_for_more)
+{
+    static const double diameter[N] = {0, 1, 0, NAN};
+    const vti_effect wall = vti_walls_effect(&walls);
+    walls.diameter = vti_scalars_array(diameter);
+    b = vti_bodies_slice(b, 1, 1);
+    b.x.count = N;
+    assert_int_equal(vti_apply(&wall, 1, &b), VTI_OK);
+    b = vti_bodies_slice(b, 1, 2);
+    list_refused(&wall, VTI_E_CONTACT);
+}
+
 /** Bodies that are held lie outside the slice that is stepped: the views say that they exist. */
 TEST(held_bodies)
 {
@@ -235,4 +286,6 @@ RUN_TESTS(cmocka_unit_test_setup(views_after_the_seal, sound), cmocka_unit_test_
           cmocka_unit_test_setup(lists_after_their_check, sound), cmocka_unit_test_setup(lists_that_are_shared, sound),
           cmocka_unit_test_setup(planes_after_their_check, sound),
           cmocka_unit_test_setup(cylinders_and_motion_after_their_check, sound),
+          cmocka_unit_test_setup(passes_after_the_check, sound),
+          cmocka_unit_test_setup(views_of_several_lengths, sound), cmocka_unit_test_setup(room_for_more, sound),
           cmocka_unit_test_setup(held_bodies, sound))

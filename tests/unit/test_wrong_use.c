@@ -59,6 +59,13 @@ TEST(rest)
     assert_true(fault.value == -1.0);
     assert_same_bits(&r[0], &before, 1); /* the first bond was sound, and still nothing is written */
     assert_int_equal(vti_bonds_rest(1, good, 1, &b.x, r, NULL), VTI_E_BOND);
+    vti_view shown = b.x;
+    shown.count = 1; /* the view knows how many there are */
+    assert_int_equal(vti_bonds_rest(1, good, 0, &shown, r, &fault), VTI_E_BOND);
+    nothing_of_bodies(&fault, 0);
+    assert_true(fault.value == 1.0);
+    shown.count = 2;
+    assert_int_equal(vti_bonds_rest(1, good, 0, &shown, r, NULL), VTI_OK);
     assert_int_equal(vti_bonds_rest(1, good, 0, &b.x, r, NULL), VTI_OK);
     assert_true(r[0] == -1.0 && r[3] == 1.0);
 }
