@@ -53,8 +53,8 @@ VTI_API vti_bodies vti_clumps_spheres(const vti_clumps *clumps, const vti_bodies
 /** Puts the spheres of the slice's bodies where they are (EQUATIONS 7.5), of the views that they have:
  *      r = R rho,   x_s = x + r,   v_s = v + Omega x r,   attitude and Omega those of the body.
  *  The bodies need an attitude (VTI_E_NEEDS); x, v and Omega that they do not have are 0. VTI_E_CLUMP and VTI_E_NULL for
- *  lists that are not there, or a status of vti_bodies_check of bodies or spheres. Threads may do slices of bodies at
- *  once. */
+ *  lists that are not there, VTI_E_ALIAS where a view of the spheres begins where the bodies' begins, or a status of
+ *  vti_bodies_check of bodies or spheres. Threads may do slices of bodies at once. */
 VTI_API int vti_clumps_spread(const vti_clumps *clumps, const vti_bodies *bodies);
 
 /** Adds the loads of the spheres to those of the slice's bodies, s ascending (a load that is absent is left out):

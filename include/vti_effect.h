@@ -197,7 +197,8 @@ VTI_API int vti_effects_rupture(const vti_effect *effects, int64_t n, const vti_
 /** The flows of all effects for the time t >= 0, beside a drift as vti_effect.flow has it: in order, for drift < 0
  *  backwards, before which velocities below 2^-500 become 0 as said above. */
 VTI_API int vti_effects_flow(const vti_effect *effects, int64_t n, double t, double drift, const vti_bodies *bodies);
-/** Tells all effects that carry of a drift that has been done; VTI_E_FRAME if one does and the frame is the body's. */
+/** Tells all effects that carry of a drift that has been done; VTI_E_FRAME if one does and the frame is the body's,
+ *  VTI_E_NULL for clumps without their bodies. */
 VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted,
                               const vti_bodies *bodies);
 /** Sum of all booked energies: with vti_energy, what is constant. NaN where n is negative, or effects NULL and n not 0. */

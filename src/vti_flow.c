@@ -129,7 +129,7 @@ int vti_effects_flow(const vti_effect *effects, int64_t n, double t, double drif
 
 int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted, const vti_bodies *b)
 {
-    if (drifted == NULL)
+    if (drifted == NULL || (drifted->clumps != NULL && drifted->bodies == NULL))
         return VTI_E_NULL;
     int status = vti_effects_fault(effects, n, b, NULL);
     if (status == VTI_OK)

@@ -151,8 +151,9 @@ static int check(double h, const vti_view *before, const vti_contacts *contacts,
             return VTI_E_VIEW;
         else if (before->c[k] == b->x.c[k])
             return VTI_E_ALIAS;
-    vti_bodies earlier = *b; /* whose positions they are */
+    vti_bodies earlier = *b; /* whose positions they are, beside those of now */
     earlier.x = *before;
+    earlier.x_low = b->x;
     status = vti_bodies_fault(&earlier, NULL);
     if (status != VTI_OK)
         return status;

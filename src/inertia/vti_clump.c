@@ -56,6 +56,22 @@ int vti_clumps_check(const vti_clumps *c, int64_t n, vti_fault *fault)
     return status;
 }
 
+/** Whether a quantity of the spheres begins where that of the bodies does. */
+static int is_shared(const vti_bodies *spheres, const vti_bodies *b)
+{
+    int shared = 0;
+#define START_vti_view(bodies, member) (bodies)->member.c[0]
+#define START_vti_quat_view(bodies, member) (bodies)->member.xyzw[0]
+#define MOVED_STATE(type, member)                                                                                      \
+    shared |= START_##type(b, member) != NULL && START_##type(b, member) == START_##type(spheres, member);
+#define MOVED_LOAD(type, member) MOVED_STATE(type, member)
+#define MOVED_LOW(type, member)
+#define MOVED_CONSTANT(type, member)
+#define MOVED(constant, number, member, type, role) MOVED_##role(type, member)
+    VTI_QUANTITIES(MOVED)
+    return shared;
+}
+
 int vti_clump_ready(const vti_clumps *c, const vti_bodies *b)
 {
     int status = vti_bodies_ready(b);
@@ -65,6 +81,8 @@ int vti_clump_ready(const vti_clumps *c, const vti_bodies *b)
                      : vti_clump_list_check(c);
     if (status == VTI_OK)
         status = vti_bodies_fault(&c->spheres, NULL);
+    if (status == VTI_OK && c->count > 0 && is_shared(&c->spheres, b)) /* empty arrays may share an address */
+        status = VTI_E_ALIAS;
     return status == VTI_OK && !vti_has_attitude(b) ? VTI_E_NEEDS : status;
 }
 

@@ -10,6 +10,32 @@ static vti_bodies bodies(void)
     return crowd_bodies(&t.c);
 }
 
+/** Spheres have memory of their own, whatever of them is made. */
+TEST(memory_of_the_bodies)
+{
+    rng g = rng_seed(4112);
+    static const enum crowd_storage storage[] = {CROWD_ALPHA, CROWD_QUAT};
+    for (int with = 0; with < 2; ++with)
+        for (int k = 0; k < 7; ++k) {
+            do
+                troop_draw(&t, &g, 3, 3, 0.7, storage[with], storage[with]);
+            while (t.clumps.count == 0);
+            const vti_bodies b = bodies();
+            vti_bodies *const s = &t.clumps.spheres;
+            assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+            s->x = k == 0 ? b.x : s->x;
+            s->v = k == 1 ? b.v : s->v;
+            s->force = k == 2 ? b.force : s->force;
+            s->alpha = k == 3 ? b.alpha : s->alpha;
+            s->quat = k == 4 ? b.quat : s->quat;
+            s->omega = k == 5 ? b.omega : s->omega;
+            s->moment = k == 6 ? b.moment : s->moment;
+            const int same = k != 4 - with; /* that is absent */
+            assert_int_equal(vti_clumps_spread(&t.clumps, &b), same ? VTI_E_ALIAS : VTI_OK);
+            assert_int_equal(vti_clumps_gather(&t.clumps, &b), same ? VTI_E_ALIAS : VTI_OK);
+        }
+}
+
 TEST(lists_are_refused)
 {
     rng g = rng_seed(4111);
@@ -111,6 +137,8 @@ TEST(effects_are_refused)
     b.inertia.p = NULL;
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_INERTIA);
     b = bodies();
+    const vti_drifted nobodys = {.t = 1, .law = VTI_LAW_EXACT, .frame = VTI_FRAME_SPACE, .clumps = &t.clumps};
+    assert_int_equal(vti_effects_carry(&contact, 1, &nobodys, &t.clumps.spheres), VTI_E_NULL);
     effect = vti_clumped_effect(&no_clumps);
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
     effect = vti_clumped_effect(&no_effect);
@@ -119,4 +147,5 @@ TEST(effects_are_refused)
     assert_int_equal(vti_effects_check(&effect, 1, &b, &fault), VTI_E_NULL);
 }
 
-RUN_TESTS(cmocka_unit_test(lists_are_refused), cmocka_unit_test(effects_are_refused))
+RUN_TESTS(cmocka_unit_test(memory_of_the_bodies), cmocka_unit_test(lists_are_refused),
+          cmocka_unit_test(effects_are_refused))

@@ -173,7 +173,11 @@ TEST(lists_and_tables_of_friction)
         history.slots = n;
         says(vti_friction_effect(&p), n == 1 || n == 2 || n == 4 ? VTI_OK : VTI_E_HISTORY);
     }
+    history.slots = 8;
+    const vti_effect made_before = vti_friction_effect(&p);
+    says(made_before, VTI_OK);
     p.history = NULL;
+    says(made_before, VTI_E_NULL);
     says(vti_friction_effect(&p), VTI_E_NULL);
     p = all_friction();
     p.lost = NULL;

@@ -389,6 +389,9 @@ TEST(refusals)
     assert_int_equal(vti_multistep_touch(0.1, &few, NULL, &s.walls, &two), VTI_E_COUNT);
     assert_int_equal(vti_multistep_touch(0.1, &one, NULL, &s.walls, &two), VTI_E_STRIDE);
     assert_int_equal(vti_multistep_touch(0.1, &s.b.x, NULL, &s.walls, &s.b), VTI_E_ALIAS);
+    const vti_view second = {
+        {s.b.x.c[0] + s.b.x.stride, s.b.x.c[1] + s.b.x.stride, s.b.x.c[2] + s.b.x.stride}, s.b.x.stride, 0};
+    assert_int_equal(vti_multistep_touch(0.1, &second, NULL, &s.walls, &two), VTI_E_ALIAS);
     assert_int_equal(vti_multistep_touch(0.0, &before, NULL, &s.walls, &s.b), VTI_E_TIME);
     assert_int_equal(vti_multistep_touch(INFINITY, &before, NULL, &s.walls, &s.b), VTI_E_TIME);
     assert_int_equal(vti_multistep_touch(0.1, &before, &no_list, NULL, &s.b), VTI_E_NULL);
