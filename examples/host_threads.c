@@ -84,6 +84,7 @@ int main(int argc, char **argv)
 
     vti_bodies bodies = vti_bodies_none(N);
     bodies.x = vti_view_packed(x[0]);
+    bodies.x.count = N; /* lists name bodies outside of a slice, which a library with -Dchecked=true has to know of */
     bodies.v = vti_view_packed(v[0]);
     bodies.force = vti_view_packed(force[0]);
     bodies.alpha = vti_view_packed(alpha[0]);

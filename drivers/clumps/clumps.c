@@ -115,6 +115,7 @@ static void give_views(vti_bodies *spheres, int64_t views, double **block)
     for (size_t k = 0; k < sizeof of / sizeof of[0]; ++k)
         if ((views >> of[k] & 1) != 0)
             *view[k] = vti_view_packed(take(block, 3 * spheres->count));
+    spheres->x.count = spheres->count; /* as those of bodies */
 }
 
 static double scalar(const vti_scalars *s, int64_t i)

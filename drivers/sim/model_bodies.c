@@ -105,6 +105,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
             arrange_positions(s, x);
         add_random(model, v, 0, s->random.v);
         b->x = vti_view_packed(x);
+        b->x.count = n; /* slices of threads keep it, for a library that looks at lists */
         b->v = vti_view_packed(v);
         if ((loads & EFFECT_FORCE) != 0)
             b->force = vti_view_packed(take(block, 3 * n));
@@ -114,6 +115,7 @@ static void place_vectors(struct model *model, const struct tables *tables, doub
         add_random(model, omega, 3, s->random.omega);
         add_random(model, alpha, (int64_t)1 << 40, s->random.alpha);
         b->alpha = vti_view_packed(alpha);
+        b->alpha.count = n;
         b->omega = vti_view_packed(omega);
         if ((loads & EFFECT_MOMENT) != 0)
             b->moment = vti_view_packed(take(block, 3 * n));
