@@ -31,8 +31,14 @@ int advise_measure(const char *name)
 
 /* ---- what there is to advise on ---------------------------------------------------------------------------------- */
 
-/** The highest orders first: they set the limit for the others. Rivals come last, and set none. Of ours those that the
- *  model may be run by, where none is named. */
+static int64_t rank_of(const vti_stepper *stepper)
+{
+    return 2 * stepper->order + (strcmp(method_kind(stepper), "paper") != 0);
+}
+
+/** The highest orders first: they set the limit for the others; of an order those of the paper last, since of offers that
+ *  are alike the first is taken. Rivals come last, and set none. Of ours those that the model may be run by, where none
+ *  is named. */
 static int list_offers(struct stages *g, const struct model *model, struct message *message)
 {
     enum { HIGHEST = 16 };
@@ -40,11 +46,11 @@ static int list_offers(struct stages *g, const struct model *model, struct messa
     const struct advise_request *r = g->request;
     const int64_t known = r->count > 0 ? r->count : method_count();
     for (int rival = 0; rival <= 1; ++rival)
-        for (int64_t order = HIGHEST; order > 0; --order)
+        for (int64_t rank = 2 * HIGHEST + 1; rank > 1; --rank)
             for (int64_t k = 0; k < known && a->count < ADVICE_MOST; ++k) {
                 const vti_stepper *stepper = r->count > 0 ? r->steppers[k] : method_at(k);
                 struct message refused;
-                if (stepper->order != order || (method_rival(stepper) != NULL) != rival || (r->count == 0 && rival))
+                if (rank_of(stepper) != rank || (method_rival(stepper) != NULL) != rival || (r->count == 0 && rival))
                     continue;
                 if (travel_check(stepper, model, r->count > 0 ? message : &refused) == 0)
                     a->offers[a->count++] = offers_none(stepper);
@@ -163,6 +169,7 @@ static int64_t by_stability(struct stages *g)
     struct search at_end = g->search;
     struct advice *a = g->search.advice;
     int64_t best = -1;
+    int found = 0;
     at_end.t_end = a->t_end;
     for (int64_t k = 0; k < a->count; ++k) {
         struct offer *o = &a->offers[k];
@@ -177,9 +184,10 @@ static int64_t by_stability(struct stages *g)
         o->source = OFFER_STABILITY;
         for (int m = 0; m < COST_MEASURES; ++m)
             o->errors[m] = NAN;
-        if (method_rival(o->stepper) == NULL &&
-            (best < 0 || (o->stepper->order == 2 && search_order(&at_end, o->stepper) > 1.0)))
+        const int verlet = o->stepper->order == 2 && search_order(&at_end, o->stepper) > 1.0;
+        if (method_rival(o->stepper) == NULL && (best < 0 || (verlet && !found)))
             best = k;
+        found = found || (verlet && best == k);
     }
     return best;
 }
@@ -194,7 +202,7 @@ static int by_seconds(const void *a, const void *b)
 static void sort_offers(struct stages *g)
 {
     struct advice *a = g->search.advice;
-    int64_t best = offers_best(g);
+    int64_t best = offers_fastest(g);
     if (best < 0)
         best = by_stability(g);
     const struct offer first = a->offers[best];

@@ -52,6 +52,9 @@ int64_t pilot_unit(int64_t steps);
 /** Evaluations that a step of a pilot costs: it is looked at, as errors of the energy may last for one step of a
  *  thousand, and that costs about as much as a force evaluation. */
 double pilot_evals(const vti_stepper *stepper);
+/** What so many evaluations by a stepper cost, with its share of the steps, in evaluations of Verlet's method. The search
+ *  goes by this and not by seconds, which differ from run to run: they only say which of its offers is the fastest. */
+double pilot_cost(const vti_stepper *stepper, double evals);
 /** How a pilot is flown; nothing given: from the scene's start to the end, looked at at every step. */
 struct pilot_way {
     const struct pilot *beside; /* a coarser run of the same time, or NULL. Where the two part early by a measure of
@@ -156,7 +159,7 @@ struct search {
                                     where no pair was flown, 0 */
     double omega0;
     double stable_h; /* of bonds at rest and whatever may touch: searches begin there, and no longer step is advised */
-    double limit;    /* force evaluations beyond which runs are too dear */
+    double limit;    /* of pilot_cost, beyond which runs are too dear */
     int64_t bodies;
     int kinked;     /* the forces are */
     int dissipates; /* something does */
@@ -198,7 +201,7 @@ double search_lasting_order(const struct search *s, const vti_stepper *stepper, 
  *  more where a higher order may last: among kinks one more than the usual one, though no more than the stepper's own,
  *  and the stepper's own where something dissipates. */
 void search_doubt(const struct search *s, struct offer *o, double order, double finer);
-/** Fills in the offer of o->stepper for s->t_end and s->target by runs of up to limit force evaluations, compared with
+/** Fills in the offer of o->stepper for s->t_end and s->target by runs that cost up to the limit (pilot_cost), compared with
  *  s->solution. Returns likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);
 /** Refines a->checked until its runs tell the error s->target: that is s->solution. Of the purse it takes up to the

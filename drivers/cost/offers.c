@@ -92,10 +92,15 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
     o->error = found->error * offers_growth(s, found->stepper, s->measure) * less;
 }
 
-/** Seconds, with what one pays if the error turns out to be larger. */
-static double price_of(const struct stages *g, const struct offer *o)
+double offers_cost(const struct offer *o)
 {
-    return o->source == OFFER_MEASURED ? o->seconds : (g->search.kinked ? 1.5 : 1.1) * o->seconds;
+    return isfinite(o->seconds) ? pilot_cost(o->stepper, (double)o->force_evals) : INFINITY;
+}
+
+/** With what one pays if the error turns out to be larger. */
+static double with_risk(const struct stages *g, const struct offer *o, double price)
+{
+    return o->source == OFFER_MEASURED ? price : (g->search.kinked ? 1.5 : 1.1) * price;
 }
 
 void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
@@ -111,13 +116,39 @@ void offers_regrow(struct stages *g, const double before[ADVICE_MOST])
     }
 }
 
+static double price_of(const struct stages *g, int64_t k, int by_seconds)
+{
+    const struct offer *o = &g->search.advice->offers[k];
+    const int serves = g->latest[k] && method_rival(o->stepper) == NULL;
+    return serves ? with_risk(g, o, by_seconds ? o->seconds : offers_cost(o)) : INFINITY;
+}
+
+/** By what it costs. Of those of a source only, and within a limit of seconds. */
+static int64_t cheapest(const struct stages *g, enum offer_source least, double limit)
+{
+    int64_t best = -1;
+    for (int64_t k = 0; k < g->search.advice->count; ++k) {
+        const double price = price_of(g, k, 0);
+        const int serves = g->search.advice->offers[k].source >= least && price_of(g, k, 1) <= limit;
+        if (isfinite(price) && serves && (best < 0 || price < price_of(g, best, 0)))
+            best = k;
+    }
+    return best;
+}
+
 int64_t offers_best(const struct stages *g)
 {
-    const struct advice *a = g->search.advice;
-    int64_t best = -1;
-    for (int64_t k = 0; k < a->count; ++k)
-        if (g->latest[k] && isfinite(a->offers[k].seconds) && method_rival(a->offers[k].stepper) == NULL &&
-            (best < 0 || price_of(g, &a->offers[k]) < price_of(g, &a->offers[best])))
-            best = k;
-    return best;
+    return cheapest(g, OFFER_NONE, INFINITY);
+}
+
+int64_t offers_fastest(const struct stages *g)
+{
+    static const double tie = 1.1;
+    const struct offer *offers = g->search.advice->offers;
+    const int64_t best = offers_best(g);
+    const enum offer_source least = best < 0 || !g->complete ? OFFER_NONE : offers[best].source;
+    double seconds = INFINITY;
+    for (int64_t k = 0; k < g->search.advice->count; ++k)
+        seconds = offers[k].source >= least ? fmin(seconds, price_of(g, k, 1)) : seconds;
+    return cheapest(g, least, tie * seconds);
 }

@@ -272,10 +272,10 @@ static int64_t next_try(const struct search *s, const vti_stepper *stepper, cons
 
 /** Whether a run of so many steps costs too much to be made. Runs that are too coarse to converge tell nothing about
  *  finer ones, so more is spent until one does. */
-static int is_too_dear(const struct search *s, const struct price *price, const struct point *finest, int64_t steps,
-                       double limit)
+static int is_too_dear(const struct search *s, const vti_stepper *stepper, const struct price *price,
+                       const struct point *finest, int64_t steps, double limit)
 {
-    const double cost = (double)steps * price->evals;
+    const double cost = pilot_cost(stepper, (double)steps * price->evals);
     return cost > (finest->error < too_far ? limit : 4.0 * limit) && isfinite(s->limit);
 }
 
@@ -343,7 +343,7 @@ int search_stepper(struct search *s, struct offer *o, double limit)
         }
         pilot_destroy(&pilot);
         steps = refinements < REFINEMENTS ? next_try(s, o->stepper, &before, &above, &below) : 0;
-        if (below.steps == 0 && is_too_dear(s, &price, &above, steps, limit))
+        if (below.steps == 0 && is_too_dear(s, o->stepper, &price, &above, steps, limit))
             break;
     }
     o->order =

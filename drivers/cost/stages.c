@@ -41,12 +41,13 @@ double stages_work_left(const struct stages *g, double share)
 static void time_again(struct search *s, struct offer *o)
 {
     enum { TIMES = 5 };
-    static const double blink = 0.05;
+    static const double blink = 5e5; /* evaluations of a body, a twentieth of a second or so */
+    const double work = (double)o->force_evals * (double)s->bodies;
     struct message ignored;
-    for (int k = 0; k < TIMES && o->seconds < blink && purse_clock() < s->purse.until; ++k) {
+    for (int k = 0; k < TIMES && work < blink && purse_clock() < s->purse.until; ++k) {
         const double seconds = race_sample(s->scene, o->stepper, o->h, s->t_end, &ignored);
         o->seconds = k == 0 && seconds > 0.0 ? seconds : fmin(o->seconds, seconds);
-        s->purse.work += (double)(o->force_evals * s->bodies);
+        s->purse.work += work;
     }
 }
 
@@ -64,7 +65,7 @@ static int make_offer(struct stages *g, int64_t k, double limit)
     if (g->complete && found.source == OFFER_MEASURED)
         time_again(s, &found);
     if (found.source == OFFER_MEASURED && method_rival(found.stepper) == NULL)
-        s->limit = fmin(s->limit, 2.0 * (double)found.force_evals);
+        s->limit = fmin(s->limit, 2.0 * offers_cost(&found));
     offers_carry_over(g, &found, target, &s->advice->offers[k]);
     return 0;
 }
@@ -105,13 +106,13 @@ static int find_solution(struct stages *g)
     return result < 0 ? -1 : 0;
 }
 
-/** The active offer that was the fastest at the last stage, of those that have not been told yet; -1: all have. */
+/** The active offer that cost least at the last stage, of those that have not been told yet; -1: all have. */
 static int64_t next_offer(const struct stages *g, const int told[ADVICE_MOST])
 {
     const struct advice *a = g->search.advice;
     int64_t next = -1;
     for (int64_t k = 0; k < a->count; ++k)
-        if (g->active[k] && !told[k] && (next < 0 || a->offers[k].seconds < a->offers[next].seconds))
+        if (g->active[k] && !told[k] && (next < 0 || offers_cost(&a->offers[k]) < offers_cost(&a->offers[next])))
             next = k;
     return next;
 }
@@ -141,18 +142,20 @@ static int run_stage(struct stages *g, double t_end, double target)
 
 /* ---- what the next stage is -------------------------------------------------------------------------------------- */
 
-/** Active offers that are faster than offer k, or as fast and before it in the list. */
-static int64_t faster_than(const struct stages *g, const int before[ADVICE_MOST], int64_t k)
+/** Active offers that cost less than offer k, or as much and come before it in the list. */
+static int64_t cheaper_than(const struct stages *g, const int before[ADVICE_MOST], int64_t k)
 {
     const struct advice *a = g->search.advice;
-    int64_t faster = 0;
-    for (int64_t j = 0; j < a->count; ++j)
-        faster += before[j] && (a->offers[j].seconds < a->offers[k].seconds ||
-                                (!(a->offers[j].seconds > a->offers[k].seconds) && j < k));
-    return faster;
+    const double cost = offers_cost(&a->offers[k]);
+    int64_t cheaper = 0;
+    for (int64_t j = 0; j < a->count; ++j) {
+        const double other = offers_cost(&a->offers[j]);
+        cheaper += before[j] && (other < cost || (!(other > cost) && j < k));
+    }
+    return cheaper;
 }
 
-/** Leaves the fastest half of the active offers, and no more than four, the best among them. */
+/** Leaves the cheaper half of the active offers, and no more than four, the best among them. */
 static void prune(struct stages *g)
 {
     enum { MOST = 4 };
@@ -161,7 +164,7 @@ static void prune(struct stages *g)
     memcpy(before, g->active, sizeof before);
     g->active_count = 0;
     for (int64_t k = 0; k < g->search.advice->count; ++k) {
-        g->active[k] = before[k] && (k == best || faster_than(g, before, k) < most);
+        g->active[k] = before[k] && (k == best || cheaper_than(g, before, k) < most);
         g->active_count += g->active[k];
     }
 }

@@ -31,9 +31,14 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
 /** Once it is known how errors grow: offers from a part of the time by steps that make up for that. before: their
  *  offers_growth so far. */
 void offers_regrow(struct stages *g, const double before[ADVICE_MOST]);
-/** The number of the offer that is the advice so far, or -1: the fastest that the last stage has shown, ours before
- *  rivals. */
+/** Of the run, as pilot_cost counts it; infinite where there is none. */
+double offers_cost(const struct offer *o);
+/** The number of the offer of ours that the search goes by, or -1: of those that the last stage has shown the one that
+ *  costs least. And of the one that is the advice in the end: the fastest, or, of those that take as long to a tenth, by
+ *  which seconds differ from run to run, the one that costs least. If that one's run was made, the advice is one of those
+ *  that were: any other costs twice as much. */
 int64_t offers_best(const struct stages *g);
+int64_t offers_fastest(const struct stages *g);
 
 /* ---- stages ------------------------------------------------------------------------------------------------------ */
 

@@ -84,8 +84,8 @@ def promise(name, t_end, error, stepper=None):
     others = advice["alternatives"]
     check(sorted([advice["stepper"]] + [o["stepper"] for o in others]) == sorted([stepper] if stepper else STEPPERS),
           what + ": all steppers are there")
-    check(all(advice["predicted_seconds"] <= o["predicted_seconds"] for o in others if o["predicted_seconds"] is not None),
-          what + ": none of the others is faster")
+    check(all(advice["predicted_seconds"] <= 1.1 * o["predicted_seconds"] for o in others if o["predicted_seconds"] is not None),
+          what + ": none of the others is faster by more than a tie")
     row = follow(name, t_end, advice["stepper"], advice["h"])
     turns = name != "pile"
     found = float(row["attitude_error" if turns else "velocity_error"])
@@ -191,7 +191,8 @@ def far_below():
 
 def unkicked():
     """Two bodies that fly into each other: where nothing pushes at the start vti3 has the places of vti2, and is offered by the same
-    step, or one of the next that kinks let pass, as pilots are timed. By its own order 1 it was offered by a ninetieth of that."""
+    step. By its own order 1 it was offered by a ninetieth of that; and while the search went by seconds, which differ from run
+    to run, one of the two was measured and the other, as too dear, followed to half that step."""
     with tempfile.TemporaryDirectory() as folder:
         for name, text in (("bodies.csv", "mass,inertia,diameter,x,y,z,vx,vy,vz,alpha_x,alpha_y,alpha_z,omega_x,omega_y,omega_z\n"
                             "1,.1,1,0,0,0,.5,0,0,0,0,0,0,0,0\n1,.1,1,1.2,.1,0,-.5,0,0,0,0,0,0,0,0\n"),
@@ -202,9 +203,24 @@ def unkicked():
                                 os.path.join(folder, "two.yaml")).stdout)
         told = {offer["stepper"]: offer for offer in [advice] + advice["alternatives"]}
         h, (least, most) = told["vti3"]["h"], told["vti3"]["interval"]
-        check(0.25 < h / told["vti2"]["h"] < 4, f"unkicked: vti3 at h = {h:.3g}, vti2 at {told['vti2']['h']:.3g}")
+        check(0.9 < h / told["vti2"]["h"] < 1.1, f"unkicked: vti3 at h = {h:.3g}, vti2 at {told['vti2']['h']:.3g}")
         found = float(follow(f"{folder}/two", 0.75, "vti3", h)["position_error"])
         check(least <= found <= most, f"... errs by {found:.2g}, in {least:.2g} to {most:.2g}")
+
+
+def told_again(name, t_end, error):
+    advice = json.loads(run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), scene(name)).stdout)
+    told = {o["stepper"]: [o["h"], o["predicted_error"], o["source"]] for o in [advice] + advice["alternatives"]}
+    return told | {"pilots": advice["pilots"]["force_evals"]}
+
+
+def reproducible():
+    """Whatever else the machine does, the same pilots are made, and every stepper is offered by the same step."""
+    for case in (("chain", 10, 1e-5), ("pair", 100, 1e-4), ("pile", 0.25, 1e-3), ("pendulum", 1000, 1e-4)):
+        first = told_again(*case)
+        others = [told_again(*case) for _ in range(3)]
+        differ = sorted(key for key in first if any(other[key] != first[key] for other in others))
+        check(not differ, f"{case[0]} to {case[1]}, {case[2]:g}: told again alike {differ or ''}")
 
 
 def rivals():
@@ -245,7 +261,7 @@ def always():
     done = run(advise, "--json", "--error", "1e-6", "--budget", "1e-9", scene("block"))
     advice = json.loads(done.stdout)
     check(done.returncode == 0 and advice["source"] == "stability" and advice["predicted_error"] is None
-          and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
+          and advice["stepper"] == "exact" and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
 
 
 def budget_is_hard():
@@ -526,6 +542,7 @@ stable_step_of_the_stepper()
 known_to_its_share()
 far_below()
 unkicked()
+reproducible()
 rivals()
 always()
 budget_is_hard()
