@@ -155,6 +155,7 @@ struct search {
     int measure, trajectory; /* of the errors; and by which runs come together or not */
     struct pilot solution;
     int solved;
+    double known[COST_MEASURES]; /* how far off the solution may be by each */
     double strayed[PILOT_MARKS]; /* of the whole time: how far two runs are apart that began a nudge apart, in nudges;
                                     where no pair was flown, 0 */
     double omega0;

@@ -78,11 +78,17 @@ static int scene_has(const struct pilot *pilot, int measure)
     return measure == COST_ATTITUDE ? b->alpha.c[0] != NULL : measure == COST_POSITION ? b->x.c[0] != NULL : 1;
 }
 
+/** By the measure that is asked for and by the others; not by those by which the solution is not known well enough: it is
+ *  refined by one measure, and hardly at all where the energy is asked for. */
 static void all_errors(const struct search *s, const struct pilot *pilot, double errors[COST_MEASURES])
 {
-    for (int m = 0; m < COST_MEASURES; ++m)
-        errors[m] =
-            !pilot->failed && scene_has(pilot, m) && (s->solved || m == COST_ENERGY) ? error_of(s, pilot, m) : NAN;
+    static const double enough =
+        6.0; /* an error is right to a half of it, as a solution may be off by twice of known */
+    for (int m = 0; m < COST_MEASURES; ++m) {
+        const int can_tell = !pilot->failed && scene_has(pilot, m) && (s->solved || m == COST_ENERGY);
+        const double error = can_tell ? error_of(s, pilot, m) : NAN;
+        errors[m] = m == s->measure || m == COST_ENERGY || error >= enough * s->known[m] ? error : NAN;
+    }
 }
 
 /* ---- the solution ------------------------------------------------------------------------------------------------ */
@@ -133,6 +139,15 @@ static int weigh(struct search *s, struct refining *r, double target)
     return r->stalled >= STALLED + 2 * !(r->apart < too_far) || r->halvings >= MOST + STALLED ? ADVISE_PARTED : 0;
 }
 
+/** How far off the solution, the finer of two runs, is by each measure: as far as by that which a->known is of, in
+ *  proportion to what the two differ. */
+static void know_all(struct search *s, const struct refining *r, const struct pilot *coarse, const struct pilot *fine)
+{
+    const double share = r->apart > 0.0 ? s->advice->known / r->apart : 1.0;
+    for (int m = 0; m < COST_MEASURES; ++m)
+        s->known[m] = scene_has(fine, m) ? share * pilot_error(coarse, fine, m, PILOT_MARKS - 1) : 0.0;
+}
+
 /** Doubles the steps until two runs agree. Leaves the last in s->solution. */
 static int refine(struct search *s, int measure, double target, struct refining *r)
 {
@@ -148,9 +163,12 @@ static int refine(struct search *s, int measure, double target, struct refining 
             s->advice->together = search_together(s, &s->solution, &finer);
         }
         if (result == 0) {
-            pilot_destroy(&s->solution);
+            struct pilot coarse = s->solution;
             s->solution = finer;
             result = weigh(s, r, target);
+            if (result == FOUND)
+                know_all(s, r, &coarse, &finer);
+            pilot_destroy(&coarse);
         } else
             pilot_destroy(&finer);
     }
