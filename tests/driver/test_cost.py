@@ -199,6 +199,19 @@ def failing(base):
     check("1 run of vti1 that failed" in result.stdout and "h|Omega|" in result.stdout, "the screen names it and the reason")
 
 
+def all_by_one_step(base):
+    """Runs whose largest step has every error on the list tell no trade of error against cost, and none is told; where it has some
+    of them, the trade is that of the others."""
+    result = cost(1, PENDULUM, "--t-end", "8", "--h", "8/4096", "--steppers", "exact,srkn14", folder=f"{base}/one")
+    check(result.returncode == 0 and "factor of ten" not in result.stdout, f"one step for all errors tells no factor {result.stderr}")
+    steps = ",".join(f"8/{1024 << k}" for k in range(7))
+    result = cost(1, PENDULUM, "--t-end", "8", "--h", steps, "--steppers", "exact", folder=f"{base}/some")
+    told = [float(line.split()[8]) for line in result.stdout.splitlines() if line.startswith("exact: a factor of ten")]
+    evals = [float(row["force_evals"]) for row in rows(f"{base}/some", "prices.csv")
+             if row["measure"] == "attitude" and row["force_evals"]]
+    check(evals[0] == evals[1] and len(told) == 1 and 2.4 < told[0] < 3.5, f"about 3.2, order 2, from finer ones: {told} {evals}")
+
+
 def refused(base):
     cases = [
         ("unknown method", [PENDULUM, "--steppers", "vti1,frob"], ["--steppers", "'frob'", "exact", "lammps-richardson"]),
@@ -229,5 +242,6 @@ with tempfile.TemporaryDirectory() as work:
     late_touch(work)
     every_step(work)
     failing(work)
+    all_by_one_step(work)
     refused(work)
 conclude()

@@ -106,6 +106,22 @@ def test_prices(program, folder):
     assert re.search(r"\*\*3\.2\*\* times with [^;]*\bexact\b", text), "not in words"
 
 
+def test_one_step_for_all(program, folder):
+    """A method whose largest step has all errors shows no trade: no factor of ten is told."""
+    cost_support.write_cost(folder, scenes=("chain",), methods={k: cost_support.METHODS[k] for k in ("exact", "vti2", "rk4", "srkn11")})
+    path = os.path.join(folder, "prices.csv")
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    with open(path, "w", encoding="utf-8") as file:
+        for line in lines:
+            cells = line.split(",")
+            file.write((",".join([*cells[:-2], "1000", "1e-3"]) if cells[3] == "srkn11" else line) + "\n")
+    text = page(program, folder, os.path.join(folder, "docs"))
+    rows = {row[0]: row for row in table_below(text, "chain")[1]}
+    assert rows["SRKN11 (`srkn11`)"][-1] == "-", rows["SRKN11 (`srkn11`)"]
+    assert "SRKN11: the largest step that goes reaches all of these errors." in text, "not in words"
+
+
 def check_column(scene, error, cells, expected):
     """Every price that was told is there to three figures, others are not; the least are bold, and only they."""
     shown = [tuple(cell.split(" / ")) for cell in cells if cell != "-"]

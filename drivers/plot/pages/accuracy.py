@@ -134,7 +134,8 @@ def orders_part(page, cost):
               "how much of its motion is touching. A method that controls its step goes through the touch with small ones. The "
               "AN(K) know from where and how fast a touch begins or ends what their sums miss by it, and take that off: 4.5 is "
               "left of their order, by a touch. "
-              "From the prices in evaluations, over all errors reached:")
+              "From the prices in evaluations, over all errors reached. Evaluations of the start count, and so multistep methods "
+              "show more than their order where the whole run takes few steps:")
     scenes = cost.scenes()
     kinds = cost.kinds()
     rows = [[methods.name(method), kinds[method], *(_order(cost, scene, method) for scene in scenes)]

@@ -50,10 +50,10 @@ def ratio(cost, scene, error, column="seconds", measure=None, rivals=None):
 def factor(ladder, column="seconds"):
     """What a factor of ten in accuracy costs: the geometric mean of the ratios of prices of neighbouring decades, over the
     range that is reached; NaN with fewer than two. The coarsest price may be that of the largest step that goes at all,
-    which is no trade of error against cost: a first ratio of less than 1.05 is left out."""
+    which is no trade of error against cost: first ratios of less than 1.05 are left out, and if these are all, it is NaN."""
     good = np.isfinite(ladder[column])
     values, decades = ladder[column][good], -np.log10(ladder["error"][good])
-    while len(values) > 2 and values[1] < 1.05 * values[0]:
+    while len(values) > 1 and values[1] < 1.05 * values[0]:
         values, decades = values[1:], decades[1:]
     if len(values) < 2 or not values[0] > 0:
         return np.nan
@@ -108,15 +108,18 @@ def _cell(ladder, error, fastest, fewest):
 def in_words(cost, scene):
     """What a factor of ten in accuracy costs with each, methods of about the same factor in one breath."""
     factors = {methods.name(method): factor(ladder) for method, ladder in cost.prices[scene].items()}
-    none = sorted(name for name, value in factors.items() if not np.isfinite(value))
+    alike = sorted(methods.name(method) for method, ladder in cost.prices[scene].items()
+                   if np.count_nonzero(np.isfinite(ladder["seconds"])) > 1 and not np.isfinite(factor(ladder)))
+    none = sorted(name for name, value in factors.items() if not np.isfinite(value) and name not in alike)
     groups = []
-    for name in sorted((name for name in factors if name not in none), key=factors.get):
+    for name in sorted((name for name, value in factors.items() if np.isfinite(value)), key=factors.get):
         if groups and factors[name] < NEIGHBOURS * factors[groups[-1][0]]:
             groups[-1].append(name)
         else:
             groups.append([name])
     parts = [f"{_between(factors[group[0]], factors[group[-1]])} with {listing(group)}" for group in groups]
     said = "A factor of ten in accuracy costs " + "; ".join(parts) + ", in time." if parts else ""
+    said += f" {listing(alike)}: the largest step that goes reaches all of these errors." if alike else ""
     return said + (f" {listing(none)}: too few of the errors were reached to tell." if none else "")
 
 
