@@ -103,10 +103,8 @@ static void say_warnings(const struct run *run, FILE *file)
 static void say_notes(const struct run *run, FILE *file)
 {
     const struct model *m = run->shown;
-    struct message unused[RUN_UNUSED];
-    const int n = run->from == 0 ? run_unused(m, &run->tables, unused) : 0;
-    for (int k = 0; k < n; ++k)
-        fprintf(file, "note: %s\n", unused[k].text);
+    if (run->from == 0)
+        unused_say(m, &run->tables, file);
     for (int64_t e = 0; run->from == 0 && e < m->instances_count; ++e) {
         char text[256] = "";
         if (m->instances[e].kind->note != NULL)

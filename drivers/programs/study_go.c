@@ -8,6 +8,7 @@
 #include "study_files.h"
 #include "study_tasks.h"
 #include "terminal.h"
+#include "unused.h"
 
 static const char study_journal[] = "study.journal";
 
@@ -51,6 +52,7 @@ static void say_times(const struct study *study)
 
 static void say_study(const struct study *study, const char *folder)
 {
+    unused_say(&study->model, study->plan->scene->tables, stdout);
     say_times(study);
     study_table_write(study, stdout);
     const int dissipates = model_dissipates(&study->model) != NULL;

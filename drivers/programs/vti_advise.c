@@ -9,6 +9,7 @@
 #include "options.h"
 #include "table_hdf5.h"
 #include "terminal.h"
+#include "unused.h"
 
 static struct option_list sets;
 static const char *steppers, *measure;
@@ -54,6 +55,17 @@ static void show(const char *stepper, int64_t steps)
         fprintf(stderr, "\r\033[Ktrying %s in %lld steps", stepper, (long long)steps);
 }
 
+/** What of the scene says nothing to any pilot. */
+static int say_unused(const struct scene *scene, FILE *file, struct message *message)
+{
+    struct model model;
+    if (model_create(scene, &model, message) != 0)
+        return -1;
+    unused_say(&model, scene->tables, file);
+    model_destroy(&model);
+    return 0;
+}
+
 static int check_steppers(const vti_stepper *const *list, int64_t listed, struct message *message)
 {
     for (int64_t k = 0; k < listed; ++k)
@@ -83,6 +95,8 @@ static int give_advice(struct scene *scene, struct message *message)
                                            .say = show};
     if (measure != NULL && request.measure < 0)
         return message_set(message, "--measure: '%s' is none; take attitude, position, velocity or energy", measure);
+    if (say_unused(scene, json ? stderr : stdout, message) != 0)
+        return -1;
     if (budget == 0.0 && advise_share(scene) >= 1.0)
         fprintf(
             json ? stderr : stdout,

@@ -2,8 +2,6 @@
  * What scene and tables give of bodies and nothing in the model goes by. */
 #include "unused.h"
 
-#include <stdio.h>
-
 #include "quote.h"
 
 /** Whether an effect is as stiff as the bodies' materials make it. */
@@ -26,19 +24,19 @@ static int needs_mass(const struct model *model, const struct table *t)
     return model->translates || (model->turns && !given);
 }
 
-static void say_key(const char *key, const char *why, struct message *line)
+static void say_key(const char *key, const char *why, FILE *file)
 {
-    message_set(line, "%s is not used: %s; leave it out", key, why);
+    fprintf(file, "note: %s is not used: %s; leave it out\n", key, why);
 }
 
 /** Tables may be those of several scenes, and have what others need. */
-static void say_columns(const struct table *table, const char *columns, const char *why, struct message *line)
+static void say_columns(const struct table *table, const char *columns, const char *why, FILE *file)
 {
     char shown[240];
-    message_set(line, "%s: %s not used: %s", quote_tail(shown, sizeof shown, table->path), columns, why);
+    fprintf(file, "note: %s: %s not used: %s\n", quote_tail(shown, sizeof shown, table->path), columns, why);
 }
 
-int run_unused(const struct model *model, const struct tables *tables, struct message lines[RUN_UNUSED])
+void unused_say(const struct model *model, const struct tables *tables, FILE *file)
 {
     static const char *const turned = "nothing turns bodies",
                              *const moved = "bodies do not translate, and their inertia is given",
@@ -46,20 +44,18 @@ int run_unused(const struct model *model, const struct tables *tables, struct me
     const struct scene *s = model->scene;
     const struct table *t = &tables->bodies;
     const int massless = !needs_mass(model, t);
-    int n = 0;
     if (!model->turns && s->inertia != 0.0)
-        say_key("bodies.inertia", turned, &lines[n++]);
+        say_key("bodies.inertia", turned, file);
     if (!model->turns && s->moments[0] != 0.0)
-        say_key("bodies.moments", turned, &lines[n++]);
+        say_key("bodies.moments", turned, file);
     if (!model->turns && table_has(t, BODY_INERTIA))
-        say_columns(t, "column inertia is", turned, &lines[n++]);
+        say_columns(t, "column inertia is", turned, file);
     if (!model->turns && table_has(t, BODY_MOMENTS))
-        say_columns(t, "columns moment_a, moment_b, moment_c are", turned, &lines[n++]);
+        say_columns(t, "columns moment_a, moment_b, moment_c are", turned, file);
     if (massless && (s->mass != 0.0 || s->density != 0.0))
-        say_key(s->mass != 0.0 ? "bodies.mass" : "bodies.density", moved, &lines[n++]);
+        say_key(s->mass != 0.0 ? "bodies.mass" : "bodies.density", moved, file);
     if (massless && table_has(t, BODY_MASS))
-        say_columns(t, "column mass is", moved, &lines[n++]);
+        say_columns(t, "column mass is", moved, file);
     if (table_has(t, BODY_YOUNG) && !has_materials(model))
-        say_columns(t, "columns young and poisson are", made, &lines[n++]);
-    return n;
+        say_columns(t, "columns young and poisson are", made, file);
 }

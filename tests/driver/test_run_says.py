@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vti-run says beside its results: what of a scene and its tables nothing goes by, how much disk it takes, how
-far it is.      test_run_says.py VTI_RUN SCENES"""
+"""What vti-run says beside its results: what of a scene and its tables nothing goes by (as vti-study and vti-advise do), how much
+disk it takes, how far it is.      test_run_says.py VTI_RUN VTI_STUDY VTI_ADVISE SCENES"""
 import glob
+import json
 import os
 import re
 import subprocess
@@ -12,7 +13,7 @@ import tempfile
 from programs import run
 from tally import check, conclude
 
-RUN, SCENES = map(os.path.abspath, sys.argv[1:3])
+RUN, STUDY, ADVISE, SCENES = map(os.path.abspath, sys.argv[1:5])
 
 MOVING = "x,y,z,vx,vy,vz"
 TURNING = "omega_x,omega_y,omega_z"
@@ -53,6 +54,20 @@ def unused(base):
         said = [line[len("note: "):] for line in done.stdout.splitlines() if line.startswith("note: ")]
         wanted = [note.replace("TABLE", f"{base}/b.csv") for note in notes]
         check(done.returncode == 0 and said == wanted, f"{columns}; {keys}: {said} {done.stderr.strip()}")
+
+
+def unused_elsewhere(base):
+    """The same notes by vti-study and vti-advise; beside JSON on the standard error."""
+    with open(f"{base}/e.yaml", "w", encoding="ascii") as file:
+        file.write("bodies: {x: [0, 0, 0], v: [1, 0, 0], mass: 1, inertia: 0.37}\ndrag: {linear: 1}\nh: 1/64\nt_end: 1\n")
+    note = f"note: bodies.inertia is not used: {TURNED}; leave it out"
+    done = run(STUDY, f"{base}/e.yaml", "--h", "1/16:1/64", "--no-plot", "-o", f"{base}/e-study")
+    check(done.returncode == 0 and done.stdout.splitlines().count(note) == 1, f"vti-study: {note} {done.stderr.strip()}")
+    for options, which in ([], "stdout"), (["--json"], "stderr"):
+        done = run(ADVISE, f"{base}/e.yaml", "--steppers", "vti2", *options)
+        check(done.returncode == 0 and getattr(done, which).splitlines().count(note) == 1,
+              f"vti-advise {' '.join(options)}: the same {done.stderr.strip()}")
+        check(not options or json.loads(done.stdout)["stepper"] == "vti2", "... and JSON alone is on the standard output")
 
 
 def shipped(base):
@@ -107,6 +122,7 @@ def logged(base):
 
 with tempfile.TemporaryDirectory() as root:
     unused(root)
+    unused_elsewhere(root)
     shipped(root)
     disk(root)
     logged(root)
