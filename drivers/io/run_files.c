@@ -12,10 +12,18 @@ enum { HDF5, CSV, XDMF, DUMP, SPHERES, KINDS };
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 
-/** OUT.xdmf, which is XML, names files that stand beside it: whether it can. Returns 0, or -1 with one line in *message. */
+/** OUT.xdmf, which is XML, names files that stand beside it: whether it can. Its readers leave blanks in front out, and take what
+ *  stands before a colon for none of the name. Returns 0, or -1 with one line in *message. */
 static int check_characters(const char *name, struct message *message)
 {
     char shown[QUOTE_SIZE];
+    const char *colon = strchr(name, ':');
+    if (name[0] == ' ' || colon != NULL)
+        return message_set(
+            message,
+            "-o: '%s' has a %s, and what reads OUT.xdmf would look for another file; choose another name "
+            "with -o",
+            quote(shown, sizeof shown, name), colon != NULL ? "colon" : "blank in front");
     for (size_t k = 0, n, all = strlen(name); k < all; k += n) {
         n = quote_character(name + k, all - k);
         if (n == 0)

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import h5py
 import numpy
 
-from programs import run
+from programs import one_line, run
 from run_support import contents, read_csv, read_dump, read_vtkhdf, read_xdmf, same
 from tally import check, conclude
 
@@ -336,12 +336,15 @@ def moving_walls(base):
 
 
 def odd_name(base):
-    """Whatever stands in the name of OUT.h5, OUT.xdmf is XML that says it."""
+    """Whatever stands in the name of OUT.h5, OUT.xdmf is XML that says it, and what its readers would take for another file is refused."""
     name = "a]]> & <b>\u00e9.h5"
     result = run(RUN, f"{SCENES}/spin.yaml", "--t-end", "1", "-o", f"{base}/{name}")
     with open(f"{base}/{name[:-3]}.xdmf", "rb") as file:
         items = [item.text for item in ElementTree.fromstring(file.read()).iter("DataItem") if item.get("Format") == "HDF"]
     check(result.returncode == 0 and items and all(item.startswith(f"{name}:/VTKHDF/") for item in items), f"XDMF names {name}")
+    for name, what in (("b:a.h5", "a colon"), (" a.h5", "a blank in front")):
+        result = run(RUN, f"{SCENES}/spin.yaml", "--t-end", "1", "-o", f"{base}/{name}")
+        check(one_line(result, f"-o: '{name}' has {what}, and what reads OUT.xdmf would look for another file; choose"), f"... {what}")
 
 
 def contact_flag(base):
