@@ -43,7 +43,7 @@ static int next_line(struct csv *csv, FILE *file)
         return 0;
     if (n < 0) {
         csv->number = 0;
-        snprintf(text, sizeof text, "cannot be read: %s", strerror(errno));
+        snprintf(text, sizeof text, "cannot be read: %s; give the path of a table", strerror(errno));
         return fail(csv, NULL, text);
     }
     ++csv->number;
@@ -80,9 +80,22 @@ static int count_fields(const char *line)
 
 /* ---- the line of names ------------------------------------------------------------------------------------------- */
 
+/** What spreadsheets and statistics programs write that is not read. */
+static const char *find_habit(const char *name)
+{
+    return strchr(name, ';') != NULL ? "columns are parted by ';'; let commas part them, and points stand in numbers"
+           : strchr(name, '\t') != NULL
+               ? "columns are parted by tabs; let commas part them, and points stand in numbers"
+           : name[0] == '"' ? "a name in quotation marks; write names and numbers without any"
+                            : NULL;
+}
+
 static int fail_name(const struct csv *csv, const char *name)
 {
     char shown[QUOTE_SIZE], known[256], text[416];
+    const char *habit = find_habit(name);
+    if (habit != NULL)
+        return fail(csv, name, habit);
     snprintf(text, sizeof text, "unknown column '%s'; known are %s", quote(shown, sizeof shown, name),
              table_list(csv->table->kind, known, sizeof known));
     return fail(csv, name, text);

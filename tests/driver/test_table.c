@@ -80,6 +80,11 @@ static const struct {
     {&table_bodies, "x,y,z\n0,0,0\n0,0,0,0\n",
      "b.csv:3: 4 values in a row of 3 columns; give one for each name in line 1"},
     {&table_bodies, "x,y,z\n0;0;0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
+    {&table_bodies, "\xef\xbb\xbfx;y;z\r\n0,5;0;0\r\n",
+     "b.csv:1:4: columns are parted by ';'; let commas part them, and points stand in numbers"},
+    {&table_bodies, "x\ty\tz\n0\t0\t0\n",
+     "b.csv:1:1: columns are parted by tabs; let commas part them, and points stand in numbers"},
+    {&table_bodies, "x,\"y\",z\n0,0,0\n", "b.csv:1:3: a name in quotation marks; write names and numbers without any"},
     {&table_bodies, "x,y,z\n0,0,0\n \n", "b.csv:3: an empty line; remove it"},
     {&table_bodies, "x,y,z\n0,,0\n", "b.csv:2:3: y: ''" NUMBER},
     {&table_bodies, "x,y,z\n0,0,0\n0, nan,0\n", "b.csv:3:4: y: 'nan'" NUMBER},
@@ -112,7 +117,7 @@ TEST(what_is_no_file)
     assert_refused("missing", table_csv_read("none.csv", &table_bodies, &t, &message), &message,
                    "none.csv: cannot be read: No such file or directory; give the path of a table");
     assert_refused("directory", table_csv_read(".", &table_bodies, &t, &message), &message,
-                   ".: cannot be read: Is a directory");
+                   ".: cannot be read: Is a directory; give the path of a table");
     write_bytes("b.csv", "x,y,z\n0,0,\0000\n", 14);
     assert_refused("a byte 0", table_csv_read("b.csv", &table_bodies, &t, &message), &message,
                    "b.csv:2:5: a byte 0; give a text file");
