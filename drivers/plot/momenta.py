@@ -8,7 +8,6 @@ from matplotlib.lines import Line2D
 
 from . import curves, style, words
 from .curves import EPS
-from .run_file import VECTORS
 
 FEW = 10        # times: of a run that blew up, where a line alone might have no second end
 KEPT = 20       # times rounding at random: more than that is no rounding, even where it is small
@@ -43,24 +42,33 @@ def components(run, vector):
     if values is None:
         return None
     largest = [curves.largest(values[:, k] - values[0, k]) for k in range(3)]
-    limit = KEPT * float(rounding(run, run.columns["t"][-1]))
+    limit = KEPT * float(rounding(run, run.columns["t"][-1], scale(run, vector)))
     return [Component("xyz"[k], change, change <= limit) for k, change in enumerate(largest)]
 
 
-def rounding(run, t):
+def rounding(run, t, largest):
     """What one rounding error of the largest momentum per step adds up to, if their signs are random."""
-    return EPS * scale(run) * np.sqrt(np.maximum((t - run.columns["t"][0]) / run.h, 1.0))
+    return EPS * largest * np.sqrt(np.maximum((t - run.columns["t"][0]) / run.h, 1.0))
 
 
-def scale(run):
-    """Of all momenta together: rounding is relative to what is exchanged, not to sums that may be 0. Sums of m|v| and J|Omega| are at
-    least twice the energy over the fastest."""
-    found = [np.max(np.abs(values)) for values in map(run.vector, VECTORS) if values is not None]
-    for energy, rate in (("kinetic_translation", "velocity"), ("kinetic_rotation", "omega")):
-        fastest = run.fastest(rate) if energy in run.columns else 0.0
-        if fastest > 0:
-            found.append(2 * np.max(run.columns[energy]) / fastest)
-    return max(found, default=0.0) or 1.0
+def scale(run, vector):
+    """Rounding is relative to what is exchanged, not to sums that may be 0: sums of m|v| and J|Omega|, which are at least twice the
+    energy over the fastest, and of |x| m|v|. Lengths, and so what is to be compared, have any unit."""
+    linear = max(_largest(run, "momentum"), _exchanged(run, "kinetic_translation", "velocity"))
+    spin = max(_largest(run, "spin"), _exchanged(run, "kinetic_rotation", "omega"))
+    if vector == "angular":
+        return max(_largest(run, vector), spin, linear * run.longest("Points")) or 1.0
+    return (linear if vector == "momentum" else spin) or 1.0
+
+
+def _largest(run, vector):
+    values = run.vector(vector)
+    return 0.0 if values is None else float(np.max(np.abs(values)))
+
+
+def _exchanged(run, energy, rate):
+    fastest = run.longest(f"PointData/{rate}") if energy in run.columns else 0.0
+    return 2 * float(np.max(run.columns[energy])) / fastest if fastest > 0 else 0.0
 
 
 def draw(run):
@@ -69,8 +77,7 @@ def draw(run):
         return None, ["not drawn, the run has recorded no momenta"]
     notes = run.notes()
     fates = {panel: components(run, panel.vector) for panel in panels}
-    unit = EPS * scale(run)
-    top = max(component.change for fate in fates.values() for component in fate)
+    largest = {panel: scale(run, panel.vector) for panel in panels}
 
     figure = style.new_figure(5.3)
     figure.suptitle(f"{words.plain(run.scene)}: deviation of the momenta from their initial values, "
@@ -78,24 +85,25 @@ def draw(run):
     grid = figure.add_gridspec(2, len(panels), height_ratios=(4.0, 0.3))
     for column, panel in enumerate(panels):
         axes = figure.add_subplot(grid[0, column])
+        unit, top = EPS * largest[panel], max(component.change for component in fates[panel])
         style.log_axis(axes.yaxis, 0.03 * unit, max(6 * top, 1e4 * unit))
-        _draw_panel(axes, run, run.vector(panel.vector))
+        _draw_panel(axes, run, run.vector(panel.vector), largest[panel])
         axes.set_title(f"{panel.name} ${panel.symbol}$\n{_verdict(fates[panel])}")
         if column == 0:
             axes.set_ylabel("absolute deviation (units of the scene)")
-    _draw_legend(style.bare(figure.add_subplot(grid[1, :])), scale(run))
+    _draw_legend(style.bare(figure.add_subplot(grid[1, :])), largest)
     figure.supxlabel("\n".join([f"{MEANING};  " r"$\varepsilon=2^{-52}$.  " f"vti {words.plain(run.version)}", *notes]),
                      fontsize=8.5, color=style.GREY)
     return figure, notes
 
 
-def _draw_panel(axes, run, values):
+def _draw_panel(axes, run, values, largest):
     t, few = run.columns["t"], len(run.columns["t"]) < FEW
     for k, (_, colour) in enumerate(LOOKS):
         times, peaks = curves.sliced(t, np.abs(values[:, k] - values[0, k]), np.max)
         axes.plot(times, np.where(peaks > 0, peaks, np.nan), "o-" if few else "-", color=colour,
                   linewidth=1.0, markersize=4)
-    axes.plot(t, rounding(run, t), ":", color=style.GREY, linewidth=1.2, zorder=1)
+    axes.plot(t, rounding(run, t, largest), ":", color=style.GREY, linewidth=1.2, zorder=1)
     curves.time_axis(axes, None if few else t)
     if few:
         axes.margins(x=0.05)    # or half of the last mark is cut off
@@ -111,6 +119,6 @@ def _verdict(fate):
 def _draw_legend(axes, largest):
     handles = [Line2D([], [], color=colour, linewidth=2, label=f"${axis}$") for axis, colour in LOOKS]
     handles.append(Line2D([], [], color=style.GREY, linestyle=":", linewidth=1.2,
-                          label=rf"rounding at random: $\varepsilon\sqrt{{t/h}}$ of the largest momentum, "
-                          f"{words.number(largest)}"))
+                          label=r"rounding at random: $\varepsilon\sqrt{t/h}$ of what is exchanged: "
+                          + ", ".join(f"${panel.symbol}$ {words.number(value)}" for panel, value in largest.items())))
     axes.legend(handles=handles, loc="center", ncol=4, borderaxespad=0)

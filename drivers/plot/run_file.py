@@ -103,10 +103,10 @@ class Run:
         parts = [self.columns.get(f"{name}_{axis}") for axis in "xyz"]
         return None if any(part is None for part in parts) else np.stack(parts, axis=1)
 
-    def fastest(self, name):
-        """The largest of the vectors of that name in PointData, in some frames; 0 if there are none."""
+    def longest(self, name):
+        """The largest of the vectors of that name in VTKHDF, in some frames; 0 if there are none."""
         with opened(self.path) as file:
-            data = file["VTKHDF/PointData"].get(name)
+            data = file["VTKHDF"].get(name)
             some = np.unique(np.linspace(0, len(self.times) - 1, 16).astype(int)) if data is not None else []
             largest = [np.max(np.linalg.norm(data[k * self.bodies:(k + 1) * self.bodies], axis=1), initial=0.0) for k in some]
         return max(largest, default=0.0)
@@ -145,7 +145,9 @@ def read_run(path):
         reader.same_lengths(columns, "/energies")
         if len(columns["t"]) == 0:
             raise reader.trouble("holds no recorded times")
-        times, data = reader.numbers("/VTKHDF/Steps/Values"), reader.group("/VTKHDF/PointData")
+        if not np.all(np.diff(columns["t"][np.isfinite(columns["t"])]) > 0):
+            raise reader.trouble("dataset /energies/t has times that do not rise")
+        times, data = reader.finite("/VTKHDF/Steps/Values"), reader.group("/VTKHDF/PointData")
         points = reader.dataset("/VTKHDF/Points", 2)
         bodies = len(points) // max(1, len(times))
         _must_have_shape(reader, "/VTKHDF/Points", (bodies * len(times), 3))
@@ -168,6 +170,8 @@ def read_run(path):
                   _clumps(reader, bodies), "ellipsoid" in data and "clumps" not in file)
         if run.ellipsoids:
             _must_have_shape(reader, "/VTKHDF/PointData/ellipsoid", (bodies * len(times), 9))
+        if not run.energies():
+            raise reader.trouble("group /energies has no term of the total")
         _cut(run)
         if len(run.columns["t"]) == 0 or len(run.times) == 0:
             raise reader.trouble("holds no number that is finite")

@@ -39,8 +39,8 @@ def plot(program, *given, dpi=COARSE, only=None):
     return called(module, program, *given, dpi=dpi)
 
 
-def apart(program, *given):
-    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False)
+def apart(program, *given, **environment):
+    return subprocess.run([sys.executable, program, *given], capture_output=True, text=True, check=False, env={**os.environ, **environment})
 
 
 def called(module, *argv, dpi=COARSE):

@@ -68,6 +68,10 @@ def write_run(path, count=24, frames=71, rows=3000, t_end=7.0, turns=True, trans
             file["walls"] = np.array([[1.0, 0.0, 0.0, 0.9], [0.0, 0.0, 1.0, -1.0]])
 
 
+def modules(*names):
+    return [importlib.import_module(f"plot.{name}") for name in names]
+
+
 def draws(program, run, folder, pictures=ALL, **options):
     return plot_support.draws(program, run, folder, pictures, narrowest=1000, **options)
 
@@ -155,7 +159,7 @@ def test_walls(program, folder):
 
 def test_rest(program, folder):
     """What rests is drawn once: panels are of the time before, and of all of it where a body, a mark or a wall moves."""
-    shapes, run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("shapes", "run_file", "scenery"))
+    shapes, run_file, scenery = modules("shapes", "run_file", "scenery")
     path, count = os.path.join(folder, "out.h5"), 24
 
     def frames(calm=True, **change):
@@ -185,8 +189,7 @@ def test_rest(program, folder):
 
 def test_level(program, folder):
     """A plane that no coordinates show from the side is level in pictures: gaps, distances and attitudes are those in space."""
-    level, outlines, run_file, scenery, walls = (importlib.import_module(f"plot.{name}")
-                                                 for name in ("level", "outlines", "run_file", "scenery", "walls"))
+    level, outlines, run_file, scenery, walls = modules("level", "outlines", "run_file", "scenery", "walls")
     path = os.path.join(folder, "out.h5")
     for plane, seen in (((1, 0, 0, -1), False), ((0.6, 0, 0.8, -1), False), ((0.36, -0.48, 0.8, -1), True),
                         ((-0.8, 0.48, -0.36, -2), True)):
@@ -214,7 +217,7 @@ def test_level(program, folder):
 
 def test_plane(_program, folder):
     """A floor is seen from the side, whichever way bodies move most; planes opposite each other are glass before them."""
-    run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("run_file", "scenery"))
+    run_file, scenery = modules("run_file", "scenery")
     path = os.path.join(folder, "out.h5")
     x, y, z = np.eye(3)
     for normals, seen in (((), [0, 1]), ((z,), [0, 2]), ((y, -y), [0, 1]), ((z, -z), [0, 1]), ((z, y, -y), [0, 2]), ((x, y, z), [0, 1]),
@@ -271,8 +274,7 @@ def test_varying_steps(program, folder):
 def test_scale(_program, folder):
     """Both coordinates are written in one power of ten, near 1 in none; less a round base far from the origin, where ticks are
     apart and name where they are. What of the walls is seen at a slant is said not to be drawn."""
-    shapes, run_file, scenery = (importlib.import_module(f"plot.{name}") for name in ("shapes", "run_file", "scenery"))
-    path = os.path.join(folder, "out.h5")
+    (shapes, run_file), path = modules("shapes", "run_file"), os.path.join(folder, "out.h5")
     write_run(path, count=5, frames=2, rows=2, walls=False)
     with h5py.File(path, "a") as file:
         file["VTKHDF/Points"][...] += np.array([123456.0, 0.0, 0.0])
@@ -290,6 +292,45 @@ def test_scale(_program, folder):
     for low, high, expected in (((-3, 0), (3, 1), 0), ((0, 0), (0.03, 0.3), 0), ((0, 0), (0.03, 0.01), -2), ((-0.0103, 0), (0, 0.009), -3),
                                 ((0, 0), (3e4, 1), 4)):
         assert power([(low, high)]) == expected, (low, high, power([(low, high)]))
+
+
+def test_momenta(_program, folder):
+    """What is kept does not depend on the unit of length: each momentum is compared with what is exchanged of it."""
+    (momenta, run_file), path, kept = modules("momenta", "run_file"), os.path.join(folder, "out.h5"), []
+    for unit in (1.0, 1e-6, 1e6):
+        write_run(path, walls=False)
+        with h5py.File(path, "a") as file:
+            file["energies/spin_x"][...] = 1 + 1e-9 * (file["energies/t"][...] > 3)
+            for name, dataset in file["energies"].items():
+                dataset[...] *= 1.0 if name == "t" else unit if name.startswith("momentum") else unit**2
+            file["VTKHDF/Points"][...] *= unit
+            file["VTKHDF/PointData/velocity"][...] = unit
+            file["VTKHDF/PointData/omega"] = np.ones_like(file["VTKHDF/Points"])
+        run = run_file.read_run(path)
+        kept.append([[one.kept for one in momenta.components(run, vector)] for vector in ("momentum", "spin", "angular")])
+    assert kept[0] == [[False, True, True], [False, True, True], [True, True, True]] and kept == 3 * kept[:1], kept
+
+
+def test_short_times(_program, folder):
+    """Labels of times stand apart, however short these are."""
+    (momenta, run_file), path = modules("momenta", "run_file"), os.path.join(folder, "out.h5")
+    for t_end in (1.5e-4, 0.015, 7.0, 3e6):
+        write_run(path, t_end=t_end)
+        figure, _ = momenta.draw(run_file.read_run(path))
+        figure.canvas.draw()
+        for axes in figure.axes[:3]:
+            low, high = axes.get_xlim()
+            boxes = [text.get_window_extent() for tick, text in zip(axes.get_xticks(), axes.get_xticklabels()) if low <= tick <= high]
+            assert len(boxes) > 2 and all(one.x1 < other.x0 for one, other in zip(boxes, boxes[1:])), t_end
+
+
+def test_names(program, folder):
+    """A terminal that has not the characters of a name is told them otherwise."""
+    inside = os.path.join(folder, "gr\u00f6\u00dfe")
+    os.mkdir(inside)
+    write_run(os.path.join(inside, "out.h5"), count=3, frames=2, rows=20)
+    done = apart(program, os.path.join(inside, "out.h5"), PYTHONIOENCODING="ascii:strict")
+    assert done.returncode == 0 and r"gr\xf6\xdfe" in done.stdout and set(ALL) <= set(os.listdir(inside)) and done.stderr == "", done.stderr
 
 
 def test_film(program, folder):
@@ -330,6 +371,9 @@ def test_refusals(program, folder):
                     "VTKHDF/Lines/Connectivity"), ("scene", "stepper", "h", "vti_version"),
                    [("energies/contact", np.zeros(7), "/energies/contact has 7 rows"),
                     ("energies/total", np.full(3000, np.nan), "no number that is finite"),
+                    ("energies/t", np.zeros(3000), "/energies/t has times that do not rise"),
+                    ("energies/contact", np.full(3000, 1e308), "has values that cannot be drawn (ValueError"),
+                    ("VTKHDF/Steps/Values", np.full(71, np.inf), "/VTKHDF/Steps/Values has a number that is not finite"),
                     ("VTKHDF/Points", np.zeros((100, 3)), "/VTKHDF/Points has the shape (100, 3)"),
                     ("VTKHDF/Lines/Connectivity", np.array([0, 24]), "a body that does not exist"),
                     ("VTKHDF/Lines/Connectivity", np.array([0, 1, 2]), "/VTKHDF/Lines/Connectivity"),
@@ -341,6 +385,11 @@ def test_refusals(program, folder):
         with h5py.File(path, "a") as file:
             file[name][...] = np.nan
         refuses(program, path, path, f"dataset /{name} has a number that is not finite")
+    write_run(path)
+    with h5py.File(path, "a") as file:
+        for name in set(energies(0)) - {"total"}:
+            del file["energies"][name]
+    refuses(program, path, path, "group /energies has no term of the total")
     for name, shape, words in (("wall_cylinders", (1, 6), "/wall_cylinders has 6 columns"),
                                ("wall_velocities", (1, 3), "/wall_velocities has the shape (1, 3)")):
         write_run(path)
@@ -351,4 +400,4 @@ def test_refusals(program, folder):
 
 if __name__ == "__main__":
     plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_no_bond_made, test_varying_steps,
-                      test_scale, test_film, test_refusals)
+                      test_scale, test_momenta, test_short_times, test_names, test_film, test_refusals)
