@@ -27,6 +27,12 @@ struct study_inputs {
     int count;
 };
 
+/** The same of a survey, whose tables may be many. */
+struct survey_inputs {
+    struct input *input; /* to the end of the program */
+    int count;
+};
+
 static struct option_list sets, sweeps;
 static const char *steppers, *steps, *end_times, *output;
 static int64_t most_evals, repeats;
@@ -112,6 +118,10 @@ static enum options_end read_arguments(int argc, char **argv, int rank, struct m
         message_set(message, "--sweep: does not go with --cost; leave one of them out");
         return OPTIONS_WRONG;
     }
+    if (asked == OPTIONS_GO && output != NULL && output[0] == '\0') {
+        message_set(message, "-o: '' is no folder; name one, or leave -o out");
+        return OPTIONS_WRONG;
+    }
     if (asked == OPTIONS_GO && check_sets(message) != 0)
         return OPTIONS_WRONG;
     if (asked != OPTIONS_GO || cost)
@@ -176,7 +186,22 @@ static int make_plan(struct scene *scene, struct tables *tables, struct plan *pl
     return 0;
 }
 
-static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struct study_inputs *inputs,
+/** All scenes, and the tables of all values, which survey_check has met. */
+static int list_inputs(const struct survey_plan *plan, struct survey_inputs *inputs, struct message *message)
+{
+    const struct survey_files *files = plan->files;
+    inputs->input = calloc((size_t)plan->scenes_count + (size_t)files->tables_count, sizeof *inputs->input);
+    if (inputs->input == NULL)
+        return message_set(message, "out of memory; use fewer tables");
+    for (int k = 0; k < plan->scenes_count; ++k)
+        inputs->input[inputs->count++] = (struct input){plan->scenes[k], "the scene"};
+    for (int64_t k = 0; k < files->tables_count; ++k)
+        inputs->input[inputs->count++] =
+            (struct input){files->tables[k].path, tables_kind(files->tables[k].kind)->file};
+    return 0;
+}
+
+static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struct survey_inputs *inputs,
                             struct message *message)
 {
     static struct scene read[SURVEY_SCENES]; /* with their tables to the end of the program */
@@ -212,9 +237,8 @@ static int make_survey_plan(struct survey_plan *plan, struct sweep *sweep, struc
             return -1;
         if (steps == NULL)
             make_ladder(&read[k], &plan->each[k]);
-        inputs->count += inputs_of(scenes[k], &read[k], inputs->input + inputs->count);
     }
-    return survey_check(plan, message);
+    return survey_check(plan, message) != 0 ? -1 : list_inputs(plan, inputs, message);
 }
 
 /** Collective. */
@@ -222,7 +246,7 @@ static int run_survey(int rank, char folder[FOLDER_PATH], int *wants_plot)
 {
     static struct survey_plan plan;
     static struct sweep sweep;
-    static struct study_inputs inputs;
+    static struct survey_inputs inputs;
     struct message message = {""};
     int failed = study_agree(make_survey_plan(&plan, &sweep, &inputs, &message), rank, &message);
     if (failed != 0)

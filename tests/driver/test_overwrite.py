@@ -77,6 +77,13 @@ def own_inputs(base):
     write(f"{base}/cost/errors.csv", BODIES)
     write(f"{base}/co.yaml", TABLE % "cost/errors.csv")
     refused("vti-study --cost", f"{base}/cost", ["errors.csv", "table of bodies"], STUDY, "--cost", "../co.yaml@1", "-o", ".")
+    write(f"{base}/sweep/first.csv", BODIES)
+    write(f"{base}/sweep/sw.yaml", TABLE % "first.csv")
+    for name in ("study.csv", "study.h5.part"):
+        write(f"{base}/sweep/{name}", BODIES)
+        refused("a swept table", f"{base}/sweep", [name, "table of bodies"], STUDY, "sw.yaml", "-o", ".", "--h", "1/64", "--force",
+                "--sweep", f"bodies.table=first.csv,{name}")
+        os.remove(f"{base}/sweep/{name}")
 
 
 def foreign(base):
@@ -103,6 +110,7 @@ def foreign(base):
     refused("somebody's HDF5 file", f"{base}/hdf5", ["o.h5", "--force"], RUN, *SPIN, "-o", "o.h5")
     os.makedirs(f"{base}/folder/o.csv")
     refused("a folder", f"{base}/folder", ["o.csv", "is no file"], RUN, *SPIN, "-o", "o.h5", "--force")
+    check(one_line(run(STUDY, "--no-plot", "-o", "", *SPIN), "-o: '' is no folder; name one"), "... the empty name is none")
     os.mkdir(f"{base}/empty")
     open(f"{base}/empty/o.h5", "w", encoding="ascii").close()
     check(run(RUN, *SPIN, "-o", f"{base}/empty/o.h5").returncode == 0, "in an empty file nothing is lost")
