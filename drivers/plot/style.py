@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How pictures look and how they are written: the same colours and markers everywhere, the same bytes every time."""
 import io
+import logging
 import os
 from dataclasses import dataclass
 
 # A user's settings, which may even be broken, must not change the bytes of a picture.
 os.environ.update(MPLBACKEND="Agg", MATPLOTLIBRC=os.devnull)
+logging.getLogger("matplotlib").setLevel(logging.ERROR)     # it warns where there is no home to keep its fonts' list in
 import matplotlib  # noqa: E402
 import numpy as np
 from PIL import Image  # with it matplotlib itself writes PNG
@@ -117,13 +119,15 @@ def save(figure, path):
 
 
 def write(content, path):
-    """All of it or nothing: it is made in memory, written beside its place and then moved there."""
-    partial = f"{path}.part"
+    """All of it or nothing: it is made in memory, written beside its place under a name that nothing has, and then moved there.
+    Links stay, and what they lead to is replaced, as vti-run does."""
+    place = os.path.realpath(path)
+    partial = f"{place}.{os.getpid()}.part"
     try:
         os.makedirs(os.path.dirname(path) or os.curdir, exist_ok=True)
-        with open(partial, "wb") as file:
+        with open(partial, "xb") as file:
             file.write(content)
-        os.replace(partial, path)
+        os.replace(partial, place)
     except (FileExistsError, NotADirectoryError):
         raise Trouble(os.path.dirname(path), "is not a folder", "name another one with -o") from None
     except OSError as error:

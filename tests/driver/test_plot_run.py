@@ -83,6 +83,16 @@ def test_pictures(program, folder):
     assert apart(program, run, "-o", os.path.join(folder, "again")).returncode == 0
     again = [plot_support.picture(os.path.join(folder, "again", name), 1000) for name in ALL]
     assert once == again, "the same file gave different bytes"
+    linked = os.path.join(folder, "linked")
+    os.mkdir(linked)
+    os.symlink("kept.png", os.path.join(linked, "energy.png"))
+    for name in ("energy.png.part", "kept.png.part"):
+        with open(os.path.join(linked, name), "w", encoding="ascii") as file:
+            file.write("mine")
+    done = apart(program, run, "-o", linked, HOME="/dev/null", XDG_CONFIG_HOME="/dev/null", XDG_CACHE_HOME="/dev/null")
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    assert os.path.islink(os.path.join(linked, "energy.png")), "a link is replaced, and not what it leads to"
+    assert sorted(set(os.listdir(linked)) - set(ALL)) == ["energy.png.part", "kept.png", "kept.png.part"], os.listdir(linked)
     assert "note:" not in said, said
     some = ("energy.png", "shapes.png")
     once, _ = draws(program, run, os.path.join(folder, "coarse"), pictures=some, only=some)
