@@ -73,7 +73,7 @@ static void of_pair(const vti_contacts *p, int64_t k, double h, const vti_view *
 {
     const int64_t i = vti_contact_body(p, k, 0), j = vti_contact_body(p, k, 1);
     const double length = vti_contact_length(p, k, i, j);
-    struct crossing at;
+    struct crossing at = {.rate = 0.0};
     double u[3], impulse[3], shift[3];
     for (int end = 0; end < 2; ++end) {
         const double r = sqrt(vti_difference(end == 0 ? before : &b->x, i, j, at.n[end]));
@@ -95,7 +95,7 @@ static void of_body(const vti_walls *p, int64_t w, int64_t i, double h, const vt
     static const vti_wall_motion still;
     const double *const velocity = (p->motion != NULL ? &p->motion[w] : &still)->velocity;
     const double radius = 0.5 * vti_scalar(&p->diameter, i), touching = radius * VTI_JUST_TOUCHING;
-    struct crossing at;
+    struct crossing at = {.rate = 0.0};
     double from[3], x[3], v[3], way[3], impulse[3], shift[3];
     vti_load(before, i, from);
     vti_load(&b->x, i, x);
