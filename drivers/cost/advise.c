@@ -231,6 +231,7 @@ int advise(const struct advise_request *request, struct advice *advice, struct m
     memset(&g, 0, sizeof g);
     g.from = g.pace_from = purse_clock();
     advice->target = g.goal = request->target;
+    advice->budget = request->budget;
     advice->t_end = request->t_end;
     advice->known = advice->order = advice->max_omega = advice->together = NAN;
     g.request = request;

@@ -127,6 +127,7 @@ struct advice {
     double nominal;              /* ... and that of their stepper in this scene, were its forces smooth */
     const vti_stepper *checked;  /* whose runs these were */
     double known;                /* error of the solution that others are compared with; NaN: there is none */
+    double budget;               /* that was asked for; 0: none was */
     double seconds, work, evals; /* that the pilots took; evaluations times bodies, and evaluations */
     int64_t count;
     struct offer offers[ADVICE_MOST]; /* by rising seconds, rivals after ours; the first is the advice */

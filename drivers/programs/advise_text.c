@@ -135,6 +135,12 @@ static void say_small(const struct offer *best, double asked, double stable, FIL
     fputc('\n', file);
 }
 
+/** Seconds that would do, and more than have not. */
+static double budget_for(const struct advice *a, double seconds)
+{
+    return fmax(seconds, 2.0 * a->budget);
+}
+
 void advise_warnings(const struct scene *scene, const struct advice *a, FILE *file)
 {
     const struct offer *best = &a->offers[0];
@@ -171,10 +177,10 @@ void advise_warnings(const struct scene *scene, const struct advice *a, FILE *fi
     say_small(best, a->target, stable_least(&a->limits, best->stepper), file);
     if (best->source == OFFER_STABILITY && a->evals > 0.0)
         fprintf(file, "note: pilots were not allowed to go over the whole time; --budget %.2g would do for two runs\n",
-                two_runs * (double)best->force_evals * a->seconds / a->evals);
+                budget_for(a, two_runs * (double)best->force_evals * a->seconds / a->evals));
     else if (best->source != OFFER_MEASURED)
         fprintf(file, "note: pilots were not allowed to go over the whole time to this error; --budget %.2g would do\n",
-                150.0 * (isfinite(best->seconds) ? best->seconds : 1.0));
+                budget_for(a, 150.0 * (isfinite(best->seconds) ? best->seconds : 1.0)));
 }
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */

@@ -507,6 +507,8 @@ def strays():
     told = json.loads(done.stdout or "{}")
     high = told["interval"][1]
     check(told["measure"] == "energy" or high is None or high > 1e-3, f"strays: by the {told['measure']}, up to {high}")
+    check(all(float(more) > 0.2 for more in re.findall(r"--budget (\S+) would do", done.stderr)),
+          f"... a budget that would do is more than that: {done.stderr.strip()}")
 
 
 def refusals():
