@@ -280,6 +280,35 @@ TEST(friction)
     share(1); /* bodies whose turns are known before */
 }
 
+/* ---- walls that move --------------------------------------------------------------------------------------------- */
+
+/** What a wall puts into each body is what it puts into that body alone. */
+TEST(walls)
+{
+    const vti_drifted drifted = {.t = 0.02, .law = VTI_LAW_EXACT9, .frame = VTI_FRAME_SPACE};
+    make(&on, 82, 0);
+    make(&off, 82, 0);
+    on.walls.by_body = on.worked;
+    const vti_effect with = vti_walls_effect(&on.walls), without = vti_walls_effect(&off.walls);
+    for (int step = 0; step < 12; ++step) {
+        assert_int_equal(vti_drift(VTI_LAW_EXACT9, VTI_FRAME_SPACE, drifted.t, &on.b, NULL), VTI_OK);
+        const vti_wall_motion motion = on.motion;
+        assert_int_equal(vti_effects_carry(&with, 1, &drifted, &on.b), VTI_OK);
+        for (int i = 0; i < BODIES; ++i) {
+            off.motion = motion; /* which a carry moves */
+            const vti_bodies alone = vti_bodies_slice(on.b, i, 1);
+            memset(&off.work, 0, sizeof off.work);
+            assert_int_equal(vti_effects_carry(&without, 1, &drifted, &alone), VTI_OK);
+            vti_sum_add(&off.worked[i], vti_sum_value(&off.work));
+        }
+    }
+    assert_sums(&with);
+    for (int i = 0; i < BODIES; ++i) {
+        assert_true((i % 6 == 0) == (on.worked[i].high != 0));
+        assert_close(vti_sum_value(&on.worked[i]), vti_sum_value(&off.worked[i]), 12 * EPS * fabs(on.worked[i].high));
+    }
+}
+
 /* ---- rupture ----------------------------------------------------------------------------------------------------- */
 
 /** Of what a bond held when it broke each of its bodies has half. */
@@ -317,4 +346,4 @@ TEST(rupture)
 }
 
 RUN_TESTS(cmocka_unit_test(flows), cmocka_unit_test(each_body_to_the_medium),
-          cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(rupture))
+          cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(walls), cmocka_unit_test(rupture))

@@ -48,6 +48,12 @@ TEST(materials)
     }
     assert_true(isnan(vti_walls_stiffness(NULL, 0, 0)) && isnan(vti_walls_stiffness(&m.walls, 3, 0)));
     assert_true(isnan(vti_walls_stiffness(&m.walls, -1, 0)) && isnan(vti_walls_stiffness(&m.walls, 0, -1)));
+    assert_true(vti_walls_stiffness(&m.walls, 0, 3) > 0);
+    m.walls.modulus.count = 3; /* fewer than there are bodies, which nothing may read behind */
+    assert_true(isnan(vti_walls_stiffness(&m.walls, 0, 3)));
+    m.walls.diameter.count = 3;
+    m.walls.modulus.count = 4;
+    assert_true(isnan(vti_walls_stiffness(&m.walls, 0, 3)) && vti_walls_stiffness(&m.walls, 0, 2) > 0);
     m.walls.modulus.p = NULL;
     m.walls.stiffness = 7;
     assert_true(vti_walls_stiffness(&m.walls, 2, 1) == 7);
@@ -291,6 +297,7 @@ TEST(refused)
     assert_close(vti_walls_gap(&m.walls, 0, x, n), 3, 0);
     assert_true(isnan(vti_walls_gap(NULL, 0, x, n)) && isnan(vti_walls_gap(&m.walls, 1, x, n)) &&
                 isnan(vti_walls_gap(&m.walls, -1, x, n)));
+    assert_true(isnan(vti_walls_gap(&m.walls, 0, NULL, n)) && isnan(vti_walls_gap(&m.walls, 0, x, NULL)));
     m.walls.motion = motion; /* without work */
     assert_null(vti_walls_effect(&m.walls).apply);
     assert_true(isnan(vti_walls_gap(&m.walls, 0, x, n)));

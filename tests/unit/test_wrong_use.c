@@ -159,7 +159,8 @@ static void law_of_a_pair(vti_contacts some, double none)
 TEST(contacts)
 {
     const double diameter[2] = {1, 2};
-    const int64_t good[2] = {1, 2}, wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
+    const int64_t good[2] = {1, 2}, two[4] = {1, 2, 2, 1},
+                  wrong[][3] = {{0, 2, 0}, {3, 2, 3}, {1, 0, 0}, {1, 3, 3}, {2, 2, 2}};
     const vti_contacts right = {
         .count = 1, .pair = good, .base = 1, .diameter = vti_scalars_array(diameter), .stiffness = 5};
     vti_contacts some = right;
@@ -193,6 +194,20 @@ TEST(contacts)
     some = right;
     some.diameter = (vti_scalars){some.diameter.p, 1, 1}; /* fewer than the pair names */
     assert_true(isnan(vti_contacts_stiffness(&some, 0)));
+    some = right;
+    for (int k = 0; k < 2; ++k) { /* bodies below the base, whose diameters no view can hold */
+        some.pair = wrong[2 * k];
+        assert_true(isnan(vti_contacts_stiffness(&some, 0)));
+    }
+    some = right;
+    some.modulus = (vti_scalars){diameter, 1, 1};
+    assert_true(isnan(vti_contacts_stiffness(&some, 0)));
+    some.modulus.count = 2;
+    assert_true(vti_contacts_stiffness(&some, 0) > 0);
+    some.length = (vti_scalars){diameter, 1, 1};
+    some.pair = two;
+    some.count = 2;
+    assert_true(vti_contacts_stiffness(&some, 0) > 0 && isnan(vti_contacts_stiffness(&some, 1)));
     const double none[] = {-1, NAN, INFINITY, 0};
     for (int k = 0; k < 4; ++k) {
         const double sizes[2] = {1, none[k]};
