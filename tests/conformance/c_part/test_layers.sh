@@ -6,7 +6,7 @@
 #     L2  drivers/scene, tables, effects, neighbours, clumps, sim, threads, verdict  L0 and libc; no GSL, HDF5 or MPI; scene sees what
 #         effects declare
 #     L3  drivers/rivals             what is below, and GSL
-#         then reference, study, cost  what is below, and the kit
+#         then reference, study, sweep, cost  what is below, and the kit
 #         drivers/keep, io, run        what is below, and each other
 #     L4  drivers/programs       L3 and below; of the libraries MPI at most, which main has to initialise, and popt
 # The core neither allocates nor prints nor ends the program.
@@ -108,7 +108,7 @@ from "$(own_headers drivers/rivals/*.[ch] drivers/rivals/inertia/*.[ch] drivers/
 below="drivers/check drivers/scene drivers/tables drivers/effects drivers/effects/contacts drivers/neighbours drivers/clumps drivers/sim drivers/threads drivers/verdict drivers/rivals"
 below="$below drivers/rivals/inertia drivers/rivals/variable"
 # shellcheck disable=SC2086  # several folders
-for room in reference study cost; do
+for room in reference study sweep cost; do
     below="$below drivers/$room"
     from "$(own_headers drivers/$room/*.[ch])" include $below
 done
