@@ -45,7 +45,8 @@ int search_run_beside(struct search *s, const vti_stepper *stepper, int64_t step
 
 double search_longest(const struct search *s, const vti_stepper *stepper)
 {
-    double h = 0.9 * 0.5 * (isnan(stepper->reach) ? 2.0 : stepper->reach) * s->stable_h;
+    const double stable = isnan(stepper->reach) ? s->stable_h : model_stable_of(stepper, s->stable_h);
+    double h = 0.9 * stable;
     if (stepper->law == VTI_LAW_CLOSED && s->omega0 > 0.0)
         h = fmin(h, 0.9 / s->omega0);
     return h;
