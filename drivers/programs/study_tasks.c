@@ -26,8 +26,10 @@ int study_agree(int failed, int rank, const struct message *message)
     if (all[0] == 1)
         return 0;
     if (all[1] == rank || (all[1] == ranks && rank == 0)) {
+        FILE *const file = run_signals_seen() != NULL ? last_words() : stderr;
         progress_clear();
-        fprintf(stderr, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
+        fprintf(file, "vti-study: %s\n", all[1] == rank ? message->text : "out of memory; use fewer runs");
+        fflush(file);
     }
     return -1;
 }

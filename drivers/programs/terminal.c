@@ -46,19 +46,24 @@ static FILE *launchers(int stream)
     return file;
 }
 
+static int is_told(const char *value)
+{
+    const char *told = getenv("VTI_TERMINAL");
+    return told != NULL && strcmp(told, value) == 0;
+}
+
 /** A stream that leads to a terminal; or NULL. Of a launcher's it is one of our own, past its pipes: see terminal.h. */
 static FILE *find_terminal(void)
 {
-    const char *told = getenv("VTI_TERMINAL");
     FILE *found = NULL;
-    if (told != NULL && strcmp(told, "0") == 0)
+    if (is_told("0"))
         return NULL;
     if (is_launched()) {
         found = launchers(STDOUT_FILENO);
         found = found != NULL ? found : launchers(STDERR_FILENO);
     } else if (isatty(STDOUT_FILENO) || isatty(STDERR_FILENO))
         found = isatty(STDOUT_FILENO) ? stdout : stderr;
-    const int relayed = told != NULL && strcmp(told, "1") == 0 && getenv("PRTE_LAUNCHED") == NULL;
+    const int relayed = is_told("1") && getenv("PRTE_LAUNCHED") == NULL;
     return found != NULL || !relayed ? found : stderr;
 }
 
@@ -190,4 +195,12 @@ void progress_clear(void)
         let_pass();
     }
     shown = -1.0;
+}
+
+/* ---- the last words ---------------------------------------------------------------------------------------------- */
+
+FILE *last_words(void)
+{
+    FILE *const found = is_launched() && !is_told("0") ? launchers(STDERR_FILENO) : NULL;
+    return found != NULL ? found : stderr;
 }

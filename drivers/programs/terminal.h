@@ -4,6 +4,7 @@
 #define VTI_TERMINAL_H
 
 #include <stdint.h>
+#include <stdio.h>
 
 /* ---- the bar ---------------------------------------------------------------------------------------------------- */
 
@@ -32,5 +33,12 @@ void log_as(const char *program);
 /** "vti-run: step 512 of 1024 (t = 0.5), about 3 h left"; seconds have passed, and so many are left, infinite if nobody
  *  knows. */
 void log_step(int64_t step, int64_t steps, double t, double left, double seconds);
+
+/* ---- the last words ---------------------------------------------------------------------------------------------- */
+
+/** Where a program says why it ends that has been told to: the launcher's standard error if that is a terminal, for a
+ *  launcher that has been told too may pass on nothing any more (that of Open MPI 4 on a busy machine, that of 5 never);
+ *  else the standard error. */
+FILE *last_words(void);
 
 #endif

@@ -87,7 +87,7 @@ Not by stepper, but by program; each row is a test of the suite, and its message
 | standard output cannot be written | vti-run, vti-study, vti-advise | reported, 1 | hard trouble |
 | standard output is a pipe that nobody reads any more | vti-run, vti-study | reported, 1; the files are there | run_resume, study |
 | kill -9 of any rank | vti-study | mpirun ends with a message (that of Debian 12 stays after one kill in a hundred, though all ranks are gone: PMIx 4.2.2 locks itself out at its end; end it by hand); the same bytes after --resume | hard study_resume |
-| Ctrl-C, SIGTERM or SIGUSR1, to `./dev study` or to any rank | vti-study | ends with 75, by `mpirun` itself with 1 but after SIGUSR1 (that of Open MPI 5 holds our message back then); what is done is kept; the same bytes after --resume | study_terminal, hard study_resume |
+| Ctrl-C, SIGTERM or SIGUSR1, to `./dev study` or to any rank | vti-study | ends with 75, by `mpirun` itself with 1 but after SIGUSR1 (that of Open MPI 5 holds our message back then where its standard error is no terminal); what is done is kept; the same bytes after --resume | study_terminal, hard study_resume |
 | a reference that does not fit into memory | vti-study | is held in windows of up to --memory, which each run integrates again | study_windows |
 | a scene or a table is edited while a sweep runs | vti-study | of scenes what they were at the start counts; a table that has changed or is gone ends it with a line, and what is done is kept: with the table as it was --resume goes on to the same bytes | sweep |
 | one rank cannot read the scene, or has no memory | vti-study | reported, all ranks end | hard study_resume |
