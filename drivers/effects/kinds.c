@@ -154,13 +154,13 @@ static int check_fields(int k, const struct effect_kind *kind, struct message *m
     return 0;
 }
 
-/** Whether one of the first count terms is drawn by that colour. */
-static int is_drawn(const struct effect_term *terms, int count, const char *colour)
+/** The one of the first count terms that has that colour; NULL if none has. */
+static const struct effect_term *drawn_by(const struct effect_term *terms, int count, const char *colour)
 {
     for (int t = 0; t < count; ++t)
         if (strcmp(terms[t].colour, colour) == 0)
-            return 1;
-    return 0;
+            return &terms[t];
+    return NULL;
 }
 
 static int check_terms(int k, const struct effect_kind *kind, struct message *message)
@@ -169,11 +169,12 @@ static int check_terms(int k, const struct effect_kind *kind, struct message *me
         const struct effect_term *term = &kind->terms[t];
         if (term->name == NULL || term->symbol == NULL || term->meaning == NULL || term->colour == NULL)
             return fail(k, "terms", "one of them lacks its name, symbol, meaning or colour", message);
-        int drawn = is_drawn(kind->terms, t, term->colour);
-        for (int before = 0; before < k; ++before)
-            drawn |= is_drawn(kinds[before]->terms, kinds[before]->terms_count, term->colour);
-        if (drawn)
-            return fail(k, "terms", "the colour of one of them is that of another one", message);
+        const struct effect_term *other = drawn_by(kind->terms, t, term->colour);
+        for (int before = 0; before < k && other == NULL; ++before)
+            other = drawn_by(kinds[before]->terms, kinds[before]->terms_count, term->colour);
+        if (other != NULL)
+            return message_set(message, "effect %s: terms: %s has the colour %s, which is that of %s; take another one",
+                               names[k], term->name, term->colour, other->name);
     }
     return 0;
 }

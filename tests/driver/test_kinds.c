@@ -78,9 +78,9 @@ static void rows(void **state)
     terms[0].colour = NULL;
     refused("effect wall: terms: one of them lacks its name, symbol, meaning or colour");
     terms[1].colour = terms[0].colour;
-    refused("effect wall: terms: the colour of one of them is that of another one");
+    refused("effect wall: terms: work_wall has the colour #009E73, which is that of wall; take another one");
     terms[0].colour = effect_contact.terms[0].colour;
-    refused("effect wall: terms: the colour of one of them is that of another one");
+    refused("effect wall: terms: wall has the colour #332288, which is that of contact; take another one");
 }
 
 /** What make hands over: all that is called, and terms that pictures know. */
