@@ -96,10 +96,26 @@ TEST(force_evals)
                   {"takahashi-imada", 3 + 2 * 20 + 3},
                   /* K - 1 steps of DOP853, the slope after them, and two or one in each further step */
                   {"abm4", 2 * 12 + 1 + 2 * 18},
+                  {"abm6", 4 * 12 + 1 + 2 * 16},
+                  {"abm8", 6 * 12 + 1 + 2 * 14},
+                  {"abm10", 8 * 12 + 1 + 2 * 12},
                   {"abm12", 10 * 12 + 1 + 2 * 10},
                   {"gear", 3 * 12 + 1 + 17}};
     for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
         assert_int_equal(evals_of(others[i].name, "chain", 1.0 / 512, 20), others[i].evals);
+    for (int64_t k = 0; k < rival_count(); ++k) { /* whoever adds a rival says how often it evaluates forces */
+        static const char *const alone[] = {"rk4", "rk8pd", "campello", "rk8pd-adaptive", "dop853-adaptive"};
+        const char *const name = rival_at(k)->stepper.name;
+        int found = 0;
+        for (size_t i = 0; i < sizeof once / sizeof once[0]; ++i)
+            found |= strcmp(once[i], name) == 0;
+        for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
+            found |= strcmp(others[i].name, name) == 0;
+        for (size_t i = 0; i < sizeof alone / sizeof alone[0]; ++i)
+            found |= strcmp(alone[i], name) == 0;
+        if (!found)
+            fail_msg("nothing says how often %s evaluates forces", name);
+    }
     /* no loads: the first iteration settles it; the pendulum's contract by (h omega)^2/2 = 2^-13 or so each */
     assert_int_equal(evals_of("campello", "spin", 1.0 / 64, 20), 21);
     const int64_t iterated = evals_of("campello", "pendulum", 1.0 / 64, 20);
