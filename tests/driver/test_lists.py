@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """--version of every program, and vti-run --list: the keys that it lists are those that scenes may have, with a sentence each. The scene
-that README.md shows does what it says.
+that README.md shows does what it says. Scenes that are shipped are installed, tested and on their page.
 test_lists.py ROOT VTI_RUN PROGRAM..."""
 import csv
 import os
@@ -85,6 +85,15 @@ with tempfile.TemporaryDirectory() as scratch:
         rows = list(csv.DictReader(file))
     most = {name: max(float(row[name]) for row in rows) for name in ("wall", "lost_friction_sliding", "lost_dashpot_normal")}
     check(all(value > 0 for value in most.values()), f"... and in which it meets the wall, slides and loses energy: {most}")
+shipped = os.listdir(os.path.join(root, "scenes"))
+for page_of_all, pattern, suffixes in ((("scenes", "meson.build"), "'{}'", (".yaml", ".csv")),
+                                       (("docs", "programs.md"), "`{}`", (".yaml",)),
+                                       (("tests", "driver", "test_scenes.c"), '{{"{}", ', (".yaml",))):
+    with open(os.path.join(root, *page_of_all), encoding="utf-8") as file:
+        text = file.read()
+    unnamed = [name for name in shipped if name.endswith(suffixes)
+               and pattern.format(name.removesuffix(".yaml") if len(suffixes) == 1 else name) not in text]
+    check(not unnamed, f"{'/'.join(page_of_all)} names the scenes that are shipped {unnamed}")
 wrong = run(vti_run, "--list", "colours")
 check(wrong.returncode != 0 and "steppers, effects or keys" in wrong.stderr, "anything else is refused")
 conclude()

@@ -10,7 +10,7 @@ static const char *folder;
 /** Energies at t = 0, by hand: torus 80 (1/2); block 96 (1/2); spin J |Omega|^2/2; dzhanibekov and slender
  *  half the sum of A Omega_x^2 and so on; heavy-top 12^2/8 + 1/2; pendulum 0.04 + 1/sqrt(2)
  *  (EQUATIONS 3); incline m g z; billiards sixteen of m v^2/2; column, from Python: sum of 9.81 m z and of 2/5 K (1
- *  - r/D)^{5/2}; chain, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its
+ *  - r/D)^{5/2}; chain, pair, pile, heap and drum, which are random, from Python: sum of m v^2/2 + J omega^2/2 with its
  *  own splitmix64, and for the last three sum of 9.81 m z; so ellipsoid-chain, and clump-pile with mass and moment
  *  of its tetrapods from integrals over spheres less lenses, from which 256 lines differ by 2e-4. error bounds |E - E_0|/E_0 over steps of h: twice what
  *  was measured; that it is the error of a method of second order is what the test looks at. Of the spin nothing
@@ -35,6 +35,7 @@ static const struct {
     {"drum", "contact wall friction dashpot gravity", 77, 0, -0.0003058941845198765, 1e-18, 2000, 2.5e-3},
     {"incline", "contact wall friction dashpot gravity", 1, 0, 1.309e-3 * 9.81 * 0.004, 1e-20, 400, 2e-6},
     {"pile", "contact wall gravity", 128, 0, 5603.704761919232, 1e-11, 800, 4e-5},
+    {"pair", "binder", 2, 1, 0.03381768875493324, 2e-17, 100, 1e-3},
     {"pendulum", "pendulum", 1, 0, 0.74710678118654752, 4e-16, 100, 4e-5},
     {"spin", "", 1, 0, 0.5, EPS, 100, 0.0},
     {"dzhanibekov", "", 1, 0, 1.00005, 4e-16, 1000, 5e-6},
