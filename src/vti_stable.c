@@ -95,6 +95,12 @@ static struct wide eigenvalue(struct wide p, struct wide q, struct wide r)
     return wide(0.5 * (x + y + sqrt((x - y) * (x - y) + at_exponent(r, 2 * e))), e);
 }
 
+/** The smallest of three moments; NaN if one is. */
+static double smallest(const double m[3])
+{
+    return isnan(m[0] + m[1] + m[2]) ? NAN : fmin(fmin(m[0], m[1]), m[2]);
+}
+
 /** z/m and z/J of the place at which a spring holds body i. At r from its centre the inverse mass of u, theta is
  *      diag(1/m, 0) + (1/J) B B^T,  B = [-r x; 1],  B B^T <= 2 diag(|r|^2 - r r^T, 1),
  *  and of u alone at most 1/m + |r|^2/J (EQUATIONS 7.5). */
@@ -108,7 +114,7 @@ static struct share share_at(const vti_spring *s, const vti_bodies *b, double z,
     if (vti_has(&b->moments) && i >= 0) { /* R_p diag(A, B, C) R_p^T >= min(A, B, C) (EQUATIONS 7.4) */
         double moments[3];
         vti_load(&b->moments, i, moments);
-        share.J = over(wide(z, 0), wide(fmin(fmin(moments[0], moments[1]), moments[2]), 0));
+        share.J = over(wide(z, 0), wide(smallest(moments), 0));
     }
     if (lever == 0.0)
         return share;

@@ -448,6 +448,30 @@ TEST(friction_and_nan)
     }
 }
 
+/** A moment of inertia that is NaN is no bound, whichever of the three it is. */
+TEST(moment_of_nan)
+{
+    double x[2][3] = {{0, 0, 0}, {1, 0, 0}}, alpha[2][3] = {{0}}, spin[2][3] = {{0}}, scratch[2];
+    const double mass = 1, stiffness = 1, rest[1][4] = {{-1, 0, 0, 1}};
+    const int64_t pair[2] = {0, 1};
+    const vti_bonds bonds = {.count = 1, .pair = pair, .rest = rest[0], .moment = vti_scalars_one(&stiffness)};
+    const vti_effect effect = vti_bonds_effect(&bonds);
+    for (int k = -1; k < 3; ++k) {
+        double moments[2][3] = {{1, 1.5, 2}, {1, 1.5, 2}};
+        vti_stable stable;
+        if (k >= 0)
+            moments[1][k] = NAN;
+        vti_bodies b = vti_bodies_none(2);
+        b.x = vti_view_packed(x[0]);
+        b.alpha = vti_view_packed(alpha[0]);
+        b.spin = vti_view_packed(spin[0]);
+        b.moments = vti_view_packed(moments[0]);
+        b.mass = vti_scalars_one(&mass);
+        assert_int_equal(vti_stable_step(&effect, 1, &b, NULL, scratch, &stable), VTI_OK);
+        assert_true(k < 0 ? stable.h > 0 : stable.h == 0);
+    }
+}
+
 /** A chain: units of mass by 2^600 larger or smaller make all steps so by 2^300, to the bit; and a slow bond beside
  *  fast ones changes nothing. */
 TEST(other_units)
@@ -479,4 +503,4 @@ TEST(other_units)
 
 RUN_TESTS(cmocka_unit_test(all_shorter_or_longer), cmocka_unit_test(each_its_own), cmocka_unit_test(moved_at_random),
           cmocka_unit_test(contacts_that_may_come), cmocka_unit_test(own_effect), cmocka_unit_test(friction_and_nan),
-          cmocka_unit_test(any_size), cmocka_unit_test(other_units))
+          cmocka_unit_test(moment_of_nan), cmocka_unit_test(any_size), cmocka_unit_test(other_units))
