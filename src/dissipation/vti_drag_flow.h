@@ -8,6 +8,8 @@
 #ifndef VTI_DRAG_FLOW_H
 #define VTI_DRAG_FLOW_H
 
+#include <float.h>
+
 #include "vti_decay.h"
 
 /** What is kept of u, and what goes, by the coefficients c and k; speed is |u|. */
@@ -16,7 +18,8 @@ VTI_INLINE struct vti_decay vti_drag_decay(lanes c, lanes k, lanes speed, lanes 
     const lanes z = c * t / m;
     const struct vti_decay e = vti_decay(z);
     const lanes phi = t / m * vti_decay_mean(z, &e);
-    const lanes more = lanes_where(k > 0.0, k * speed * phi, lanes_of(0.0)), per = 1.0 + more;
+    const lanes product = lanes_where(k > 0.0, k * speed * phi, lanes_of(0.0)), most = lanes_of(DBL_MAX);
+    const lanes more = lanes_where(product <= most, product, most), per = 1.0 + more; /* nothing is kept of u then */
     return (struct vti_decay){e.kept / per, (e.gone + more) / per};
 }
 

@@ -132,6 +132,26 @@ TEST(a_fall)
     assert_below(ledger[0], 64 * EPS); /* Verlet is exact in a uniform field, and what flows take is booked */
 }
 
+/** Coefficients and velocities whose products leave the range of numbers stop a body, and book what it had. */
+TEST(beyond_all_measure)
+{
+    static const double far[][5] = {/* c, k, m, t, speed */
+                                    {0, 1e300, 1, 1, 1e10},
+                                    {1, 1e308, 1e-300, 1e10, 1e100},
+                                    {1e300, 1e300, 1e-300, 1, 1e10},
+                                    {1e-300, 1e300, 1, 1e300, 1e100}};
+    for (int k = 0; k < 4; ++k) {
+        const double v[3] = {0, -far[k][4], 0}, omega[3] = {0, 0, 0};
+        const vti_drag drag = {
+            .linear = vti_scalars_one(&far[k][0]), .quadratic = vti_scalars_one(&far[k][1]), .lost = lost};
+        body(far[k][2], 1, v, omega);
+        flow(&drag, far[k][3]);
+        assert_true(vti_norm(c.v[0]) <= 1);
+        const double had = 0.5 * far[k][2] * far[k][4] * far[k][4];
+        assert_close(vti_sum_value(&lost[0]), had, 4 * EPS * had);
+    }
+}
+
 /** The residual of a compensated sum decays with what it belongs to, though v alone has too few bits to show it; a mass
  *  that is no number shows. */
 TEST(residuals)
@@ -340,5 +360,5 @@ TEST(what_it_needs_and_refuses)
 }
 
 RUN_TESTS(cmocka_unit_test(closed_forms), cmocka_unit_test(a_medium_that_moves), cmocka_unit_test(a_fall),
-          cmocka_unit_test(residuals), cmocka_unit_test(rest), cmocka_unit_test(three_moments), cmocka_unit_test(many),
-          cmocka_unit_test(what_it_needs_and_refuses))
+          cmocka_unit_test(beyond_all_measure), cmocka_unit_test(residuals), cmocka_unit_test(rest),
+          cmocka_unit_test(three_moments), cmocka_unit_test(many), cmocka_unit_test(what_it_needs_and_refuses))
