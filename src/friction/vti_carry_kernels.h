@@ -9,7 +9,7 @@
 
 VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
 
-/** dalpha of the turn by Omega for the time of the drift, as vti_drift_increment has it. */
+/** dalpha of the turn by Omega for the time of the drift, as vti_drift_increment has it, but infinite of half a turn. */
 VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lanes dalpha[3])
 {
     const int law = (int)drifted->law;

@@ -454,6 +454,18 @@ static void increments(void **state)
     assert_true(isnan(turn[1]));
     vti_drift_increment(VTI_LAW_EXACT9 + 1, 1.0, fast, turn);
     assert_true(isnan(turn[0]));
+    /* s^2 = 10 is half a turn of the exact law */
+    const double halves[3][3] = {{3, 1, 0}, {3e9, 0, 0}, {0, -1e300, 1e300}};
+    for (int k = 0; k < 3; ++k) {
+        bodies(state);
+        memset(alpha, 0, sizeof alpha);
+        memcpy(omega[0], halves[k], sizeof omega[0]);
+        assert_int_equal(vti_drift(VTI_LAW_EXACT, VTI_FRAME_SPACE, 1.0, &b, NULL), VTI_OK);
+        vti_drift_increment(VTI_LAW_EXACT, 1.0, omega[0], turn);
+        assert_true(vti_max3(turn) == VTI_RRV_LARGE);
+        for (int c = 0; c < 3; ++c)
+            assert_close(turn[c], alpha[0][c], 4 * EPS * VTI_RRV_LARGE);
+    }
     turn[1] = 0;
     vti_drift_increment(VTI_LAW_EXACT, 1.0, NULL, turn);
     vti_drift_increment(VTI_LAW_EXACT, 1.0, fast, NULL);
