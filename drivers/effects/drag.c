@@ -33,7 +33,7 @@ static const struct scene_field fields[] = {
     {"drag.linear", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, AT(linear), "coefficient c",
      "Mass per time: F = -c (v - medium), of a sphere in slow flow 3 pi viscosity D.", NULL},
     {"drag.quadratic", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, AT(quadratic), "coefficient k",
-     "Mass per length: F = -k |v - medium| (v - medium), of a sphere in fast flow 0.2 to 0.25 density D^2.", NULL},
+     "Mass per length: F = -k |v - medium| (v - medium), of a sphere in fast flow 0.16 to 0.2 density D^2.", NULL},
     {"drag.angular", SCENE_NUMBER, SCENE_MAY, SCENE_NOT_NEGATIVE, AT(angular), "coefficient c_r",
      "Energy times time: RM = -c_r Omega, of a sphere in slow flow pi viscosity D^3.", NULL},
     {"drag.viscosity", SCENE_NUMBER, SCENE_MAY, SCENE_POSITIVE, AT(viscosity), "dynamic viscosity",
