@@ -346,4 +346,5 @@ TEST(rupture)
 }
 
 RUN_TESTS(cmocka_unit_test(flows), cmocka_unit_test(each_body_to_the_medium),
-          cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(walls), cmocka_unit_test(rupture))
+          cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(walls),
+          cmocka_unit_test(rupture))
