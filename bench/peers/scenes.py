@@ -128,7 +128,7 @@ class Agglomerate(Case):
             2 * self.zeta * math.sqrt(m * k)
             for m, k in ((reduced["n"], radial), (reduced["t"], across), (reduced["r"], self.moment))
         ]
-        turning = [damping[2]] * 2 if self.lammps.year() > 2025 else [2 * damping[2] / length, 2 * damping[2]]
+        turning = [damping[2]] * 2 if self.lammps.release().year > 2025 else [2 * damping[2] / length, 2 * damping[2]]
         numbers = [
             radial,
             across,

