@@ -47,8 +47,13 @@ slopes() {
 # granular FOLDER [INTO]: all of it by two processes, and the page.
 granular() {
     columns "$1" &
+    beside=$!
+    # What runs beside is deaf to Ctrl-C, as sh has it, and would go on for minutes; a run that has begun ends by itself.
+    trap 'kill "$beside" 2>/dev/null || true' EXIT
+    trap 'exit 1' INT TERM HUP
     slopes "$1"
-    wait $!
+    wait "$beside"
+    trap - EXIT INT TERM HUP
     run "$1/drum" drum --t-end 12
     run "$1/billiards" billiards
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.granular "$1" ${2:+--into "$2"}
