@@ -28,8 +28,10 @@ class Pile(Case):
 
     def laws(self):
         words = "hertz/material {!r} 0.0 0.25 tangential linear_nohistory 0.0 0.0 damping velocity"
+        pairs = hertz(self.stiffness, 1.0, 0.25, True) / (1.5 * (1 - 0.25**2))
         return {
-            "law": words.format(hertz(self.stiffness, 1.0, 0.25, True)),
+            "pair": f"gran/hertz/history {pairs!r} 0 0 0 0 0",
+            "law": "",
             "floor": words.format(hertz(self.stiffness, 1.0, 0.25, False)),
             "side": 4.5,
             "skin": 0.1,
@@ -82,7 +84,7 @@ class Heap(Case):
         )
 
     def laws(self):
-        return {"law": self.law(True), "floor": self.law(False), "side": 0, "skin": 0.1}
+        return {"pair": "granular", "law": self.law(True), "floor": self.law(False), "side": 0, "skin": 0.1}
 
 
 class Agglomerate(Case):

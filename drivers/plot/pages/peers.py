@@ -43,8 +43,8 @@ def times_part(page, folder):
         "the median of their ratios in turns of both (in brackets the least and the largest). Above 1 vti-run "
         "is the faster one. LAMMPS is told what makes it fastest on scenes of this size: Newton's third law "
         "for pairs, all pairs instead of bins for the neighbour list, no clocks of its parts, and for the "
-        "pile one fix for all walls and no spins. Other margins of the list, sorting, other sizes of its "
-        "tables and `gran/hertz/history` for the pile give nothing more."
+        "pile `pair_style gran/hertz/history`, one fix for all walls and no spins. Other margins of the list, "
+        "sorting and other sizes of its tables give nothing more."
     )
     if machine_of(folder):
         page.text(f"The machine: {machine_of(folder)}. {ALONE}")
