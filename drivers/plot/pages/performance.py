@@ -291,8 +291,7 @@ def build(folder, into, below):
     holdings_part(page, folder)
     lammps_part(page, folder, benches)
     cores_part(page, folder)
-    with open(os.path.join(into, "performance.md"), "w", encoding="utf-8") as file:
-        file.write(page.markdown())
+    style.write(page.markdown().encode("utf-8"), os.path.join(into, "performance.md"))
 
 
 def main():
