@@ -100,9 +100,22 @@ static const struct {
 
 enum { METHODS = sizeof table / sizeof table[0] };
 
+/** Every stepper has a row but vti1-body: bonds give moments in space, not in the body's frame. */
+static void nothing_is_missed(void)
+{
+    for (int64_t k = 0; k < vti_stepper_count(); ++k) {
+        const vti_stepper *method = vti_stepper_at(k);
+        int rows = method->frame == VTI_FRAME_BODY;
+        for (int m = 0; m < METHODS; ++m)
+            rows += strcmp(table[m].name, method->name) == 0;
+        if (rows != 1)
+            fail_msg("%s has %d rows", method->name, rows);
+    }
+}
+
 TEST(every_stepper_shows_its_order)
 {
-    assert_int_equal(METHODS, vti_stepper_count() - 1); /* bonds give moments in space, not in the body's frame */
+    nothing_is_missed();
     for (int m = 0; m < METHODS; ++m)
         for (int links = 3; links <= LINKS; links += 7)
             for (int storage = 0; storage < 2; ++storage)
