@@ -18,6 +18,7 @@ sys.path.insert(0, os.path.join(ROOT, "bench", "peers"))
 import case  # noqa: E402  pylint: disable=wrong-import-position
 import impact  # noqa: E402  pylint: disable=wrong-import-position
 import lammps  # noqa: E402  pylint: disable=wrong-import-position
+import speed  # noqa: E402  pylint: disable=wrong-import-position
 
 sys.path.insert(0, os.path.join(ROOT, "drivers"))
 from plot.pages.peers import build  # noqa: E402  pylint: disable=wrong-import-position
@@ -178,8 +179,28 @@ def test_built(folder):
         check(right, f"{release}, {packages}: {done.stderr.strip()[:120]}")
 
 
+class Says:
+    """LAMMPS' words of five turns, by their seconds and shares of a core."""
+
+    def __init__(self, turns):
+        self.said = "".join(f"{share}% CPU use with 1 MPI tasks\nModify  | {time} | 9\n" for time, share in turns)
+
+    def run(self, *_, **__):
+        return self.said
+
+
+def test_clock():
+    """LAMMPS' clock is the wall's: turns count in which it had a core."""
+    turns = [(9.0, 99.9), (0.2, 100.0), (0.9, 40.0), (0.4, 99.0), (0.6, 97.5)]
+    found = speed.theirs(Says(turns), {}, "Modify", 10)
+    check(abs(found - 1e9 * 0.4 / (speed.STEPS[10] * 1000)) < 1e-6, f"the median of those turns: {found}")
+    busy = speed.theirs(Says([(time, 50.0) for time, _ in turns]), {}, "Modify", 10)
+    check(busy is None, "and none where it had none")
+
+
 with tempfile.TemporaryDirectory() as base:
     test_page(base)
+    test_clock()
     test_built(os.path.join(base, "built"))
     test_laws()
     test_lammps(os.path.join(base, "impact"))
