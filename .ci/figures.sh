@@ -59,6 +59,7 @@ cost() {
     python3 tests/cost/instructions.py build/tests/cost/steps "$1/instructions.csv" scenes/pendulum.yaml=0.015625 \
         scenes/chain.yaml=0.001953125 || true
     mkdir -p "$1/spin"
+    rm -f "$1"/spin/*.h5
     for stepper in vti1 vti2 exact srkn11; do
         build/drivers/vti-run --no-dump scenes/spin.yaml --stepper $stepper --h 0.01 --t-end 50000 --record 5000000 \
             --frames 5000000 -o "$1/spin/$stepper.h5" >"$1/spin/$stepper.txt" 2>&1

@@ -44,8 +44,9 @@ slopes() {
     done
 }
 
-# granular FOLDER [INTO]: all of it by two processes, and the page.
+# granular FOLDER [INTO]: all of it by two processes, and the page. Nothing of an earlier run stays, which may have had other packings.
 granular() {
+    rm -f "$1"/column-*/out.h5 "$1"/repose-*/out.h5
     columns "$1" &
     beside=$!
     # What runs beside is deaf to Ctrl-C, as sh has it, and would go on for minutes; a run that has begun ends by itself.

