@@ -9,16 +9,37 @@
 
 VTI_MOVE_LAW(drift_law, lanes, lanes_of, lanes_sqrt)
 
-/** dalpha of the turn by Omega for the time of the drift, as vti_drift_increment has it, but infinite of half a turn. */
+/** dalpha of those that turn by half a turn, cf[0] = 0, is cut off, as attitudes are. u: the time times Omega. */
+VTI_INLINE void cut_off(const lanes cf[2], const lanes u[3], lanes dalpha[3])
+{
+    double all[3][WIDTH];
+    for (int k = 0; k < 3; ++k)
+        lanes_store(all[k], dalpha[k]);
+    for (int l = 0; l < WIDTH; ++l) {
+        const double c = lanes_get(cf[1], l);
+        const double q[4] = {c * lanes_get(u[0], l), c * lanes_get(u[1], l), c * lanes_get(u[2], l),
+                             lanes_get(cf[0], l)};
+        double turn[3];
+        if (q[3] != 0.0)
+            continue;
+        vti_rrv_from_pair(q, turn);
+        for (int k = 0; k < 3; ++k)
+            all[k][l] = turn[k];
+    }
+    for (int k = 0; k < 3; ++k)
+        dalpha[k] = lanes_load(all[k]);
+}
+
+/** dalpha of the turn by Omega for the time of the drift, as vti_drift_increment has it. */
 VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lanes dalpha[3])
 {
     const int law = (int)drifted->law;
-    lanes cf[2];
+    lanes cf[2], u[3];
     for (int k = 0; k < 3; ++k)
-        dalpha[k] = drifted->t * omega[k];
+        dalpha[k] = u[k] = drifted->t * omega[k];
     if (law == VTI_LAW_CAYLEY)
         return;
-    const lanes s2 = lanes_dot(dalpha, dalpha);
+    const lanes s2 = lanes_dot(u, u);
     drift_law(law, s2, cf);
     if (law != VTI_LAW_CLOSED) { /* beyond, the fraction of a turn is lost, and half a turn as good as any */
         const lanes_mask within = s2 < 0x1p60;
@@ -26,7 +47,9 @@ VTI_INLINE void increments(const vti_drifted *drifted, const lanes omega[3], lan
         cf[1] = lanes_where(within, cf[1], lanes_of(1.0));
     }
     for (int k = 0; k < 3; ++k)
-        dalpha[k] = 2.0 * cf[1] * dalpha[k] / cf[0];
+        dalpha[k] = 2.0 * cf[1] * u[k] / cf[0];
+    if (!lanes_all(cf[0] != 0.0))
+        cut_off(cf, u, dalpha);
 }
 
 /** Increments of attitude by Omega. */

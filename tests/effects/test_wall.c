@@ -12,8 +12,9 @@ static double each[6];
 TEST(materials)
 {
     rng g = rng_seed(1421);
+    double bodies[4], walls[3];
     for (int trial = 0; trial < 200; ++trial) {
-        double bodies[4], walls[3], d[3];
+        double d[3];
         begin(4, 3, 0);
         for (int i = 0; i < 4; ++i) {
             m.diameter[i] = uniform(&g, 0.5, 2);
