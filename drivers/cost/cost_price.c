@@ -44,17 +44,18 @@ struct cost_price cost_price_of(const struct cost_ladder *ladder, int measure, d
     return price;
 }
 
-/** 10 to the slope of log(value) over log(1/error). The first prices may be that of the largest step that goes at all,
- *  which is no trade of error against cost: of these only the last counts. */
+/** 10 to the slope of log(value) over log(1/error). The first prices may all be that of the largest step that goes at
+ *  all, which is no trade of error against cost: they do not count. */
 static double factor(const double *value)
 {
     enum { FEWEST = 3 };
-    static const double alike = 1.05;
     double x[COST_TARGETS], y[COST_TARGETS], c0, c1, cov00, cov01, cov11, sum;
     size_t n = 0;
-    for (int k = 0; k < COST_TARGETS; ++k)
+    int first = 0;
+    while (first + 1 < COST_TARGETS && value[first] == value[first + 1])
+        ++first;
+    for (int k = first > 0 ? first + 1 : 0; k < COST_TARGETS; ++k)
         if (isfinite(value[k])) {
-            n -= n == 1 && value[k] < alike * plain_exp2(y[0]);
             x[n] = -plain_log2(cost_targets[k]);
             y[n++] = plain_log2(value[k]);
         }
