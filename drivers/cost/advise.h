@@ -206,6 +206,14 @@ void search_doubt(const struct search *s, struct offer *o, double order, double 
 /** Fills in the offer of o->stepper for s->t_end and s->target by runs that cost up to the limit (pilot_cost), compared with
  *  s->solution. Returns likewise. */
 int search_stepper(struct search *s, struct offer *o, double limit);
+/** Above this an angle says nothing about how it falls. */
+#define SEARCH_TOO_FAR 0.3
+/** The error of a run of this stage: at the end if that is the scene's. Else errors grow with the time on the whole and
+ *  swing about that, through zero or to twice of it: the median of what the second half of the marks says of the end. */
+double search_error(const struct search *s, const struct pilot *pilot, int measure);
+/** By the measure that is asked for and by the others; NaN by those by which the solution is not known well enough: it is
+ *  refined by one measure, and hardly at all where the energy is asked for. */
+void search_errors(const struct search *s, const struct pilot *pilot, double errors[COST_MEASURES]);
 /** Refines a->checked until its runs tell the error s->target: that is s->solution. Of the purse it takes up to the
  *  share. Returns 0, -1, ADVISE_SPENT or ADVISE_PARTED. */
 int search_solution(struct search *s, double share);

@@ -13,9 +13,6 @@
 
 #include "plain.h"
 
-/* as in search.c: angles above this say nothing */
-static const double too_far = 0.3;
-
 double law_evals(const struct search *s, const vti_stepper *stepper)
 {
     return 3.0 * (double)search_fewest(s, stepper) * pilot_evals(stepper);
@@ -60,7 +57,7 @@ static void errors_of(const struct search *s, const struct pilot *coarse, const 
         errors[m] = has ? apart(coarse, fine, m) : NAN;
         if (m == COST_ENERGY)
             errors[m] = pilot_error(fine, NULL, m, PILOT_MARKS - 1);
-        else if (fine == coarse || !(apart(coarse, fine, s->trajectory) < too_far))
+        else if (fine == coarse || !(apart(coarse, fine, s->trajectory) < SEARCH_TOO_FAR))
             errors[m] = NAN; /* they have parted */
         else
             errors[m] /= finer;
@@ -135,7 +132,8 @@ static int tell(struct search *s, struct offer *o, const struct pilot *coarse, c
     if (s->measure != COST_ENERGY)
         s->advice->together = search_together(s, coarse, fine);
     s->advice->max_omega = whole->max_omega;
-    return s->measure != COST_ENERGY && !(o->errors[s->trajectory] < too_far) /* or NaN, where it was not flown on */
+    return s->measure != COST_ENERGY &&
+                   !(o->errors[s->trajectory] < SEARCH_TOO_FAR) /* or NaN, where it was not flown on */
                ? ADVISE_PARTED
                : 0;
 }
@@ -205,7 +203,7 @@ static int part_again(struct search *s, struct offer *o, double may, struct pilo
         a->together = search_together(s, coarse, fine);
         const int known = fine->parted == 0 || fine->parted > mark; /* if not, they part earlier */
         const double near = known ? pilot_error(coarse, fine, s->trajectory, mark) : INFINITY;
-        a->unsure = !resolved || a->together > longer * before || near < fmax(nearer * far, too_far);
+        a->unsure = !resolved || a->together > longer * before || near < fmax(nearer * far, SEARCH_TOO_FAR);
         if (early && a->unsure && s->purse.work + two_runs * whole <= until) {
             result = fly_whole(s, stepper, coarse, fine);
             if (result != 0 || fine->failed)

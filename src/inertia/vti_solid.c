@@ -5,9 +5,8 @@
  * whatever the order. One that overlaps none is added exactly; of others lines parallel to z through their own box, exact
  * along each and by the midpoint rule across: what a line has left of a ball changes without jumps from line to line, so
  * that the rule is good, however far the spheres are spread. */
-#include <string.h>
-
-#include "../vti_internal.h"
+#include "vti_overlaps.h"
+#include "vti_principal.h"
 
 /** Volume, int x dV and int x x^T dV (xx, yy, zz, xy, xz, yz), about a place near the spheres. */
 struct integrals {
@@ -41,151 +40,6 @@ static void box_of(int64_t n, const double *centre, const double *diameter, doub
             high[k] = fmax(high[k], centre[3 * s + k] + 0.5 * diameter[s]);
         }
     }
-}
-
-/* ---- overlaps ---------------------------------------------------------------------------------------------------- */
-
-static double distance(const double *centre, int64_t i, int64_t j)
-{
-    const double *a = centre + 3 * i, *b = centre + 3 * j, d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vti_norm(d);
-}
-
-/** The spheres that overlap sphere s, if they are no more than there is room for; else count is -1, and all are asked. */
-enum { ROOM = 128 };
-struct neighbours {
-    int64_t s, count, of[ROOM];
-};
-
-/** A lens thinner than 2^-27 of a diameter, of which only rounding knows, has no volume. */
-static void find_neighbours(int64_t n, const double *centre, const double *diameter, int64_t s, struct neighbours *near)
-{
-    near->s = s;
-    near->count = 0;
-    for (int64_t j = 0; j < n && near->count >= 0; ++j) {
-        const double touch = 0.5 * (diameter[s] + diameter[j]);
-        if (j == s || distance(centre, s, j) >= (1.0 - 0x1p-27) * touch)
-            continue;
-        if (near->count < ROOM)
-            near->of[near->count++] = j;
-        else
-            near->count = -1;
-    }
-}
-
-/** Where the line through x, y passes sphere j, all from the centre of sphere s; 0 if it does not. */
-static int pass(const double *centre, const double *diameter, int64_t s, int64_t j, double x, double y, double ends[2])
-{
-    const double *a = centre + 3 * s, *b = centre + 3 * j, dx = x - (b[0] - a[0]), dy = y - (b[1] - a[1]);
-    const double z = b[2] - a[2], half2 = 0.25 * diameter[j] * diameter[j] - dx * dx - dy * dy;
-    if (!(half2 > 0.0))
-        return 0;
-    ends[0] = z - sqrt(half2);
-    ends[1] = z + sqrt(half2);
-    return 1;
-}
-
-/** Lines through the ball of a sphere, and who takes from it: the neighbours before it in the list, or those behind. */
-struct scan {
-    int64_t n;
-    const double *centre, *diameter;
-    const struct neighbours *near;
-    int behind;
-};
-
-/** Who takes from the lines of one x, which pass its centre at half2 less than its radius squared, seen along y. */
-struct taker {
-    double half2, y, z;
-};
-struct row {
-    int64_t count;
-    struct taker of[ROOM];
-};
-
-static void find_row(const struct scan *scan, double x, struct row *row)
-{
-    const struct neighbours *near = scan->near;
-    const double *a = scan->centre + 3 * near->s;
-    row->count = 0;
-    for (int64_t k = 0; k < near->count; ++k) {
-        const int64_t j = near->of[k];
-        const double *b = scan->centre + 3 * j, d = scan->diameter[j], dx = x - (b[0] - a[0]);
-        const double half2 = 0.25 * d * d - dx * dx;
-        if ((j > near->s) == scan->behind && half2 > 0.0)
-            row->of[row->count++] = (struct taker){half2, b[1] - a[1], b[2] - a[2]};
-    }
-}
-
-/** What may be left of a line, and what is taken from its midst, in the order in which it begins. */
-struct line {
-    double from, to, taken[ROOM][2];
-    int64_t count;
-};
-
-/** What reaches an end of the line moves that end: so few are kept in most lines. */
-static void take(struct line *line, double from, double to)
-{
-    int64_t k = line->count;
-    if (!(to > line->from && from < line->to))
-        return;
-    if (from <= line->from)
-        line->from = to;
-    else if (to >= line->to)
-        line->to = from;
-    else {
-        for (; k > 0 && line->taken[k - 1][0] > from; --k)
-            memcpy(line->taken[k], line->taken[k - 1], sizeof line->taken[k]);
-        line->taken[k][0] = from;
-        line->taken[k][1] = to;
-        ++line->count;
-    }
-}
-
-/** Who takes the last that is left of a line is the first to be asked about the next one. */
-static void find_line(struct row *row, double y, const double ball[2], struct line *line)
-{
-    line->from = ball[0];
-    line->to = ball[1];
-    line->count = 0;
-    for (int64_t k = 0; k < row->count && line->from < line->to; ++k) {
-        const struct taker of = row->of[k];
-        const double dy = y - of.y, half2 = of.half2 - dy * dy;
-        if (!(half2 > 0.0))
-            continue;
-        const double half = sqrt(half2);
-        take(line, of.z - half, of.z + half);
-        if (!(line->from < line->to)) {
-            row->of[k] = row->of[0];
-            row->of[0] = of;
-        }
-    }
-}
-
-/** Whether sphere j passes the line and takes from it, and where. */
-static int takes(const struct scan *scan, int64_t j, double x, double y, double ends[2])
-{
-    const int64_t s = scan->near->s;
-    return j != s && (j > s) == scan->behind && pass(scan->centre, scan->diameter, s, j, x, y, ends);
-}
-
-/** The first piece of the line from `from` on, up to `to`, that no sphere takes, all being asked: none if
- *  piece[0] >= piece[1]. */
-static void next_free(const struct scan *scan, double x, double y, double from, double to, double piece[2])
-{
-    double ends[2];
-    for (int moved = 1; moved;) {
-        moved = 0;
-        for (int64_t j = 0; j < scan->n; ++j)
-            if (takes(scan, j, x, y, ends) && ends[0] <= from && ends[1] > from) {
-                from = ends[1];
-                moved = 1;
-            }
-    }
-    for (int64_t j = 0; j < scan->n; ++j)
-        if (takes(scan, j, x, y, ends) && ends[0] > from)
-            to = fmin(to, ends[0]);
-    piece[0] = from;
-    piece[1] = to;
 }
 
 /* ---- integrals --------------------------------------------------------------------------------------------------- */
@@ -288,72 +142,7 @@ static void add_spheres(int64_t n, const double *centre, const double *diameter,
     }
 }
 
-/* ---- principal axes ---------------------------------------------------------------------------------------------- */
-
-/** Turns rows and columns p and q of the symmetric J so that J_pq = 0 (Jacobi), and the axes, columns of V, with them.
- *  */
-static void annul(double J[3][3], double V[3][3], int p, int q)
-{
-    if (J[p][q] == 0.0)
-        return;
-    const double theta = 0.5 * (J[q][q] - J[p][p]) / J[p][q];
-    const double t = copysign(1.0, theta) / (fabs(theta) + sqrt(theta * theta + 1.0));
-    const double c = 1.0 / sqrt(t * t + 1.0), s = t * c;
-    for (int k = 0; k < 3; ++k) {
-        const double a = J[k][p], b = J[k][q], v = V[k][p], w = V[k][q];
-        J[k][p] = c * a - s * b;
-        J[k][q] = s * a + c * b;
-        V[k][p] = c * v - s * w;
-        V[k][q] = s * v + c * w;
-    }
-    for (int k = 0; k < 3; ++k) {
-        const double a = J[p][k], b = J[q][k];
-        J[p][k] = c * a - s * b;
-        J[q][k] = s * a + c * b;
-    }
-    J[p][q] = J[q][p] = 0.0;
-}
-
-/** Axis k of V as a vector whose largest component is positive. */
-static void axis_of(double V[3][3], int k, double axis[3])
-{
-    int largest = 0;
-    for (int j = 0; j < 3; ++j) {
-        axis[j] = V[j][k];
-        largest = fabs(axis[j]) > fabs(axis[largest]) ? j : largest;
-    }
-    const double sign = axis[largest] < 0.0 ? -1.0 : 1.0;
-    for (int j = 0; j < 3; ++j)
-        axis[j] *= sign;
-}
-
-/** Moments ascending; right-handed axes, largest components of the first two positive; w >= 0. */
-static void principal_of(double J[3][3], vti_solid *solid)
-{
-    double V[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, first[3], second[3], third[3];
-    int order[3] = {0, 1, 2};
-    for (int sweep = 0; sweep < 32; ++sweep)
-        for (int pair = 3; pair < 6; ++pair)
-            annul(J, V, row_of[pair], column_of[pair]);
-    for (int k = 0; k < 3; ++k)
-        for (int j = 0; j < 2; ++j)
-            if (J[order[j]][order[j]] > J[order[j + 1]][order[j + 1]]) {
-                const int swap = order[j];
-                order[j] = order[j + 1];
-                order[j + 1] = swap;
-            }
-    axis_of(V, order[0], first);
-    axis_of(V, order[1], second);
-    vti_cross(first, second, third);
-    const double R[9] = {first[0], second[0], third[0], first[1], second[1], third[1], first[2], second[2], third[2]};
-    double q[4];
-    vti_rrv_pair_from_matrix(R, q);
-    const double norm = copysign(sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]), q[3]);
-    for (int k = 0; k < 4; ++k)
-        solid->principal[k] = q[k] / norm;
-    for (int k = 0; k < 3; ++k)
-        solid->moments[k] = J[order[k]][order[k]];
-}
+/* ---- moments ----------------------------------------------------------------------------------------------------- */
 
 /** J = tr C - C, C = S - V c c^T, V not 0. */
 static void weigh(const struct integrals *sum, double density, const double about[3], vti_solid *solid)
@@ -368,7 +157,7 @@ static void weigh(const struct integrals *sum, double density, const double abou
         J[row_of[k]][column_of[k]] = J[column_of[k]][row_of[k]] = (k < 3 ? C[0] + C[1] + C[2] : 0.0) - C[k];
     for (int k = 0; k < 3; ++k)
         solid->centre[k] = about[k] + c[k];
-    principal_of(J, solid);
+    principal_of(J, solid->moments, solid->principal);
 }
 
 int vti_clump_solid(int64_t n, const double *centre, const double *diameter, double density, int64_t lines,
