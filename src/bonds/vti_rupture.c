@@ -147,6 +147,8 @@ int vti_rupture_check(const vti_rupture *rupture, vti_fault *fault)
 static int check(const void *self, const vti_bodies *b)
 {
     const vti_rupture *p = self;
+    if (p->lost == NULL)
+        return VTI_E_NULL;
     const vti_effect bonds = vti_bonds_effect(p->bonds);
     const int status = bonds.check != NULL ? bonds.check(bonds.self, b) : VTI_E_NULL;
     return VTI_LOOKS && status == VTI_OK ? vti_rupture_check(p, NULL) : status;

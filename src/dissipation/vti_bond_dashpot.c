@@ -165,6 +165,8 @@ static int check(const void *self, const vti_bodies *b)
     for (int k = 0; k < 5; ++k)
         if (!(isfinite(all[k]) && all[k] >= 0.0))
             return VTI_E_DAMPING;
+    if (p->lost == NULL)
+        return VTI_E_NULL;
     const int64_t reads = 1 << VTI_QUANTITY_X | 1 << VTI_QUANTITY_V | 1 << VTI_QUANTITY_MASS;
     const int status = vti_bonds_ready(p->bonds, b, reads);
     return status != VTI_OK ? status : vti_inertia_check(b);

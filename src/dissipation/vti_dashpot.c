@@ -277,6 +277,8 @@ static int check(const void *self, const vti_bodies *b)
         good &= isfinite(p->wall_zeta[w]) && p->wall_zeta[w] >= 0.0;
     if (!good)
         return VTI_E_DAMPING;
+    if (p->lost == NULL)
+        return VTI_E_NULL;
     const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     return status != VTI_OK ? status : vti_inertia_check(b);
 }

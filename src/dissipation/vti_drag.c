@@ -235,6 +235,8 @@ static int check(const void *self, const vti_bodies *b)
     }
     if (!good)
         return VTI_E_DAMPING;
+    if (p->lost == NULL)
+        return VTI_E_NULL;
     return p->angular.p != NULL && b->inertia.p == NULL && !vti_has(&b->moments) ? VTI_E_INERTIA : VTI_OK;
 }
 

@@ -265,7 +265,7 @@ static int check(const void *self, const vti_bodies *b)
     good &= !(p->twisting > 0.0) || p->twisting_stiffness > 0.0;
     if (!good)
         return VTI_E_DAMPING;
-    if (p->history == NULL || p->history->slot == NULL)
+    if (p->lost == NULL || p->history == NULL || p->history->slot == NULL)
         return VTI_E_NULL;
     const int status = vti_touches_ready(p->contacts, p->walls, b, needs);
     if (status != VTI_OK)

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Steps of variable length: by their errors (EQUATIONS 8.3), by a density (8.4), and what puts bodies back. */
+#include <float.h>
+
 #include "../vti_internal.h"
 
 /* ---- steps that keep an error ------------------------------------------------------------------------------------ */
@@ -63,8 +65,10 @@ int vti_control_judge(vti_control *control, double h, double velocity, double om
     const double error = vti_larger(velocity / control->speed, omega / control->turning),
                  r = error / control->tolerance;
     const int good = r <= 1.0;
+    /* the next h stays positive and finite */
+    const double least = vti_larger(control->least, DBL_MIN), most = control->most < DBL_MAX ? control->most : DBL_MAX;
     double factor = factor_of(r, (int)control->power);
-    if (!good && h <= control->least)
+    if (!good && h <= least)
         return VTI_E_CONTROL;
     *accepted = good;
     control->error = error;
@@ -76,7 +80,7 @@ int vti_control_judge(vti_control *control, double h, double velocity, double om
         control->h = h * (factor < again ? factor : again);
         ++control->rejected;
     }
-    control->h = control->h < control->least ? control->least : control->h > control->most ? control->most : control->h;
+    control->h = control->h < least ? least : control->h > most ? most : control->h;
     control->held = !good;
     return VTI_OK;
 }

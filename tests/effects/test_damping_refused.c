@@ -181,6 +181,7 @@ TEST(lists_and_tables_of_friction)
     says(vti_friction_effect(&p), VTI_E_NULL);
     p = all_friction();
     p.lost = NULL;
+    says(made_before, VTI_E_NULL);
     says(vti_friction_effect(&p), VTI_E_NULL);
     p = all_friction();
     p.contacts = NULL;
@@ -252,6 +253,10 @@ TEST(lists_of_dashpots)
 {
     two_bodies();
     vti_dashpots p = all_dashpots();
+    const vti_effect made_before = vti_dashpots_effect(&p);
+    p.lost = NULL;
+    says(made_before, VTI_E_NULL);
+    p = all_dashpots();
     m.contacts.pair = NULL;
     says(vti_dashpots_effect(&p), VTI_E_NULL);
     m.contacts.count = 0;
@@ -290,8 +295,10 @@ TEST(dashpots_of_bonds)
     w.bonds.pair = NULL;
     says(vti_bond_dashpots_effect(&p), VTI_E_NULL);
     w.bonds.count = 0;
-    says(vti_bond_dashpots_effect(&p), VTI_OK);
+    const vti_effect made_before = vti_bond_dashpots_effect(&p);
+    says(made_before, VTI_OK);
     p.lost = NULL;
+    says(made_before, VTI_E_NULL);
     says(vti_bond_dashpots_effect(&p), VTI_E_NULL);
     says(vti_bond_dashpots_effect(NULL), VTI_E_NULL);
 }

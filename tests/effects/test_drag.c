@@ -344,6 +344,9 @@ TEST(what_it_needs_and_refuses)
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NEEDS);
     drag.angular.p = NULL;
     effect = vti_drag_effect(&drag);
+    drag.lost = NULL;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
+    drag.lost = lost;
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
     assert_true(effect.books == 1 && effect.booked == lost && effect.breaks == 077);
     assert_string_equal(effect.book[0], "lost_drag_translation");

@@ -311,6 +311,9 @@ TEST(refusals)
     /* what is missing */
     vti_effect effect = vti_rupture_effect(&good);
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    good.lost = NULL;
+    assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
+    good.lost = &lost;
     assert_int_equal(vti_step_check(vti_stepper_find("srkn14"), &effect, 1), VTI_E_DISSIPATES);
     assert_int_equal(vti_step_check(vti_stepper_find("chin4"), &effect, 1), VTI_OK);
     w.bonds.shear_form = 9;

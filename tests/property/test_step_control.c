@@ -2,6 +2,8 @@
  *
  * Steps by a tolerance: what is accepted and tried next is what the equations say; what is undone leaves no trace;
  * errors of a run go with the tolerance, and every step keeps the momenta. */
+#include <float.h>
+
 #include "chain.h"
 
 enum { BODIES = 4, ROWS = 3, WIDTH = 34 };
@@ -76,6 +78,12 @@ TEST(held_cut_and_limited)
     assert_memory_equal(&c, &before, sizeof c);
     assert_int_equal(vti_control_judge(&c, 0.5, 0, 1e-7, &accepted), VTI_OK);
     assert_true(accepted && c.h == 0.5);
+    c = started("srkn11", 1e-6, 1.0); /* no limits: h stays positive and finite all the same */
+    assert_int_equal(vti_control_judge(&c, 1e308, 0, 0, &accepted), VTI_OK);
+    assert_true(accepted && c.h == DBL_MAX);
+    assert_int_equal(vti_control_judge(&c, 2 * DBL_MIN, NAN, 0, &accepted), VTI_OK);
+    assert_true(!accepted && c.h == DBL_MIN);
+    assert_int_equal(vti_control_judge(&c, DBL_MIN, NAN, 0, &accepted), VTI_E_CONTROL);
 }
 
 /** Speeds and spins are measured in units of their own. */
