@@ -147,6 +147,8 @@ def claims():
     coarse = of["1e-2"].values()
     check("No rival takes less time than the best of ours at any error of the list" in accuracy and
           "No rival is faster at any of these errors." in said["README.md"], "README: that none is faster is as docs/accuracy.md has it")
+    rivals = set(re.findall(r"^\| .*? \(`([^`|]+)`\) \| rival \|", accuracy, re.MULTILINE))
+    check(f"measures our steppers and {len(rivals)} **rivals**" in said["README.md"], f"README: there are {len(rivals)} rivals in docs/accuracy.md")
     peers = (project / "docs/peers.md").read_text(encoding="utf-8")
     steps = [float(cell) for row in re.findall(r"^\| (?:pair|plane) \|((?: [\d.]+ \|)+)$", peers, re.MULTILINE) for cell in row.split("|")[:-1]]
     heap = min(re.findall(r"^\| heap .* (\d\.\d\d) \(", peers, re.MULTILINE))

@@ -80,7 +80,8 @@ with tempfile.TemporaryDirectory() as scratch:
     with open(os.path.join(scratch, "chain.yaml"), "w", encoding="utf-8") as file:
         file.write(shown[0])
     said = run(vti_run, os.path.join(scratch, "chain.yaml"), "-o", os.path.join(scratch, "out.h5"))
-    check(said.returncode == 0 and said.stdout.splitlines()[-1].startswith("verdict: good"), f"... that runs well: {said.stderr}")
+    if not check(said.returncode == 0 and said.stdout.splitlines()[-1].startswith("verdict: good"), f"... that runs well: {said.stderr}"):
+        conclude()
     with open(os.path.join(scratch, "out.csv"), encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     most = {name: max(float(row[name]) for row in rows) for name in ("wall", "lost_friction_sliding", "lost_dashpot_normal")}
