@@ -96,11 +96,11 @@ beside_lammps() {
 # VTI_LAMMPS: as in peers. Nothing of an earlier run stays.
 bench() {
     mkdir -p "$1"
-    for name in widest avx2 baseline; do
+    for name in widest avx2 baseline scalar; do
         rm -f "$1/$name.txt" "$1/$name.csv"
     done
     machine >"$1/machine.txt"
-    for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline; do
+    for program in build/drivers/vti-bench build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline build/drivers/vti-bench-scalar; do
         name=${program#*vti-bench}
         name=${name#-}
         [ -x "$program" ] || continue
@@ -121,6 +121,10 @@ bench() {
     python3 bench/study_step.py build/drivers/vti-study >"$1/study_step.csv"
     python3 bench/memory.py build/drivers/vti-run >"$1/memory.csv"
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
+    python3 bench/ranks.py build/drivers/vti-study >"$1/ranks.csv"
+    echo "dev: operations and what threads share, by callgrind"
+    python3 bench/flops.py build/tests/cost/cost >"$1/flops.csv" || rm "$1/flops.csv"
+    python3 bench/shared.py build/drivers/vti-run >"$1/shared.csv" || rm "$1/shared.csv"
     if [ $code != 0 ]; then
         echo "dev: the page lacks what failed, and is in $1 alone" >&2
         set -- "$1"

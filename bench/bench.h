@@ -41,6 +41,10 @@ double bench_random(uint64_t *seed);
 /** Adds steps of these bodies and loops that move the same bytes. Returns how many cases there are then. */
 int bench_bodies_cases(struct bench_bodies *b, struct bench_case *cases, int count);
 
+/** Adds the most operations of a core, by the widest vectors that it has: an item is one. Returns how many cases there are
+ *  then. */
+int bench_peak_cases(struct bench_case *cases, int count);
+
 /** n bodies of three moments, packed, in memory of their own: as spheres that only drift, as tops that do, as spheres
  *  and then tops, and as tops with all that a step needs. */
 struct bench_tops {
@@ -64,7 +68,12 @@ struct bench_lattice {
     vti_bonds bonds;
     vti_contacts touching, apart;
     vti_walls walls;
-    vti_effect effect[4]; /* bonds, contacts that touch, contacts that do not, walls */
+    vti_history history;
+    vti_friction friction;
+    vti_dashpots dashpots;
+    vti_sum lost[VTI_FRICTION_BOOKS + VTI_DASHPOT_BOOKS];
+    vti_effect effect[4];  /* bonds, contacts that touch, contacts that do not, walls */
+    vti_effect rubbing[3]; /* contacts that touch, friction, dashpots */
 };
 
 /** Returns 0, or -1 where there is no memory. */

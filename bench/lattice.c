@@ -65,6 +65,23 @@ static void set_effects(struct bench_lattice *l, int64_t side)
     const vti_walls walls = {
         .count = 6, .plane = l->plane[0], .diameter = vti_scalars_one(&l->diameter[0]), .stiffness = 1e-6};
     l->walls = walls;
+    const vti_friction friction = {.contacts = &l->touching,
+                                   .sliding = 0.5,
+                                   .mindlin = 0.8,
+                                   .reach = 0.25,
+                                   .history = &l->history,
+                                   .lost = l->lost};
+    l->friction = friction;
+    const vti_dashpots dashpots = {.contacts = &l->touching,
+                                   .friction = &l->friction,
+                                   .zeta = 0.1,
+                                   .ratio = 0.5,
+                                   .reach = 0.25,
+                                   .lost = l->lost + VTI_FRICTION_BOOKS};
+    l->dashpots = dashpots;
+    l->rubbing[0] = vti_contacts_effect(&l->touching);
+    l->rubbing[1] = vti_friction_effect(&l->friction);
+    l->rubbing[2] = vti_dashpots_effect(&l->dashpots);
     l->effect[0] = vti_bonds_effect(&l->bonds);
     l->effect[1] = vti_contacts_effect(&l->touching);
     l->effect[2] = vti_contacts_effect(&l->apart);
@@ -79,7 +96,10 @@ int bench_lattice_make(struct bench_lattice *l, int64_t side)
         return -1;
     l->pair = malloc(sizeof(int64_t) * 6 * (size_t)l->of.n);
     l->rest = malloc(sizeof(double) * 12 * (size_t)l->of.n);
-    if (l->pair == NULL || l->rest == NULL)
+    for (l->history.slots = 8; l->history.slots < 4 * l->of.n; l->history.slots *= 2)
+        ; /* three pairs for each body, at most */
+    l->history.slot = calloc((size_t)l->history.slots, sizeof *l->history.slot);
+    if (l->pair == NULL || l->rest == NULL || l->history.slot == NULL)
         return -1;
     list_neighbours(l, side);
     place(l, side);
@@ -89,6 +109,7 @@ int bench_lattice_make(struct bench_lattice *l, int64_t side)
 
 void bench_lattice_free(struct bench_lattice *l)
 {
+    free(l->history.slot);
     free(l->rest);
     free(l->pair);
     bench_bodies_free(&l->of);
@@ -131,6 +152,24 @@ static void step_bonded(void *self)
     vti_step_finish(method, 1e-3, &l->of.bodies);
 }
 
+static void step_touching(void *self)
+{
+    struct bench_lattice *l = self;
+    const vti_stepper *method = vti_stepper_find("vti2");
+    vti_step_begin(method, 1e-3, &l->of.bodies, NULL);
+    vti_apply(l->rubbing, 1, &l->of.bodies);
+    vti_step_finish(method, 1e-3, &l->of.bodies);
+}
+
+static void step_rubbing(void *self)
+{
+    struct bench_lattice *l = self;
+    const vti_stepper *method = vti_stepper_find("vti2");
+    vti_effects_begin(method, 1e-3, l->rubbing, 3, &l->of.bodies, NULL);
+    vti_apply(l->rubbing, 3, &l->of.bodies);
+    vti_effects_finish(method, 1e-3, l->rubbing, 3, &l->of.bodies);
+}
+
 int bench_lattice_cases(struct bench_lattice *l, struct bench_case *cases, int count)
 {
     const struct bench_case all[] = {
@@ -139,6 +178,8 @@ int bench_lattice_cases(struct bench_lattice *l, struct bench_case *cases, int c
         {.what = "pair apart", .items = l->pairs, .call = apply_apart},
         {.what = "body between six walls", .items = l->of.n, .call = apply_walls},
         {.what = "body of a bonded lattice", .items = l->of.n, .call = step_bonded},
+        {.what = "body that touches", .items = l->of.n, .call = step_touching},
+        {.what = "body that rubs", .items = l->of.n, .call = step_rubbing},
     };
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
         cases[count] = all[k];

@@ -142,7 +142,7 @@ static int bench_bodies(int64_t n)
         count = result == 0 ? bench_bodies_cases(&of[made], cases, count) : count;
     }
     if (result == 0)
-        result = run(cases, count, n);
+        result = run(cases, bench_peak_cases(cases, count), n);
     for (int k = 0; k < made; ++k)
         bench_bodies_free(&of[k]);
     return result;

@@ -87,7 +87,8 @@ static int weigh(struct search *s, struct refining *r, double target)
     const int resolved = !search_unresolved(s, &s->solution);
     r->stalled = resolved && (r->apart > 0.5 * r->last || !(r->apart < SEARCH_TOO_FAR)) ? r->stalled + 1 : 0;
     r->last = r->apart < SEARCH_TOO_FAR ? r->apart : INFINITY;
-    return r->stalled >= STALLED + 2 * !(r->apart < SEARCH_TOO_FAR) || r->halvings >= MOST + STALLED ? ADVISE_PARTED : 0;
+    return r->stalled >= STALLED + 2 * !(r->apart < SEARCH_TOO_FAR) || r->halvings >= MOST + STALLED ? ADVISE_PARTED
+                                                                                                     : 0;
 }
 
 /** How far off the solution, the finer of two runs, is by each measure: as far as by that which a->known is of, in

