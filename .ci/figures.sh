@@ -92,6 +92,12 @@ beside_lammps() {
         { echo "dev: LAMMPS in $3 was not timed to the end" >&2; rm -f "$1"; return 1; }
 }
 
+# Of those that are installed, a line each.
+other_versions() {
+    ! command -v liggghts >/dev/null || liggghts -h | sed -n 's/^LIGGGHTS (Version \([^,]*\),.*/\1/p'
+    ! command -v yade >/dev/null || yade --version 2>/dev/null | sed -n 's/^Yade version: */YADE /p'
+}
+
 # bench FOLDER [INTO]: what each part of a step costs, by each of the machine's vector units, and what its cores share.
 # VTI_LAMMPS: as in peers. Nothing of an earlier run stays.
 bench() {
@@ -116,6 +122,15 @@ bench() {
     fi
     if [ -n "${VTI_LAMMPS-}" ]; then
         beside_lammps "$1/built.csv" "$VTI_LAMMPS" "$VTI_LAMMPS" || code=1
+    fi
+    rm -f "$1/others.csv" "$1/others.txt"
+    if command -v liggghts yade >/dev/null; then
+        echo "dev: beside $(command -v liggghts yade | tr '\n' ' ')"
+        other_versions >"$1/others.txt"
+        # shellcheck disable=SC2046  # a word per program
+        PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/codes.py 3 build/drivers/vti-bench \
+            $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1/others.csv" ||
+            { echo "dev: they were not timed to the end" >&2; rm -f "$1/others.csv"; code=1; }
     fi
     echo "dev: a study's step, memory, threads and ranks"
     python3 bench/study_step.py build/drivers/vti-study >"$1/study_step.csv"

@@ -40,7 +40,9 @@ int bench_peak_cases(struct bench_case *cases, int count)
     const struct bench_case peak = {.what = "peak",
                                     .layout = "packed",
                                     .items = 2 * CHAINS * TURNS * lanes,
-                                    .call = widest ? peak_avx512 : wide ? peak_avx2 : peak_baseline};
+                                    .call = widest ? peak_avx512
+                                            : wide ? peak_avx2
+                                                   : peak_baseline};
     cases[count++] = peak;
     return count;
 }

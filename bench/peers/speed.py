@@ -59,6 +59,25 @@ def ours(program, n):
     return {row["what"]: float(row["median_ns"]) for row in rows if row["layout"] == "packed"}
 
 
+def write(found):
+    """Rows of (name, n, case of vti-bench, program) -> [(ours, theirs) in each round]."""
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"])
+    for (name, n, what, program), times in found.items():
+        build = os.path.basename(program).removeprefix("vti-bench").removeprefix("-") or "widest"
+        mine, their = (statistics.median(side) for side in zip(*times))
+        ratios = sorted(t / o for o, t in times)
+        writer.writerow(
+            [
+                name,
+                n,
+                what,
+                build,
+                *(f"{x:.4g}" for x in (mine, their, statistics.median(ratios), ratios[0], ratios[-1])),
+            ]
+        )
+
+
 def main():
     lammps, rounds, programs = Lammps(*sys.argv[1:3]), int(sys.argv[3]), sys.argv[4:]
     found = {}
@@ -77,21 +96,7 @@ def main():
     lost = sorted({name for name, _, _, sizes, _ in CASES for wide in sizes if all(key[:2] != (name, wide**3) for key in found)})
     if lost:
         sys.exit(f"speed: LAMMPS never had a core to itself in {', '.join(lost)}; run it where nothing else runs")
-    writer = csv.writer(sys.stdout, lineterminator="\n")
-    writer.writerow(["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"])
-    for (name, n, what, program), times in found.items():
-        build = os.path.basename(program).removeprefix("vti-bench").removeprefix("-") or "widest"
-        mine, their = (statistics.median(side) for side in zip(*times))
-        ratios = sorted(t / o for o, t in times)
-        writer.writerow(
-            [
-                name,
-                n,
-                what,
-                build,
-                *(f"{x:.4g}" for x in (mine, their, statistics.median(ratios), ratios[0], ratios[-1])),
-            ]
-        )
+    write(found)
 
 
 if __name__ == "__main__":

