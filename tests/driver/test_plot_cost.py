@@ -330,5 +330,5 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_page_and_pictures, test_prices, test_claims, test_goals, test_first_part, test_stored_page, test_colours, test_edges,
-                      test_steady_spin, test_refusals)
+    plot_support.main(test_page_and_pictures, test_prices, test_one_step_for_all, test_claims, test_goals, test_first_part, test_stored_page,
+                      test_colours, test_edges, test_steady_spin, test_refusals)
