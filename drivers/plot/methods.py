@@ -26,6 +26,10 @@ QUATERNION_VERLET = ("lammps-richardson", "mercury", "yade-exp-verlet", "yade-le
 # Of order 2, one evaluation a step: their prices lie so close that they are drawn as one band
 SECOND_ORDER = ("vti1", "vti2", "vti3-leapfrog", "exact", "lgvi", *QUATERNION_VERLET)
 
+# The same of bodies of three moments, but `exact`, which is of order 4 where no moment acts
+SECOND_ORDER_TOPS = ("vti1", "vti2", "vti3-leapfrog", "no-squish", "lammps-asphere", "fincham", "buss", "moser-veselov",
+                     "moser-veselov-newton", "implicit-midpoint", "spiral-aspherical")
+
 
 def name(key):
     return NAMES.get(key) or words.stepper_name(key)

@@ -18,8 +18,10 @@ from tally import check, conclude
 
 study, project = map(os.path.abspath, sys.argv[1:3])
 sys.path.insert(0, os.path.join(project, "drivers"))
-from plot import words  # noqa: E402
+from plot import methods, words  # noqa: E402
 from plot.pages import inertia  # noqa: E402
+from plot.pages.cost_file import read_cost  # noqa: E402
+from plot.pages.price_list import errors as errors_of, price  # noqa: E402
 from plot.trouble import Trouble  # noqa: E402
 
 STEPPERS = "exact,suzuki4,no-squish,spiral-aspherical"
@@ -59,4 +61,11 @@ with tempfile.TemporaryDirectory() as base:
     check("1e-4: " in page and "against " in page and "inertia/prices.png" in page, "prices, ours against rivals")
     size = os.path.getsize(os.path.join(into, "inertia", "prices.png"))
     check(10_000 < size < 300_000, f"the picture has {size} bytes")
+    cost = read_cost(os.path.join(base, "cost"))
+    figure = inertia.prices_figure(cost)
+    for scene, axes in ((scene, axes) for scene in cost.scenes() for axes in figure.axes if axes.get_title().startswith(scene)):
+        named = {text.get_text() for text in axes.texts}
+        best = {min(("exact", "suzuki4"), key=lambda stepper: price(cost.prices[scene][stepper], error, "force_evals"))
+                for error in errors_of(cost, scene)}
+        check({methods.name(stepper) for stepper in best} | {"all of order 2"} <= named, f"{scene}: who is the cheapest of ours is named: {named}")
 conclude()

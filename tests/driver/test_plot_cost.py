@@ -254,6 +254,20 @@ def test_colours(_program, _folder):
     assert error == 1e-10 and math.isclose(height, 6.0), (error, height)
 
 
+def test_names(_program, _folder):
+    """Names beside a panel: alone each is where its line ends; close ones are a group around their middle, which the panel's ends
+    keep inside; and many are in their order, none over another."""
+    pictures = importlib.import_module("plot.pages.work_precision")
+    step = pictures.APART
+    for heights, expected in (([], []), ([0.2, 0.7], [0.2, 0.7]), ([0.5, 0.5, 0.5], [0.5 - step, 0.5, 0.5 + step]),
+                              ([0.0, 0.0], [0.0, step]), ([0.99, 0.99], [1 - step, 1.0]),
+                              ([0.3, 0.5, 0.5], [0.3, 0.5 - step / 2, 0.5 + step / 2])):
+        assert np.allclose(pictures.apart(heights), expected, rtol=0, atol=1e-12), (heights, pictures.apart(heights))
+    for many in (15, 40):
+        placed = pictures.apart(np.sort(np.sin(np.arange(many)) ** 2))
+        assert np.all(np.diff(placed) >= step - 1e-12) and placed[-1] <= 1 + 1e-12 and (many == 40 or placed[0] >= 0), placed
+
+
 def test_edges(program, folder):
     docs = os.path.join(folder, "docs")
     cost_support.write_cost(folder, scenes=("torus",), methods=cost_support.FEW)
@@ -331,4 +345,4 @@ def test_refusals(program, folder):
 
 if __name__ == "__main__":
     plot_support.main(test_page_and_pictures, test_prices, test_one_step_for_all, test_claims, test_goals, test_first_part, test_stored_page,
-                      test_colours, test_edges, test_steady_spin, test_refusals)
+                      test_colours, test_names, test_edges, test_steady_spin, test_refusals)

@@ -5,6 +5,7 @@ wrote, and cost, of vti-study --cost; the page inertia.md and its picture go bes
 DIR/inertia/prices.png."""
 import csv
 import os
+import textwrap
 
 import h5py
 import numpy as np
@@ -14,16 +15,12 @@ from ..trouble import Trouble
 from .cost_file import read_cost
 from .page import ALONE, Page, write_page
 from .price_list import count_text, errors, in_words, power, price, table, three
-from .work_precision import AXES, COSTS, name_ends
+from .work_precision import CAPTION, COSTS, row
 
 SCENES = {"free-body": "free (1, 1.7, 2.3)", "slender-body": "free (1.7231, 0.0658, 1.7243)",
           "heavy-top": "heavy top (0.6, 1, 1.5)", "bonded-pair": "bonded pair (0.06, 0.1, 0.15)"}
-OUR_COLOURS = ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F")
-THEIR_COLOURS = ("#000000", "#882255", "#AA4499", "#9C5A3C", "#7B5EA7", "#D16BA5", "#C03030", "#B8860B",
-                 "#E0457B", "#5B2333", "#FF7F50", "#8B4513", "#6A5ACD")
-HEIGHT = 8.4
-LEFT_OUT = ("pd8", "rk8pd", "vti1", "vti3", "vti3-leapfrog", "kl6", "srkn6", "srkn14",
-            "moser-veselov-newton")     # of the picture: near to others
+HEIGHT, LETTERS = 9.0, 150      # LETTERS: of a line below the picture
+BANDS = {"heavy-top": (*methods.SECOND_ORDER_TOPS, "exact")}    # of other scenes SECOND_ORDER_TOPS
 
 
 def rows_of(folder, name):
@@ -58,18 +55,13 @@ def fitted(folder, scene):
 def prices_figure(cost):
     figure = style.new_figure(HEIGHT)
     figure.suptitle("bodies of three moments: what accuracy costs")
-    for row, scene in enumerate(cost.scenes()):
-        for column, quantity in enumerate(COSTS):
-            axes = figure.add_subplot(len(cost.scenes()), 2, 2 * row + column + 1)
-            _panel(axes, cost.prices[scene], quantity)
+    for place, scene in enumerate(cost.scenes()):
+        panels = [figure.add_subplot(len(cost.scenes()), len(COSTS), len(COSTS) * place + column + 1) for column in range(len(COSTS))]
+        row(panels, cost.prices[scene], "attitude", COSTS, BANDS.get(scene, methods.SECOND_ORDER_TOPS))
+        for axes in panels:
             axes.set_title(" ".join([words.plain(scene), moments(scene)]).strip() + f", to t = {cost.ends(scene)[0]:g}")
-            axes.set_xlabel(AXES["attitude"])
-            axes.set_ylabel(COSTS[quantity])
-    drawn = {method for scene in cost.scenes() for method in cost.prices[scene]}
-    left_out = [methods.name(method) for method in LEFT_OUT if method in drawn]
-    figure.supxlabel("Solid, and bold names: ours and the paper's; dashed: what others use. Behind the names of scenes: principal moments of "
-                     "inertia. Errors become smaller\nto the right." + (f" Left out, as near to others that are drawn: "
-                     f"{'; '.join(left_out)}." if left_out else ""), fontsize=8.5, color=style.GREY)
+    figure.supxlabel(textwrap.fill(CAPTION + " Behind the names of scenes: principal moments of inertia.", LETTERS), fontsize=8.5,
+                     color=style.GREY)
     return figure
 
 
@@ -77,29 +69,6 @@ def moments(scene):
     """(1, 1.7, 2.3), as SCENES says them."""
     said = SCENES.get(scene, "")
     return said[said.find("("):] if "(" in said else ""
-
-
-def _panel(axes, ladders, quantity):
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    ends, shown, taken = [], [], {True: 0, False: 0}
-    for method, ladder in ladders.items():
-        theirs = ladder.kind == "rival"
-        good = np.isfinite(ladder[quantity]) & (ladder[quantity] > 0)
-        if method in LEFT_OUT or not np.any(good):
-            continue
-        palette = THEIR_COLOURS if theirs else OUR_COLOURS
-        colour = palette[taken[theirs] % len(palette)]
-        taken[theirs] += 1
-        x, y = ladder["error"][good], ladder[quantity][good]
-        axes.plot(x, y, "--" if theirs else "-", color=colour, linewidth=1.3 if theirs else 2, marker="o", markersize=3)
-        ends.append((x[-1], y[-1], methods.name(method), colour, not theirs))
-        shown.append((x, y))
-    for axis, values, wider in ((axes.xaxis, [x for x, _ in shown], 1.5), (axes.yaxis, [y for _, y in shown], 1.3)):
-        values = np.concatenate(values)
-        style.log_axis(axis, np.min(values) / wider, np.max(values) * wider)
-    axes.invert_xaxis()
-    name_ends(axes, ends)
 
 
 # ---- the page -------------------------------------------------------------------------------------------------------

@@ -41,19 +41,22 @@ def energy(cost, scene):
 
 
 def _draw(cost, scene, measure, columns, what):
-    ladders = cost.by_measure[scene][measure]
-    named = _named(ladders, columns)
-    looks = _looks(ladders, named)
-    best = {_best(ladders, kind) for kind in ("ours", "rival")} - {None}
     figure = style.new_figure(HEIGHT)
     figure.suptitle(f"{words.plain(scene)}: {what} (to t = {cost.ends(scene)[0]:g})")
-    for place, column in enumerate(columns):
-        axes = figure.add_subplot(1, len(columns), place + 1)
-        _panel(axes, {method: _line(ladder, column) for method, ladder in ladders.items()}, looks, best)
-        axes.set_xlabel(AXES[measure])
-        axes.set_ylabel(COSTS[column])
+    row([figure.add_subplot(1, len(columns), place + 1) for place in range(len(columns))], cost.by_measure[scene][measure],
+        measure, columns, methods.SECOND_ORDER)
     figure.supxlabel(CAPTION, fontsize=8.5, color=style.GREY)
     return figure
+
+
+def row(panels, ladders, measure, columns, band):
+    """A panel for each column, of the same methods in the same colours; band: those of order 2."""
+    looks = _looks(ladders, _named(ladders, columns, band))
+    best = {_best(ladders, kind) for kind in ("ours", "rival")} - {None}
+    for axes, column in zip(panels, columns):
+        _panel(axes, {method: _line(ladder, column) for method, ladder in ladders.items()}, looks, best, band)
+        axes.set_xlabel(AXES[measure])
+        axes.set_ylabel(COSTS[column])
 
 
 def _line(ladder, column):
@@ -61,14 +64,14 @@ def _line(ladder, column):
     return Line(ladder["error"][good], ladder[column][good])
 
 
-def _named(ladders, columns):
+def _named(ladders, columns, band):
     """Methods that are the cheapest of their family at some error, but those of the band."""
     chosen = set()
     for column in columns:
         for error in {float(error) for ladder in ladders.values() for error in ladder["error"]}:
             for kind in methods.FAMILIES:
                 found = {method: price_list.price(ladder, error, column) for method, ladder in ladders.items()
-                         if ladder.kind == kind and method not in methods.SECOND_ORDER}
+                         if ladder.kind == kind and method not in band}
                 found = {method: value for method, value in found.items() if np.isfinite(value)}
                 chosen.update(sorted(found, key=found.get)[:NAMED])
     return chosen
@@ -96,13 +99,13 @@ def _looks(ladders, named):
     return looks
 
 
-def _panel(axes, lines, looks, best):
+def _panel(axes, lines, looks, best, band):
     axes.set_xscale("log")
     axes.set_yscale("log")
-    band = [line for method, line in lines.items() if method in methods.SECOND_ORDER and len(line.errors)]
-    ends = _band(axes, band) if band else []
+    banded = [line for method, line in lines.items() if method in band and len(line.errors)]
+    ends = _band(axes, banded) if banded else []
     for method, line in sorted(lines.items(), key=lambda item: (item[0] in best, item[0] in looks)):
-        if method in methods.SECOND_ORDER or not len(line.errors):
+        if method in band or not len(line.errors):
             continue
         colour, dashes = looks.get(method, (OTHER, "-"))
         width = 2.6 if method in best else 1.2 if method in looks else 0.7
@@ -130,19 +133,26 @@ def _band(axes, lines):
 
 
 def name_ends(axes, ends):
-    """In one column right of the panel, by the height of the lines' ends. Those that would cover each other are moved
-    apart, up from the lowest and back from the top."""
+    """In one column right of the panel, by the height of the lines' ends."""
     low, high = axes.get_ylim()
     ends = sorted(ends, key=lambda end: end[1])
-    heights = [np.log(end[1] / low) / np.log(high / low) for end in ends]
-    for k in range(1, len(heights)):
-        heights[k] = max(heights[k], heights[k - 1] + APART)
-    ceiling = 1.0
-    for k in reversed(range(len(heights))):
-        heights[k] = min(heights[k], ceiling)
-        ceiling = heights[k] - APART
+    heights = apart([np.log(end[1] / low) / np.log(high / low) for end in ends])
     for (error, value, name, colour, is_best), height in zip(ends, heights):
         axes.annotate(name, (error, value), (1.02, height), textcoords="axes fraction", color=colour, fontsize=8.5,
                       va="center", fontweight="bold" if is_best else "normal", annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.6,
                                   "relpos": (0, 0.5), "shrinkA": 0, "shrinkB": 0})
+
+
+def apart(heights):
+    """Rising heights of names, moved as little as can be (the sum of squares) so that none covers another and all are between 0 and
+    1, if there is room: those that are too close are a group around their own middle."""
+    groups = []     # of heights less those that the names below take up: mean, and of how many
+    for k, height in enumerate(heights):
+        groups.append((height - k * APART, 1))
+        while len(groups) > 1 and groups[-2][0] > groups[-1][0]:
+            (one, few), (other, more) = groups.pop(-2), groups.pop()
+            groups.append(((few * one + more * other) / (few + more), few + more))
+    free = np.repeat(*zip(*groups)) if groups else np.zeros(0)
+    most = 1 - APART * (len(heights) - 1)
+    return np.clip(free, min(0.0, most), most) + APART * np.arange(len(heights))
