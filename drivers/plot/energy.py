@@ -68,4 +68,4 @@ def _facts(run, t, lowered):
         parts.append(f"Above, means over 1/{STACK_SLICES} of the time; below, the largest value in each.")
     if lowered:
         parts.append(f"Counted from its lowest value: {words.listing(name.replace('_', ' ') for name in lowered)}.")
-    return "  ".join([*parts, f"Units are those of the scene.  vti {words.plain(run.version)}"])
+    return style.below([*parts, f"Units are those of the scene.  vti {words.plain(run.version)}"])

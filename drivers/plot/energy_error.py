@@ -34,7 +34,7 @@ def _draw_sound(axes, t, error, symbol):
     power = math.floor(math.log10(largest)) if largest > 0 else 0
     _draw_band(axes, t, error, power)
     axes.axhline(0, color=style.GREY, linewidth=0.6, zorder=1)
-    axes.set_title(f"at most {words.number(largest)}; {_drift_text(t, error)}")
+    axes.set_title(f"at most {words.number(largest)}; {_drift_text(t, error)}" if largest > 0 else "kept exactly")
     axes.set_ylabel(f"${symbol}$" + (rf"  in $10^{{{power}}}$" if power else ""))
 
 

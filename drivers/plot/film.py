@@ -28,7 +28,7 @@ def make(run, folder):
     if not run.translates:
         raise Trouble(run.path, "has no positions over time to film", "film a scene whose bodies translate")
     if len(run.times) < 2:
-        raise Trouble(run.path, "holds fewer than two frames", "run it again with more --frames")
+        raise Trouble(run.path, "holds fewer than two frames", "run it again with fewer steps between frames (--frames)")
     count = min(len(run.times), SECONDS * RATE)
     chosen = np.round(np.linspace(0, len(run.times) - 1, count)).astype(int)
     ffmpeg = shutil.which("ffmpeg")
@@ -38,7 +38,7 @@ def make(run, folder):
     if not ffmpeg:
         print("vti-plot: there is no ffmpeg here, so the film is a GIF; with it (package ffmpeg) it is an MP4, smaller and sharper",
               file=sys.stderr)
-    style.write(film, path)
+    style.write(film, path, " with -o")
     return path
 
 

@@ -12,6 +12,8 @@ from .trouble import Trouble
 SWEEP, STUDY, RUN = "sweep", "study", "run"
 WRITER = {SWEEP: "vti-study", STUDY: "vti-study", RUN: "vti-run"}
 GROUPS = {SWEEP: ("ensemble", "sweep"), STUDY: ("runs", "orders", "series"), RUN: ("energies", "VTKHDF")}
+CHECKPOINT = ".run"     # beside the place of OUT.h5 as long as a run is not complete
+GO_ON = "the run is not complete: the vti-run that began it ends it with --resume, and writes OUT.h5"
 
 
 def kind(path):
@@ -39,10 +41,13 @@ def opened(path):
         with open(path, "rb"):
             pass
     except FileNotFoundError:
-        raise Trouble(path, "no such file", "run vti-study or vti-run first, or correct the path") from None
+        raise Trouble(path, "no such file", GO_ON if os.path.isfile(os.path.splitext(path)[0] + CHECKPOINT) else
+                      "run vti-study or vti-run first, or correct the path") from None
     except OSError as error:
         raise Trouble(path, f"cannot be read ({error.strerror})", "make it readable, or correct the path") from None
     if not h5py.is_hdf5(path):
+        if os.path.splitext(path)[1] == CHECKPOINT:
+            raise Trouble(path, "is not an HDF5 file", GO_ON)
         raise Trouble(path, "is not an HDF5 file", "give the study.h5 of vti-study or the out.h5 of vti-run")
     try:
         with h5py.File(path, "r") as file:

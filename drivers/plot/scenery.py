@@ -37,9 +37,11 @@ class Scenery:
         else:
             low, high = self._with_cylinders(times, low, high)
         margin = max(0.04 * np.max(high - low), 1e-6 * np.max(np.abs([low, high])), 1e-12)     # a point has a window, too
-        self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
-        self.small = 2 * np.min(self.radius) < SMALL * 2 * np.max(self.half)
+        self.small = 2 * np.min(self.radius) < SMALL * (np.max(high - low) + 2 * margin)
         self.marked = run.turns and self.detailed and not self.small and not run.breaks and run.clumps is None
+        if self.marked:     # ends of marks are a radius away from their bodies
+            margin = max(margin, 1.05 * np.max(self.radius))
+        self.middle, self.half = (low + high) / 2, (high - low) / 2 + margin
         self.outward = _outward(first, self.plane) if self.marked else None
         # The scene says which bodies never touch, those that something holds together being the usual ones.
         self.apart = set() if run.touching == 2 else {tuple(sorted(pair)) for pair in run.lines.tolist()}
@@ -77,7 +79,7 @@ class Scenery:
         return middle - self.half, middle + self.half
 
     def axis_names(self):
-        return [f"${'xyz'[axis]}$" for axis in self.plane] if self.level is None else ["along the plane", "off the plane"]
+        return [f"${'xyz'[axis]}$" for axis in self.plane] if self.level is None else ["along the plane", "normal to the plane"]
 
     def meaning(self):
         """What marks and colours stand for, of those that can appear: a line or none."""

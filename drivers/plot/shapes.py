@@ -14,7 +14,8 @@ TITLE, AROUND = 0.3, 0.45   # inches above and beside each
 FILLED = 0.75           # of a page's width, so much at least where that can be
 STILL = 0.005           # of the window, and radians: who has moved by less, rests
 CALM = 1e-4             # ... where kinetic energies are less of their largest sum, too
-NARROW = 1.7            # inches: a panel without room for the unit beside its axis
+NARROW, LOW = 1.7, 1.4  # inches: a panel without room for the unit beside its axis, or for that of height
+POWER = 0.4             # inches that a power of ten takes up before the unit
 TICK = 0.3              # inches of a number below an axis
 FAR = 20                # windows from the origin
 
@@ -62,16 +63,17 @@ def draw(run):
     unit = (rf"$10^{{{power}}}$ " if power else "") + "units of the scene"
     wide = style.WIDTH / columns - AROUND
     wide = min(wide, (min(panel, TALLEST / rows) - TITLE) * scene.half[0] / scene.half[1])
+    tall = wide * scene.half[1] / scene.half[0]
     across, up = (_Axis(name, *at, power) for name, at in zip(scene.axis_names(), base.reshape(2, 1)))
     for place, (axes, frame) in enumerate(zip(grid.flat, frames)):
         touched |= scene.draw(axes, frame)
         across.show(axes.xaxis, max(1, int(wide / TICK)))
-        up.show(axes.yaxis, max(2, int(wide * scene.half[1] / scene.half[0] / TICK)))
+        up.show(axes.yaxis, max(2, int(tall / TICK)))
         axes.set_title(f"$t$ = {frame.t:.4g}", pad=3)
         if place + columns >= len(frames):
             axes.set_xlabel(across.label("" if wide < NARROW else f" ({unit})"), labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(up.label(f" ({unit})"), labelpad=1)
+            axes.set_ylabel(up.label("" if wide >= NARROW and tall < LOW + POWER * (power != 0) else f" ({unit})"), labelpad=1)
     notes = [*run.notes(), *walls.notes(scene.walls, scene.plane)]
     figure.supxlabel("\n".join([_facts(run, scene, touched, until), *notes]), fontsize=8.5, color=style.GREY)
     return figure, notes
@@ -150,4 +152,4 @@ def _facts(run, scene, touched, until):
         parts.append("The window moves with the bodies, the scale stays.")
     if run.diameter is None and run.clumps is None and not run.ellipsoids:
         parts.append("The bodies have no diameter; dots are not to scale.")
-    return "  ".join([*parts, f"vti {words.plain(run.version)}"])
+    return style.below([*parts, f"vti {words.plain(run.version)}"])

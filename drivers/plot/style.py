@@ -20,6 +20,7 @@ from .trouble import Trouble
 WIDTH = 10.67       # inches; 1600 pixels at DPI
 DPI = 150
 LARGEST = 300_000   # bytes of a PNG
+LETTERS = 165       # of a line below a picture
 
 matplotlib.rcdefaults()
 matplotlib.rcParams.update({
@@ -114,13 +115,24 @@ def _mantissa_and_power(value, _position):
     return rf"${factor}10^{{{power}}}$"
 
 
-def save(figure, path):
-    write(_png(figure), path)
+def below(sentences):
+    """For below a picture: in lines as wide as it is, sentence by sentence."""
+    lines = []
+    for sentence in sentences:
+        if lines and len(lines[-1]) + 2 + len(sentence) <= LETTERS:
+            lines[-1] += "  " + sentence
+        else:
+            lines.append(sentence)
+    return "\n".join(lines)
 
 
-def write(content, path):
+def save(figure, path, option=""):
+    write(_png(figure), path, option)
+
+
+def write(content, path, option=""):
     """All of it or nothing: it is made in memory, written beside its place under a name that nothing has, and then moved there.
-    Links stay, and what they lead to is replaced, as vti-run does."""
+    Links stay, and what they lead to is replaced, as vti-run does. option: " with -o" where the program has it for another folder."""
     place = os.path.realpath(path)
     partial = f"{place}.{os.getpid()}.part"
     try:
@@ -129,11 +141,11 @@ def write(content, path):
             file.write(content)
         os.replace(partial, place)
     except (FileExistsError, NotADirectoryError):
-        raise Trouble(os.path.dirname(path), "is not a folder", "name another one with -o") from None
+        raise Trouble(os.path.dirname(path), "is not a folder", f"name another one{option}") from None
     except OSError as error:
         if os.path.isfile(partial):
             os.remove(partial)
-        raise Trouble(path, f"cannot be written ({error.strerror})", "name a folder you may write to with -o") from None
+        raise Trouble(path, f"cannot be written ({error.strerror})", f"name a folder you may write to{option}") from None
 
 
 def _png(figure):

@@ -189,7 +189,13 @@ def test_refusals(program, folder):
         file.write(b"\xa5" * size)
     refuses(program, path, path, "damaged")
     write_study(path)
-    refuses(program, path, "is not a folder", "-o", options=("-o", os.path.join(path, "inside-a-file")))
+    refuses(program, path, "is not a folder; name another one with -o", options=("-o", os.path.join(path, "inside-a-file")))
+    style, trouble = importlib.import_module("plot.style"), importlib.import_module("plot.trouble")
+    try:
+        style.write(b"", os.path.join(path, "inside-a-file", "page.md"))    # as pages do, which have no -o
+        assert False, "written into a file"
+    except trouble.Trouble as said:
+        assert str(said).endswith("is not a folder; name another one"), said
     os.remove(path)
     n = 4 * len(LADDER)
     refuses_damage(program, path, write_study,

@@ -214,7 +214,7 @@ def test_level(program, folder):
         axes, frame = level.axes_of(run.walls), run.frame(1)
         assert (axes is not None) == seen, f"{plane} is turned, or is not"
         scene = scenery.Scenery(run, [run.frame(0), frame])
-        assert scene.axis_names()[1] == ("off the plane" if seen else "$y$")
+        assert scene.axis_names()[1] == ("normal to the plane" if seen else "$y$")
         if not seen:
             continue
         there = level.of_frame(axes, frame)
@@ -343,6 +343,41 @@ def test_names(program, folder):
     assert done.returncode == 0 and r"gr\xf6\xdfe" in done.stdout and set(ALL) <= set(os.listdir(inside)) and done.stderr == "", done.stderr
 
 
+def test_room(_program, folder):
+    """Nothing is cut off or over something else: marks end within the window, axes of low panels have no unit that is longer than
+    they are, and what is said below a picture is no wider than it."""
+    run_file, scenery, shapes, style = modules("run_file", "scenery", "shapes", "style")
+    path = os.path.join(folder, "out.h5")
+    write_run(path, count=1, frames=2, rows=50)
+    with h5py.File(path, "a") as file:
+        file["VTKHDF/PointData/diameter"][...] = 1
+    run = run_file.read_run(path)
+    scene = scenery.Scenery(run, [run.frame(0), run.frame(1)])
+    assert scene.marked and np.all(scene.half >= 1.0), f"a mark of length 1 in a window of {scene.half}"
+    for flat, unit in ((0.2, False), (0.3, False), (0.35, True), (1.0, True)):
+        write_run(path, frames=6, walls=False)
+        with h5py.File(path, "a") as file:
+            file["VTKHDF/Points"][...] = file["VTKHDF/Points"][...] * (1, flat, 1)
+        figure, _ = shapes.draw(run_file.read_run(path))
+        labels = [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()]
+        figure.canvas.draw()
+        assert labels and all(("units" in label) == unit for label in labels), (flat, labels)
+        boxes = [axes.yaxis.label.get_window_extent() for axes in figure.axes if axes.get_ylabel()]
+        assert all(not one.overlaps(other) for k, one in enumerate(boxes) for other in boxes[:k]), f"{flat}: labels overlap"
+    said = ["a" * 100, "b" * 60, "c" * 60]
+    assert style.below(said) == "\n".join([said[0] + "  " + said[1], said[2]]) and style.below([]) == ""
+
+
+def test_kept_exactly(_program, folder):
+    run_file, energy_error = modules("run_file", "energy_error")
+    path = os.path.join(folder, "out.h5")
+    write_run(path)
+    with h5py.File(path, "a") as file:
+        file["energies/total"][...] = 10
+    figure, _ = energy_error.draw(run_file.read_run(path))
+    assert figure.axes[0].get_title() == "kept exactly", figure.axes[0].get_title()
+
+
 def test_film(program, folder):
     run = os.path.join(folder, "out.h5")
     write_run(run, frames=15)
@@ -368,6 +403,8 @@ def test_film(program, folder):
             assert all(colour in shown for colour in wanted), "the GIF lacks colours of the scene"
     write_run(run, translates=False)
     refuses(program, run, "no positions", options=("--film",))
+    write_run(run, frames=1)
+    refuses(program, run, "fewer than two frames; run it again with fewer steps between", options=("--film",))
 
 
 def test_refusals(program, folder):
@@ -376,6 +413,13 @@ def test_refusals(program, folder):
         file["something"] = np.zeros(3)
     refuses(program, path, path, "neither a study nor a run")
     os.remove(path)
+    refuses(program, path, "no such file; run vti-study or vti-run first")
+    checkpoint = os.path.join(folder, "out.run")    # what vti-run leaves of a run that is not complete
+    with open(checkpoint, "wb") as file:
+        file.write(bytes(100))
+    for given, problem in ((path, "no such file"), (checkpoint, "is not an HDF5 file")):
+        refuses(program, given, given, f"{problem}; the run is not complete", "--resume")
+    os.remove(checkpoint)
     refuses_damage(program, path, write_run,
                    ("energies", "energies/t", "energies/total", "VTKHDF/Points", "VTKHDF/Steps/Values", "VTKHDF/PointData",
                     "VTKHDF/Lines/Connectivity"), ("scene", "stepper", "h", "vti_version"),
@@ -410,4 +454,4 @@ def test_refusals(program, folder):
 
 if __name__ == "__main__":
     plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_no_bond_made, test_varying_steps,
-                      test_scale, test_momenta, test_short_times, test_names, test_film, test_refusals)
+                      test_scale, test_momenta, test_short_times, test_names, test_room, test_kept_exactly, test_film, test_refusals)
