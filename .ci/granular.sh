@@ -55,7 +55,7 @@ granular() {
     slopes "$1"
     wait "$beside"
     trap - EXIT INT TERM HUP
-    run "$1/drum" drum --t-end 12
+    run "$1/drum" drum --t-end 12 --frames 500    # 0.01 s: the bed swings with a period of 0.4
     run "$1/billiards" billiards
     PYTHONPATH=drivers PYTHONDONTWRITEBYTECODE=1 python3 -m plot.pages.granular "$1" ${2:+--into "$2"}
 }

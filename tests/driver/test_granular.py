@@ -43,6 +43,15 @@ for angle in (12, 20, 31):
     front = granular.front(away, np.full(len(away), RADIUS))
     check(abs(front - 160 * RADIUS) < 1e-12, f"... its front is at {front:.4g}, without the bead that is far away")
 
+times = np.linspace(0, 7, 71)
+found = [(start, end, round(times[inside][0], 9), times[inside][-1]) for start, end, inside in granular.spans(times)]
+check(found == [(0, 3, 0.1, 3.0), (3, 6, 3.1, 6.0), (6, 9, 6.1, 7.0)], f"7 seconds of the drum are three rows: {found}")
+figure = granular.picture([granular.Column(1, a, a, a) for a in (0.5, 1.0, 3.0, 4.0)], {(0.5, "0.0003"): [(30.0, 20.0), (32.0, 21.0)]}, times,
+                          20 + np.sin(times))
+means = [path.vertices[0][1] for lines in figure.axes[2].collections for path in lines.get_paths()]
+check(len(means) == 3 and np.allclose(means, [np.mean(20 + np.sin(times[inside])) for _, _, inside in granular.spans(times)]),
+      f"the picture has their means: {means}")
+
 some = [granular.Column(1, a, 2.5 * a**0.7, 3.0 * a) for a in (0.5, 1.0, 3.0)]
 exponent, factor, error = granular.power(some)
 check(abs(exponent - 0.7) < 1e-12 and abs(factor - 2.5) < 1e-12 and error < 1e-12,

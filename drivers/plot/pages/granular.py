@@ -127,6 +127,14 @@ def lengths(found):
     return sorted({length for _, length in found}, key=float)
 
 
+def spans(times):
+    """Start, end and which times are in it, of each row of the drum's table."""
+    for start in range(0, int(times[-1]), SPAN):
+        inside = (times > start) & (times <= start + SPAN)
+        if np.any(inside):
+            yield start, start + SPAN, inside
+
+
 def drum(folder):
     """Times, and how far the centre of mass is off the vertical through the axis, in degrees."""
     run = read_run(os.path.join(folder, "drum", "out.h5"))
@@ -175,7 +183,7 @@ def rebounds(folder):
 # ---- page and picture -----------------------------------------------------------------------------------------------
 
 def picture(some, found, times, angles):
-    figure = style.new_figure(4.6)
+    figure = style.new_figure(4.9)
     runs, repose, turning = figure.subplots(1, 3)
     aspect = np.array([one.aspect for one in some])
     runs.plot(aspect, [one.runout for one in some], "o", color=style.LOOKS[0].colour, label=f"{SHARE:.0%} of the beads")
@@ -184,7 +192,7 @@ def picture(some, found, times, angles):
         if np.sum(chosen) > 1:
             exponent, factor, _ = power([one for one, taken in zip(some, chosen) if taken])
             ends = np.array([aspect[chosen].min() / 1.2, aspect[chosen].max() * 1.2])
-            runs.plot(ends, factor * ends**exponent, color=style.LOOKS[look].colour,
+            runs.plot(ends, factor * ends**exponent, "-" if look == 1 else "--", color=style.LOOKS[look].colour,
                       label=f"{factor:.2g} $a^{{{exponent:.2f}}}$")
     runs.set(xscale="log", yscale="log", title="run-out of columns", xlabel="height/width $a$",
              ylabel="(end - start)/start")
@@ -197,9 +205,18 @@ def picture(some, found, times, angles):
                             fmt=look.marker + line, capsize=3, color=look.colour,
                             label=rf"{name}, $\mu_r$ = {float(length) * 1e3:g} mm")
     repose.set(title="angle of repose", xlabel=r"$\mu$", ylabel="degrees")
-    repose.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), fontsize=7, ncols=2)  # clear of error bars
-    turning.plot(times, angles, color=style.LOOKS[0].colour)
+    repose.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), fontsize=8, ncols=2,
+                  columnspacing=1)  # clear of error bars
+    turning.plot(times, angles, color=style.LOOKS[0].colour, linewidth=0.8)
+    for k, (start, end, inside) in enumerate(spans(times)):
+        turning.hlines(np.mean(angles[inside]), start, end, color=style.LOOKS[1].colour, linewidth=2, zorder=3,
+                       label=f"mean of {SPAN:g} s" if k == 0 else None)
     turning.set(title="drum: centre of mass", xlabel="$t$ (s)", ylabel="degrees off the vertical")
+    turning.legend(loc="lower right")
+    figure.supxlabel(style.below(["Left: a point for each packing; lines are fits to the front behind which "
+                                  f"{SHARE:.0%} of the beads lie.",
+                                  "Middle: error bars are the standard deviation of a single packing."]),
+                     fontsize=8.5, color=style.GREY)
     return figure
 
 
@@ -246,10 +263,10 @@ def repose_part(page, found):
 def drum_part(page, times, angles):
     page.heading("The drum's surface")
     page.text("`scenes/drum.yaml`, for longer: the angle between the vertical and the bed's centre of mass, as seen from "
-              f"the axis; mean and standard deviation over every {SPAN:g} seconds. Beads slip back one by one "
+              f"the axis; mean and standard deviation over every {SPAN:g} seconds, at frames so close that they show how it swings. Beads slip back one by one "
               "and in avalanches, which the deviation tells; the mean stays.")
-    rows = [[f"{start} to {start + SPAN}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
-            for start in range(0, int(times[-1]), SPAN) if np.any(inside := (times > start) & (times <= start + SPAN))]
+    rows = [[f"{start} to {end}", f"{np.mean(angles[inside]):.1f}", f"{np.std(angles[inside]):.1f}"]
+            for start, end, inside in spans(times)]
     page.table(["s", "degrees", "deviation"], rows)
 
 
