@@ -14,8 +14,8 @@ TITLE, AROUND = 0.3, 0.45   # inches above and beside each
 FILLED = 0.75           # of a page's width, so much at least where that can be
 STILL = 0.005           # of the window, and radians: who has moved by less, rests
 CALM = 1e-4             # ... where kinetic energies are less of their largest sum, too
-NARROW, LOW = 1.7, 1.4  # inches: a panel without room for the unit beside its axis, or for that of height
-POWER = 0.4             # inches that a power of ten takes up before the unit
+NARROW = 1.7            # inches: a panel without room for the unit beside its axis
+LETTER, POWER = 0.064, 6    # inches of a letter of a label, and how many letters are as long as a power of ten
 TICK = 0.3              # inches of a number below an axis
 FAR = 20                # windows from the origin
 
@@ -64,6 +64,7 @@ def draw(run):
     wide = style.WIDTH / columns - AROUND
     wide = min(wide, (min(panel, TALLEST / rows) - TITLE) * scene.half[0] / scene.half[1])
     tall = wide * scene.half[1] / scene.half[0]
+    long = LETTER * (len(scene.axis_names()[1].strip("$")) + len(" (units of the scene)") + POWER * (power != 0))
     across, up = (_Axis(name, *at, power) for name, at in zip(scene.axis_names(), base.reshape(2, 1)))
     for place, (axes, frame) in enumerate(zip(grid.flat, frames)):
         touched |= scene.draw(axes, frame)
@@ -73,7 +74,7 @@ def draw(run):
         if place + columns >= len(frames):
             axes.set_xlabel(across.label("" if wide < NARROW else f" ({unit})"), labelpad=1)
         if place % columns == 0:
-            axes.set_ylabel(up.label("" if wide >= NARROW and tall < LOW + POWER * (power != 0) else f" ({unit})"), labelpad=1)
+            axes.set_ylabel(up.label("" if wide >= NARROW and tall < long else f" ({unit})"), labelpad=1)
     notes = [*run.notes(), *walls.notes(scene.walls, scene.plane)]
     figure.supxlabel("\n".join([_facts(run, scene, touched, until), *notes]), fontsize=8.5, color=style.GREY)
     return figure, notes
