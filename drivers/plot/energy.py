@@ -2,12 +2,15 @@
 """energy.png: where the energy is over time, as a stack that adds up to the total, and below it each term by itself on a
 logarithmic scale, because the small ones do not show in the stack."""
 import numpy as np
+from matplotlib.colors import to_rgb
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FixedLocator, LogFormatterMathtext
 
 from . import curves, style, terms, words
 
 STACK_SLICES = 800      # means over these: a stack of extremes would not add up
 DECADES = 5             # of the lower panel, below the largest term
+PALE = 0.8              # of white's brightness: yellow has a rim as a line
 
 
 def draw(run):
@@ -45,6 +48,11 @@ def _name(look):
     return f"{look.symbol}  {look.meaning}".strip()
 
 
+def _is_pale(colour):
+    """Whether a line of that colour hardly shows on white: by the weights of the eye."""
+    return float(np.dot(to_rgb(colour), (0.2126, 0.7152, 0.0722))) > PALE
+
+
 def _draw_single(axes, t, energies, looks):
     """The largest value in every slice; what is far below the largest term is below the panel."""
     top = max(np.max(values) for values in energies.values())
@@ -54,7 +62,9 @@ def _draw_single(axes, t, energies, looks):
     bottom = top * 10.0**-DECADES
     for name, values in energies.items():
         times, peaks = curves.sliced(t, values, np.max, STACK_SLICES)
-        axes.plot(times, np.maximum(peaks, 0.01 * bottom), color=looks[name].colour, linewidth=1.0)
+        line, = axes.plot(times, np.maximum(peaks, 0.01 * bottom), color=looks[name].colour, linewidth=1.0)
+        if _is_pale(looks[name].colour):
+            line.set_path_effects([withStroke(linewidth=1.6, foreground="#777777")])
     axes.set(yscale="log", ylim=(bottom, 2.5 * top), ylabel="energy, each by itself")
     axes.yaxis.set_major_locator(FixedLocator(10.0 ** np.arange(np.ceil(np.log10(bottom)), np.log10(2.5 * top))))
     axes.yaxis.set_major_formatter(LogFormatterMathtext())

@@ -21,6 +21,8 @@ import lammps  # noqa: E402  pylint: disable=wrong-import-position
 import speed  # noqa: E402  pylint: disable=wrong-import-position
 
 sys.path.insert(0, os.path.join(ROOT, "drivers"))
+from plot import style  # noqa: E402  pylint: disable=wrong-import-position
+from plot.pages import peers_rows  # noqa: E402  pylint: disable=wrong-import-position
 from plot.pages.peers import build  # noqa: E402  pylint: disable=wrong-import-position
 
 FILES = {
@@ -97,6 +99,10 @@ def test_page(folder):
         check(row in made, f"row {row}")
     for name in ("impact", "heap", "agglomerate"):
         check(10_000 < os.path.getsize(os.path.join(folder, name + ".png")) < 300_000, f"picture {name}")
+    axes = style.new_figure(4).add_subplot()
+    rows = [{"who": who, "t": t, "kinetic": 1.0} for who in ("LAMMPS, smooth no", "vti", "LAMMPS, smooth yes") for t in (0.0, 1.0)]
+    peers_rows.curves(axes, rows, "t", "kinetic", "vti")
+    check(len({line.get_linestyle() for line in axes.lines}) == 3, "curves differ by more than their colour")
     check("It keeps the ring" in made, "the ring is whole where no energy has come out of nothing")
     with open(os.path.join(folder, "built.csv"), "w", encoding="ascii") as file:
         file.write(FILES["built"].replace("28.3", "nan"))

@@ -125,6 +125,12 @@ def test_looks(program, folder):
         energy = ("energy.png",)
         drawn.append(draws(program, run, os.path.join(folder, str(colour)), pictures=energy, only=energy)[0])
     assert drawn[0] != drawn[1], "energy.png does not show what the file says"
+    run_file, energy = modules("run_file", "energy")
+    with h5py.File(run, "a") as file:
+        file["energies/contact"].attrs["colour"] = "#F0E442"
+    figure, _ = energy.draw(run_file.read_run(run))
+    rims = {line.get_color(): bool(line.get_path_effects()) for line in figure.axes[1].lines}
+    assert rims["#F0E442"] and not rims["#0072B2"], "a yellow line on white has a rim, and only such ones"
     left_alone(program, run)
 
 

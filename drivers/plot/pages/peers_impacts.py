@@ -188,8 +188,8 @@ def impact_picture(folder, path):
     axes = figure.subplots(1, 2)
     laws = of(orders, plane=0.0, angle=45.0)
     for side, rows, title, others in (
-        (axes[0], laws, "Velocities after the impact at 45 degrees", 1),
-        (axes[1], of(ledgers, angle=45.0), "Sum of energies and what was booked", len(in_order(laws, "who"))),
+        (axes[0], laws, "Pair at 45 degrees: velocities after the impact", 1),
+        (axes[1], of(ledgers, angle=45.0), "The same: sum of energies and what was booked", len(in_order(laws, "who"))),
     ):
         curves(side, rows, "steps", "error", "vti2", "loglog", marked=True, others=others)
         side.set(title=title, xlabel="number of steps")

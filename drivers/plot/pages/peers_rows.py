@@ -73,14 +73,18 @@ def slope(rows):
     return -np.polyfit(np.log(column(rows, "steps")[good]), np.log(errors[good]), 1)[0]
 
 
+DASHES = ("-", "--", ":")   # of curves without markers, which are told apart without their colours, too
+
+
 def curves(axes, rows, x, y, first, draw="plot", floor=0.0, marked=False, others=1):
     """y over x of each who, that of first above the others in the legend; others: the first look of these."""
-    for who, look in zip(sorted(in_order(rows, "who"), key=lambda name: name != first), (style.LOOKS[0], *style.LOOKS[others:])):
+    looks = (style.LOOKS[0], *style.LOOKS[others:])
+    for turn, (who, look) in enumerate(zip(sorted(in_order(rows, "who"), key=lambda name: name != first), looks)):
         mine = of(rows, who=who)
         getattr(axes, draw)(
             column(mine, x),
             np.maximum(column(mine, y), floor),
-            look.marker + look.line if marked else look.line,
+            look.marker + look.line if marked else DASHES[turn % len(DASHES)],
             color=look.colour,
             markersize=5,
             label=NAMES.get(who, who).replace("`", ""),

@@ -6,6 +6,7 @@ import os
 import numpy as np
 
 from .. import style
+from ..curves import time_axis
 from .peers_rows import column, curves, in_order, of, read, two
 
 
@@ -115,9 +116,12 @@ def agglomerate_picture(folder, path):
     left, right = figure.subplots(1, 2)
     rows = finest(read(folder, "agglomerate"))
     curves(left, rows, "t", "bonds", "vti")
-    left.set(title="Bonds that hold", xlabel="t (s)", ylabel="bonds", ylim=(0, None))
+    left.set(title="Bonds that hold", ylabel="bonds", ylim=(0, None))
     curves(right, rows, "t", "kinetic", "vti")
-    right.set(title="Kinetic energy", xlabel="t (s)", ylabel="energy (J)", ylim=(0, None))
+    right.set(title="Kinetic energy", ylabel="energy (J)", ylim=(0, None))
+    for axes in (left, right):
+        time_axis(axes)
+        axes.set_xlabel("t (s)")
     say_step(figure, f"h = {rows[0]['h']:g} s")
     style.save(figure, path)
 
