@@ -25,6 +25,7 @@ PANELS = (
 
 LEGEND_LINE = 0.21      # inches
 LOST = 0.1              # of the solution: a true error above it
+TRAJECTORY = ("q_error", "h1_error")
 CHAOTIC = 1e-3          # of the solution: a reference of this uncertainty, as vti-study has it
 
 
@@ -40,7 +41,7 @@ def draw(study):
     grid = figure.add_gridspec(2, len(PANELS), height_ratios=(4.0, legend_height))
     for column, panel in enumerate(PANELS):
         axes = figure.add_subplot(grid[0, column])
-        fits = {stepper: study.fit(stepper, panel.measure) for stepper in steppers}
+        fits = {stepper: _fit(study, stepper, panel.measure) for stepper in steppers}
         axes.set_title(f"{panel.name}: {words.orders_phrase(fits.values())}")
         axes.set_xlabel("time step $h$ (units of the scene)")
         axes.set_ylabel(panel.label)
@@ -57,12 +58,24 @@ def _facts(study):
             f"vti {words.plain(study.version)}")
 
 
+def _is_lost(study, stepper):
+    return bool(np.all(study.errors(stepper, "h1_error")[1] > LOST))
+
+
+def _fit(study, stepper, measure):
+    """As in the file; that of a lost trajectory is of no order, however well its points lie on a line."""
+    fit = study.fit(stepper, measure)
+    if fit and measure in TRAJECTORY:
+        fit["lost"] = _is_lost(study, stepper)
+    return fit
+
+
 def _lost(study, steppers):
     """A trajectory that is nowhere near the reference at any h is not one that converges slowly."""
     if study.uncertainty > CHAOTIC:
         yield (f"the motion is chaotic: the reference itself is known to {words.plain_number(study.uncertainty)} of the solution "
                "only, and errors of trajectories of that size have no order")
-    lost = [stepper for stepper in steppers if np.all(study.errors(stepper, "h1_error")[1] > LOST)]
+    lost = [stepper for stepper in steppers if _is_lost(study, stepper)]
     if lost:
         yield (f"{words.listing(map(words.stepper_name, lost))}: the true error is above {LOST:g} at every h, so the "
                "trajectory is lost: the motion is chaotic, or h too large")

@@ -78,8 +78,8 @@ RESOLVED = 0.5      # an interval wider than this, or than the order, cannot tel
 
 
 def resolved(fit):
-    """Whether the points of a fit say which order it is."""
-    return fit is not None and not fit["interval"] > min(RESOLVED, fit["order"])
+    """Whether the points of a fit say which order it is: those of trajectories that are lost say none."""
+    return fit is not None and not fit.get("lost") and not fit["interval"] > min(RESOLVED, fit["order"])
 
 
 PLACES = 5          # decimals of an order, at most
@@ -95,7 +95,7 @@ def with_interval(value, interval):
     places = 0
     while places < PLACES and units(places + 1) <= 9:
         places += 1
-    return f"{value:.{places}f} ± {max(1, units(places)) / 10**places:.{places}f}"
+    return f"{round(value, places) + 0.0:.{places}f} ± {max(1, units(places)) / 10**places:.{places}f}"
 
 
 def order_text(fit):

@@ -42,7 +42,8 @@ void study_print_order(double order, double interval, FILE *file)
     while (places < PLACES && units(interval, places + 1) <= LARGEST)
         ++places;
     if (!isnan(order) && isfinite(interval))
-        snprintf(text, sizeof text, "%.*f +- %.*f", places, order, places,
+        snprintf(text, sizeof text, "%.*f +- %.*f", places,
+                 fabs(order) * ten_to(places) > 0.5 ? order : 0.0 /* no -0 */, places,
                  fmax(1.0, units(interval, places)) / ten_to(places));
     else if (!isnan(order))
         snprintf(text, sizeof text, "%.2f", order);

@@ -147,6 +147,20 @@ def test_fitted_lines(_program, folder):
         assert np.all(np.abs(away) < 0.4), f"{name}: a line of order {law[0]} is off by factors of {2**away}"
 
 
+def test_lost(_program, folder):
+    """A trajectory that is off by more than a tenth at every h has no order, though its errors are on a line; the energy's stays."""
+    path = os.path.join(folder, "study.h5")
+    write_study(path)
+    with h5py.File(path, "a") as file:
+        mine = np.array([name in (b"vti1", "vti1") for name in file["runs/stepper"][()]])
+        file["runs/h1_error"][...] = np.where(mine, file["runs/h1_error"][...] * 1e12, file["runs/h1_error"][...])
+    figure, notes = importlib.import_module("plot.convergence").draw(importlib.import_module("plot.study_file").read_study(path))
+    legends = [axes.get_legend().get_texts()[0].get_text() for axes in figure.axes if axes.get_legend()]
+    assert ["not resolved" in legend for legend in legends] == [False, True, True] and all("VTI-1" in legend for legend in legends), legends
+    assert any("trajectory is lost" in note for note in notes), notes
+    assert importlib.import_module("plot.words").with_interval(-0.2, 3) == "0 ± 3"
+
+
 def test_edges(program, folder):
     study = os.path.join(folder, "study.h5")
     write_study(study, ladder=np.array([0.01]))
@@ -227,4 +241,4 @@ def test_help(program, _folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_help, test_intervals, test_pictures, test_fitted_lines, test_edges, test_refusals)
+    plot_support.main(test_help, test_intervals, test_pictures, test_fitted_lines, test_lost, test_edges, test_refusals)
