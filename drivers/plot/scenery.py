@@ -4,7 +4,7 @@ frames, planes, lines between bodies, marks that turn with the bodies, and conta
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
-from . import level, outlines, style, walls
+from . import level, outlines, walls
 
 MOST_MARKED = 2000      # bodies; of more one could see neither marks nor contacts
 SMALL = 1 / 100         # of the window: smaller bodies have thin rims and no marks, which would hide their colours

@@ -19,9 +19,8 @@ from tally import check, conclude
 study, project = map(os.path.abspath, sys.argv[1:3])
 sys.path.insert(0, os.path.join(project, "drivers"))
 from plot import methods, words  # noqa: E402
-from plot.pages import inertia  # noqa: E402
+from plot.pages import inertia, price_list  # noqa: E402
 from plot.pages.cost_file import read_cost  # noqa: E402
-from plot.pages.price_list import errors as errors_of, price  # noqa: E402
 from plot.trouble import Trouble  # noqa: E402
 
 STEPPERS = "exact,suzuki4,no-squish,spiral-aspherical"
@@ -65,7 +64,7 @@ with tempfile.TemporaryDirectory() as base:
     figure = inertia.prices_figure(cost)
     for scene, axes in ((scene, axes) for scene in cost.scenes() for axes in figure.axes if axes.get_title().startswith(scene)):
         named = {text.get_text() for text in axes.texts}
-        best = {min(("exact", "suzuki4"), key=lambda stepper: price(cost.prices[scene][stepper], error, "force_evals"))
-                for error in errors_of(cost, scene)}
+        best = {min(("exact", "suzuki4"), key=lambda stepper: price_list.price(cost.prices[scene][stepper], error, "force_evals"))
+                for error in price_list.errors(cost, scene)}
         check({methods.name(stepper) for stepper in best} | {"all of order 2"} <= named, f"{scene}: who is the cheapest of ours is named: {named}")
 conclude()

@@ -213,8 +213,7 @@ def picture(some, found, times, angles):
                        label=f"mean of {SPAN:g} s" if k == 0 else None)
     turning.set(title="drum: centre of mass", xlabel="$t$ (s)", ylabel="degrees off the vertical")
     turning.legend(loc="lower right")
-    figure.supxlabel(style.below(["Left: a point for each packing; lines are fits to the front behind which "
-                                  f"{SHARE:.0%} of the beads lie.",
+    figure.supxlabel(style.below([f"Left: a point for each packing; lines are fits to the front behind which {SHARE:.0%} of the beads lie.",
                                   "Middle: error bars are the standard deviation of a single packing."]),
                      fontsize=8.5, color=style.GREY)
     return figure
