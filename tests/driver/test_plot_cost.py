@@ -248,6 +248,7 @@ def test_colours(_program, _folder):
             orange = red > green > 1.5 * blue
             assert orange == (kind == "paper"), f"{kind}: {red} {green} {blue}"
             assert (max(green, blue) > red and not red > green) == (kind == "ours") or (kind == "rival" and red > green), f"{kind}: {red} {green} {blue}"
+    assert len({marker for marker, _ in pictures.MARKERS.values()}) == len(families) == len(pictures.MARKERS), "families differ in grey, too"
     axes, errors = plot_support.matplotlib.figure.Figure().add_subplot(), np.array([1e-7, 1e-8, 1e-9, 1e-10])
     [(error, height, *_)] = pictures._band(axes, [pictures.Line(errors, np.array([1.0, 2.0, 3.0, 4.0])),
                                                       pictures.Line(errors, np.array([1.0, 2.0, 3.0, 9.0]))])

@@ -15,13 +15,14 @@ AXES = {"attitude": "attitude error at the end (rad)", "position": "position err
         "velocity": "relative velocity error at the end", "energy": r"largest energy error, $|E_h-E_0|\,/\,|E_0|$"}
 COLOURS = {"ours": ("#0050B0", "#009E73", "#2E9BD6", "#4C9A2A", "#1F2F86", "#00838F"), "paper": ("#D55E00", "#E69F00"),
            "rival": ("#000000", "#882255", "#CC79C4", "#C2185B", "#7B3FA7", "#4A1942")}
+MARKERS = {"ours": ("o", 4), "paper": ("v", 5), "rival": ("s", 4)}     # of families, without colours, too; and their sizes
 OTHER = "#c4c4c4"       # of methods without a name
 BAND, RIM, BAND_NAME = "#F3ECC0", "#B9A955", "#857520"
 COSTS = {"force_evals": "force evaluations", "seconds": "time (s)"}
-CAPTION = ("Blue to green: ours; orange: the paper's; black, red and purple: rivals; colours that are needed twice are dashed. Thin and "
-           "grey: methods that are nowhere\nthe cheapest of their family. Thick: of ours and of the rivals the one that is the cheapest, in "
-           "time, at most errors. The pale yellow band goes from the cheapest\nto the dearest of all methods of order 2 with one "
-           "evaluation a step, the paper's, ours and rivals. Errors become smaller to the right.")
+CAPTION = ("Circles, blue to green: ours; triangles, orange: the paper's; squares, black, red and purple: rivals; colours that are needed "
+           "twice are dashed. Thin and grey:\nmethods that are nowhere the cheapest of their family. Thick: of ours and of the rivals the "
+           "one that is the cheapest, in time, at most errors. The pale yellow\nband goes from the cheapest to the dearest of all methods "
+           "of order 2 with one evaluation a step, the paper's, ours and rivals. Errors become smaller to the right.")
 
 
 @dataclass
@@ -90,12 +91,12 @@ def _best(ladders, kind):
 
 
 def _looks(ladders, named):
-    """method -> colour and dashes, of those that are named."""
+    """method -> colour, dashes, marker and its size, of those that are named."""
     looks, taken = {}, {}
     for method in sorted(named):
         kind = ladders[method].kind
         turn = taken[kind] = taken.get(kind, -1) + 1
-        looks[method] = COLOURS[kind][turn % len(COLOURS[kind])], "-" if turn < len(COLOURS[kind]) else "--"
+        looks[method] = COLOURS[kind][turn % len(COLOURS[kind])], "-" if turn < len(COLOURS[kind]) else "--", *MARKERS[kind]
     return looks
 
 
@@ -107,10 +108,10 @@ def _panel(axes, lines, looks, best, band):
     for method, line in sorted(lines.items(), key=lambda item: (item[0] in best, item[0] in looks)):
         if method in band or not len(line.errors):
             continue
-        colour, dashes = looks.get(method, (OTHER, "-"))
+        colour, dashes, marker, size = looks.get(method, (OTHER, "-", None, 0))
         width = 2.6 if method in best else 1.2 if method in looks else 0.7
-        axes.plot(line.errors, line.costs, dashes, color=colour, linewidth=width, marker="o" if method in looks else None,
-                  markersize=3.5, zorder=3 if method in looks else 2)
+        axes.plot(line.errors, line.costs, dashes, color=colour, linewidth=width, marker=marker,
+                  markersize=size, zorder=3 if method in looks else 2)
         if method in looks:
             ends.append((line.errors[-1], line.costs[-1], methods.name(method), colour, method in best))
     shown = [line for line in lines.values() if len(line.errors)]
