@@ -94,7 +94,7 @@ beside_lammps() {
 
 # Of those that are installed, a line each.
 other_versions() {
-    ! command -v liggghts >/dev/null || liggghts -h | sed -n 's/^LIGGGHTS (Version \([^,]*\),.*/\1/p'
+    ! command -v liggghts >/dev/null || liggghts -log none -h | sed -n 's/^LIGGGHTS (Version \([^,]*\),.*/\1/p'
     ! command -v yade >/dev/null || yade --version 2>/dev/null | sed -n 's/^Yade version: */YADE /p'
 }
 
