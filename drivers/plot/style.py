@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How pictures look and how they are written: the same colours and markers everywhere, the same bytes every time."""
 import io
-import logging
 import os
 from dataclasses import dataclass
 
-# A user's settings, which may even be broken, must not change the bytes of a picture.
-os.environ.update(MPLBACKEND="Agg", MATPLOTLIBRC=os.devnull)
-logging.getLogger("matplotlib").setLevel(logging.ERROR)     # it warns where there is no home to keep its fonts' list in
-import matplotlib  # noqa: E402
+import matplotlib
 import numpy as np
 from PIL import Image  # with it matplotlib itself writes PNG
 from matplotlib.backends.backend_agg import FigureCanvasAgg
