@@ -20,7 +20,8 @@ module vti_multisteps
         end function
 
         !> Remembers the accelerations by the force and moment of now: at the start and after any jump once before each
-        !> of K - 1 steps of h by another method, and once after the last.
+        !> of K - 1 steps of h by another method, and once after the last; where its steps end with a drift (srkn14),
+        !> forces are computed again first.
         function vti_multistep_record(past, bodies) result(status) bind(c)
             import :: c_int, vti_bodies, vti_past
             type(vti_past), intent(inout) :: past

@@ -23,7 +23,7 @@ module vti_views
     public :: vti_scalars_one, vti_scalars_array, vti_scalars_member
     public :: vti_bodies_none, vti_bodies_slice
 
-    !> One value for all that every check refuses, NaN: for scalars of the wrong shape.
+    !> One value for all that every check refuses, NaN: for scalars of the wrong shape, and the one component of views of it.
     real(c_double), target, protected :: refused = transfer(9221120237041090560_c_int64_t, 0._c_double)
 
 contains
@@ -34,12 +34,12 @@ contains
         type(vti_view) :: view
         integer :: i
         if (.not. associated(a)) return
-        if (size(a) == 0) return
+        if (size(a, 2) == 0) return
         i = lbound(a, 1)
         if (size(a, 1) == 3) then
             view = vti_view_separate(a(i, :), a(i + 1, :), a(i + 2, :))
         else
-            view%c(1) = address(a(i, :)) ! given in part
+            view%c(1) = c_loc(refused) ! given in part
         end if
     end function
 
@@ -49,12 +49,12 @@ contains
         type(vti_view) :: view
         integer :: i
         if (.not. associated(a)) return
-        if (size(a) == 0) return
+        if (size(a, 1) == 0) return
         i = lbound(a, 2)
         if (size(a, 2) == 3) then
             view = vti_view_separate(a(:, i), a(:, i + 1), a(:, i + 2))
         else
-            view%c(1) = address(a(:, i)) ! given in part
+            view%c(1) = c_loc(refused) ! given in part
         end if
     end function
 
@@ -87,12 +87,13 @@ contains
         type(vti_quat_view) :: view
         integer :: i
         if (.not. associated(q)) return
-        if (size(q) == 0) return
+        if (size(q, 2) == 0) return
         i = lbound(q, 1)
-        view%xyzw(1) = address(q(i, :))
+        view%xyzw(1) = c_loc(refused) ! given in part
+        if (size(q, 1) /= 4) return
+        view%xyzw = [address(q(i, :)), address(q(i + 1, :)), address(q(i + 2, :)), address(q(i + 3, :))]
         view%stride = stride(q(i, :))
         view%count = size(q, 2, c_int64_t)
-        if (size(q, 1) == 4) view%xyzw(2:) = [address(q(i + 1, :)), address(q(i + 2, :)), address(q(i + 3, :))]
     end function
 
     !> q(n,4): one quaternion x, y, z, w in each row.
@@ -101,12 +102,13 @@ contains
         type(vti_quat_view) :: view
         integer :: i
         if (.not. associated(q)) return
-        if (size(q) == 0) return
+        if (size(q, 1) == 0) return
         i = lbound(q, 2)
-        view%xyzw(1) = address(q(:, i))
+        view%xyzw(1) = c_loc(refused) ! given in part
+        if (size(q, 2) /= 4) return
+        view%xyzw = [address(q(:, i)), address(q(:, i + 1)), address(q(:, i + 2)), address(q(:, i + 3))]
         view%stride = stride(q(:, i))
         view%count = size(q, 1, c_int64_t)
-        if (size(q, 2) == 4) view%xyzw(2:) = [address(q(:, i + 1)), address(q(:, i + 2)), address(q(:, i + 3))]
     end function
 
     !> One value for all bodies.

@@ -43,8 +43,8 @@ typedef struct vti_clumps {
 } vti_clumps;
 
 /** When the list has changed: every sphere belongs to one of the n bodies that exist, the list ascends, offsets are
- *  finite, and spheres are as many as the list says. VTI_E_CLUMP, with fault->body the number of the sphere and
- *  fault->value what is wrong: the body or the component of the offset. */
+ *  finite, and spheres are as many as the list says. VTI_E_COUNT where they are not; VTI_E_CLUMP, with
+ *  fault->body the number of the sphere and fault->value what is wrong: the body or the component of the offset. */
 VTI_API int vti_clumps_check(const vti_clumps *clumps, int64_t n, vti_fault *fault);
 
 /** The spheres of the bodies of the slice, as a slice of clumps->spheres; none if the lists are not there. */

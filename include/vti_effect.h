@@ -201,10 +201,12 @@ VTI_API int vti_effects_flow(const vti_effect *effects, int64_t n, double t, dou
  *  VTI_E_NULL for clumps without their bodies. */
 VTI_API int vti_effects_carry(const vti_effect *effects, int64_t n, const vti_drifted *drifted,
                               const vti_bodies *bodies);
-/** Sum of all booked energies: with vti_energy, what is constant. NaN where n is negative, or effects NULL and n not 0. */
+/** Sum of all booked energies: with vti_energy, what is constant. NaN where n is negative, effects NULL and n not 0, or
+ *  an effect has books, but booked is NULL. */
 VTI_API double vti_booked(const vti_effect *effects, int64_t n);
 /** What of it body i, from 0, has lost: the sum over the effects that book by body, whose by_body has to go up to i. NaN
- *  where n or i is negative, or effects NULL and n not 0. Of clumps (vti_clumped) the effect on the spheres has theirs. */
+ *  where n or i is negative, effects NULL and n not 0, or of_body less than books. Of clumps (vti_clumped) the effect on
+ *  the spheres has theirs. */
 VTI_API double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i);
 
 #ifdef __cplusplus

@@ -164,11 +164,14 @@ double vti_booked(const vti_effect *effects, int64_t n)
     vti_sum sum = {0.0, 0.0};
     if (n < 0 || (n > 0 && effects == NULL))
         return NAN;
-    for (int64_t k = 0; k < n; ++k)
+    for (int64_t k = 0; k < n; ++k) {
+        if (effects[k].books > 0 && effects[k].booked == NULL)
+            return NAN;
         for (int64_t j = 0; j < effects[k].books; ++j) {
             vti_sum_add(&sum, effects[k].booked[j].high);
             vti_sum_add(&sum, effects[k].booked[j].low);
         }
+    }
     return vti_sum_value(&sum);
 }
 
@@ -179,6 +182,8 @@ double vti_booked_of_body(const vti_effect *effects, int64_t n, int64_t i)
         return NAN;
     for (int64_t k = 0; k < n; ++k) {
         const vti_effect *e = &effects[k];
+        if (e->by_body != NULL && e->of_body < e->books)
+            return NAN;
         for (int64_t j = 0; e->by_body != NULL && j < e->books; ++j) {
             vti_sum_add(&sum, e->by_body[e->of_body * i + j].high);
             vti_sum_add(&sum, e->by_body[e->of_body * i + j].low);

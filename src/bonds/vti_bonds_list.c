@@ -81,6 +81,20 @@ static int now_check(int64_t count, const int64_t *pair, int64_t base, const vti
     return VTI_OK;
 }
 
+/** Which view of what is read is given in part: of an empty slice vti_bodies_check looks at none. */
+static int64_t partial(const vti_bodies *b)
+{
+    const vti_view *const x = &b->x, *const alpha = &b->alpha;
+    if (x->c[1] == NULL || x->c[2] == NULL)
+        return VTI_QUANTITY_X;
+    if (vti_has(alpha))
+        return alpha->c[1] == NULL || alpha->c[2] == NULL ? VTI_QUANTITY_ALPHA : VTI_QUANTITY_NONE;
+    for (int k = 1; k < 4; ++k)
+        if (vti_has_attitude(b) && b->quat.xyzw[k] == NULL)
+            return VTI_QUANTITY_QUAT;
+    return VTI_QUANTITY_NONE;
+}
+
 int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const vti_bodies *b, double *rest,
                        double *turn, vti_fault *fault)
 {
@@ -92,6 +106,8 @@ int vti_bonds_rest_now(int64_t count, const int64_t *pair, int64_t base, const v
     int status = vti_bodies_ready_or(b, fault);
     if (status == VTI_OK && !vti_has(&b->x))
         return vti_refuse(VTI_E_NEEDS, -1, 0.0, VTI_QUANTITY_X, fault);
+    if (status == VTI_OK && count > 0 && partial(b) != VTI_QUANTITY_NONE)
+        return vti_refuse(VTI_E_VIEW, -1, 0.0, partial(b), fault);
     if (status == VTI_OK)
         status = now_check(count, pair, base, b, fault);
     if (status == VTI_OK)

@@ -99,7 +99,8 @@ static void flow_forwards(const struct vti_sweep *s, struct places *w)
         count -= done;
         memmove(w->found, w->found + done, (size_t)count * sizeof *w->found);
     }
-    flow_window(s, w, w->found, count);
+    if (count > 0)
+        flow_window(s, w, w->found, count);
 }
 
 /** How many pairs the last of the windows of so many has. */

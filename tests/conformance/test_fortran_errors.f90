@@ -119,6 +119,17 @@ contains
     !> What the constructors of views know of arrays.
     subroutine shapes()
         real(c_double), pointer :: nowhere(:, :)
+        real(c_double), target :: no_rows(0, n), no_columns(n, 0)
+        b = good
+        b%alpha = vti_view_columns(no_rows)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'columns of nothing')
+        b%alpha = vti_view_rows(no_columns)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'rows of nothing')
+        b%alpha = vti_view()
+        b%quat = vti_quat_view_columns(no_rows)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'quaternions in columns of nothing')
+        b%quat = vti_quat_view_rows(no_columns)
+        call refused(VTI_E_VIEW, VTI_QUANTITY_QUAT, 'quaternions in rows of nothing')
         b = good
         b%alpha = vti_view_columns(wrong)
         call refused(VTI_E_VIEW, VTI_QUANTITY_ALPHA, 'columns of the wrong shape')

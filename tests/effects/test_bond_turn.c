@@ -304,6 +304,18 @@ TEST(refused)
     assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, NULL, q0, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, NULL, NULL), VTI_E_NULL);
     assert_int_equal(vti_bonds_rest_now(0, NULL, 0, &b, NULL, NULL, NULL), VTI_OK);
+    for (int view = 0; view < 3; ++view) { /* of an empty slice nothing else looks at views */
+        vti_bodies part = vti_bodies_slice(crowd_bodies(&c), 0, 0);
+        if (view == 2) {
+            part.alpha = vti_view_none();
+            part.quat.xyzw[0] = c.alpha[0];
+        } else {
+            (view == 0 ? &part.x : &part.alpha)->c[2] = NULL;
+        }
+        const int64_t of[] = {VTI_QUANTITY_X, VTI_QUANTITY_ALPHA, VTI_QUANTITY_QUAT};
+        assert_int_equal(vti_bonds_rest_now(1, pair, 0, &part, rest, q0, &fault), VTI_E_VIEW);
+        assert_true(fault.body == -1 && fault.quantity == of[view]);
+    }
     assert_true(rest[0] == 7 && q0[3] == 7 && count > k);
     b.alpha = vti_view_none(); /* what has no attitude has not turned */
     pair[1] = 2;

@@ -345,6 +345,19 @@ TEST(rupture)
     assert_sums(&effect);
 }
 
+/** What every call refuses has no sum. */
+TEST(books_without_memory)
+{
+    const vti_drag drag = {.linear = vti_scalars_one(&diameter), .lost = on.lost};
+    vti_effect effect = vti_drag_effect(&drag);
+    effect.booked = NULL;
+    assert_true(effect.books > 0 && isnan(vti_booked(&effect, 1)));
+    effect.booked = on.lost;
+    effect.by_body = on.of[0];
+    effect.of_body = effect.books - 1;
+    assert_true(isnan(vti_booked_of_body(&effect, 1, 0)) && !isnan(vti_booked(&effect, 1)));
+}
+
 RUN_TESTS(cmocka_unit_test(flows), cmocka_unit_test(each_body_to_the_medium),
           cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(walls),
-          cmocka_unit_test(rupture))
+          cmocka_unit_test(rupture), cmocka_unit_test(books_without_memory))
