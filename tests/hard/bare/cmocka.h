@@ -33,10 +33,12 @@ struct CMUnitTest {
 #define assert_non_null(x) assert_true((x) != NULL)
 #define assert_ptr_equal(a, b) assert_true((a) == (b))
 #define assert_int_equal(a, b) bare_must((long long)(a) == (long long)(b), #a " == " #b, __FILE__, __LINE__)
+#define assert_in_range(a, least, most) assert_true((a) >= (least) && (a) <= (most))
 #define assert_string_equal(a, b) assert_true(strcmp(a, b) == 0)
 #define assert_string_not_equal(a, b) assert_true(strcmp(a, b) != 0)
 #define assert_memory_equal(a, b, bytes) assert_true(memcmp(a, b, bytes) == 0)
 #define assert_memory_not_equal(a, b, bytes) assert_true(memcmp(a, b, bytes) != 0)
+#define skip() return
 #define fail() _fail(__FILE__, __LINE__)
 #define fail_msg(...) (print_error(__VA_ARGS__), fail())
 #define print_message(...) ((void)printf(__VA_ARGS__))
