@@ -23,7 +23,7 @@ module vti_views
     public :: vti_scalars_one, vti_scalars_array, vti_scalars_member
     public :: vti_bodies_none, vti_bodies_slice
 
-    !> One value for all that every check refuses, NaN: for scalars of the wrong shape, and the one component of views of it.
+    !> One value that every check refuses, NaN: for scalars of the wrong shape, and where views of it begin.
     real(c_double), target, protected :: refused = transfer(9221120237041090560_c_int64_t, 0._c_double)
 
 contains
