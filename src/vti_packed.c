@@ -46,7 +46,7 @@ int vti_packed_begin(int64_t stepper, double h, int64_t n, double *x, double *v,
     b.alpha = packed(alpha);
     b.moment = packed(moment);
     const vti_stepper *method = of_one_stage(stepper);
-    int status = method != NULL ? VTI_OK : VTI_E_STEPPER;
+    int status = method == NULL ? VTI_E_STEPPER : n < 0 ? VTI_E_COUNT : VTI_OK;
     if (status == VTI_OK)
         status = scalars(masses, mass, n, &b.mass);
     if (status == VTI_OK)

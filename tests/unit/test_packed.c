@@ -83,6 +83,9 @@ TEST(refusals)
     double value = 5;
     const int64_t wrong[] = {-1, vti_stepper_count(), INT64_MAX, INT64_MIN};
     for (int k = 0; k < 4; ++k) {
+        assert_int_equal(begin(wrong[k], 0.1, N, N, N, &body, &value), VTI_E_STEPPER);
+        assert_true(body == -1 && value == 0.1);
+        body = 5, value = 5;
         assert_int_equal(begin(wrong[k], 0.1, N, N, N, NULL, NULL), VTI_E_STEPPER);
         assert_int_equal(finish(wrong[k], 0.1, N, N, N), VTI_E_STEPPER);
     }
@@ -94,6 +97,12 @@ TEST(refusals)
         assert_int_equal(finish(0, 0.1, N, N, counts[k]), VTI_E_COUNT);
     }
     assert_int_equal(begin(0, 0.1, -1, 1, 1, NULL, NULL), VTI_E_COUNT);
+    static const int64_t sizes[][3] = {{N, 2, N}, {N, N, 2}, {-1, 1, 1}, {-1, -1, -1}};
+    for (int k = 0; k < 4; ++k) {
+        body = 5, value = 5;
+        assert_int_equal(begin(0, 0.1, sizes[k][0], sizes[k][1], sizes[k][2], &body, &value), VTI_E_COUNT);
+        assert_true(body == -1 && value == 0.1);
+    }
     assert_int_equal(begin(0, NAN, N, N, N, &body, &value), VTI_E_TIME);
     assert_int_equal(body, -1);
     assert_int_equal(finish(0, -1, N, N, N), VTI_E_TIME);
@@ -180,6 +189,9 @@ TEST(no_bodies)
     assert_int_equal(begin(0, 0.1, 0, 0, 1, NULL, NULL), VTI_OK);
     assert_int_equal(finish(0, 0.1, 0, 1, 0), VTI_OK);
     assert_int_equal(vti_packed_begin(1, 0.1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, 0, NULL, NULL, NULL), 0);
+    for (int64_t s = 0; s < vti_stepper_count(); ++s) /* 0 = 3n, but there are no bodies of three moments */
+        if (of_one_stage(s))
+            assert_int_equal(begin(s, 0.1, 0, 0, 0, NULL, NULL), VTI_OK);
     assert_same_bits(ours, theirs, DOUBLES);
 }
 
