@@ -284,6 +284,11 @@ TEST(what_is_not_a_number_shows)
         assert_int_equal(vti_step_watch(s, 0, 0.1, &w.b, &w.errors), VTI_OK);
         assert_int_equal(vti_step_error(s, &w.b, &w.errors, &v, &o), VTI_OK);
         assert_true(isnan(v) && !isnan(o));
+        w.c.force[i][1] = 0;
+        w.c.moment[i][2] = NAN;
+        assert_int_equal(vti_step_watch(s, 0, 0.1, &w.b, &w.errors), VTI_OK);
+        assert_int_equal(vti_step_error(s, &w.b, &w.errors, &v, &o), VTI_OK);
+        assert_true(!isnan(v) && isnan(o));
     }
 }
 

@@ -286,6 +286,40 @@ static void estimates(void **state)
     }
 }
 
+/** A past may be deeper than its method: what that tells, and does, is as of a past that ends where the method does. */
+static void deep_pasts(void **state)
+{
+    (void)state;
+    const vti_multistep *m = vti_multistep_find("an4");
+    const double h = 0.02;
+    flight deep, flat;
+    double told[2][2];
+    flight_make(&deep, CHAIN_ALPHA, DEPTH);
+    start(&deep, vti_multistep_find("an10-mid"), h);
+    flat = deep;
+    flat.past = (vti_past){flat.memory[0][0], m->depth, m->depth};
+    for (int64_t i = 0; i < BODIES; ++i)
+        memcpy(flat.past.memory + 6 * m->depth * i, deep.memory[i][0], sizeof deep.memory[i][0] * (size_t)m->depth);
+    deep.past.memory = deep.memory[0][0];
+    flight *const both[2] = {&deep, &flat};
+    for (int k = 0; k < 2; ++k) {
+        const vti_bodies b = chain_bodies(&both[k]->c);
+        assert_int_equal(vti_multistep_predict(m, h, &both[k]->past, &b, NULL), VTI_OK);
+        chain_load(&both[k]->c, &b);
+        assert_int_equal(vti_multistep_error(m, h, &both[k]->past, &b, &told[k][0], &told[k][1]), VTI_OK);
+        assert_int_equal(vti_multistep_correct(m, h, &both[k]->past, &b), VTI_OK);
+    }
+    assert_same_bits(told[0], told[1], 2);
+    assert_memory_equal(&deep.c, &flat.c, sizeof deep.c);
+    for (int part = 0; part < 2; ++part) { /* and of a number that is none every body that follows is told */
+        const vti_bodies b = chain_bodies(&flat.c);
+        chain_load(&flat.c, &b);
+        (part == 0 ? flat.c.force : flat.c.moment)[1][2] = NAN;
+        assert_int_equal(vti_multistep_error(m, h, &flat.past, &b, &told[0][0], &told[0][1]), VTI_OK);
+        assert_true(isnan(told[0][part]) && !isnan(told[0][1 - part]));
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -319,10 +353,15 @@ static void refusals(void **state)
     assert_int_equal(vti_multistep_error(m, 0.1, &f.past, &b, &told, NULL), VTI_E_NULL);
     assert_true(told == 7.0);
     assert_int_equal(vti_multistep_predict(m, NAN, &f.past, &b, &fault), VTI_E_TIME);
-    b.x_low = vti_view_packed(f.memory[0][0]);
-    assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
-    assert_int_equal(fault.quantity, VTI_QUANTITY_X_LOW);
-    b.x_low = vti_view_none();
+    vti_view *const low[] = {&b.x_low, &b.v_low, &b.alpha_low, &b.omega_low};
+    static const int64_t named[] = {VTI_QUANTITY_X_LOW, VTI_QUANTITY_V_LOW, VTI_QUANTITY_ALPHA_LOW,
+                                    VTI_QUANTITY_OMEGA_LOW};
+    for (int k = 0; k < 4; ++k) {
+        *low[k] = vti_view_packed(f.memory[0][0]);
+        assert_int_equal(vti_multistep_predict(m, 0.1, &f.past, &b, &fault), VTI_E_VIEW);
+        assert_int_equal(fault.quantity, named[k]);
+        *low[k] = vti_view_none();
+    }
     const vti_past no_past[] = {{NULL, 8, 8}, {f.memory[0][0], 0, 0}, {f.memory[0][0], 8, -1}, {f.memory[0][0], 8, 9}};
     for (int k = 0; k < 4; ++k) {
         vti_past past = no_past[k];
@@ -336,7 +375,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orders),      cmocka_unit_test(reaches),           cmocka_unit_test(linear_momentum),
         cmocka_unit_test(steady_spin), cmocka_unit_test(slices_and_copies), cmocka_unit_test(parts),
-        cmocka_unit_test(estimates),   cmocka_unit_test(refusals),
+        cmocka_unit_test(estimates),   cmocka_unit_test(deep_pasts),        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
