@@ -7,7 +7,8 @@
 
 enum { PAIRS = 37, BODIES = 2 * PAIRS, FORCES = 4 };
 
-/** Pairs at a distance from each other; every third one's first body is at a plane that moves and turns. */
+/** Pairs at a distance from each other, in lists that count bodies from 1, as Fortran does; every third one's first body
+ *  is at a plane that moves and turns. */
 struct world {
     crowd c;
     web w;
@@ -59,8 +60,12 @@ static void make(struct world *m, uint64_t seed, int uneven)
     const vti_view x = vti_view_packed(m->c.x[0]);
     assert_int_equal(vti_bonds_rest(PAIRS, m->w.pair[0], 0, &x, m->w.rest[0], NULL), VTI_OK);
     web_terms(&m->w, PAIRS, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
-    m->contacts =
-        (vti_contacts){.count = PAIRS, .pair = m->w.pair[0], .diameter = vti_scalars_one(&diameter), .stiffness = 50};
+    web_base(&m->w, 1);
+    m->contacts = (vti_contacts){.count = PAIRS,
+                                 .pair = m->w.pair[0],
+                                 .base = m->w.bonds.base,
+                                 .diameter = vti_scalars_one(&diameter),
+                                 .stiffness = 50};
     m->plane[2] = 1;
     m->motion = (vti_wall_motion){.velocity = {0.2, 0, 0.3}, .spin = 0.05};
     m->walls = (vti_walls){.count = 1,
@@ -331,7 +336,7 @@ TEST(rupture)
         bond.energy(&one, &on.b, terms);
         energy[p] = terms[0] + terms[1] + terms[2];
         limit = p == PAIRS / 2 ? energy[p] : limit;
-        id[p] = p;
+        id[p] = p + one.base;
     }
     const vti_rupture rupture = {
         .bonds = &on.w.bonds, .id = id, .energy = vti_scalars_one(&limit), .lost = on.lost, .by_body = on.worked};

@@ -308,6 +308,21 @@ TEST(refusals)
     assert_true(fault.body == 0 && fault.value == -1);
     id[0] = 0;
 
+    /* of numbers from 1 none is 0; those of the bonds that are left tell how many limits there have to be */
+    vti_rupture few = {.bonds = &w.bonds, .id = id, .lost = &lost};
+    web_base(&w, 1);
+    assert_int_equal(vti_rupture_check(&few, &fault), VTI_E_BOND);
+    assert_true(fault.body == 0 && fault.value == 0);
+    web_base(&w, 0);
+    few.energy = vti_scalars_array(limit[0]);
+    few.energy.count = 5;
+    w.bonds.count = 2;
+    for (id[1] = 4; id[1] < 6; ++id[1])
+        assert_int_equal(vti_rupture_check(&few, &fault), id[1] < 5 ? VTI_OK : VTI_E_BOND);
+    assert_true(fault.body == 1 && fault.value == 5);
+    id[1] = 1;
+    w.bonds.count = count;
+
     /* what is missing */
     vti_effect effect = vti_rupture_effect(&good);
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
