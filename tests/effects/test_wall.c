@@ -366,6 +366,11 @@ TEST(checked)
     assert_true(fault.body == -1 && fault.value == 10);
     m.walls.stiffness = 0;
     assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_OK);
+    each[0] = each[1] = 10;
+    m.walls.each = each; /* a second source of K, as stiffness is */
+    assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
+    assert_true(fault.body == -1);
+    m.walls.each = NULL;
     modulus[0] = 0;
     assert_int_equal(vti_walls_check(&m.walls, 2, &fault), VTI_E_CONTACT);
     assert_true(fault.body == -1 && fault.value == 0);

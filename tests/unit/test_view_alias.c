@@ -51,6 +51,11 @@ TEST(mistakes)
     expect(of(10, x, vti_view_packed(memory + 3)), VTI_E_ALIAS, VTI_QUANTITY_V, "v is x from the next body on");
     expect(of(10, vti_view_packed(memory + 3), x), VTI_E_ALIAS, VTI_QUANTITY_V, "x is v from the next body on");
     expect(of(1, x, vti_view_packed(memory + 3)), VTI_OK, 0, "of one body there is no next");
+    /* nor is a stride looked at then, which may be 0 */
+    expect(of(1, view_of(0, 1, 2, 0), view_of(2, 3, 4, 0)), VTI_E_ALIAS, VTI_QUANTITY_V, "they share z and x");
+    expect(of(1, view_of(0, 2, 4, 0), view_of(1, 3, 5, 0)), VTI_OK, 0, "one between the other");
+    expect(of(1, x, view_of(2, 3, 4, 0)), VTI_E_ALIAS, VTI_QUANTITY_V, "one with a stride, and one without");
+    expect(of(1, view_of(2, 3, 4, 0), x), VTI_E_ALIAS, VTI_QUANTITY_V, "the other way round");
     expect(vti_bodies_slice(of(10, x, vti_view_packed(memory + 15)), 0, 5), VTI_OK, 0, "a slice before they meet");
     expect(vti_bodies_slice(of(10, x, vti_view_packed(memory + 15)), 4, 6), VTI_E_ALIAS, VTI_QUANTITY_V, "one behind");
     expect(of(10, view_of(0, 9, 18, 1), none), VTI_E_STRIDE, VTI_QUANTITY_X, "x(n,3) of one body less");
