@@ -397,8 +397,42 @@ TEST(members)
     }
 }
 
+/** What is refused before a body is looked at is about none: no call leaves in a fault what an earlier one has put there. */
+TEST(no_older_fault)
+{
+    const vti_stepper *const s = vti_stepper_find("vti2");
+    const int64_t pair[2] = {0, 1};
+    double one[4];
+    vti_solid solid;
+    for (int k = 0;; ++k) {
+        vti_fault f = {7, 7, 7};
+        const int status = k == 0    ? vti_bodies_check_values(NULL, &f)
+                           : k == 1  ? vti_bonds_rest_now(-1, pair, 0, &b, one, one, &f)
+                           : k == 2  ? vti_bonds_rest_now(1, pair, 0, NULL, one, one, &f)
+                           : k == 3  ? vti_contacts_check(NULL, 2, &f)
+                           : k == 4  ? vti_walls_check(NULL, 2, &f)
+                           : k == 5  ? vti_rupture_check(NULL, &f)
+                           : k == 6  ? vti_clumps_check(NULL, 2, &f)
+                           : k == 7  ? vti_clump_solid(0, one, one, 1, 8, &solid, &f)
+                           : k == 8  ? vti_effects_check(NULL, 1, &b, &f)
+                           : k == 9  ? vti_effects_begin(NULL, 1, NULL, 0, &b, &f)
+                           : k == 10 ? vti_effects_stage(s, 1, 1, NULL, 0, &b, &f)
+                           : k == 11 ? vti_multistep_predict(NULL, 1, NULL, &b, &f)
+                           : k == 12 ? vti_drift(-1, VTI_FRAME_SPACE, 1, &b, &f)
+                           : k == 13 ? vti_step_begin(NULL, 1, &b, &f)
+                           : k == 14 ? vti_step_stage(s, 1, 1, &b, &f)
+                           : k == 15 ? vti_step_next(NULL, 1, &b, &f)
+                                     : 1;
+        if (status == 1)
+            break;
+        assert_int_not_equal(status, VTI_OK);
+        nothing_of_bodies(&f, -1);
+        assert_true(f.value == 0);
+    }
+}
+
 RUN_TESTS(cmocka_unit_test_setup(rest, setup), cmocka_unit_test_setup(bonds, setup),
           cmocka_unit_test_setup(contacts, setup), cmocka_unit_test_setup(effects, setup),
           cmocka_unit_test_setup(steppers, setup), cmocka_unit_test_setup(measures, setup),
           cmocka_unit_test_setup(stable, setup), cmocka_unit_test_setup(members, setup),
-          cmocka_unit_test_setup(nothing_oscillates, setup))
+          cmocka_unit_test_setup(nothing_oscillates, setup), cmocka_unit_test_setup(no_older_fault, setup))
