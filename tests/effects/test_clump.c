@@ -477,8 +477,79 @@ TEST(rupture_passes_through)
     assert_null(effect.energy);
 }
 
+/* ---- numbers ----------------------------------------------------------------------------------------------------- */
+
+/** Steps of clumps that touch, rub, damp and slow each other, bodies of three moments; and how long they may be. */
+static void stepped(troop *all, int64_t base, vti_stable stable[2])
+{
+    static vti_held slot[2][1024];
+    static double moments[CROWD_MAX][3];
+    const double rate = 0.3;
+    double scratch[CROWD_MAX];
+    rng g = rng_seed(4113);
+    vti_sum lost[3][4] = {{{0, 0}}};
+    troop_draw(all, &g, 12, 3, 0.6, CROWD_ALPHA, CROWD_ALPHA);
+    for (int64_t s = 0; s < all->s.n; ++s)
+        all->body[s] += base;
+    for (int64_t k = 0; k < all->contacts.count; ++k)
+        for (int side = 0; side < 2; ++side)
+            all->pair[k][side] += base;
+    for (int i = 0; i < 12; ++i)
+        for (int k = 0; k < 3; ++k)
+            moments[i][k] = 1 + 0.1 * ((i + k) % 5);
+    all->clumps.base = all->contacts.base = base;
+    vti_bodies b = crowd_bodies(&all->c);
+    b.inertia.p = NULL;
+    b.moments = vti_view_packed(moments[0]);
+    b.spin = b.omega;
+    b.omega = vti_view_none();
+    memset(slot, 0, sizeof slot);
+    vti_history history = {.slots = 1024, .slot = slot[base]};
+    const vti_friction friction = {.contacts = &all->contacts,
+                                   .sliding = 0.3,
+                                   .stiffness = 5,
+                                   .reach = INFINITY,
+                                   .history = &history,
+                                   .lost = lost[0]};
+    const vti_dashpots dashpots = {
+        .contacts = &all->contacts, .normal = 0.2, .tangential = 0.1, .reach = INFINITY, .lost = lost[1]};
+    const vti_drag drag = {.linear = vti_scalars_one(&rate), .lost = lost[2]};
+    const vti_effect inner[] = {vti_contacts_effect(&all->contacts), vti_friction_effect(&friction),
+                                vti_dashpots_effect(&dashpots), vti_drag_effect(&drag)};
+    vti_clumped clumped[4];
+    vti_effect effects[4];
+    for (int k = 0; k < 4; ++k) {
+        clumped[k] = (vti_clumped){&all->clumps, &inner[k]};
+        effects[k] = vti_clumped_effect(&clumped[k]);
+    }
+    assert_int_equal(vti_clumps_check(&all->clumps, 12, NULL), VTI_OK);
+    assert_int_equal(vti_contacts_check(&all->contacts, all->s.n, NULL), VTI_OK);
+    for (int step = 0; step < 4; ++step) {
+        assert_int_equal(vti_effects_begin(vti_stepper_find("exact"), 0.05, effects, 4, &b, NULL), VTI_OK);
+        assert_int_equal(vti_apply(effects, 4, &b), VTI_OK);
+        assert_int_equal(vti_effects_finish(vti_stepper_find("exact"), 0.05, effects, 4, &b), VTI_OK);
+    }
+    const vti_deformation deep = {0.5, 0, 0};
+    assert_int_equal(vti_stable_step(effects, 4, &b, NULL, scratch, &stable[0]), VTI_OK);
+    assert_int_equal(vti_stable_step(effects, 4, &b, &deep, scratch, &stable[1]), VTI_OK);
+    assert_true(history.used > 5 && lost[0][0].high > 0 && lost[1][1].high > 0);
+}
+
+/** Lists that count bodies and spheres from 1, as those of Fortran, give the same bits. */
+TEST(counted_from_one)
+{
+    static troop from[2];
+    static vti_stable stable[2][2];
+    for (int base = 0; base < 2; ++base)
+        stepped(&from[base], base, stable[base]);
+    assert_memory_equal(&from[0].c, &from[1].c, sizeof from[0].c);
+    assert_memory_equal(&from[0].s, &from[1].s, sizeof from[0].s);
+    assert_memory_equal(stable[0], stable[1], sizeof stable[0]);
+}
+
 RUN_TESTS(cmocka_unit_test(spread_places_spheres), cmocka_unit_test(absent_views),
           cmocka_unit_test(gather_is_the_transpose), cmocka_unit_test(slices), cmocka_unit_test(one_centred_sphere),
           cmocka_unit_test(pendulum_is_a_clump), cmocka_unit_test(momenta_of_a_collision),
           cmocka_unit_test(loads_are_the_gradient), cmocka_unit_test(bodies_with_moments),
-          cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(rupture_passes_through))
+          cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(rupture_passes_through),
+          cmocka_unit_test(counted_from_one))

@@ -196,5 +196,41 @@ TEST(slice)
     }
 }
 
+/** Lists that count bodies from 1, as those of Fortran, have the same springs: bonds, and contacts of lengths of their
+ *  own, those of the list or any that may come. */
+TEST(counted_from_one)
+{
+    static double length[WEB_MAX], diameter[CROWD_MAX];
+    rng g = rng_seed(3077);
+    crowd_clear(&c, 12, CROWD_ALPHA);
+    crowd_scatter(&c, &g, 1, 0.3);
+    weigh(&g);
+    const int64_t count = web_grow(&w, &g, &c, 6, 0.1, 100);
+    for (int64_t k = 0; k < count; ++k)
+        length[k] = uniform(&g, 0.3, 1);
+    for (int i = 0; i < c.n; ++i)
+        diameter[i] = uniform(&g, 0.4, 0.6);
+    web_terms(&w, count, MOMENT | AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+    const vti_bodies b = crowd_bodies(&c);
+    for (int kind = 0; kind < 3; ++kind) {
+        const vti_deformation at = {0.1, 0, kind == 2};
+        vti_stable stable[2];
+        for (int base = 0; base < 2; ++base) {
+            web_base(&w, base);
+            const vti_contacts contacts = {.count = count,
+                                           .pair = w.pair[0],
+                                           .base = base,
+                                           .diameter = vti_scalars_array(diameter),
+                                           .length = vti_scalars_array(length),
+                                           .stiffness = 10};
+            const vti_effect effect = kind == 0 ? vti_bonds_effect(&w.bonds) : vti_contacts_effect(&contacts);
+            assert_int_equal(vti_stable_step(&effect, 1, &b, &at, scratch, &stable[base]), VTI_OK);
+        }
+        assert_true(isfinite(stable[0].h) && stable[0].h > 0);
+        assert_memory_equal(&stable[0], &stable[1], sizeof stable[0]);
+    }
+}
+
 RUN_TESTS(cmocka_unit_test(torus_is_close), cmocka_unit_test(closed_forms), cmocka_unit_test(one_bond),
-          cmocka_unit_test(bent_bonds), cmocka_unit_test(parallel_springs), cmocka_unit_test(slice))
+          cmocka_unit_test(bent_bonds), cmocka_unit_test(parallel_springs), cmocka_unit_test(slice),
+          cmocka_unit_test(counted_from_one))
