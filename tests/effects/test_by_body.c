@@ -202,6 +202,21 @@ TEST(each_body_to_the_medium)
         assert_close(value(of + 2 * i, 2), before[i] - kinetic(&on.b, i, 1), 40 * EPS * before[i]);
 }
 
+/** Of a medium that only slows turning, books of bodies are those of that, beside which an entry is left out. */
+TEST(each_body_that_turns)
+{
+    double before[BODIES];
+    make(&on, 83, 0);
+    const vti_drag drag = {.angular = vti_scalars_one(&diameter), .lost = on.lost, .by_body = on.of[0]};
+    const vti_effect effect = vti_drag_effect(&drag);
+    for (int i = 0; i < BODIES; ++i)
+        before[i] = kinetic(&on.b, i, 1);
+    assert_int_equal(vti_effects_flow(&effect, 1, 0.05, 1, &on.b), VTI_OK);
+    assert_sums(&effect);
+    for (int i = 0; i < BODIES; ++i)
+        assert_close(vti_booked_of_body(&effect, 1, i), before[i] - kinetic(&on.b, i, 1), 40 * EPS * before[i]);
+}
+
 /** And from the spheres of each clump what that clump loses. */
 TEST(each_clump_to_the_medium)
 {
@@ -363,6 +378,6 @@ TEST(books_without_memory)
     assert_true(isnan(vti_booked_of_body(&effect, 1, 0)) && !isnan(vti_booked(&effect, 1)));
 }
 
-RUN_TESTS(cmocka_unit_test(flows), cmocka_unit_test(each_body_to_the_medium),
+RUN_TESTS(cmocka_unit_test(flows), cmocka_unit_test(each_body_to_the_medium), cmocka_unit_test(each_body_that_turns),
           cmocka_unit_test(each_clump_to_the_medium), cmocka_unit_test(friction), cmocka_unit_test(walls),
           cmocka_unit_test(rupture), cmocka_unit_test(books_without_memory))

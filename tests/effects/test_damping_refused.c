@@ -303,6 +303,21 @@ TEST(dashpots_of_bonds)
     says(vti_bond_dashpots_effect(NULL), VTI_E_NULL);
 }
 
+/** Each motion that turns bodies, weak or not, needs to know how they turn, by itself or as a share of a stiffness. */
+TEST(bonds_that_turn)
+{
+    rng g = rng_seed(1432);
+    two_bodies();
+    m.b.omega = m.b.moment = vti_view_none();
+    for (int k = 0; k < 5; ++k) {
+        web_terms(&w, web_grow(&w, &g, &m.c, 0, 1, 2), k == 3 ? MOMENT : AXIAL | SHEAR, VTI_SHEAR_OBJECTIVE);
+        vti_bond_dashpots p = {.bonds = &w.bonds, .zeta = k >= 3 ? 1e-9 : 0, .lost = m.lost};
+        p.bending = k == 1 ? 1e-9 : 0;
+        p.twisting = k == 2 ? 1e-9 : 0;
+        says(vti_bond_dashpots_effect(&p), k == 0 || k == 4 ? VTI_OK : VTI_E_NEEDS);
+    }
+}
+
 /** Dashpots divide by the inertia of bodies that turn, where nothing else asks for it. */
 TEST(inertia_of_what_turns)
 {
@@ -327,4 +342,5 @@ RUN_TESTS(cmocka_unit_test(coefficients_of_friction), cmocka_unit_test(stiffness
           cmocka_unit_test(walls), cmocka_unit_test(no_bodies_but_pairs),
           cmocka_unit_test(lists_and_tables_of_friction), cmocka_unit_test(adding_to_a_table),
           cmocka_unit_test(coefficients_of_dashpots), cmocka_unit_test(lists_of_dashpots),
-          cmocka_unit_test(dashpots_of_bonds), cmocka_unit_test(inertia_of_what_turns))
+          cmocka_unit_test(dashpots_of_bonds), cmocka_unit_test(bonds_that_turn),
+          cmocka_unit_test(inertia_of_what_turns))

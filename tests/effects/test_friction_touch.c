@@ -188,6 +188,26 @@ TEST(reach)
     }
 }
 
+/** In a table that is full one that parts makes room for one that begins in the same drift, behind it in the list. */
+TEST(room_of_what_parts)
+{
+    static const int64_t pairs[4] = {0, 1, 2, 0};
+    const vti_held load = {1, 2, {1, 0, 0}, {0, 0, 0}, 0};
+    touch(0, 0.3, 0, 0);
+    m.c.n = 3;
+    m.b = crowd_bodies(&m.c);
+    m.diameter[2] = m.c.mass[2] = m.c.inertia[2] = 1;
+    memcpy(m.pair, pairs, sizeof pairs);
+    m.contacts.count = 2;
+    history.slots = 2; /* of which one stays empty */
+    assert_int_equal(vti_history_add(&history, &load), VTI_OK);
+    m.c.x[1][2] = m.c.v[1][2] = -0.5; /* 1 has left 0, which is at z = 0.9, and 2 has come to it */
+    m.c.x[2][2] = 1.8;
+    m.c.v[2][2] = -0.3;
+    carried(1);
+    assert_true(history.missed == 0 && held()->i == 3 && held()->j == 1);
+}
+
 /** A touch that has not been carried yet pushes nothing and holds no energy. */
 TEST(touches_without_a_spring)
 {
@@ -374,6 +394,6 @@ TEST(a_length_of_no_pair)
 
 RUN_TESTS(cmocka_unit_test(a_length_of_no_pair), cmocka_unit_test(held_but_apart),
           cmocka_unit_test(rolling_or_twisting_alone), cmocka_unit_test(sliding_alone), cmocka_unit_test(rest),
-          cmocka_unit_test(reach), cmocka_unit_test(touches_without_a_spring), cmocka_unit_test(no_direction),
-          cmocka_unit_test(turned_over), cmocka_unit_test(part_of_the_loads), cmocka_unit_test(stable_steps),
-          cmocka_unit_test(any_may_touch))
+          cmocka_unit_test(reach), cmocka_unit_test(room_of_what_parts), cmocka_unit_test(touches_without_a_spring),
+          cmocka_unit_test(no_direction), cmocka_unit_test(turned_over), cmocka_unit_test(part_of_the_loads),
+          cmocka_unit_test(stable_steps), cmocka_unit_test(any_may_touch))

@@ -152,6 +152,24 @@ TEST(norms)
     assert_close(vti_h1_density(&b), 0, 0);
 }
 
+/** Of a slice each sum and norm is that of its bodies alone. */
+TEST(slices)
+{
+    const vti_bodies b = bodies(), last = vti_bodies_slice(b, 1, 2);
+    const double zero[3] = {0, 0, 0}, p[3] = {3, 7, 4}, s[3] = {2, 5.5, 6}, l[3] = {20 + 2, 4 + 5.5, 19 + 6};
+    double r[3];
+    vti_momentum(&last, r);
+    assert_close3(r, p, 0);
+    vti_spin(&last, r);
+    assert_close3(r, s, 0);
+    vti_angular_momentum(&last, zero, r);
+    assert_close3(r, l, 0);
+    const vti_bodies first = vti_bodies_slice(b, 0, 1), second = vti_bodies_slice(b, 1, 1);
+    assert_close(vti_max_turn(1, &first), 2, 0);
+    assert_close(vti_max_turn(1, &second), 5, 0);
+    assert_close(vti_h1_density(&last), 25 + 15 + 34 + 2 * PI * PI / 4, 8 * EPS * 79);
+}
+
 static void distances(void **state)
 {
     (void)state;
@@ -247,5 +265,5 @@ TEST(effects_of_many_terms)
 
 RUN_TESTS(cmocka_unit_test(kinetic_energies), cmocka_unit_test(momenta), cmocka_unit_test(momenta_of_what_is_absent),
           cmocka_unit_test(massless), cmocka_unit_test(sums_are_compensated), cmocka_unit_test(turn_per_step),
-          cmocka_unit_test(norms), cmocka_unit_test(distances), cmocka_unit_test(what_can_be_compared),
-          cmocka_unit_test(effects_of_many_terms))
+          cmocka_unit_test(norms), cmocka_unit_test(slices), cmocka_unit_test(distances),
+          cmocka_unit_test(what_can_be_compared), cmocka_unit_test(effects_of_many_terms))

@@ -194,6 +194,8 @@ TEST(contacts)
     some = right;
     some.diameter = (vti_scalars){some.diameter.p, 1, 1}; /* fewer than the pair names */
     assert_true(isnan(vti_contacts_stiffness(&some, 0)));
+    some.pair = two + 2; /* which names the larger one first */
+    assert_true(isnan(vti_contacts_stiffness(&some, 0)));
     some = right;
     for (int k = 0; k < 2; ++k) { /* bodies below the base, whose diameters no view can hold */
         some.pair = wrong[2 * k];
