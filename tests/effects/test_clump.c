@@ -37,6 +37,8 @@ TEST(spread_places_spheres)
             }
             assert_same_bits(t.s.omega[s], t.c.omega[i], 3);
             assert_below(quat_distance(crowd_attitude(&t.s, s), crowd_attitude(&t.c, i)), 8 * EPS);
+            if (t.s.storage == CROWD_QUAT) /* a unit quaternion, where alpha has a length of its own */
+                assert_close(vti_dot(t.s.quat[s], t.s.quat[s]) + t.s.quat[s][3] * t.s.quat[s][3], 1, 8 * EPS);
             if (t.c.storage == CROWD_ALPHA && t.s.storage == CROWD_ALPHA)
                 assert_same_bits(t.s.alpha[s], t.c.alpha[i], 3);
             if (t.c.storage == CROWD_QUAT && t.s.storage == CROWD_QUAT)

@@ -243,6 +243,82 @@ TEST(backwards_is_the_other_order)
     }
 }
 
+/** Two bodies of one sphere each, far from each other in the corner of the same two planes. */
+static void in_a_corner(rng *g, int kind)
+{
+    static const double planes[2][3] = {{1, 0, 0}, {0.6, 0.8, 0}};
+    linear_bodies(&m, g, kind, UNEVEN_BOTH, 2, 1);
+    m.walls.count = 2;
+    for (int k = 0; k < 2; ++k)
+        memcpy(m.plane[k], planes[k], sizeof planes[k]);
+    for (int i = 0; i < 2; ++i) {
+        const vec lever = linear_lever(&m, i);
+        const double gap = 0.475 * m.t.diameter[i], place[3] = {gap, 0.5 * gap, 40 * i};
+        for (int k = 0; k < 3; ++k)
+            m.t.c.x[i][k] = place[k] - (double)lever.c[k];
+    }
+}
+
+/** Where a body is at several planes they go one by one, backwards in the other order; a slice has its own bodies alone;
+ *  and each plane has its own zeta. */
+TEST(in_corners)
+{
+    rng g = rng_seed(5110);
+    for (int trial = 0; trial < 10 * UNEVEN_KINDS; ++trial) {
+        static crowd start, all;
+        static double spin[CROWD_MAX][3], spun[CROWD_MAX][3];
+        vec once[4], again[4];
+        double zeta[2] = {0, 0}, changed = 0;
+        in_a_corner(&g, trial % UNEVEN_KINDS);
+        vti_dashpots dashpots = {.walls = &m.walls, .normal = 3, .pull = 1, .reach = INFINITY, .lost = m.lost};
+        uneven_add(&m, vti_dashpots_effect(&dashpots));
+        start = m.t.c;
+        memcpy(spin, m.spin, sizeof spin);
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, 1e-9, &m.b), VTI_OK);
+        all = m.t.c;
+        memcpy(spun, m.spin, sizeof spin);
+        linear_state(&m, once);
+
+        m.t.c = start;
+        memcpy(m.spin, spin, sizeof spin);
+        const vti_bodies second = vti_bodies_slice(m.b, 1, 1);
+        assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, 1e-9, &second), VTI_OK);
+        assert_same_bits(m.t.c.v[0], start.v[0], 3);
+        assert_same_bits(m.t.c.v[1], all.v[1], 3);
+        assert_same_bits(m.spin[0], spin[0], 3);
+        assert_same_bits(m.spin[1], spun[1], 3);
+
+        for (int swapped = 0; swapped < 2; ++swapped) {
+            m.t.c = start;
+            memcpy(m.spin, spin, sizeof spin);
+            for (int k = 0; k < 3 && swapped; ++k) {
+                const double other = m.plane[0][k];
+                m.plane[0][k] = m.plane[1][k];
+                m.plane[1][k] = other;
+            }
+            assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, -1e-9, &m.b), VTI_OK);
+            linear_state(&m, again);
+            for (int q = 0; q < 4; ++q)
+                for (int k = 0; k < 3; ++k)
+                    if (swapped)
+                        assert_close(once[q].c[k], again[q].c[k], 1e-6);
+                    else
+                        changed = fmax(changed, fabs((double)(once[q].c[k] - again[q].c[k])));
+        }
+        assert_true(changed > 1e-4); /* the order tells */
+
+        dashpots.normal = 0;
+        dashpots.wall_zeta = zeta;
+        m.plane[0][3] = -1e3; /* so that they are at the second one alone */
+        for (int w = 0; w < 2; ++w) {
+            zeta[w] = 0.5;
+            memset(m.lost, 0, sizeof m.lost);
+            assert_int_equal(vti_effects_flow(m.effects, 1, 0.1, 1e-9, &m.b), VTI_OK);
+            assert_true((m.lost[0].high > 0) == (w == 1));
+        }
+    }
+}
+
 /* ---- limits of what bodies may be -------------------------------------------------------------------------------- */
 
 /** Three equal moments are the sphere's flows to rounding, in steps with contacts and walls. */
@@ -406,5 +482,6 @@ TEST(absent_motions)
 
 RUN_TESTS(cmocka_unit_test(each_flow), cmocka_unit_test(limits), cmocka_unit_test(many_touches),
           cmocka_unit_test(zeta_of_a_plane), cmocka_unit_test(no_friction_at_a_plane),
-          cmocka_unit_test(backwards_is_the_other_order), cmocka_unit_test(equal_moments_are_spheres),
-          cmocka_unit_test(extreme_moments), cmocka_unit_test(absent_motions))
+          cmocka_unit_test(backwards_is_the_other_order), cmocka_unit_test(in_corners),
+          cmocka_unit_test(equal_moments_are_spheres), cmocka_unit_test(extreme_moments),
+          cmocka_unit_test(absent_motions))

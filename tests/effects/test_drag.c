@@ -355,6 +355,18 @@ TEST(what_it_needs_and_refuses)
     effect = vti_drag_effect(&drag);
     assert_true(effect.books == 1 && effect.booked == lost + 1 && effect.breaks == 0770);
     assert_string_equal(effect.book[0], "lost_drag_rotation");
+    vti_scalars *const each[] = {&drag.linear, &drag.quadratic, &drag.angular};
+    const vti_scalars none = {NULL, 0, 0};
+    body(1, 1, v, v);
+    b.first = 1;
+    for (int k = 0; k < 3; ++k) { /* of each by itself there have to be as many as bodies */
+        drag.linear = drag.quadratic = drag.angular = none;
+        *each[k] = (vti_scalars){some, 1, 1};
+        effect = vti_drag_effect(&drag);
+        assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_COUNT);
+        each[k]->count = 2;
+        assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_OK);
+    }
     drag.lost = NULL;
     effect = vti_drag_effect(&drag);
     assert_int_equal(vti_effects_check(&effect, 1, &b, NULL), VTI_E_NULL);
