@@ -288,6 +288,14 @@ TEST(refused)
     assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, q0, &fault), VTI_E_BOND);
     assert_true(fault.body == 0 && fault.value == 5);
     b = crowd_bodies(&c);
+    b.alpha = vti_view_none();
+    b.quat = quats_packed(c.quat[0]); /* likewise */
+    b.quat.count = 5;
+    b.x.count = 8;
+    b.count = 4;
+    assert_int_equal(vti_bonds_rest_now(1, pair, 0, &b, rest, q0, &fault), VTI_E_BOND);
+    assert_true(fault.body == 0 && fault.value == 5);
+    b = crowd_bodies(&c);
     pair[1] = INT64_MAX;
     assert_int_equal(vti_bonds_rest_now(1, pair, -1, &b, rest, q0, NULL), VTI_E_BOND);
     pair[1] = 1;

@@ -359,6 +359,12 @@ TEST(rupture)
     assert_close(vti_energy(breaking, 2, &b) + vti_booked(breaking, 2), before, 8 * EPS * before);
     assert_int_equal(vti_effects_rupture(breaking, 2, &b, &broken), VTI_OK);
     assert_int_equal(broken, 0);
+    int hold[2] = {1, 1};
+    const struct trap two[] = {{3.0, &hold[0], &lost}, {3.0, &hold[1], &lost}};
+    vti_effect both[] = {trap_effect(&two[0]), trap_effect(&two[1])};
+    both[0].rupture = both[1].rupture = trap_rupture;
+    assert_int_equal(vti_effects_rupture(both, 2, &b, &broken), VTI_OK);
+    assert_int_equal(broken, 2 * N); /* of both effects */
     assert_int_equal(vti_effects_rupture(breaking, 2, &b, NULL), VTI_E_NULL);
     assert_int_equal(vti_effects_rupture(NULL, 2, &b, &broken), VTI_E_NULL);
     assert_int_equal(vti_step_check(vti_stepper_find("kl6"), breaking, 2), VTI_E_DISSIPATES);
