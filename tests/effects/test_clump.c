@@ -47,6 +47,52 @@ TEST(spread_places_spheres)
     }
 }
 
+/** Half turns too, of any length of alpha. */
+TEST(same_form_same_bits)
+{
+    rng g = rng_seed(4114);
+    for (int trial = 0; trial < 40; ++trial) {
+        do
+            troop_draw(&t, &g, 2, 3, 0.7, CROWD_ALPHA, CROWD_ALPHA);
+        while (t.clumps.count == 0);
+        const vti_bodies b = bodies();
+        for (int i = 0; i < 2; ++i)
+            for (int k = 0; k < 3; ++k)
+                t.c.alpha[i][k] *= pow(10, 8 * trial - 12);
+        assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+        for (int s = 0; s < t.s.n; ++s)
+            assert_same_bits(t.s.alpha[s], t.c.alpha[t.body[s]], 3);
+    }
+}
+
+/** Of bodies that turn by L the spheres do, whatever stands in Omega, which steps only write. */
+TEST(turns_by_spin)
+{
+    static double moments[CROWD_MAX][3], spin[CROWD_MAX][3];
+    rng g = rng_seed(4115);
+    for (int trial = 0; trial < 40; ++trial) {
+        troop_draw(&t, &g, 5, 4, 0.7, CROWD_QUAT, CROWD_QUAT);
+        for (int i = 0; i < 5; ++i) { /* three equal moments: Omega = L/J */
+            moments[i][0] = moments[i][1] = moments[i][2] = t.c.inertia[i];
+            for (int k = 0; k < 3; ++k)
+                spin[i][k] = t.c.inertia[i] * t.c.omega[i][k];
+        }
+        vti_bodies b = bodies();
+        assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+        const crowd spheres = t.s;
+        b.inertia.p = NULL;
+        b.moments = vti_view_packed(moments[0]);
+        b.spin = vti_view_packed(spin[0]);
+        for (int i = 0; i < 5; ++i)
+            t.c.omega[i][trial % 3] = NAN;
+        assert_int_equal(vti_clumps_spread(&t.clumps, &b), VTI_OK);
+        for (int s = 0; s < t.s.n; ++s) { /* numbers below 1, to the body's axes and back */
+            assert_close3(t.s.v[s], spheres.v[s], 40 * EPS);
+            assert_close3(t.s.omega[s], spheres.omega[s], 40 * EPS);
+        }
+    }
+}
+
 /** What bodies do not have is 0, and what spheres do not have is not made. */
 TEST(absent_views)
 {
@@ -549,9 +595,9 @@ TEST(counted_from_one)
     assert_memory_equal(stable[0], stable[1], sizeof stable[0]);
 }
 
-RUN_TESTS(cmocka_unit_test(spread_places_spheres), cmocka_unit_test(absent_views),
-          cmocka_unit_test(gather_is_the_transpose), cmocka_unit_test(slices), cmocka_unit_test(one_centred_sphere),
-          cmocka_unit_test(pendulum_is_a_clump), cmocka_unit_test(momenta_of_a_collision),
-          cmocka_unit_test(loads_are_the_gradient), cmocka_unit_test(bodies_with_moments),
-          cmocka_unit_test(carry_has_the_chord), cmocka_unit_test(rupture_passes_through),
-          cmocka_unit_test(counted_from_one))
+RUN_TESTS(cmocka_unit_test(spread_places_spheres), cmocka_unit_test(same_form_same_bits),
+          cmocka_unit_test(turns_by_spin), cmocka_unit_test(absent_views), cmocka_unit_test(gather_is_the_transpose),
+          cmocka_unit_test(slices), cmocka_unit_test(one_centred_sphere), cmocka_unit_test(pendulum_is_a_clump),
+          cmocka_unit_test(momenta_of_a_collision), cmocka_unit_test(loads_are_the_gradient),
+          cmocka_unit_test(bodies_with_moments), cmocka_unit_test(carry_has_the_chord),
+          cmocka_unit_test(rupture_passes_through), cmocka_unit_test(counted_from_one))

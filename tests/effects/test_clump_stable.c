@@ -212,6 +212,14 @@ TEST(springs_that_are_not_there)
     spring.i = 0;
     const vti_deformation strained = {0, 0.5, 0};
     assert_true(bound(&effect, &strained) < 2 / sqrt(a));
+    spring.j = 1;
+    for (int side = 0; side < 2; ++side) { /* it pulls at the lever of either body */
+        const double kept[3] = {t.offset[side][0], t.offset[side][1], t.offset[side][2]};
+        memset(t.offset[side], 0, sizeof t.offset[side]);
+        assert_true(bound(&effect, &strained) < 0.999 * bound(&effect, &rest));
+        memcpy(t.offset[side], kept, sizeof kept);
+    }
+    spring.j = -1;
     t.clumps.spheres.force = vti_view_none();
     assert_close(bound(&effect, &rest), 2 / sqrt(a), 16 * EPS * 2 / sqrt(a));
     inner.apply = NULL; /* nor are there forces of what only breaks */
