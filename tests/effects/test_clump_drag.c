@@ -271,6 +271,28 @@ TEST(absent_motions)
     assert_close3(m.t.c.v[0], still, 1e-12);
 }
 
+/** What moves with the medium and does not turn loses nothing, by quadratic drag either. */
+TEST(at_rest)
+{
+    rng g = rng_seed(5309);
+    const double c = 2, k = 3;
+    for (int trial = 0; trial < 4; ++trial) {
+        clump(&g, UNEVEN_CLUMPS + trial % 2, UNEVEN_BOTH, 3);
+        vti_drag drag = {.quadratic = vti_scalars_one(&k), .medium = {1, -2, 0.5}, .lost = m.lost};
+        if (trial >= 2)
+            drag.linear = vti_scalars_one(&c);
+        memcpy(m.t.c.v[0], drag.medium, sizeof drag.medium);
+        memset(m.t.c.omega[0], 0, sizeof m.t.c.omega[0]);
+        memset(m.spin[0], 0, sizeof m.spin[0]);
+        flow(&drag, 0.3, 1);
+        flow(&drag, 0.3, -1);
+        assert_same_bits(m.t.c.v[0], drag.medium, 3);
+        assert_close3(m.t.c.omega[0], still, 0);
+        assert_close3(m.spin[0], still, 0);
+        assert_true(booked() == 0);
+    }
+}
+
 /** A flow that does nothing leaves steps with several drifts as they are, the turns of bodies with moments too. */
 TEST(idle_flows)
 {
@@ -302,4 +324,4 @@ TEST(idle_flows)
 
 RUN_TESTS(cmocka_unit_test(one_sphere), cmocka_unit_test(at_the_centre), cmocka_unit_test(quadratic_drag),
           cmocka_unit_test(order_of_the_spheres), cmocka_unit_test(never_gains), cmocka_unit_test(a_fall),
-          cmocka_unit_test(absent_motions), cmocka_unit_test(idle_flows))
+          cmocka_unit_test(absent_motions), cmocka_unit_test(at_rest), cmocka_unit_test(idle_flows))
