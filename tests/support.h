@@ -35,7 +35,7 @@
 
 /* ---- comparisons ------------------------------------------------------------------------------------------------- */
 
-/** |value - expected| <= tolerance; a NaN fails. */
+/** |value - expected| <= tolerance; a NaN fails, and a tolerance that is infinite, as all that is expected may be. */
 #define assert_close(value, expected, tolerance)                                                                       \
     assert_close_at(#value, (double)(value), (double)(expected), (double)(tolerance), __FILE__, __LINE__)
 #define assert_close3(value, expected, tolerance)                                                                      \
@@ -48,7 +48,7 @@
 static inline void assert_close_at(const char *what, double value, double expected, double tolerance, const char *file,
                                    int line)
 {
-    if (value == expected || fabs(value - expected) <= tolerance)
+    if (value == expected || (fabs(value - expected) <= tolerance && isfinite(tolerance)))
         return;
     print_error("%s = %.17g, expected %.17g, off by %.3g, tolerance %.3g\n", what, value, expected, value - expected,
                 tolerance);
