@@ -40,8 +40,8 @@ static void make(struct world *m, uint64_t seed, int uneven)
             m->c.x[2 * p][k] = k == 0 ? 5 * p : k == 2 ? (p % 3 == 0 ? 0.45 : 5) : 0;
             m->c.x[2 * p + 1][k] = m->c.x[2 * p][k] + gap * d[k] / r;
         }
-        m->w.pair[p][p % 2] = 2 * p;
-        m->w.pair[p][1 - p % 2] = 2 * p + 1;
+        m->w.pair[p][1 - p % 2] = 2 * p; /* body 0 is the second one of its pair, others are the first */
+        m->w.pair[p][p % 2] = 2 * p + 1;
         m->w.moment[p] = m->w.axial[p] = m->w.shear[p] = uniform(&g, 1, 20);
     }
     for (int i = 0; i < BODIES; ++i) {
@@ -200,6 +200,19 @@ TEST(each_body_to_the_medium)
     const vti_sum *of = on.of[0]; /* entries of a body lie one behind the other */
     for (int i = 0; i < BODIES; ++i)
         assert_close(value(of + 2 * i, 2), before[i] - kinetic(&on.b, i, 1), 40 * EPS * before[i]);
+
+    const vti_scalars one = vti_scalars_one(&diameter); /* and of a slice from its own */
+    const vti_drag drag = {.linear = one, .lost = on.lost, .by_body = on.of[0]};
+    const vti_effect effect = vti_drag_effect(&drag);
+    const vti_bodies some = vti_bodies_slice(on.b, 5, 7);
+    const crowd was = on.c;
+    memset(on.of, 0, sizeof on.of);
+    assert_int_equal(vti_effects_flow(&effect, 1, 0.05, 1, &some), VTI_OK);
+    for (int i = 0; i < BODIES; ++i) {
+        const int in_slice = i >= 5 && i < 12;
+        assert_true((memcmp(on.c.v[i], was.v[i], sizeof was.v[i]) != 0) == in_slice);
+        assert_true((vti_booked_of_body(&effect, 1, i) != 0) == in_slice);
+    }
 }
 
 /** Of a medium that only slows turning, books of bodies are those of that, beside which an entry is left out. */
@@ -246,7 +259,7 @@ TEST(each_clump_to_the_medium)
 
 /* ---- friction ---------------------------------------------------------------------------------------------------- */
 
-static double by_pair[PAIRS][VTI_FRICTION_BOOKS], told[PAIRS][VTI_FRICTION_BOOKS];
+static double by_pair[PAIRS + 1][VTI_FRICTION_BOOKS], told[PAIRS][VTI_FRICTION_BOOKS];
 
 /** Over drifts in which springs stretch and slide, touches begin and end. told: what pairs have lost is told pair by pair. */
 static void rub(int tells, int uneven)
@@ -255,6 +268,7 @@ static void rub(int tells, int uneven)
     make(&on, 79, uneven);
     make(&off, 79, uneven);
     memset(told, 0, sizeof told);
+    by_pair[PAIRS][0] = 7; /* behind them, which stays */
     on.friction.by_body = on.rubbing[0];
     on.friction.by_pair = tells ? by_pair[0] : NULL;
     on.walls.by_body = on.worked;
@@ -269,7 +283,7 @@ static void rub(int tells, int uneven)
             for (int k = 0; k < VTI_FRICTION_BOOKS; ++k)
                 told[p][k] += by_pair[p][k];
     }
-    assert_true(on.history.used == off.history.used && on.work.high != 0);
+    assert_true(on.history.used == off.history.used && on.work.high != 0 && by_pair[PAIRS][0] == 7);
     if (!tells)
         assert_sums(&with);
 }

@@ -172,17 +172,20 @@ TEST(rest)
  *  hold; planes are looked at whatever the gap. What parts leaves the table. */
 TEST(reach)
 {
-    for (int which = 0; which < 4; ++which) {
-        const int plane = which % 2, far = which / 2;
+    for (int which = 0; which < 8; ++which) { /* a plane, and pairs along x, y and z */
+        const int plane = which % 4 == 3, far = which / 4, axis = plane ? 2 : which % 4;
         touch(plane, 0.3, 0, 0);
-        friction.reach = far ? 0.1 : 1;
-        m.c.v[0][2] = -0.5; /* from a gap of 0.4 or 0.45 */
-        m.c.v[0][0] = 0.1;
-        carried(1);
+        friction.reach = far ? 0.1 : 0.5;
+        m.c.x[0][2] = 0;
+        m.c.x[0][axis] = plane ? 0.45 : 0.9;
+        m.c.v[0][axis] = -1; /* from a gap of 0.4 or 0.45 */
+        m.c.v[0][(axis + 1) % 3] = 0.2;
+        carried(0.5);
         assert_int_equal(history.used, plane || !far);
-        m.c.x[0][2] = 2;
-        m.c.v[0][2] = 1.1;
-        carried(1);
+        friction.reach = 1;
+        m.c.x[0][axis] = 2;
+        m.c.v[0][axis] = 2.2;
+        carried(0.5);
         assert_int_equal(history.used, 0);
         assert_close(spring_energy(), 0, 0);
     }

@@ -127,6 +127,11 @@ TEST(refused_controls)
         assert_memory_equal(&c, &before, sizeof c);
     }
     assert_int_equal(accepted, 7);
+    for (int k = 0; k < 2; ++k) { /* the least power and the most */
+        c = good;
+        c.power = k == 0 ? 2 : 16;
+        assert_int_equal(vti_control_judge(&c, 0.1, 0, 0, &accepted), VTI_OK);
+    }
 }
 
 /* ---- what is undone ---------------------------------------------------------------------------------------------- */

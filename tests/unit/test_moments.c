@@ -38,6 +38,7 @@ static void refused(int status, int64_t quantity)
     assert_int_equal(vti_bodies_check(&b), status);
     assert_int_equal(vti_drift(VTI_LAW_EXACT, VTI_FRAME_SPACE, 0.1, &b, &fault), status);
     assert_int_equal(fault.quantity, quantity);
+    assert_int_equal(fault.body, -1);
     assert_int_equal(vti_kick(0.1, &b), status);
     assert_int_equal(vti_step_begin(vti_stepper_find("exact"), 0.1, &b, NULL), status);
     assert_same_bits(before[0], spin, 3 * N);

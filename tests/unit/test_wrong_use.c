@@ -118,6 +118,18 @@ TEST(bonds)
     some.pair = good;
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_OK);
     forms_of_shear(some);
+    const int64_t twice[4] = {0, 1, 0, 1};
+    const double both[8] = {1, 0, 0, 1, 1, 0, 0, 1}, stiffness[2] = {1, 1};
+    vti_bonds two = {.count = 2, .pair = twice, .rest = both, .shear_form = VTI_SHEAR_OBJECTIVE};
+    vti_scalars *const terms[] = {&two.moment, &two.axial, &two.shear};
+    for (int k = 0; k < 3; ++k) { /* fewer stiffnesses than bonds */
+        *terms[k] = (vti_scalars){stiffness, 1, 1};
+        assert_int_equal(vti_bonds_check(&two, 2, &fault), VTI_E_BOND);
+        nothing_of_bodies(&fault, 1);
+        assert_true(fault.value == 1);
+        terms[k]->count = 2;
+        assert_int_equal(vti_bonds_check(&two, 2, &fault), VTI_OK);
+    }
     some.rest = endless;
     assert_int_equal(vti_bonds_check(&some, 2, &fault), VTI_E_BOND);
     nothing_of_bodies(&fault, 0);
