@@ -50,10 +50,11 @@ typedef struct vti_past {
 } vti_past;
 
 /** Remembers the accelerations by the force and moment of now. At the start, and after any jump, once before each of
- *  K - 1 steps of h by another method, and once after the last: then known = K. Where such a step ends with a drift,
- *  as that of srkn14 does, forces are computed again first: those of its last kick are of other places, and make it order 2. They are few, and need not be as good
- *  as K promises: four by srkn6, after which vti_multistep objects of the depths 5, 6 ... with c = 1, which record by
- *  themselves, take one evaluation each; or, for errors below 1e-10, six by srkn11 and then of the depths 7, 8 ... */
+ *  K - 1 steps of h by another method, and once after the last: then known = K. They are few, and need
+ *  not be as good as K promises: four by srkn6, after which vti_multistep objects of the depths 5, 6 ... with c = 1,
+ *  which record by themselves, take one evaluation each; or, for errors below 1e-10, six by srkn11 and then of the
+ *  depths 7, 8 ... A step of srkn14 ends with a drift: forces have to be computed again before they are recorded, or
+ *  all that follows is of order 2. */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:

@@ -35,7 +35,7 @@
 
 /* ---- comparisons ------------------------------------------------------------------------------------------------- */
 
-/** |value - expected| <= tolerance; a NaN fails, and a tolerance that is infinite, as all that is expected may be. */
+/** |value - expected| <= tolerance. A NaN fails, and so does an infinite tolerance, within which everything would be. */
 #define assert_close(value, expected, tolerance)                                                                       \
     assert_close_at(#value, (double)(value), (double)(expected), (double)(tolerance), __FILE__, __LINE__)
 #define assert_close3(value, expected, tolerance)                                                                      \
