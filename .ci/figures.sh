@@ -138,7 +138,7 @@ bench() {
     python3 bench/scaling.py build/drivers/vti-run build/drivers/vti-study "$(nproc)" >"$1/scaling.csv"
     python3 bench/ranks.py build/drivers/vti-study >"$1/ranks.csv"
     echo "dev: operations and what threads share, by callgrind"
-    python3 bench/flops.py build/tests/cost/cost >"$1/flops.csv" || rm "$1/flops.csv"
+    python3 bench/flops.py build/bench/cost >"$1/flops.csv" || rm "$1/flops.csv"
     python3 bench/shared.py build/drivers/vti-run >"$1/shared.csv" || rm "$1/shared.csv"
     if [ $code != 0 ]; then
         echo "dev: the page lacks what failed, and is in $1 alone" >&2

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a step computes:  flops.py COST.  Prints CSV: instructions and floating-point operations per body, bond or touching pair and step
-of vti2. COST is build/tests/cost/cost; callgrind counts how often each of its instructions is executed, objdump tells which of them
+of vti2. COST is build/bench/cost; callgrind counts how often each of its instructions is executed, objdump tells which of them
 compute, and on how many numbers: a sum, difference, product, quotient or root is one operation of each. Start-up is left out, as the
 difference of two runs. By the kernels for AVX2, the widest that callgrind knows; others compute the same."""
 import collections
@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 BODIES, STEPS = 512, 40
-# what the scenes have (see tests/cost/cost.c), and what those have that are taken off
+# what the scenes have (see cost.c), and what those have that are taken off
 WHAT = {"step": ("trl", None), "bond": ("trlmas", "trl"), "touching pair": ("trlc", "trl"), "friction and dashpots": ("trlcfd", "trlc")}
 COMPUTES = re.compile(r"v?(?:add|sub|mul|div|sqrt)(s|p)d$")
 LANES = {"x": 2, "y": 4, "z": 8}

@@ -45,7 +45,7 @@ def per_step(program):
 
 with tempfile.TemporaryDirectory() as root:
     builds = {(compiler, flag): os.path.join(root, compiler + flag) for compiler in COMPILERS for flag in MACHINES}
-    sources = [path for path in glob.glob(f"{ROOT}/src/**/*.c", recursive=True) if not path.endswith("_avx512.c")] + [f"{ROOT}/tests/cost/cost.c"]
+    sources = [path for path in glob.glob(f"{ROOT}/src/**/*.c", recursive=True) if not path.endswith("_avx512.c")] + [f"{ROOT}/bench/cost.c"]
     tasks = [(compiler, [flag] * (flag != ""), folder, path) for (compiler, flag), folder in builds.items() for path in sources]
     for folder in builds.values():
         os.mkdir(folder)
