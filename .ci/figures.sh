@@ -124,9 +124,9 @@ bench() {
         beside_lammps "$1/built.csv" "$VTI_LAMMPS" "$VTI_LAMMPS" || code=1
     fi
     rm -f "$1/others.csv" "$1/others.txt"
-    if command -v liggghts yade >/dev/null; then
-        echo "dev: beside $(command -v liggghts yade | tr '\n' ' ')"
+    if command -v liggghts >/dev/null || command -v yade >/dev/null; then
         other_versions >"$1/others.txt"
+        echo "dev: beside $(paste -s -d , "$1/others.txt")"
         # shellcheck disable=SC2046  # a word per program
         PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/codes.py 3 build/drivers/vti-bench \
             $(ls build/drivers/vti-bench-avx2 build/drivers/vti-bench-baseline 2>/dev/null) >"$1/others.csv" ||
