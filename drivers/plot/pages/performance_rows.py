@@ -66,7 +66,7 @@ def read_rows(folder, program, columns):
 # ---- as text --------------------------------------------------------------------------------------------------------
 
 def short(value):
-    return f"{value:.3g}" if value < 100 else f"{value:.0f}"
+    return "-" if value != value else f"{value:.3g}" if value < 100 else f"{value:.0f}"
 
 
 def size_text(n):
