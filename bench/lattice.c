@@ -88,6 +88,9 @@ static void set_effects(struct bench_lattice *l, int64_t side)
     l->effect[3] = vti_walls_effect(&l->walls);
 }
 
+/** Of more bodies a step with friction and dashpots, half a microsecond each, is not timed, the last of the cases. */
+enum { DEAR = 100000 };
+
 int bench_lattice_make(struct bench_lattice *l, int64_t side)
 {
     const struct bench_lattice fresh = {.diameter = {1.2, 0.9}, .stiffness = {1e-6, 1e-6, 1e-6}};
@@ -96,7 +99,7 @@ int bench_lattice_make(struct bench_lattice *l, int64_t side)
         return -1;
     l->pair = malloc(sizeof(int64_t) * 6 * (size_t)l->of.n);
     l->rest = malloc(sizeof(double) * 12 * (size_t)l->of.n);
-    for (l->history.slots = 8; l->history.slots < 4 * l->of.n; l->history.slots *= 2)
+    for (l->history.slots = 8; l->of.n <= DEAR && l->history.slots < 4 * l->of.n; l->history.slots *= 2)
         ; /* three pairs for each body, at most */
     l->history.slot = calloc((size_t)l->history.slots, sizeof *l->history.slot);
     if (l->pair == NULL || l->rest == NULL || l->history.slot == NULL)
@@ -145,22 +148,24 @@ static void apply_walls(void *self)
 }
 
 /** A step as a host makes it: begin, clear and sum the loads, finish. */
-static void step_bonded(void *self)
+static void step(const struct bench_lattice *l, const vti_effect *effect)
 {
-    struct bench_lattice *l = self;
     const vti_stepper *method = vti_stepper_find("vti2");
     vti_step_begin(method, 1e-3, &l->of.bodies, NULL);
-    vti_apply(l->effect, 1, &l->of.bodies);
+    vti_apply(effect, 1, &l->of.bodies);
     vti_step_finish(method, 1e-3, &l->of.bodies);
+}
+
+static void step_bonded(void *self)
+{
+    const struct bench_lattice *l = self;
+    step(l, &l->effect[0]);
 }
 
 static void step_touching(void *self)
 {
-    struct bench_lattice *l = self;
-    const vti_stepper *method = vti_stepper_find("vti2");
-    vti_step_begin(method, 1e-3, &l->of.bodies, NULL);
-    vti_apply(l->rubbing, 1, &l->of.bodies);
-    vti_step_finish(method, 1e-3, &l->of.bodies);
+    const struct bench_lattice *l = self;
+    step(l, &l->effect[1]);
 }
 
 static void step_rubbing(void *self)
@@ -171,9 +176,6 @@ static void step_rubbing(void *self)
     vti_apply(l->rubbing, 3, &l->of.bodies);
     vti_effects_finish(method, 1e-3, l->rubbing, 3, &l->of.bodies);
 }
-
-/** Of more bodies a step with friction and dashpots, half a microsecond each, is not timed, the last of the cases. */
-enum { DEAR = 100000 };
 
 int bench_lattice_cases(struct bench_lattice *l, struct bench_case *cases, int count)
 {

@@ -90,33 +90,26 @@ def test_page(vti_plot, folder, rows):
         for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
             with open(os.path.join(folder, name + end), "w", encoding="utf-8") as file:
                 file.write(content)
-    with open(os.path.join(folder, "scaling.csv"), "w", encoding="utf-8") as file:
-        file.write("what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n")
-    with open(os.path.join(folder, "ranks.csv"), "w", encoding="utf-8") as file:
-        file.write("what,tasks,ranks,seconds\nstudy,48,1,6\nstudy,48,2,4\nsweep,4096,1,400\nsweep,4096,2,200\n")
-    with open(os.path.join(folder, "flops.csv"), "w", encoding="utf-8") as file:
-        file.write("what,instructions,flops\nstep,60,80\nbond,160,280\ntouching pair,70,21\nfriction and dashpots,1300,1000\n")
-    with open(os.path.join(folder, "shared.csv"), "w", encoding="utf-8") as file:
-        file.write("instructions,shared\n800,780\n")
-    with open(os.path.join(folder, "study_step.csv"), "w", encoding="utf-8") as file:
-        file.write("stepper,step_ns,study_ns,ratio,least,most\nvti2,40,120,3,2.9,3.25\n")
-    with open(os.path.join(folder, "machine.txt"), "w", encoding="utf-8") as file:
-        file.write("cpu: some processor\ncores: 7\n")
-    with open(os.path.join(folder, "memory.csv"), "w", encoding="utf-8") as file:
-        file.write("of,one_thread_bytes,two_threads_bytes\nbody,344,352\nbond,112,128\ntouching,500,600\n")
-    with open(os.path.join(folder, "lammps.csv"), "w", encoding="utf-8") as file:
-        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
-                   "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
-                   "nve/asphere,1000,three moments: vti2,widest,10,80,8,7.5,8.5\n"
-                   "bpm/rotational,8000,bond,widest,20,240,12,11,13\n")
-    with open(os.path.join(folder, "built.csv"), "w", encoding="utf-8") as file:
-        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
-                   "bpm/rotational,8000,bond,widest,20,400,20,19,21\n")
-    with open(os.path.join(folder, "others.csv"), "w", encoding="utf-8") as file:
-        file.write("lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
-                   "YADE NewtonIntegrator,1000,vti2,widest,5,150,30,29,31\n")
-    with open(os.path.join(folder, "others.txt"), "w", encoding="utf-8") as file:
-        file.write("LIGGGHTS-PUBLIC 3.8.0\nYADE 2023\n")
+    for name, content in (
+            ("scaling.csv", "what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n"),
+            ("ranks.csv", "what,tasks,ranks,seconds\nstudy,48,1,6\nstudy,48,2,4\nsweep,4096,1,400\nsweep,4096,2,200\n"),
+            ("flops.csv", "what,instructions,flops\nstep,60,80\nbond,160,280\ntouching pair,70,21\nfriction and dashpots,1300,1000\n"),
+            ("shared.csv", "instructions,shared\n800,780\n"),
+            ("study_step.csv", "stepper,step_ns,study_ns,ratio,least,most\nvti2,40,120,3,2.9,3.25\n"),
+            ("machine.txt", "cpu: some processor\ncores: 7\n"),
+            ("memory.csv", "of,one_thread_bytes,two_threads_bytes\nbody,344,352\nbond,112,128\ntouching,500,600\n"),
+            ("lammps.csv", "lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+             "nve/sphere,1000,vti2,widest,4,8,2,1.5,2.5\nnve/sphere,1000,vti2,baseline,8,8,1,0.9,1.1\n"
+             "nve/asphere,1000,three moments: vti2,widest,10,80,8,7.5,8.5\n"
+             "bpm/rotational,8000,bond,widest,20,240,12,11,13\n"),
+            ("built.csv", "lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+             "bpm/rotational,8000,bond,widest,20,400,20,19,21\n"),
+            ("others.csv", "lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
+             "YADE NewtonIntegrator,1000,vti2,widest,5,150,30,29,31\n"),
+            ("others.txt", "LIGGGHTS-PUBLIC 3.8.0\nYADE 2023\n"),
+    ):
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(content)
     page = [sys.executable, "-m", "plot.pages.performance", folder]
     beside = {**os.environ, "PYTHONPATH": os.path.dirname(vti_plot), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run(*page, env=beside)
