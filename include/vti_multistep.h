@@ -54,7 +54,12 @@ typedef struct vti_past {
  *  not be as good as K promises: four by srkn6, after which vti_multistep objects of the depths 5, 6 ... with c = 1,
  *  which record by themselves, take one evaluation each; or, for errors below 1e-10, six by srkn11 and then of the
  *  depths 7, 8 ... A step of srkn14 ends with a drift: forces have to be computed again before they are recorded, or
- *  all that follows is of order 2. */
+ *  all that follows is of order 2.
+ *
+ *  Where forces are of positions alone, fewer evaluations do: vti_step_keep, turn v and Omega round, take these steps
+ *  (four by chin4, without its probe even, or six by srkn6) and put by the loads after each; set known to 0, record what
+ *  was put by, the last first; vti_step_undo, and record the loads of now. What these steps err by is no error of the
+ *  run then. */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:

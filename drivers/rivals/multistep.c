@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Multistep methods (EQUATIONS 8.1), as programs run them: K - 1 steps by others that are accurate enough, the
- * accelerations remembered before each, then one force evaluation a step. What they remember is all that they keep
- * beside the bodies, so that a checkpoint goes on with it. Where something may touch, the K - 1 steps are back in time and
- * undone, so that what begins to touch at the start does so within a step of theirs, which takes off what it would miss
- * of that. What does not touch at the start does not on the way back: bodies that have just parted would meet there. */
+ * Multistep methods (EQUATIONS 8.1), as programs run them: one force evaluation a step. What they remember is all that
+ * they keep beside the bodies, so that a checkpoint goes on with it. They begin with K - 1 steps by others back in time,
+ * which are undone once their accelerations are remembered: what those steps err by is no error of the run, and what
+ * touches at the start begins to within a step of theirs, which takes off what it would miss of that. What does not touch
+ * at the start does not on the way back: bodies that have just parted would meet there. */
 #include "rival.h"
 
 #include <stdlib.h>
@@ -63,28 +63,14 @@ static int multistep(struct course *c, const vti_multistep *m, vti_past *past, i
     return status == VTI_OK ? vti_multistep_correct(m, c->h, past, &c->bodies) : status;
 }
 
-/** A step of the start, K - 1 of them: up to four by srkn6 where steps are large, up to six by srkn11 where they are small,
- *  and then one each by AN(5), or AN(7), and so on, which evaluate once. Their orders are less than K, but at such steps
- *  they err by less than the rest of the way does: by srkn6 down to about 1e-11, by srkn11 to rounding (an10-mid on the
- *  chain: order 10.7 down to 5e-14). */
-static int start_step(struct course *c, const vti_multistep *m, vti_past *past, int (*forces)(struct course *c))
-{
-    const int large = m->reach > 0.5;
-    const int64_t grows_from = large ? 5 : 7;
-    const vti_multistep grown = {.depth = past->known, .c = 1.0};
-    int status = past->known == 0 ? vti_multistep_record(past, &c->bodies) : VTI_OK;
-    if (status == VTI_OK && past->known >= grows_from)
-        return multistep(c, &grown, past, forces);
-    if (status == VTI_OK)
-        status = step_by(c, vti_stepper_find(large ? "srkn6" : "srkn11"), c->h, forces);
-    return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
-}
+/* ---- the start --------------------------------------------------------------------------------------------------- */
 
-/** Where something touches: what, positions before a step, and for the start all bodies and the loads of its steps. */
-struct touching {
+/** What the start needs: where something touches, the bodies and their positions there, the loads of its steps. */
+struct start {
     struct effect_surfaces surfaces;
-    double *before, *loads; /* on the way back before is where it begins, */
-    double *scratch;        /* and this memory for forces that are left out */
+    double *before;  /* positions at the start; later before each step */
+    double *scratch; /* for forces that are left out */
+    double *loads;
     vti_kept now;
     double memory[];
 };
@@ -94,25 +80,34 @@ enum { KEPT = 19, LOADS = 6 };
 static int prepare_multistep(struct course *c, struct message *message)
 {
     const size_t depth = (size_t)vti_multistep_at(c->rival - engines)->depth, n = (size_t)c->n;
-    const struct effect_surfaces surfaces = model_surfaces(c->model);
-    if (surfaces.contacts == NULL && surfaces.walls == NULL)
-        return 0;
-    struct touching *t = calloc(1, sizeof *t + (3 + 3 + KEPT + LOADS * depth) * n * sizeof(double));
-    if (t == NULL)
+    struct start *s = calloc(1, sizeof *s + (3 + 3 + KEPT + LOADS * depth) * n * sizeof(double));
+    if (s == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", c->model->scene->name);
-    t->surfaces = surfaces;
-    t->before = t->memory;
-    t->scratch = t->before + 3 * n;
-    t->now.memory = t->scratch + 3 * n;
-    t->now.width = KEPT;
-    t->loads = t->now.memory + KEPT * n;
-    c->tool = t;
+    s->surfaces = model_surfaces(c->model);
+    s->before = s->memory;
+    s->scratch = s->before + 3 * n;
+    s->now.memory = s->scratch + 3 * n;
+    s->now.width = KEPT;
+    s->loads = s->now.memory + KEPT * n;
+    c->tool = s;
     return 0;
 }
 
 static void dismiss_multistep(struct course *c)
 {
     free(c->tool);
+}
+
+static int may_touch(const struct start *s)
+{
+    return s->surfaces.contacts != NULL || s->surfaces.walls != NULL;
+}
+
+static void remember_positions(struct course *c)
+{
+    const struct start *s = c->tool;
+    if (may_touch(s))
+        memcpy(s->before, c->x, (size_t)(3 * c->n) * sizeof *c->x);
 }
 
 static void turn_back(double *v, int64_t n)
@@ -125,7 +120,7 @@ static void turn_back(double *v, int64_t n)
 static void move_loads(struct course *c, int64_t k, int put)
 {
     const size_t size = (size_t)(3 * c->n) * sizeof(double);
-    double *const now[2] = {c->f, c->m}, *const loads = ((struct touching *)c->tool)->loads + LOADS * c->n * k;
+    double *const now[2] = {c->f, c->m}, *const loads = ((struct start *)c->tool)->loads + LOADS * c->n * k;
     for (int which = 0; which < 2; ++which)
         if (now[which] != NULL)
             memcpy(put ? now[which] : loads + which * 3 * c->n, put ? loads + which * 3 * c->n : now[which], size);
@@ -134,50 +129,79 @@ static void move_loads(struct course *c, int64_t k, int put)
 /** Those of what touches at the start, and all else. */
 static int forces_back(struct course *c)
 {
-    const struct touching *t = c->tool;
+    const struct start *s = c->tool;
     const int status = course_forces(c);
-    if (status == VTI_OK)
-        touches_take_new(&t->surfaces, t->before, &c->bodies, t->scratch);
+    if (status == VTI_OK && may_touch(s))
+        touches_take_new(&s->surfaces, s->before, &c->bodies, s->scratch);
     return status;
 }
 
-/** K - 1 steps back in time, which are then undone. */
-static int start_back(struct course *c, const vti_multistep *m, vti_past *past)
+/** A step back: where steps are large the first four by chin4's list without its gradient, two evaluations each, where they
+ *  are small the first six by srkn6; and then one each by AN(5), or AN(7), and so on, which evaluate once. All are of orders
+ *  below K, and the first of order 2: but what they err by grows smoothly from 0 with the way back, and of that the sums
+ *  of K accelerations see only what their ends leave (an9 on the chain keeps its order down to 1e-12). */
+static int step_back(struct course *c, const vti_multistep *m, vti_past *past)
 {
-    const int64_t depth = m->depth;
-    struct touching *const t = c->tool;
-    const vti_kept *const now = &t->now;
-    struct step_errors *const errors = c->model->errors;
-    c->model->errors = NULL; /* no steps of the run */
-    int status = vti_step_keep(&c->bodies, now);
-    memcpy(t->before, c->x, (size_t)(3 * c->n) * sizeof *t->before);
-    turn_back(c->v, c->n);
-    turn_back(c->w, c->n);
-    for (int64_t k = 1; k < depth && status == VTI_OK; ++k) {
-        status = start_step(c, m, past, forces_back);
-        move_loads(c, k, 0);
-    }
-    c->model->errors = errors;
-    past->known = 0;
-    for (int64_t k = depth - 1; k > 0 && status == VTI_OK; --k) {
-        move_loads(c, k, 1);
-        status = vti_multistep_record(past, &c->bodies);
-    }
+    const int large = m->reach > 0.5;
+    const int64_t by_list = large ? 4 : 6;
+    const vti_multistep grown = {.depth = past->known, .c = 1.0};
+    vti_stepper list = *vti_stepper_find(large ? "chin4" : "srkn6");
+    int status = past->known == 0 ? vti_multistep_record(past, &c->bodies) : VTI_OK;
+    list.probe = NULL;
+    if (status == VTI_OK && past->known > by_list)
+        return multistep(c, &grown, past, forces_back);
     if (status == VTI_OK)
-        status = vti_step_undo(&c->bodies, now);
+        status = step_by(c, &list, c->h, forces_back);
     return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
 }
 
+/** The steps back, and what they leave in the past: their loads, the earliest first. */
+static int go_back(struct course *c, const vti_multistep *m, vti_past *past)
+{
+    int status = VTI_OK;
+    for (int64_t k = 1; k < m->depth && status == VTI_OK; ++k) {
+        status = step_back(c, m, past);
+        move_loads(c, k, 0);
+    }
+    past->known = 0;
+    for (int64_t k = m->depth - 1; k > 0 && status == VTI_OK; --k) {
+        move_loads(c, k, 1);
+        status = vti_multistep_record(past, &c->bodies);
+    }
+    return status;
+}
+
+static int start(struct course *c, const vti_multistep *m, vti_past *past)
+{
+    const struct start *const s = c->tool;
+    struct step_errors *const errors = c->model->errors;
+    int status = vti_step_keep(&c->bodies, &s->now);
+    if (status != VTI_OK)
+        return status;
+    remember_positions(c);
+    turn_back(c->v, c->n);
+    turn_back(c->w, c->n);
+    c->model->errors = NULL; /* these are no steps of the run */
+    status = go_back(c, m, past);
+    c->model->errors = errors;
+    step_errors_part(errors);
+    const int undone = vti_step_undo(&c->bodies, &s->now);
+    if (status == VTI_OK)
+        status = undone;
+    return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
+}
+
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
+
 static int step(struct course *c, const vti_multistep *m, vti_past *past)
 {
-    struct touching *const t = c->tool;
-    if (t != NULL)
-        memcpy(t->before, c->x, (size_t)(3 * c->n) * sizeof *t->before);
+    const struct start *const s = c->tool;
+    remember_positions(c);
     const int status = multistep(c, m, past, course_forces);
-    if (status != VTI_OK || t == NULL)
+    if (status != VTI_OK || !may_touch(s))
         return status;
-    const vti_view before = vti_view_packed(t->before);
-    return vti_multistep_touch(c->h, &before, t->surfaces.contacts, t->surfaces.walls, &c->bodies);
+    const vti_view before = vti_view_packed(s->before);
+    return vti_multistep_touch(c->h, &before, s->surfaces.contacts, s->surfaces.walls, &c->bodies);
 }
 
 /** The numbers of the course: how many accelerations are known. */
@@ -185,12 +209,9 @@ static int go_multistep(struct course *c, int64_t steps)
 {
     const vti_multistep *const m = vti_multistep_at(c->rival - engines);
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
-    int status = c->tool != NULL && past.known == 0 ? start_back(c, m, &past) : VTI_OK;
+    int status = past.known == 0 ? start(c, m, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
-        const int starts = past.known < m->depth;
-        status = starts ? start_step(c, m, &past, course_forces) : step(c, m, &past);
-        if (starts)
-            step_errors_part(c->model->errors); /* the next one may be by another method */
+        status = step(c, m, &past);
         c->number[0] = (double)past.known;
         c->steps += status == VTI_OK;
     }

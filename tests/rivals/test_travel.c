@@ -74,12 +74,12 @@ TEST(force_evals)
         assert_int_equal(evals_of(once[i], "chain", 1.0 / 512, 20), 21);
     assert_int_equal(evals_of("srkn11", "chain", 1.0 / 64, 20), 1 + 11 * 20);
     assert_int_equal(evals_of("chin4", "chain", 1.0 / 64, 20), 1 + 3 * 20);
-    /* the start's: up to four steps of six, or of an10-mid six of eleven, and then of one */
-    assert_int_equal(evals_of("an4", "chain", 1.0 / 64, 20), 1 + 3 * 6 + 17);
-    assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 20), 1 + 4 * 6 + 16);
-    assert_int_equal(evals_of("an9", "chain", 1.0 / 64, 20), 1 + 4 * 6 + 16);
-    assert_int_equal(evals_of("an10-mid", "chain", 1.0 / 64, 20), 1 + 6 * 11 + 3 + 11);
-    assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 3), 1 + 3 * 6);
+    /* K - 1 steps back: up to four of two, or of an10-mid six of six, and then of one */
+    assert_int_equal(evals_of("an4", "chain", 1.0 / 64, 20), 1 + 3 * 2 + 20);
+    assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 20), 1 + 4 * 2 + 2 + 20);
+    assert_int_equal(evals_of("an9", "chain", 1.0 / 64, 20), 1 + 4 * 2 + 4 + 20);
+    assert_int_equal(evals_of("an10-mid", "chain", 1.0 / 64, 20), 1 + 6 * 6 + 3 + 20);
+    assert_int_equal(evals_of("an7", "chain", 1.0 / 64, 3), 1 + 4 * 2 + 2 + 3);
     assert_int_equal(evals_of("rk4", "chain", 1.0 / 512, 20), 80);
     assert_int_equal(evals_of("rk8pd", "chain", 1.0 / 64, 20), 260);
     static const struct {
