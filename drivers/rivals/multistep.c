@@ -171,7 +171,7 @@ static int go_back(struct course *c, const vti_multistep *m, vti_past *past)
     return status;
 }
 
-static int start(struct course *c, const vti_multistep *m, vti_past *past)
+static int begin(struct course *c, const vti_multistep *m, vti_past *past)
 {
     const struct start *const s = c->tool;
     struct step_errors *const errors = c->model->errors;
@@ -209,7 +209,7 @@ static int go_multistep(struct course *c, int64_t steps)
 {
     const vti_multistep *const m = vti_multistep_at(c->rival - engines);
     vti_past past = {c->own, m->depth, (int64_t)c->number[0]};
-    int status = past.known == 0 ? start(c, m, &past) : VTI_OK;
+    int status = past.known == 0 ? begin(c, m, &past) : VTI_OK;
     for (int64_t k = 0; k < steps && status == VTI_OK; ++k) {
         status = step(c, m, &past);
         c->number[0] = (double)past.known;

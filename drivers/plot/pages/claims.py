@@ -76,7 +76,8 @@ def _goal(cost, scene, error, wanted, rivals):
     mine, other, found = price_list.ratio(cost, scene, error, "force_evals", rivals=rivals)
     if not np.isfinite(found):
         return f"at most {wanted:.2f}: not reached by " + ("either" if not (mine or other) else "ours" if not mine else "a rival")
-    verdict = "met" if found <= wanted else f"**missed** by {100 * (found / wanted - 1):.0f} %"
+    over = 100 * (found / wanted - 1)
+    verdict = "met" if over <= 0 else f"**missed** by {over:.{0 if over >= 1 else 2}f} %"
     return f"{found:.2f} ({methods.name(mine)}, {methods.name(other)}), at most {wanted:.2f}: {verdict}"
 
 
