@@ -57,9 +57,9 @@ typedef struct vti_past {
  *  all that follows is of order 2.
  *
  *  Where forces are of positions alone, fewer evaluations do: vti_step_keep, turn v and Omega round, take these steps
- *  (four by chin4, without its probe even, or six by srkn6) and put by the loads after each; set known to 0, record what
- *  was put by, the last first; vti_step_undo, and record the loads of now. What these steps err by is no error of the
- *  run then. */
+ *  (four by chin4, without its probe even; for an10-mid and an10-fine six by srkn6) and put by the loads after each; set
+ *  known to 0, record what was put by, the last first; vti_step_undo, and record the loads of now. What these steps err
+ *  by is no error of the run then. */
 VTI_API int vti_multistep_record(vti_past *past, const vti_bodies *bodies);
 
 /* The loop of a host, once past->known >= K:

@@ -65,14 +65,13 @@ static int multistep(struct course *c, const vti_multistep *m, vti_past *past, i
 
 /* ---- the start --------------------------------------------------------------------------------------------------- */
 
-/** What the start needs: where something touches, the bodies and their positions there, the loads of its steps. */
+/** Where something may touch, and what the start needs, which is given back after it. */
 struct start {
     struct effect_surfaces surfaces;
-    double *before;  /* positions at the start; later before each step */
-    double *scratch; /* for forces that are left out */
-    double *loads;
+    double *loads;   /* of its steps, */
+    double *scratch; /* and forces that are left out */
     vti_kept now;
-    double memory[];
+    double before[]; /* positions at the start; later before each step */
 };
 
 enum { KEPT = 19, LOADS = 6 };
@@ -80,21 +79,29 @@ enum { KEPT = 19, LOADS = 6 };
 static int prepare_multistep(struct course *c, struct message *message)
 {
     const size_t depth = (size_t)vti_multistep_at(c->rival - engines)->depth, n = (size_t)c->n;
-    struct start *s = calloc(1, sizeof *s + (3 + 3 + KEPT + LOADS * depth) * n * sizeof(double));
-    if (s == NULL)
+    struct start *s = calloc(1, sizeof *s + 3 * n * sizeof(double));
+    c->tool = s;
+    if (s != NULL)
+        s->loads = malloc((LOADS * depth + 3 + KEPT) * n * sizeof(double));
+    if (s == NULL || s->loads == NULL)
         return message_set(message, "%s: out of memory; use fewer bodies", c->model->scene->name);
     s->surfaces = model_surfaces(c->model);
-    s->before = s->memory;
-    s->scratch = s->before + 3 * n;
+    s->scratch = s->loads + LOADS * depth * n;
     s->now.memory = s->scratch + 3 * n;
     s->now.width = KEPT;
-    s->loads = s->now.memory + KEPT * n;
-    c->tool = s;
     return 0;
+}
+
+static void end_start(struct start *s)
+{
+    free(s->loads);
+    s->loads = NULL;
 }
 
 static void dismiss_multistep(struct course *c)
 {
+    if (c->tool != NULL)
+        end_start(c->tool);
     free(c->tool);
 }
 
@@ -105,7 +112,7 @@ static int may_touch(const struct start *s)
 
 static void remember_positions(struct course *c)
 {
-    const struct start *s = c->tool;
+    struct start *s = c->tool;
     if (may_touch(s))
         memcpy(s->before, c->x, (size_t)(3 * c->n) * sizeof *c->x);
 }
@@ -173,7 +180,7 @@ static int go_back(struct course *c, const vti_multistep *m, vti_past *past)
 
 static int begin(struct course *c, const vti_multistep *m, vti_past *past)
 {
-    const struct start *const s = c->tool;
+    struct start *const s = c->tool;
     struct step_errors *const errors = c->model->errors;
     int status = vti_step_keep(&c->bodies, &s->now);
     if (status != VTI_OK)
@@ -186,6 +193,7 @@ static int begin(struct course *c, const vti_multistep *m, vti_past *past)
     c->model->errors = errors;
     step_errors_part(errors);
     const int undone = vti_step_undo(&c->bodies, &s->now);
+    end_start(s);
     if (status == VTI_OK)
         status = undone;
     return status == VTI_OK ? vti_multistep_record(past, &c->bodies) : status;
@@ -195,7 +203,7 @@ static int begin(struct course *c, const vti_multistep *m, vti_past *past)
 
 static int step(struct course *c, const vti_multistep *m, vti_past *past)
 {
-    const struct start *const s = c->tool;
+    struct start *const s = c->tool;
     remember_positions(c);
     const int status = multistep(c, m, past, course_forces);
     if (status != VTI_OK || !may_touch(s))
