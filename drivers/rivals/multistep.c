@@ -191,7 +191,6 @@ static int begin(struct course *c, const vti_multistep *m, vti_past *past)
     c->model->errors = NULL; /* these are no steps of the run */
     status = go_back(c, m, past);
     c->model->errors = errors;
-    step_errors_part(errors);
     const int undone = vti_step_undo(&c->bodies, &s->now);
     end_start(s);
     if (status == VTI_OK)
