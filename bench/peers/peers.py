@@ -31,7 +31,7 @@ def impacts(lammps, vti_run, folder):
     write(folder, "orders", ["who", "plane", "angle", "steps", "error", "apart"], impact.orders(one))
     write(folder, "ledgers", ["who", "angle", "steps", "error"], impact.ledgers(one))
     write(folder, "cycles", ["style", "cycle", "work"], impact.cycles(one))
-    write(folder, "turned", ["axis", "steps", "off"], impact.turned(one))
+    write(folder, "turned", ["who", "axis", "steps", "off"], impact.turned(one))
 
 
 def kinetic(columns):

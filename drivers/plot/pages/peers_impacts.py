@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two spheres, or one and a plane, in LAMMPS and by vti-run: parts of the page peers."""
+"""Two spheres, or one and a plane, in LAMMPS, LIGGGHTS and YADE and by vti-run: parts of the page peers."""
 
 import math
 
 from .. import style
-from .peers_rows import NAMES, curves, in_order, of, read, slope, two
+from .peers_rows import NAMES, OTHERS, curves, in_order, of, read, slope, two
 
 
 STEPS = (128, 1024, 8192)
@@ -12,7 +12,7 @@ STEPS = (128, 1024, 8192)
 
 def order_and_errors(rows):
     errors = {row["steps"]: row["error"] for row in rows}
-    return [f"{slope(rows):.2f}", *(two(errors[steps]) for steps in STEPS)]
+    return [f"{slope([row for row in rows if STEPS[0] <= row['steps'] <= STEPS[-1]]):.2f}", *(two(errors[steps]) for steps in STEPS)]
 
 
 def steps_to(rows, error):
@@ -28,37 +28,72 @@ def steps_to(rows, error):
     return low["steps"] * (high["steps"] / low["steps"]) ** share
 
 
-def times_as_many(rows):
-    """How many times as many steps the best of LAMMPS' laws takes for the error of vti2 with the fewest, by plane and
-    angle."""
+def code_of(who):
+    return who if who in (*OTHERS, "vti2") else "LAMMPS"
+
+
+ERRORS = (1e-2, 1e-3, 1e-4)
+USUAL = 1e-3
+
+
+def steps_of(rows, code, plane, angle, error):
+    """Of the best law of the code; None where it has none."""
+    here = of(rows, plane=plane, angle=angle)
+    laws = [of(here, who=who) for who in in_order(here, "who") if code_of(who) == code]
+    return min((steps_to(law, error) for law in laws), default=None)
+
+
+def times_as_many(rows, error=USUAL):
+    """How many times as many steps as vti2 the best law of a code takes for an error: by code, plane and angle."""
     found = {}
-    for plane in (0.0, 1.0):
-        for angle in in_order(rows, "angle"):
-            here = of(rows, plane=plane, angle=angle)
-            if here:
-                first = of(here, who="vti2")[0]
-                laws = [of(here, who=who) for who in in_order(here, "who") if who != "vti2"]
-                found[plane, angle] = min(steps_to(law, first["error"]) for law in laws) / first["steps"]
+    for code in codes_of(rows)[:-1]:
+        for plane in (0.0, 1.0):
+            for angle in in_order(rows, "angle"):
+                theirs = steps_of(rows, code, plane, angle, error)
+                if theirs is not None:
+                    found[code, plane, angle] = theirs / steps_of(rows, "vti2", plane, angle, error)
     return found
 
 
-def as_many(factor, most):
-    return f"{two(factor)}" if math.isfinite(factor) else f"more than {two(most)}"
+def codes_of(rows):
+    """vti2 the last."""
+    return sorted(dict.fromkeys(map(code_of, in_order(rows, "who"))), key=lambda code: code == "vti2")
+
+
+def steps_words(steps, least, most):
+    if steps is None or steps == least:
+        return "-" if steps is None else f"{least:.0f} or fewer"
+    return f"{steps:.0f}" if math.isfinite(steps) else f"more than {most:.0f}"
+
+
+def power(error):
+    return f"{error:.0e}".replace("e-0", "e-")
 
 
 def same_errors(page, rows):
-    found, most = times_as_many(rows), rows[-1]["steps"] / rows[0]["steps"]
-    angles = in_order(rows, "angle")
-    page.text(
-        f"For the error that `vti2` has with {rows[0]['steps']:.0f} steps, the best of LAMMPS' laws takes so many times as "
-        "many:"
-    )
+    codes, runs = codes_of(rows), [row["steps"] for row in rows]
+    page.text("Steps from which on an error is at most that, of the best law of each code:")
     page.table(
-        ["with", *(f"{angle:g} degrees" for angle in angles)],
+        ["with", "degrees", "error", *codes],
         [
-            [name, *(as_many(found[plane, angle], most) if (plane, angle) in found else "-" for angle in angles)]
+            [
+                name,
+                f"{angle:g}",
+                power(error),
+                *(steps_words(steps_of(rows, code, plane, angle, error), min(runs), max(runs)) for code in codes),
+            ]
             for plane, name in ((0.0, "pair"), (1.0, "plane"))
+            for angle in in_order(rows, "angle")
+            for error in ERRORS
+            if of(rows, plane=plane, angle=angle)
         ],
+    )
+    found = times_as_many(rows)
+    spans = {code: [times for key, times in found.items() if key[0] == code] for code in codes[:-1]}
+    page.text(
+        f"For an error of {power(USUAL)} "
+        + ", ".join(f"{code} takes {two(min(times))} to {two(max(times))} times" for code, times in spans.items())
+        + " as many steps as `vti2`."
     )
 
 
@@ -67,8 +102,8 @@ def impacts_part(page, folder, image):
     page.heading("One oblique impact")
     page.text(
         "Two glass beads of unequal size, or one and a plane, meet at 1 m/s, spinning, at some angle to the "
-        "normal, with dashpots (zeta = 0.1; LAMMPS' restitution is chosen to give the same coefficient) and "
-        "friction (mu = 0.5). Errors are of velocities and spins after the impact, as shares of the speed, "
+        "normal, with dashpots (zeta = 0.1; the others' damping is chosen to give the same coefficient, across it as the root "
+        "of the stiffnesses, which is what LIGGGHTS has) and friction (mu = 0.5). Errors are of velocities and spins after the impact, as shares of the speed, "
         "each code against its own result with 2^18 steps; about half of the steps fall into the contact. "
         "The order is a fit over 128 to 8192 steps."
     )
@@ -94,8 +129,8 @@ def impacts_part(page, folder, image):
         "LAMMPS takes loads that depend on velocities at half steps and returns a spring that slides along "
         "its new direction: its result is of first order, however smooth the impact. The "
         "`synchronized_verlet` of its newer versions, which carries springs by the normal of the half step, "
-        "and which walls do not take, leaves that as it is. With `mindlin` at 45 degrees even the run of 8192 "
-        "steps is a percent off the reference of 2^18."
+        "and which walls do not take, leaves that as it is. LIGGGHTS and YADE have springs and half steps of the same kind. At 45 degrees the pair slips and sticks by turns, and moments of that "
+        "scatter the errors of all."
     )
     page.text(
         "The limits differ because the laws do: LAMMPS lets friction hold mu times the whole normal force, "
@@ -103,6 +138,7 @@ def impacts_part(page, folder, image):
         "the middle of the overlap (at walls at the full radius), ours both at the point that divides the "
         "line of centres as the diameters do. Its planes are of the spheres' material: half as stiff as the "
         "rigid plane that one may have in mind."
+        + (" LIGGGHTS' limit of friction and planes are as LAMMPS'." if of(rows, who="LIGGGHTS") else "")
     )
 
 
@@ -136,31 +172,36 @@ def laws_part(page, folder):
             for cycle in in_order(rows, "cycle")
         ],
     )
-    rows = read(folder, "turned")
+    turns_part(page, read(folder, "turned"))
+
+
+AXES = {"0 0 1": "the normal", "0 1 0": "across, in the plane of the load", "1 0 0": "across, along the load"}
+TURNED = {
+    "LAMMPS": "LAMMPS leaves the load in space when the pair turns about its normal, as its documentation says. Across it the spring "
+    "grows by the angle times the overlap, since slip is taken at the full radii, which together are longer than the distance: a "
+    "pair that rolls over as one comes to the limit of friction by itself.",
+    "LIGGGHTS": "LIGGGHTS leaves it in space likewise, but follows across the normal, to first order in the steps.",
+    "YADE": "YADE turns it about the normal by the mean of both spins and follows across it too, where bodies move along chords, "
+    "whose slip falls with the square of the steps.",
+}
+
+
+def turns_part(page, rows):
     steps = in_order(rows, "steps")
     page.text(
-        "**History and turns.** Two spheres stick, overlap by 1 % and carry a load of a spring as long as 1 "
-        "% of the overlap; then both turn by one radian as one rigid body. Relative error of LAMMPS' load after "
-        "the turn; columns: number of steps of the turn. Ours goes with the body to 1e-12, by any angle in one "
-        "step (`./dev build`, then `meson test -C build friction -v`)."
+        "**History and turns.** Two spheres stick, overlap by 1 % and carry a load of a spring as long as 1 % of the overlap; then both "
+        "turn by one radian as one rigid body. Relative error of the load after the turn; columns: number of steps of the turn. Ours "
+        "goes with the body to 1e-12, by any angle in one step (`./dev build`, then `meson test -C build friction -v`)."
     )
     page.table(
-        ["turn about", *(f"{int(n)}" for n in steps)],
+        ["code", "turn about", *(f"{int(n)}" for n in steps)],
         [
-            [
-                {"0 0 1": "the normal", "0 1 0": "across, in the plane of the load", "1 0 0": "across, along the load"}[
-                    axis
-                ],
-                *(two(of(rows, axis=axis, steps=n)[0]["off"]) for n in steps),
-            ]
+            [who, AXES[axis], *(two(of(rows, who=who, axis=axis, steps=n)[0]["off"]) for n in steps)]
+            for who in in_order(rows, "who")
             for axis in in_order(rows, "axis")
         ],
     )
-    page.text(
-        "About the normal the load stays in space, as LAMMPS' documentation says. Across it the spring grows "
-        "by the angle times the overlap, since slip is taken at the full radii, which together are longer "
-        "than the distance: a pair that rolls over as one comes to the limit of friction by itself."
-    )
+    page.text(" ".join(TURNED[who] for who in in_order(rows, "who")))
 
 
 def ledger_part(page, folder):

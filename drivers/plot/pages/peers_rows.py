@@ -14,7 +14,7 @@ COLUMNS = {
     "orders": ("who", "plane", "angle", "steps", "error", "apart"),
     "ledgers": ("who", "angle", "steps", "error"),
     "cycles": ("style", "cycle", "work"),
-    "turned": ("axis", "steps", "off"),
+    "turned": ("who", "axis", "steps", "off"),
     "pile": ("who", "h", "error"),
     "heap": ("who", "h", "t", "kinetic", "height"),
     "agglomerate": ("who", "h", "t", "kinetic", "bonds"),
@@ -29,9 +29,14 @@ NAMES = {
     "mindlin": "LAMMPS `mindlin`",
     "mindlin_rescale/force": "LAMMPS `mindlin_rescale/force`",
     "synchronized": "the same, `synchronized_verlet`",
+    "LIGGGHTS": "LIGGGHTS `hertz tangential history`",
+    "YADE": "YADE `Mindlin`",
     "F.v h": "LAMMPS, F.v h",
     "mean of two": "LAMMPS, mean of two steps' F.v times h",
 }
+
+
+OTHERS = ("LIGGGHTS", "YADE")  # codes that take part where they are installed
 
 
 def read(folder, name, needed=True):
