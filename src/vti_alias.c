@@ -2,7 +2,7 @@
  * Which views share memory. Component k of body i is the double number word[k] + i stride of all memory, so that two
  * components share one if word_a + i stride_a = word_b + j stride_b for some bodies i and j of the slice. That needs no
  * look at bodies, and no loop over them. */
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 /** More doubles than there is memory for. */
 #define FAR (INT64_C(1) << 56)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Checks of the bodies' views and values (vti_bodies_check and others). */
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 /* The table of quantities has every member of vti_bodies, as it stands there. */
 #define SIZE(constant, number, member, type, role) +sizeof(((vti_bodies *)0)->member)

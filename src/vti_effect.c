@@ -2,7 +2,7 @@
  * Runs the array of effects: checks, forces (vti_apply), the pairs that act on a slice. */
 #include <string.h>
 
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 static void clear(const vti_view *view, int64_t begin, int64_t end)
 {

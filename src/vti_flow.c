@@ -7,6 +7,7 @@
  *
  * and each flow beside the drift over which it takes its means. */
 #include "vti_move.h"
+#include "vti_ready.h"
 
 static int any_flows(const vti_effect *effects, int64_t n)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Uniform gravity: F = m g, U = -m g.x. */
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 static void apply(const void *self, const vti_bodies *b)
 {

@@ -2,7 +2,8 @@
  *
  * Energies, momenta and the integrands of the norms (EQUATIONS 4). All sums are compensated: what they show of a
  * conservation law is the integrator's rounding, not their own. */
-#include "vti_internal.h"
+#include "vti_moments.h"
+#include "vti_ready.h"
 
 /** Whether r can be measured. If the bodies are refused, or needed is NULL, r is set to NaN. */
 static int can_measure(const vti_bodies *b, const void *needed, double r[3])

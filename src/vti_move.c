@@ -3,6 +3,7 @@
  * Kick and drift, the two primitives of every stepper, for one body after the other; where there are many, by kernels
  * that give the same bits (vti_move_kernels.h). */
 #include "vti_move_body.h"
+#include "vti_ready.h"
 
 /* ---- kick and translation ---------------------------------------------------------------------------------------- */
 

@@ -11,7 +11,10 @@
 #ifndef VTI_MOVE_H
 #define VTI_MOVE_H
 
-#include "vti_internal.h"
+#include <stddef.h>
+
+#include "vti.h"
+#include "vti_processor.h"
 
 struct vti_move {
     double before, kick; /* times of the kicks; a kick of 0 does not look at the forces */

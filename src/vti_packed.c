@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The same calls on plain x[n][3] arrays, without structs. */
-#include "vti_internal.h"
+#include <stddef.h>
+
+#include "vti.h"
 
 static vti_view packed(const double *p)
 {

@@ -3,7 +3,7 @@
  * The three-dimensional pendulum (paper, section 3; EQUATIONS 3). Gravity acts along +e3 (E2):
  *
  *     U = -m g e3 . R rho0,     RM = m g (R rho0) x e3     (E1: the print mixes frames)                              */
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 /** Inline: of the energy only one component is made. */
 VTI_INLINE void arm_of(const vti_pendulum *pendulum, const vti_bodies *b, int64_t i, double arm[3])

@@ -7,7 +7,9 @@
 #ifndef VTI_SHARES_H
 #define VTI_SHARES_H
 
-#include "vti_internal.h"
+#include <stddef.h>
+
+#include "vti.h"
 
 /** Books a loss in entry k of the books entries of a body: half to i, half to j; all to i where j is -1. */
 static inline void vti_share(vti_sum *by_body, int64_t books, int64_t k, int64_t i, int64_t j, double lost)

@@ -6,7 +6,7 @@
  * nor is the whole. */
 #include <limits.h>
 
-#include "vti_internal.h"
+#include "vti_ready.h"
 
 /* ---- numbers of any size ----------------------------------------------------------------------------------------- */
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Texts of statuses and quantities, and the version. */
-#include "vti_internal.h"
+#include "vti.h"
+#include "vti_processor.h"
 #include "vti_steppers.h"
 
 /* all names of the table of steppers, as one text */

@@ -14,6 +14,8 @@
 #include "vti_coefficients.h"
 #include "vti_move.h"
 #include "vti_steppers.h"
+#include "vti_moments.h"
+#include "vti_ready.h"
 
 static const vti_stepper steppers[] = {
 #define ROW(...) {__VA_ARGS__},

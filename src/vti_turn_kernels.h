@@ -7,6 +7,7 @@
 #define VTI_TURN_KERNELS_H
 
 #include "vti_kick_kernels.h"
+#include "vti_processor.h"
 
 VTI_RRV_INCREMENTAL(incremental, lanes)
 VTI_MOVE_LAW(law_of, lanes, lanes_of, lanes_sqrt)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Selects the bond kernels for the processor and defines vti_bonds_effect. */
 #include "vti_binder_table.h"
+#include "../vti_processor.h"
+#include "../vti_ready.h"
 
 /* ---- the kernels ------------------------------------------------------------------------------------------------- */
 

@@ -3,7 +3,9 @@
 #ifndef VTI_BINDER_TABLE_H
 #define VTI_BINDER_TABLE_H
 
-#include "../vti_internal.h"
+#include <stddef.h>
+
+#include "vti.h"
 
 enum { TERM_MOMENT = 1, TERM_AXIAL = 2, TERM_SHEAR = 4, TERMS = 3 };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * The rest configuration of bonds, and checks of a list of bonds. */
 #include "vti_binder_table.h"
+#include "../vti_ready.h"
 
 /* ---- making it --------------------------------------------------------------------------------------------------- */
 

@@ -6,6 +6,7 @@
  *
  * A bond that breaks leaves the list, so that no loop over the list has to test for it. */
 #include "../vti_shares.h"
+#include "../vti_ready.h"
 
 enum { LIMITS = 6, TERMS = 3 };
 

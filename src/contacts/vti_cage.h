@@ -7,6 +7,7 @@
 #define VTI_CAGE_H
 
 #include "vti_hertz.h"
+#include "../vti_ready.h"
 
 /** What cages depend on: extremes over bodies and pairs. */
 struct vti_cages {

@@ -3,6 +3,7 @@
  * Hertzian contact of spheres with each other (EQUATIONS 3, E4), with o = [1 - r/L]_+. */
 #include "vti_cage.h"
 #include "vti_touch_table.h"
+#include "../vti_ready.h"
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 

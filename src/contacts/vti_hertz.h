@@ -10,7 +10,7 @@
 #ifndef VTI_HERTZ_H
 #define VTI_HERTZ_H
 
-#include "../vti_internal.h"
+#include "../vti_views.h"
 
 /** |F| of the overlap o > 0 on the length L. V is double, or a vector of them. */
 #define VTI_HERTZ_FORCE(NAME, V, SQRT)                                                                                 \

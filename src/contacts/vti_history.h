@@ -5,7 +5,9 @@
 #ifndef VTI_HISTORY_H
 #define VTI_HISTORY_H
 
-#include "../vti_internal.h"
+#include <stddef.h>
+
+#include "vti.h"
 
 static inline int64_t vti_history_home(const vti_history *t, int64_t i, int64_t j)
 {

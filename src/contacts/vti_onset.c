@@ -17,6 +17,7 @@
  * which are taken off. What is left is of order h^{9/2}. */
 #include "vti_face.h"
 #include "vti_touch_table.h"
+#include "../vti_ready.h"
 
 /** zeta(-3/2, a) and zeta(-5/2, a) of 0 < a <= 1 to 2e-8: four terms, and the formula of Euler and Maclaurin. */
 static void zetas(double a, double *three, double *five)

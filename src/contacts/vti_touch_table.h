@@ -4,6 +4,7 @@
 #define VTI_TOUCH_TABLE_H
 
 #include "vti_history.h"
+#include "../vti_processor.h"
 
 /** So many pairs at most are handed to a kernel at once, a whole number of lanes of any width; no width is larger than
  *  the second. */

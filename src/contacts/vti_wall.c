@@ -8,6 +8,7 @@
 #include "vti_face.h"
 #include "vti_touch_table.h"
 #include "../vti_shares.h"
+#include "../vti_ready.h"
 
 /* ---- checks ------------------------------------------------------------------------------------------------------ */
 

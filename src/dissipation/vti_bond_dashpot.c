@@ -10,6 +10,7 @@
 #include "vti_joint.h"
 #include "../vti_shares.h"
 #include "../contacts/vti_touch.h"
+#include "../vti_ready.h"
 
 enum { MOTIONS = VTI_BOND_DASHPOT_BOOKS };
 

@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+#include "../vti_views.h"
 #include "../contacts/vti_touch_table.h"
 
 enum { VTI_WINDOW = 256, VTI_COLOURS = 64, VTI_COLOUR_LAST = VTI_COLOURS - 1, VTI_WINDOW_SLOTS = 4 * VTI_WINDOW };

@@ -8,6 +8,7 @@
 #include "../vti_shares.h"
 #include "../contacts/vti_touch.h"
 #include "../contacts/vti_touch_table.h"
+#include "../vti_ready.h"
 
 /* ---- pairs ------------------------------------------------------------------------------------------------------- */
 

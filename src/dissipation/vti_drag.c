@@ -21,6 +21,7 @@
 #include "vti_joint.h"
 #include "../contacts/vti_touch_table.h"
 #include "../vti_shares.h"
+#include "../vti_ready.h"
 
 static double value(const vti_scalars *s, int64_t i)
 {

@@ -2,6 +2,7 @@
  *
  * Bodies of any inertia where they act on each other: vti_joint.h. */
 #include "vti_joint.h"
+#include "../vti_moments.h"
 
 /* ---- bodies ------------------------------------------------------------------------------------------------------ */
 

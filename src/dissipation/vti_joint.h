@@ -18,7 +18,7 @@
 #define VTI_JOINT_H
 
 #include "vti_decay.h"
-#include "../vti_internal.h"
+#include "vti.h"
 
 /** The bodies that bear what acts on those of the lists: they themselves, or where these are spheres of clumps the
  *  bodies that have them. */

@@ -9,6 +9,7 @@
 #include "vti_friction_touches.h"
 #include "vti_spring.h"
 #include "../contacts/vti_touch.h"
+#include "../vti_ready.h"
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 

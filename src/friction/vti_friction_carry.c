@@ -6,6 +6,7 @@
 #include "vti_friction_touches.h"
 #include "../contacts/vti_touch.h"
 #include "../vti_shares.h"
+#include "../vti_moments.h"
 
 /** The slot of a touch that holds something or begins to; NULL if there is no room. */
 static vti_held *hold(vti_history *history, int64_t i, int64_t j)

@@ -2,6 +2,8 @@
  *
  * Clumps (EQUATIONS 7.5): the list, and spheres where their bodies have them. */
 #include "vti_clump_spheres.h"
+#include "../vti_moments.h"
+#include "../vti_ready.h"
 
 /* ---- the list ---------------------------------------------------------------------------------------------------- */
 

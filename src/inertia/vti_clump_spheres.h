@@ -4,7 +4,7 @@
 #ifndef VTI_CLUMP_SPHERES_H
 #define VTI_CLUMP_SPHERES_H
 
-#include "../vti_internal.h"
+#include "../vti_views.h"
 
 /** Whether there is a list, and spheres for it; of the whole list vti_clumps_check. */
 int vti_clump_list_check(const vti_clumps *c);

@@ -2,6 +2,8 @@
  *
  * Wraps an effect on the spheres of clumps as an effect on the clumps (EQUATIONS 7.5). */
 #include "vti_clump_spheres.h"
+#include "../vti_moments.h"
+#include "../vti_ready.h"
 
 static int check(const void *self, const vti_bodies *b)
 {

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "../vti_internal.h"
+#include "vti.h"
 
 static inline double distance(const double *centre, int64_t i, int64_t j)
 {

@@ -3,7 +3,7 @@
 #ifndef VTI_PRINCIPAL_H
 #define VTI_PRINCIPAL_H
 
-#include "../vti_internal.h"
+#include "vti.h"
 
 /** Turns rows and columns p and q of the symmetric J so that J_pq = 0 (Jacobi), and the axes, columns of V, with it. */
 static inline void annul(double J[3][3], double V[3][3], int p, int q)

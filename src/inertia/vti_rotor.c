@@ -6,6 +6,8 @@
 #include "vti_rotor.h"
 
 #include "../vti_move_body.h"
+#include "../vti_moments.h"
+#include "../vti_ready.h"
 
 /* ---- one body ---------------------------------------------------------------------------------------------------- */
 

@@ -6,6 +6,7 @@
 #define VTI_ROTOR_TURNS_H
 
 #include "../vti_move.h"
+#include "../vti_moments.h"
 #include "vti_rotor_axes.h"
 
 /** The larger of the two; but a turn that has reached 1, or is NaN, stays. */

@@ -7,6 +7,7 @@
  * that the rule is good, however far the spheres are spread. */
 #include "vti_overlaps.h"
 #include "vti_principal.h"
+#include "../vti_ready.h"
 
 /** Volume, int x dV and int x x^T dV (xx, yy, zz, xy, xz, yz), about a place near the spheres. */
 struct integrals {

@@ -25,7 +25,7 @@
 #ifndef VTI_LANES_H
 #define VTI_LANES_H
 
-#include "../vti_internal.h"
+#include "../vti_views.h"
 
 #if defined(__has_builtin) && !defined(VTI_WIDTH)
 #if __has_builtin(__builtin_shufflevector)

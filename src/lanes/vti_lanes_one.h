@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "../vti_internal.h"
+#include "vti.h"
 
 typedef double lanes;
 typedef int lanes_mask;

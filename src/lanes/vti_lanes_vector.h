@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "../vti_internal.h"
+#include "vti.h"
 
 #define VECTOR(N) __attribute__((vector_size(8 * (N))))
 /** The same where it lies in memory: aligned as numbers are. */

@@ -2,7 +2,7 @@
  * Steps of variable length: by their errors (EQUATIONS 8.3), by a density (8.4), and what puts bodies back. */
 #include <float.h>
 
-#include "../vti_internal.h"
+#include "../vti_ready.h"
 
 /* ---- steps that keep an error ------------------------------------------------------------------------------------ */
 

@@ -3,7 +3,8 @@
  * Estimates of a step's error (EQUATIONS 8.2), from the forces F_j of its kicks and weights w_kj (vti_coefficients.h):
  *
  *     e_k = h sum_j w_kj F_j/m,  h sum_j w_kj RM_j/J,  and of a body (sum_k |e_k|^2)^(1/2) */
-#include "../vti_internal.h"
+#include "../vti_moments.h"
+#include "../vti_ready.h"
 
 static int check(const vti_stepper *method, const vti_bodies *b, const vti_errors *errors)
 {

@@ -14,6 +14,7 @@
 
 #include "vti_adams_kernels.h"
 #include "../vti_move.h"
+#include "../vti_ready.h"
 
 /* With the u of an4 the amplitude of x'' = -w^2 x falls by (h w)^8/48 of itself a step, and grows at no step below
  * 1.2249. an7 has the c of the widest reach, an9 c and u of a small error at a wide one. Of K = 10 an10-fine (c = 4/5)
