@@ -152,7 +152,7 @@ def claims():
     check(f"measures our steppers and {len(rivals)} **rivals**" in said["README.md"], f"README: there are {len(rivals)} rivals in docs/accuracy.md")
     peers = (project / "docs/peers.md").read_text(encoding="utf-8")
     steps = {code: (least, most) for code, least, most in re.findall(r"(\w+) takes ([\d.]+) to ([\d.]+) times(?:,| as many)", peers)}
-    ways = ", ".join(f"{code} {'takes ' if code == 'LAMMPS' else ''}{' to '.join(steps[code])}" for code in ("LAMMPS", "LIGGGHTS", "YADE"))
+    ways = ", ".join(f"{code} {'takes ' if code == 'LAMMPS' else ''}{' to '.join(steps.get(code, ['none']))}" for code in ("LAMMPS", "LIGGGHTS", "YADE"))
     gran = [float(cell.split()[0]) for row in re.findall(r"^\| LIGGGHTS: touching pair, (.*) \|$", (project / "docs/performance.md").read_text(
         encoding="utf-8"), re.MULTILINE) for cell in row.split(" | ")[4:]]
     heap = min(re.findall(r"^\| heap .* (\d\.\d\d) \(", peers, re.MULTILINE))

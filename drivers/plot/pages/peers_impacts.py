@@ -129,8 +129,9 @@ def impacts_part(page, folder, image):
         "LAMMPS takes loads that depend on velocities at half steps and returns a spring that slides along "
         "its new direction: its result is of first order, however smooth the impact. The "
         "`synchronized_verlet` of its newer versions, which carries springs by the normal of the half step, "
-        "and which walls do not take, leaves that as it is. LIGGGHTS and YADE have springs and half steps of the same kind. At 45 degrees the pair slips and sticks by turns, and moments of that "
+        "and which walls do not take, leaves that as it is. At 45 degrees the pair slips and sticks by turns, and moments of that "
         "scatter the errors of all."
+        + "".join(f" {code}'s result is of that kind, too." for code in OTHERS if of(rows, who=code))
     )
     page.text(
         "The limits differ because the laws do: LAMMPS lets friction hold mu times the whole normal force, "
