@@ -135,12 +135,15 @@ VTI_INLINE void kick_and_move_some(enum order order, struct kicks k, double t, s
     store(order, x, i, place);
 }
 
-/** The same of all bodies. */
+/** The same of all bodies. Kicks alone, which end a step, go from the last body to the first: the cache still holds the
+ *  forces of the last ones, and then what the next step begins with. */
 VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
                               int64_t begin, int64_t end)
 {
-    for (int64_t i = begin; i + WIDTH <= end; i += WIDTH)
-        kick_and_move_some(order, k, t, a, moves, x, i);
+    for (int64_t i = begin; moves && i + WIDTH <= end; i += WIDTH)
+        kick_and_move_some(order, k, t, a, 1, x, i);
+    for (int64_t i = begin + (end - begin) / WIDTH * WIDTH; !moves && i > begin; i -= WIDTH)
+        kick_and_move_some(order, k, t, a, 0, x, i - WIDTH);
 }
 
 /** The same, body by body: of vectors whose components lie side by side, at any strides. */

@@ -175,17 +175,26 @@ struct parts {
     int translates, rotates, general; /* general: of three moments */
 };
 
+static void move_block(struct parts parts, const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
+{
+    if (parts.translates && move->drifts)
+        translate_all(move, b, begin, end);
+    if (parts.rotates)
+        rotate_all(move, b, begin, end);
+    else if (parts.general)
+        rotate_generally(move, b, begin, end);
+    if (parts.translates && !move->drifts)
+        translate_all(move, b, begin, end);
+}
+
+/** Kicks alone from the last block to the first, as kick_and_move has it. */
 static void move_blocks(struct parts parts, const struct vti_move *move, const vti_bodies *b, int64_t first,
                         int64_t last)
 {
-    for (int64_t begin = first; begin < last; begin += BLOCK) {
-        const int64_t end = last - begin < BLOCK ? last : begin + BLOCK;
-        if (parts.translates)
-            translate_all(move, b, begin, end);
-        if (parts.rotates)
-            rotate_all(move, b, begin, end);
-        else if (parts.general)
-            rotate_generally(move, b, begin, end);
+    const int64_t blocks = (last - first + BLOCK - 1) / BLOCK;
+    for (int64_t k = 0; k < blocks; ++k) {
+        const int64_t begin = first + BLOCK * (move->drifts ? k : blocks - 1 - k);
+        move_block(parts, move, b, begin, last - begin < BLOCK ? last : begin + BLOCK);
     }
 }
 

@@ -68,7 +68,16 @@ VTI_INLINE void prefetch_kicks(struct ahead ahead, enum order order, struct kick
         prefetch(ahead, k.m + i, STRIP);
 }
 
-/** All but attitudes of a strip ahead of the one that begins with i. Returns its first body, or -1 if nothing is to be
+/** All but attitudes of the strip that begins with i. */
+VTI_INLINE void prefetch_strip(enum order order, struct translation x, struct kicks k, struct stream omega, int64_t i)
+{
+    prefetch_kicks(x.ahead, order, x.k, x.v, i);
+    if (x.moves)
+        prefetch_vectors(x.ahead, order, x.x, i);
+    prefetch_kicks(x.ahead, order, k, omega, i);
+}
+
+/** Of the strip so far ahead of the one that begins with i. Returns its first body, or -1 if nothing is to be
  *  prefetched. */
 VTI_INLINE int64_t prefetch_ahead(enum order order, struct translation x, struct kicks k, struct stream omega,
                                   int64_t i, int64_t end)
@@ -76,10 +85,7 @@ VTI_INLINE int64_t prefetch_ahead(enum order order, struct translation x, struct
     const int64_t next = i + x.ahead.bodies;
     if (order == MIXED || next == i || next + STRIP > end)
         return -1;
-    prefetch_kicks(x.ahead, order, x.k, x.v, next);
-    if (x.moves)
-        prefetch_vectors(x.ahead, order, x.x, next);
-    prefetch_kicks(x.ahead, order, k, omega, next);
+    prefetch_strip(order, x, k, omega, next);
     return next;
 }
 

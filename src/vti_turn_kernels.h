@@ -229,15 +229,17 @@ static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t 
 
 /* ---- translation and turn in one loop ---------------------------------------------------------------------------- */
 
-/** Both kicks where nothing turns. */
+/** Both kicks where nothing turns, from the last body to the first. */
 VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
                           int64_t end)
 {
-    for (int64_t i = begin; i < end;) {
-        (void)prefetch_ahead(order, x, k, w, i, end);
-        for (const int64_t to = end - i < STRIP ? end : i + STRIP; i < to; i += WIDTH) {
-            kick_and_move_some(order, x.k, x.t, x.v, x.moves, x.x, i);
-            kick_and_move_some(order, k, 0.0, w, 0, w, i);
+    for (int64_t i = end; i > begin;) {
+        const int64_t from = i - begin < STRIP ? begin : i - STRIP, next = from - x.ahead.bodies;
+        if (next < from && next >= begin)
+            prefetch_strip(order, x, k, w, next);
+        for (; i > from; i -= WIDTH) {
+            kick_and_move_some(order, k, 0.0, w, 0, w, i - WIDTH);
+            kick_and_move_some(order, x.k, x.t, x.v, 0, x.x, i - WIDTH);
         }
     }
 }

@@ -33,6 +33,7 @@ struct CMUnitTest {
 #define assert_non_null(x) assert_true((x) != NULL)
 #define assert_ptr_equal(a, b) assert_true((a) == (b))
 #define assert_int_equal(a, b) bare_must((long long)(a) == (long long)(b), #a " == " #b, __FILE__, __LINE__)
+#define assert_int_not_equal(a, b) bare_must((long long)(a) != (long long)(b), #a " != " #b, __FILE__, __LINE__)
 #define assert_in_range(a, least, most) assert_true((a) >= (least) && (a) <= (most))
 #define assert_string_equal(a, b) assert_true(strcmp(a, b) == 0)
 #define assert_string_not_equal(a, b) assert_true(strcmp(a, b) != 0)
