@@ -64,8 +64,9 @@ def opening(page, benches, machine):
 def steps_part(page, benches, sizes):
     page.heading("A body's step")
     page.text("Nanoseconds per body and step without effects (kick, drift, kick; masses and inertias per body). In brackets: over a "
-              "loop that reads and writes the same bytes, packed, and hardly computes. That is what memory allows: no step can be "
-              "much faster than 1. `vti2 next` is vti_step_next, the end of one step and the begin of the next in one pass.")
+              "loop that reads and writes the same bytes, packed, and hardly computes. That is what memory allows in one direction: no "
+              "step can be much faster than 1, but where bodies do not fit into the caches, as the last kick goes from the last "
+              "body to the first. `vti2 next` is vti_step_next, the end of one step and the begin of the next in one pass.")
     for n in sizes:
         rows = [[f"`{what}`", LAYOUTS[layout], *(beside_loop(one, what, layout, n) for one in benches)]
                 for what in STEPS for layout in LAYOUTS]
