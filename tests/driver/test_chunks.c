@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "model_support.h"
 
+#include "contacts/contact.h"
 #include "friction.h"
 #include "threads.h"
 
@@ -57,13 +58,31 @@ TEST(rounds)
     chunks_destroy(&c);
 }
 
-/** Every pair of the list is in one group, that of its bodies' chunks, in the order of the list. */
+/** As if every seventh pair's bond had broken where it is: it touches at that distance. The bodies of one more pair have been
+ *  apart since, by which the list is taken again. */
+static void part(struct model *model)
+{
+    struct message message;
+    struct contact_self *contact = model->instances[CONTACT].self;
+    const vti_contacts *list = &contact->contacts;
+    contact->parts = 1;
+    for (int64_t k = 0; k < list->count; k += 7)
+        assert_int_equal(
+            partings_add(&contact->partings, list->pair[2 * k], list->pair[2 * k + 1], 0.985, &list->diameter), 0);
+    assert_int_equal(partings_add(&contact->partings, 0, N - 1, 0.5, &list->diameter), 0);
+    assert_int_equal(contact_release(&model->instances[CONTACT], &model->bodies, 0, NULL, &message), 0);
+    assert_non_null(list->length.p);
+}
+
+/** Every pair of the list is in one group, that of its bodies' chunks, in the order of the list, with its length. */
 TEST(groups)
 {
     struct scene scene;
     struct model model;
     make_scene("0", FRICTION_OF, &scene, &model);
+    part(&model);
     const struct chunks *c = chunks_of_model(&model);
+    const vti_contacts *list = model.effects[CONTACT].self;
     int64_t pairs = 0, begun = 0;
     assert_true(c->count > 3 && c->groups == c->count * (c->count + 1) / 2);
     for (int64_t k = 0; k < c->count; ++k)
@@ -74,15 +93,19 @@ TEST(groups)
     for (int64_t g = 0; g < c->groups; ++g) {
         const struct chunk_group *group = &c->group[g];
         const int64_t *const pair = group->contacts.pair;
+        int64_t at = 0;
         pairs += group->contacts.count;
         for (int64_t k = 0; k < group->contacts.count; ++k) {
+            while (list->pair[2 * at] != pair[2 * k] || list->pair[2 * at + 1] != pair[2 * k + 1])
+                assert_true(++at < list->count);
+            assert_same_bits(&group->contacts.length.p[k], &list->length.p[at], 1);
             assert_int_equal(chunks_of(c, pair[2 * k]), group->low);
             assert_int_equal(chunks_of(c, pair[2 * k + 1]), group->high);
             assert_true(k == 0 || pair[2 * k] > pair[2 * k - 2] ||
                         (pair[2 * k] == pair[2 * k - 2] && pair[2 * k + 1] > pair[2 * k - 1]));
         }
     }
-    assert_true(pairs == ((const vti_contacts *)model.effects[CONTACT].self)->count && pairs == begun && pairs > 2 * N);
+    assert_true(pairs == list->count && pairs == begun && pairs > 2 * N);
     model_destroy(&model);
 }
 
@@ -118,6 +141,24 @@ static const double *loads_of(const vti_effect *effect, const vti_bodies *b)
     return b->force.c[0];
 }
 
+/** What slices of the bodies feel, each by itself, as threads do it. */
+static void assert_slices_same(const struct effect *e, const vti_bodies *b, const double *force, const double *moment)
+{
+    enum { SLICES = 3 };
+    for (int64_t k = 0; k < SLICES; ++k) {
+        const int64_t first = threads_begin(N, k, SLICES), count = threads_begin(N, k + 1, SLICES) - first;
+        vti_bodies slice = vti_bodies_slice(*b, first, count);
+        struct effect_part part;
+        memset(&part, 0, sizeof part);
+        assert_int_equal(vti_bodies_seal(&slice), VTI_OK);
+        assert_int_equal(friction_take_part(e, &slice, &part), 0);
+        assert_int_equal(vti_apply(&part.made, 1, &slice), VTI_OK);
+        assert_same_bits(force + 3 * first, b->force.c[0] + 3 * first, 3 * count);
+        assert_same_bits(moment + 3 * first, b->moment.c[0] + 3 * first, 3 * count);
+        free(part.memory);
+    }
+}
+
 static void assert_same_loads(struct model *model, const vti_effect *whole)
 {
     const vti_bodies *b = &model->bodies;
@@ -127,6 +168,7 @@ static void assert_same_loads(struct model *model, const vti_effect *whole)
     memcpy(moment, b->moment.c[0], sizeof moment);
     assert_same_bits(force, loads_of(parts, b), 3 * N);
     assert_same_bits(moment, b->moment.c[0], 3 * N);
+    assert_slices_same(&model->instances[FRICTION], b, force, moment);
     double energies[2][VTI_FRICTION_BOOKS];
     whole->energy(whole->self, b, energies[0]);
     parts->energy(parts->self, b, energies[1]);
@@ -136,7 +178,8 @@ static void assert_same_loads(struct model *model, const vti_effect *whole)
     }
 }
 
-/** Over drifts in which touches begin, slide and end, by all bodies and by slices, and with what a checkpoint keeps. */
+/** Over drifts in which touches begin, slide and end, some of them of bonds that have broken, by all bodies and by slices, and
+ *  with what a checkpoint keeps. */
 TEST(friction_as_in_one_piece)
 {
     struct scene scene;
@@ -144,6 +187,7 @@ TEST(friction_as_in_one_piece)
     struct whole w;
     make_scene("1", FRICTION_OF, &scene, &model);
     make_whole(&model, &w);
+    part(&model);
     const vti_effect whole = vti_friction_effect(&w.friction), *parts = &model.effects[FRICTION];
     const struct friction_self *self = model.instances[FRICTION].self;
     const vti_drifted drifted = {.t = 1.0 / 64, .law = VTI_LAW_EXACT9};

@@ -24,9 +24,9 @@ h: 2^-8
 t_end: 1
 """
 
-# A block of bonded spheres breaks on a wall: lists change, and what has broken comes into contact.
+# A block of bonded spheres that overlap breaks on a wall: lists change, and what has broken touches at the distance that it has then.
 BREAKING = """name: breaking
-bodies: {lattice: {counts: [4, 4, 6], spacing: 0.99, corner: [1, 0, 0]}, mass: 1, diameter: 1, v: [-4, 0, 0],
+bodies: {lattice: {counts: [4, 4, 6], spacing: 0.9, corner: [1, 0, 0]}, mass: 1, diameter: 1, v: [-4, 0, 0],
          random: {seed: 3, v: 0.5, omega: 1.5}}
 binder: {moment: 2, axial: 200, shear: {stiffness: 100}, break: {stretch: 0.1, normal: 40, shear: 30, bending: 4}}
 contact: {stiffness: 2000}
@@ -87,10 +87,12 @@ h: 2^-8
 t_end: 1
 """
 
-# So many bodies that dashpots and friction go by chunks: a block that slides, settles and is pushed about by a plane that turns.
+# So many bodies that dashpots and friction go by chunks: a block that slides, settles and is pushed about by a plane that turns. It
+# breaks where it overlaps, as above.
 CHUNKS = """name: chunks
 bodies: {lattice: {counts: [13, 8, 10], spacing: 0.99, corner: [0, 0, 0.49]}, diameter: 1, mass: 1, v: [0.5, 0, 0],
          random: {seed: 3, v: 1, omega: 1}}
+binder: {moment: 1, axial: 100, shear: {stiffness: 50}, break: {shear: 0.5}}
 contact: {stiffness: 2000}
 wall: {stiffness: 2000, planes: [[0, 0, 1, 0]], spins: [1]}
 gravity: [0, 0, -9.81]
