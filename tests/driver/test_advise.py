@@ -531,6 +531,8 @@ def refusals():
     for name in ("srkn11-tol", "srkn6-tol"):
         refuses("steps that it chooses itself", "--steppers", f"vti2,{name}", pendulum, says=f"--steppers: {name} chooses its steps itself")
     refuses("a stepper, which is chosen", "--set", "stepper=vti2", pendulum, says="--set stepper=vti2: does nothing here; steppers are chosen; --steppers names")
+    refuses("varied steps", "--set", "control=integrating", pendulum, says="pendulum: control: advice is on steps of one length")
+    refuses("a tolerance", "--set", "tolerance=1e-9", pendulum, says="pendulum: tolerance: advice is on steps of one length")
     refuses("missing measure", "--measure", "position", pendulum, says="pendulum has no position; take attitude")
 
 

@@ -220,6 +220,7 @@ def refused(base):
         ("one scene twice", [PENDULUM, PENDULUM], ["pendulum", "twice", "@10,100"]),
         ("bad end of a scene", [PENDULUM + "@10,x"], ["pendulum.yaml@10,x", "'x'"]),
         ("h that does not divide", [PENDULUM, "--h", "0.3"], ["--h", "0.3", "does not divide"]),
+        ("varied steps", [PENDULUM, "--set", "control=integrating"], ["pendulum: control: ", "leave it out"]),
         ("bad --repeats", [PENDULUM, "--repeats", "1.5"], ["--repeats", "'1.5'"]),
         ("bad --evals", [PENDULUM, "--evals", "0"], ["--evals", "'0'"]),
     ]

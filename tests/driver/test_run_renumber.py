@@ -136,8 +136,11 @@ def same_numbers():
 
 
 def refusals():
+    with open("few.csv", "w", encoding="ascii") as file:
+        file.write("x,y,z\n0,0,0\n")
     for text, word in ((SCENE.replace("table: bodies.csv", "lattice: {counts: [3, 3, 3], spacing: 1}, mass: 1, diameter: 1").
                         replace("table: bonds.csv, ", "axial: 3, "), "table"),
+                       ("bodies: {table: few.csv, clumps: {spheres: [[0, 0, 0, 1]]}, mass: 1}\nh: 1\nt_end: 1\n", "clumps"),
                        (SCENE.replace("moment: 2,", "moment: 2, break: {stretch: 0.1},"), "break")):
         write_scene(text)
         check(one_line(go("refused", "--renumber"), word, "leave --renumber out"), f"refused: {word}")

@@ -109,6 +109,8 @@ def refused(base):
     cases = [
         ("unknown key", lambda: [variant("inertia:", "inertai:")], ["variant.yaml:", "inertai", "inertia"]),
         ("negative h", lambda: [scene, "--h", "-0.1"], ["--h", "'-0.1'"]),
+        ("half a ladder", lambda: [scene, "--h", "0.1:x"], ["--h", "'0.1:x' is not a ladder"]),
+        ("an end that is no number", lambda: [scene, "--t-end", "-1"], ["--t-end", "'-1' is not a positive number"]),
         ("not a ladder", lambda: [scene, "--h", "0.1:0.03"], ["--h", "factors of two"]),
         ("one step twice", lambda: [scene, "--h", "1/64,2^-6"], ["--h", "twice"]),
         ("step beyond the end", lambda: [scene, "--h", "100"], ["--h", "100", "t_end"]),

@@ -77,6 +77,7 @@ static const struct {
     {&table_bodies, "x,y,z,vx\n0,0,0,0\n", "b.csv:1: no column vy; give vx, vy and vz or none of them"},
     {&table_bodies, "vx,vy,vz\n0,0,0\n", "b.csv:1: no columns x, y, z; bodies with vx, vy, vz need them"},
     {&binder_table, "i,axial\n0,1\n", "b.csv:1: no column j; bonds need i and j"},
+    {&binder_table, "j,axial\n1,1\n", "b.csv:1: no column i; bonds need i and j"},
     {&table_bodies, "x,y,z\n0,0,0\n0,0,0,0\n",
      "b.csv:3: 4 values in a row of 3 columns; give one for each name in line 1"},
     {&table_bodies, "x,y,z\n0;0;0\n", "b.csv:2: 1 value in a row of 3 columns; give one for each name in line 1"},
@@ -233,6 +234,13 @@ static const struct {
      "", "",
      "t: bodies.clumps: spheres of the mass 1e-300 in all give a moment of inertia of 3.5e-319, which is too small to "
      "divide by; choose units in which it is larger"},
+    /* what a table leaves out */
+    {"bodies: {table: b.csv, inertia: 1}\ndrag: {linear: 1}\n", "omega_x,omega_y,omega_z\n0,0,1\n", "",
+     "t: drag acts on bodies that translate; give columns x, y, z"},
+    {BODIES "drag: {angular: 1}\n", "x,y,z\n0,0,0\n", "",
+     "t: drag.angular acts on bodies that turn; give columns omega_x, omega_y, omega_z"},
+    {BODIES "drag: {density: 1}\n", "x,y,z\n0,0,0\n", "",
+     "t: drag.density acts by diameters; give a column diameter, or bodies.diameter"},
     {"bodies: {table: b.h5}\n", "", "", "b.h5: HDF5 tables are not read here; give a CSV file"},
     /* without a table too: so close that they fall on one number */
     {"bodies: {mass: 1, chain: {count: 2, spacing: 1e-9, start: [1e9, 0, 0]}}\nbinder: {axial: 1}\n", "", "",
@@ -383,6 +391,33 @@ TEST(limits_name_the_bond)
     model_destroy(&model);
 }
 
+/** In the words of each effect; where j, or the wall, is -1, of clumps, whose spheres' forces turn them. */
+TEST(limits_in_words)
+{
+    static const struct {
+        vti_stable stable;
+        const char *words;
+    } limit[] = {{{.effect = -1}, "nothing oscillates"},
+                 {{.effect = 0, .element = 0, .i = 2, .j = -1}, "pull of bonds on body 2"},
+                 {{.effect = 1, .element = 0, .i = 1, .j = 2}, "contact of bodies 1 and 2"},
+                 {{.effect = 1, .element = -1, .i = 1, .j = -1}, "pull of contacts on body 1"},
+                 {{.effect = 2, .element = 3, .i = 1, .j = -1}, "wall 3 at body 1"},
+                 {{.effect = 2, .element = -1, .i = 1, .j = -1}, "pull of walls on body 1"},
+                 {{.effect = 3, .element = 0, .i = 0, .j = -1}, "friction at body 0"},
+                 {{.effect = 3, .element = 0, .i = 0, .j = 2}, "friction of bodies 0 and 2"}};
+    struct scene scene;
+    struct model model;
+    char text[128];
+    make_model("bodies: {chain: {count: 3, spacing: 1}, mass: 1}\nbinder: {axial: 1}\ncontact: {stiffness: 1}\n"
+               "wall: {stiffness: 1, planes: [[0, 0, 1, -9]]}\nfriction: {sliding: 1, poisson: 0.3}\n" TIME,
+               &scene, &model);
+    for (size_t k = 0; k < sizeof limit / sizeof limit[0]; ++k) {
+        model_limit_text(&model, NULL, &limit[k].stable, text, sizeof text);
+        assert_string_equal(text, limit[k].words);
+    }
+    model_destroy(&model);
+}
+
 /** Bodies of two materials on a wall of a third: U = 2/5 k_H delta^{5/2}, k_H = (4/3) E* sqrt(R*), of a pair and at the
  *  wall, which alone serves as well. */
 TEST(materials_of_bodies)
@@ -460,4 +495,5 @@ RUN_TESTS_IN_FOLDER(cmocka_unit_test(reads), cmocka_unit_test(reads_many_rows), 
                     cmocka_unit_test(shear_of_each_bond), cmocka_unit_test(bodies_and_bonds), cmocka_unit_test(density),
                     cmocka_unit_test(rest_of_bonds), cmocka_unit_test(turns_of_bonds),
                     cmocka_unit_test(materials_of_bodies), cmocka_unit_test(limits_name_the_bond),
-                    cmocka_unit_test(what_tables_add), cmocka_unit_test(given_tables))
+                    cmocka_unit_test(limits_in_words), cmocka_unit_test(what_tables_add),
+                    cmocka_unit_test(given_tables))
