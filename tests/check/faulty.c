@@ -181,7 +181,7 @@ static void verlet_step(struct run *r, int64_t step, vti_check_forces *forces, v
 static void damp(struct run *r)
 {
     for (int64_t i = 0; i < r->n; ++i) {
-        const double drag = has(r, FAST_DRAG) ? 1e-4 * vti_dot(r->w + 3 * i, r->w + 3 * i) : 0.0;
+        const double drag = r->h * (r->fault.drag[0] + r->h * r->fault.drag[1]) * vti_dot(r->w + 3 * i, r->w + 3 * i);
         for (int64_t k = 3 * i; k < 3 * i + 3; ++k) {
             r->v[k] *= 1.0 - r->fault.lost_v;
             r->w[k] *= 1.0 - r->fault.lost_w - drag;

@@ -28,7 +28,6 @@ enum fault {
     GRAVITY = 1 << 18,           /* of 9.81 along -z on every body */
     REFUSES_HALF_TURN = 1 << 19, /* a Rodrigues vector that overflows: NaN at pi */
     NO_FORCE = 1 << 20,
-    FAST_DRAG = 1 << 21, /* spins lose 1e-4 |omega|^2 of themselves at every step: no sentence knows it */
     PREVIOUS_FORCE = 1 << 22,
     NO_ROTATION = 1 << 23,       /* attitudes and spins stay as they are */
     STALE = 1 << 24,             /* both half kicks are by the loads of the step before */
@@ -47,6 +46,7 @@ struct faulty {
     double turn, flight, step;           /* of attitudes, of positions, of everything */
     double own_step;                     /* for h */
     double lost_v, lost_w;               /* what velocities and spins lose of themselves in every step */
+    double drag[2];                      /* spins lose |omega|^2 (drag[0] h + drag[1] h^2) of themselves, too */
     int more_steps;                      /* than are asked for */
 };
 

@@ -3,6 +3,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "model_support.h"
 
+#include "step_errors.h"
+
 #define MOMENTA "momentum_x momentum_y momentum_z angular_x angular_y angular_z"
 #define CHAIN "bodies: {mass: 1, chain: {count: 4, spacing: 1}"
 #define WALL "wall: {stiffness: 10, planes: [[0, 0, 2, -6]]}\n"
@@ -328,7 +330,31 @@ TEST(flying_along_a_wall)
     }
 }
 
+/* ---- estimates of errors ----------------------------------------------------------------------------------------- */
+
+/** An estimate has jumped that is ten times both before it and no rounding of the fastest body. */
+TEST(jumps_of_estimates)
+{
+    static const double error[][2] = {{1, 0},     {1, 1e-14},  {0.01, 1e-14}, {1, 9e-13}, /* v has passed through 0 */
+                                      {5, 1e-14}, {51, 1e-14}, {1, 1e-14},    {1, 3e-12}},
+                        large[2] = {1e9, 1e9};
+    struct step_errors *errors = step_errors_create(2);
+    double v[2][3] = {{0, 0.5, 0}, {1, 0, 0}};
+    vti_bodies bodies = vti_bodies_none(2);
+    bodies.v = bodies.omega = vti_view_packed(v[0]);
+    assert_non_null(errors);
+    for (int k = 0; k < 8; ++k)
+        step_errors_take(errors, k, &bodies, error[k]);
+    assert_true(errors->found.jumps == 2.0 && errors->found.jump_t == 5.0);
+    assert_true(errors->found.most[0] == 51.0 && errors->found.most_t[0] == 5.0 && errors->found.most_t[1] == 7.0);
+    step_errors_part(errors);
+    step_errors_take(errors, 8, &bodies, large);
+    assert_true(errors->found.jumps == 2.0);
+    step_errors_destroy(errors);
+}
+
 RUN_TESTS_IN_FOLDER(cmocka_unit_test(what_energies_allow), cmocka_unit_test(what_is_there), cmocka_unit_test(terms),
                     cmocka_unit_test(planes_are_made_unit), cmocka_unit_test(contact_inside_bonds),
                     cmocka_unit_test(contacts_follow_the_bodies), cmocka_unit_test(a_body_that_is_nowhere),
-                    cmocka_unit_test(overlaps_and_stable_steps), cmocka_unit_test(flying_along_a_wall))
+                    cmocka_unit_test(overlaps_and_stable_steps), cmocka_unit_test(flying_along_a_wall),
+                    cmocka_unit_test(jumps_of_estimates))
