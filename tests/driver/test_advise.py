@@ -133,6 +133,28 @@ def words():
     check("nothing oscillates" in done.stdout and "srkn11" not in done.stdout.split("stepper")[1], "spin: only these steppers")
 
 
+def sentence():
+    """The sentence says what the first row of its table says: stepper, h, error, whence that is, and within which factor. A quicker
+    machine is told by longer pilots."""
+    row = re.compile(r"  (\S+) +(\S+) +\d+ +\d+ +\S+ (?:s |ms|us)? +(\S+) .*?(?: ([\d.e+-]+)x)? +(\(from .*\))?$")
+    for arguments in (("--t-end", "1e4", "--budget", "0.5", scene("pendulum")), ("--t-end", "1e5", "--budget", "0.2", scene("pendulum")),
+                      ("--t-end", "10", scene("pendulum")), ("--t-end", "8", "--budget", "0.001", "--error", "1e-8", scene("block"))):
+        said, table = run(advise, *arguments).stdout.split("\n\n")[:2]
+        stepper, h, error, within, whence = row.match(table.splitlines()[1]).groups()
+        between = re.search(r"it lies between (\S+) and (\S+), told from ", said)
+        told = re.search(r": (\S+) at h = (\S+) (?:reaches an error of the attitude of (\S+) (or so )?\(asked for: |is stable; nothing is known)", said)
+        good = told is not None and told[1] == stepper and math.isclose(float(told[2]), float(h), rel_tol=1e-3)
+        if whence == "(from the stable step alone)":
+            good = good and told[3] is None and error == "-" and "the budget is spent" in said
+        else:
+            good = good and told[3] == error and (whence is not None) == (told[4] is not None) == ("told from the first part" in said)
+            good = good and (whence is not None and within is None) == ("nothing is known of how far off" in said)
+            good = good and (within is None) == (between is None)
+        if between is not None:
+            good = good and float(between[1]) < float(error) and math.isclose(float(between[2]), float(error) * float(within), rel_tol=0.1)
+        check(good, f"{' '.join(arguments[:-1])}: {said} -- {table.splitlines()[1].strip()}")
+
+
 def h_max_omega():
     """Of a free spin it is known: |Omega| = 1."""
     advice = json.loads(run(advise, "--json", "--error", "1e-5", scene("spin")).stdout)
@@ -543,6 +565,7 @@ for near in ("srkn11", "srkn14"):   # either may be the faster by a tenth, and s
 what_others_need("pendulum", 10, 1e-5, "vti2")
 what_others_need("chain", 10, 1e-4, "exact")
 words()
+sentence()
 h_max_omega()
 def stable_step_of_the_stepper():
     """stable_h is that of the stepper that is advised, which the text has too, and no step is longer."""
