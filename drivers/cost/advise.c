@@ -69,8 +69,6 @@ static int choose_measure(struct stages *g, const struct model *model, struct me
     struct search *s = &g->search;
     s->trajectory = cost_main_measure(model);
     s->measure = g->request->measure >= 0 ? g->request->measure : s->trajectory;
-    if (!model->turns && !model->translates)
-        return message_set(message, "%s: nothing moves in this scene; there is no error to advise on", s->scene->name);
     if ((s->measure == COST_ATTITUDE && !model->turns) || (s->measure == COST_POSITION && !model->translates))
         return message_set(message, "--measure: %s has no %s; take %s", s->scene->name, cost_measures[s->measure],
                            cost_measures[s->trajectory]);

@@ -97,19 +97,6 @@ static int check_effects(const struct model *m, const struct tables *t, struct m
     return 0;
 }
 
-/** Only the table of an effect can turn what the scene does not. */
-static int check_turned(const struct scene *s, const struct tables *t, struct message *message)
-{
-    for (int k = 0; k < EFFECT_COUNT; ++k)
-        if (t->effect[k].rows > 0 &&
-            (kinds_draft(kinds_at(k), &s->settings, &t->effect[k]).gives & EFFECT_MOMENT) != 0) {
-            char text[128];
-            snprintf(text, sizeof text, "its %s turn bodies, which need bodies.inertia", t->effect[k].kind->rows);
-            return table_fail_whole(&t->effect[k], message, text);
-        }
-    return 0;
-}
-
 /** No material has a larger Poisson's ratio. */
 static int check_material(const struct table *bodies, struct message *message)
 {
@@ -179,8 +166,6 @@ int model_check_tables(struct model *model, const struct tables *tables, struct 
         check_moments(s, bodies, message) != 0 || check_templates(s, bodies, message) != 0 ||
         check_effects(model, tables, message) != 0)
         return -1;
-    if (s->arrangement == SCENE_IN_TABLE)
-        return check_needs(model, tables, message);
-    return model->turns && !scene_knows(s, (struct scene_known){0, 0, 0}).inertia ? check_turned(s, tables, message)
-                                                                                  : 0;
+    /* the others have all that bodies of theirs need (scene_check.c): a single one has no bonds, whose table could turn it */
+    return s->arrangement == SCENE_IN_TABLE ? check_needs(model, tables, message) : 0;
 }

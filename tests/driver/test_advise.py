@@ -139,13 +139,15 @@ def sentence():
     row = re.compile(r"  (\S+) +(\S+) +\d+ +\d+ +\S+ (?:s |ms|us)? +(\S+) .*?(?: ([\d.e+-]+)x)? +(\(from .*\))?$")
     for arguments in (("--t-end", "1e4", "--budget", "0.5", scene("pendulum")), ("--t-end", "1e5", "--budget", "0.2", scene("pendulum")),
                       ("--t-end", "10", scene("pendulum")), ("--t-end", "8", "--budget", "0.001", "--error", "1e-8", scene("block"))):
-        said, table = run(advise, *arguments).stdout.split("\n\n")[:2]
+        text = run(advise, *arguments).stdout
+        said, table = text.split("\n\n")[:2]
         stepper, h, error, within, whence = row.match(table.splitlines()[1]).groups()
         between = re.search(r"it lies between (\S+) and (\S+), told from ", said)
         told = re.search(r": (\S+) at h = (\S+) (?:reaches an error of the attitude of (\S+) (or so )?\(asked for: |is stable; nothing is known)", said)
         good = told is not None and told[1] == stepper and math.isclose(float(told[2]), float(h), rel_tol=1e-3)
         if whence == "(from the stable step alone)":
             good = good and told[3] is None and error == "-" and "the budget is spent" in said
+            good = good and 0.4 < float(re.findall("; h is ([0-9.]+) of it", text)[-1]) <= 0.46
         else:
             good = good and told[3] == error and (whence is not None) == (told[4] is not None) == ("told from the first part" in said)
             good = good and (whence is not None and within is None) == ("nothing is known of how far off" in said)

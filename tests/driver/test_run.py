@@ -3,6 +3,7 @@
 """The files of vti-run: columns as the scene has effects, the same numbers in CSV and HDF5, and a trajectory that
 independent readers of VTKHDF, XDMF and the LAMMPS dump find to be the same.      test_run.py VTI_RUN SCENES"""
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -219,6 +220,12 @@ def says(base):
     result = run(RUN, f"{SCENES}/pendulum.yaml", "-o", f"{base}/said.h5", "--no-dump")
     check("1 body that turns and does not translate" in result.stdout and "effects: pendulum; no pairs" in result.stdout
           and "stable step of vti2 at rest: 2, set by pendulum at body 0; h is 0.00781 of it" in result.stdout and "energy: " in result.stdout, "it says what it computes")
+    free = run(RUN, f"{SCENES}/spin.yaml", "-o", f"{base}/free.h5").stdout
+    check("stable step of vti2 at rest: nothing oscillates\n" in free, "... where nothing oscillates, too")
+    strong = run(RUN, f"{SCENES}/chain.yaml", "--set", "binder.axial=1", "--set", "bodies.random.v=100", "--t-end", "0.01", "-o",
+                 f"{base}/strong.h5").stdout
+    check(re.search(r"\nwith bonds strained by up to 1, as far as [a-z ]+: no step is sure, for bond \d of bodies \d and \d\n", strong),
+          "... and where no step is sure")
     check(not os.path.exists(f"{base}/said.dump") and os.path.exists(f"{base}/said.xdmf"), "--no-dump writes no dump")
 
 
