@@ -48,6 +48,7 @@ check(code == 1 and faulty == {"vti3", "quat-euler", "campello"} | short_reach a
 code, out, err = run("--inertia")
 faulty = {line.split()[0] for line in out.splitlines() if not line.startswith(" ") and "no fault" not in line}
 check(code == 1 and faulty == {"vti3", "yade-aspherical"} and out.count("slender") == 2, "all methods for bodies of three moments")
+check(all(line[25:].strip() for line in out.splitlines()), "... of which each line says something")
 check(run("--inertia", "--rival", "no-squish")[0] == 0 and "--rival    buss" in run("--inertia", "--list")[1], "... each, and by name")
 
 code, out, err = run("--list")

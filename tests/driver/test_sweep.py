@@ -292,9 +292,22 @@ def strays(base):
           f"the sweep says that the motion is chaotic {done.stderr}")
     fitted = [line.split() for line in done.stdout.splitlines() if line.startswith("vti2")][-1]
     check(fitted[1] != "-" and fitted[-3:] == ["-", "-", "-"], f"orders: {fitted}")
+    for added, words in (("", "the motion is chaotic: no method can follow it"),
+                         ("dashpot: {restitution: 0.98, ratio: 0.5}\n", "runs by steps of that kind still part: ")):
+        with open(f"{base}/stray.yaml", "a", encoding="ascii") as file:
+            file.write(added)
+        said = study(1, f"{base}/stray.yaml", "--steppers", "vti2", "--h", "1/64:1/256", folder=f"{base}/alone{len(added)}").stdout
+        check(f"\n{words}" in said, f"... and a study: {said.splitlines()[-2:]}")
 
 
-for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory, strays):
+def by_name(base):
+    """Without -o results are where one is, named after what is run."""
+    for options, folder in (((), "study-spin"), (("--sweep", "bodies.inertia=1,2"), "sweep-spin")):
+        done = run(os.path.abspath(STUDY), "--no-plot", "--h", "1/8", "--t-end", "1", *options, os.path.abspath(SPIN), cwd=base)
+        check(done.returncode == 0 and os.path.exists(f"{base}/{folder}/study.h5"), f"{folder} is made {done.stderr}")
+
+
+for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory, strays, by_name):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
