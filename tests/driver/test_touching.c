@@ -173,6 +173,11 @@ TEST(goes_on_with_the_same_bits)
     const int64_t size = model_memory_size(&model), n = 3 * model.bodies.count;
     double *memory = malloc((size_t)size * sizeof *memory);
     assert_non_null(memory);
+    const struct effect *const kept = &model.instances[0];
+    const int64_t own = kept->kind->memory->size(kept); /* without those of other effects behind them */
+    kept->kind->memory->get(kept, memory);
+    assert_int_equal(kept->kind->memory->put(&other.instances[0], memory, own - 1), -1);
+    assert_int_equal(kept->kind->memory->put(&other.instances[0], memory, own), own);
     model_memory_get(&model, memory);
     const vti_view *const from[] = {&model.bodies.x, &model.bodies.v, &model.bodies.alpha, &model.bodies.omega};
     const vti_view *const to[] = {&other.bodies.x, &other.bodies.v, &other.bodies.alpha, &other.bodies.omega};

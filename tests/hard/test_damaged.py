@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What vti-run and vti-study keep, cut anywhere, with flipped bits, and foreign: it is refused in one line and stays as it is, or
 the bytes at the end are the right ones (SQLite uses not every bit of its file).      test_damaged.py VTI_RUN VTI_STUDY SCENES"""
+import contextlib
 import os
 import random
+import sqlite3
 import sys
 import tempfile
 
@@ -14,6 +16,15 @@ RUN, STUDY, SCENES = map(os.path.abspath, sys.argv[1:4])
 FLIPS, CUTS = 60, 15
 
 
+def database():
+    """Another's."""
+    with tempfile.TemporaryDirectory() as folder:
+        with contextlib.closing(sqlite3.connect(f"{folder}/other")) as other:
+            other.execute("CREATE TABLE other (number)")
+        with open(f"{folder}/other", "rb") as file:
+            return file.read()
+
+
 def damages(whole):
     """Each a name and bytes."""
     for length in [1, 15, 99, 100, *random.sample(range(len(whole)), CUTS), len(whole) - 1]:
@@ -22,6 +33,7 @@ def damages(whole):
         at, bit = random.randrange(100 if k < FLIPS // 5 else len(whole)), random.randrange(8)
         yield f"bit {bit} of byte {at}", whole[:at] + bytes([whole[at] ^ 1 << bit]) + whole[at + 1:]
     yield "a text", b"x,y,z\n" * 1000
+    yield "a database", database()
     yield "random", random.randbytes(len(whole))
 
 
