@@ -431,11 +431,13 @@ TEST(pressed)
     v = touched(&model, &columns, 1.5 * stable);
     v.found.gain = 0.0;
     assert_int_equal(verdict_judge(&v, 0, &message).verdict, VERDICT_GOOD); /* a long step to it and from it */
-    for (int k = 70; k < 80; ++k) {
-        verdict_longest(&v, k == 75 ? 1.5 * stable : 0.1 * stable);
+    for (int k = 70; k < 90; ++k) { /* short steps in contact, and then a long one */
+        verdict_longest(&v, k == 85 ? 1.5 * stable : 0.1 * stable);
         verdict_row(&v, k, &model.bodies, row);
+        v.found.gain = 0.0;
+        if (k == 80)
+            assert_int_equal(verdict_judge(&v, 0, &message).verdict, VERDICT_GOOD);
     }
-    v.found.gain = 0.0;
     assert_int_equal(verdict_judge(&v, 0, &message).verdict, VERDICT_DOUBTFUL);
     assert_non_null(strstr(message.text, "steps are up to 1.5 of the stable step, the least "));
     verdict_destroy(&v);
