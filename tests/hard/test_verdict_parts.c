@@ -151,6 +151,12 @@ TEST(slopes)
         trend_add(&few, k, k);
     trend_slope(&few, &slope, &error);
     assert_true(isnan(slope) && isnan(error));
+    struct trend four = {0}; /* (0, 0), (1, 1), (2, 1), (3, 2): off by 0.1 twice, and by 0.3 */
+    for (int k = 0; k < 4; ++k)
+        trend_add(&four, k, (k + 1) / 2);
+    trend_slope(&four, &slope, &error);
+    assert_close(slope, 0.6, 4 * EPS);
+    assert_close(error, sqrt(0.2 / 2 / 5), 4 * EPS);
 }
 
 /* ---- bonds ------------------------------------------------------------------------------------------------------- */
