@@ -172,6 +172,8 @@ def study(base):
                  "1", "--no-plot", "-o", f"{base}/study")
     check(result.returncode == 3 and "verdict: of 3 runs 2 are good, 0 doubtful, 1 bad" in result.stdout,
           f"a study with a run that explodes ends with 3 {result.stderr}")
+    said = [line.split(": ")[:3] for line in result.stdout.splitlines() if ": verdict: " in line]
+    check([[line[0].replace(" ", ""), line[2]] for line in said] == [["vti2ath=1/8", "bad"]], f"... and says why of that alone {said}")
     with open(f"{base}/study/study.csv", encoding="ascii", newline="") as file:
         rows = list(csv.DictReader(file))
     check([row["verdict"] for row in rows] == ["bad", "good", "good"], "study.csv says which")
