@@ -330,6 +330,26 @@ TEST(flying_along_a_wall)
     }
 }
 
+/** What is smooth is seen at any distance: gaps are those of what touches. */
+TEST(longest_gap_of_what_touches)
+{
+    static const char *const bonds[] = {"", "binder: {axial: 1e9}\n", "binder: {axial: 1e9, break: {stretch: 1}}\n"};
+    double gap[3];
+    for (int k = 0; k < 3; ++k) {
+        struct scene scene;
+        struct model model;
+        struct message message;
+        char text[512];
+        snprintf(text, sizeof text,
+                 CHAIN ", diameter: 1, random: {seed: 1, v: 0.01}}\ncontact: {stiffness: 10, bonded: yes}\n%s" TIME,
+                 bonds[k]);
+        make_model(text, &scene, &model);
+        assert_int_equal(model_longest_gap(&model, &gap[k], &message), 0);
+        model_destroy(&model);
+    }
+    assert_true(gap[0] > 0.1 && gap[1] == gap[0] && gap[2] == gap[0]);
+}
+
 /* ---- estimates of errors ----------------------------------------------------------------------------------------- */
 
 /** An estimate has jumped that is ten times both before it and no rounding of the fastest body. */
@@ -357,4 +377,4 @@ RUN_TESTS_IN_FOLDER(cmocka_unit_test(what_energies_allow), cmocka_unit_test(what
                     cmocka_unit_test(planes_are_made_unit), cmocka_unit_test(contact_inside_bonds),
                     cmocka_unit_test(contacts_follow_the_bodies), cmocka_unit_test(a_body_that_is_nowhere),
                     cmocka_unit_test(overlaps_and_stable_steps), cmocka_unit_test(flying_along_a_wall),
-                    cmocka_unit_test(jumps_of_estimates))
+                    cmocka_unit_test(jumps_of_estimates), cmocka_unit_test(longest_gap_of_what_touches))
