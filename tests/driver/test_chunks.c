@@ -215,6 +215,32 @@ TEST(friction_as_in_one_piece)
     model_destroy(&model);
 }
 
+/** Springs for which one chunk, the first or another, has no room are missed by all; once. */
+TEST(springs_that_found_no_room)
+{
+    for (int64_t chunk = 0; chunk < 2; ++chunk) {
+        struct scene scene;
+        struct model model;
+        make_scene("0", FRICTION_OF, &scene, &model);
+        const struct friction_self *self = model.instances[FRICTION].self;
+        const vti_effect *e = &model.effects[FRICTION];
+        const vti_drifted drifted = {.t = 1.0 / 64, .law = VTI_LAW_EXACT9};
+        vti_history *history = &self->chunk[chunk].history;
+        const int64_t slots = history->slots;
+        assert_int_equal(model_find_pairs(&model, &model.bodies), VTI_OK);
+        assert_int_equal(e->check(e->self, &model.bodies), VTI_OK);
+        history->slots = 2;
+        e->carry(e->self, &model.bodies, &drifted);
+        history->slots = slots;
+        const int64_t missed = self->friction.history->missed;
+        assert_true(missed > 0 && (chunk == 0 || history->missed == 0));
+        assert_int_equal(e->check(e->self, &model.bodies), VTI_E_HISTORY);
+        e->carry(e->self, &model.bodies, &drifted);
+        assert_int_equal(self->friction.history->missed, missed);
+        model_destroy(&model);
+    }
+}
+
 /* ---- dashpots ---------------------------------------------------------------------------------------------------- */
 
 enum { VELOCITIES = 6 * N };
@@ -281,4 +307,5 @@ static int use_threads(void **state)
 }
 
 RUN_TESTS(cmocka_unit_test_setup(rounds, use_threads), cmocka_unit_test(groups),
-          cmocka_unit_test(friction_as_in_one_piece), cmocka_unit_test(dashpots_back_and_forth))
+          cmocka_unit_test(friction_as_in_one_piece), cmocka_unit_test(springs_that_found_no_room),
+          cmocka_unit_test(dashpots_back_and_forth))
