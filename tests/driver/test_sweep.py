@@ -303,8 +303,9 @@ def strays(base):
 def by_name(base):
     """Without -o results are where one is, named after what is run."""
     for options, folder in (((), "study-spin"), (("--sweep", "bodies.inertia=1,2"), "sweep-spin")):
-        done = run(os.path.abspath(STUDY), "--no-plot", "--h", "1/8", "--t-end", "1", *options, os.path.abspath(SPIN), cwd=base)
+        done = run(os.path.abspath(STUDY), "--no-plot", "--h", "0.3,2^-2", "--t-end", "1.5", *options, os.path.abspath(SPIN), cwd=base)
         check(done.returncode == 0 and os.path.exists(f"{base}/{folder}/study.h5"), f"{folder} is made {done.stderr}")
+        check(options or re.findall(r"^vti1 +(\S+) ", done.stdout, re.MULTILINE)[:2] == ["0.3", "1/4"], "... with h as one would write it")
 
 
 for topic in (points, scenes, failures, pictures, tolerances, refused, interrupted, edited, memory, strays, by_name):
