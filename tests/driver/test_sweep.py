@@ -305,6 +305,8 @@ def by_name(base):
     for options, folder in (((), "study-spin"), (("--sweep", "bodies.inertia=1,2"), "sweep-spin")):
         done = run(os.path.abspath(STUDY), "--no-plot", "--h", "0.3,2^-2", "--t-end", "1.5", *options, os.path.abspath(SPIN), cwd=base)
         check(done.returncode == 0 and os.path.exists(f"{base}/{folder}/study.h5"), f"{folder} is made {done.stderr}")
+        runs = 12 if options else 6
+        check(f"\nverdict: of {runs} runs {runs} are good, 0 doubtful, 0 bad\n" in done.stdout, f"... {runs} runs, all of them good")
         check(options or re.findall(r"^vti1 +(\S+) ", done.stdout, re.MULTILINE)[:2] == ["0.3", "1/4"], "... with h as one would write it")
 
 
