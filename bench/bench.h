@@ -38,6 +38,9 @@ extern double bench_sums[];
 /** Uniform in [-1, 1). */
 double bench_random(uint64_t *seed);
 
+/** Memory for so many numbers that begins with a line of the cache, as LAMMPS takes its own; NULL where there is none. */
+double *bench_numbers(int64_t count);
+
 /** Adds steps of these bodies and loops that move the same bytes. Returns how many cases there are then. */
 int bench_bodies_cases(struct bench_bodies *b, struct bench_case *cases, int count);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Bodies in the layouts that hosts have, their steps, and loops that move the same bytes and hardly compute. */
+#define _POSIX_C_SOURCE 200809L
 #include <stdlib.h>
 
 #include "bench.h"
@@ -8,6 +9,13 @@
 static const double h = 1e-3;
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+double *bench_numbers(int64_t count)
+{
+    enum { LINE = 64 };
+    void *memory = NULL;
+    return posix_memalign(&memory, LINE, sizeof(double) * (size_t)count) == 0 ? memory : NULL;
+}
 
 /** Where the quantities of a body begin among its numbers, in structs; v and the other vectors follow in this order. */
 enum { X, V, FORCE, OMEGA, MOMENT, ALPHA, QUAT = 18, MASS = 22, INERTIA, STRUCT };
@@ -91,7 +99,7 @@ int bench_bodies_make(struct bench_bodies *b, enum bench_layout layout, int64_t 
 {
     b->layout = layout;
     b->n = n;
-    b->memory = malloc(sizeof(double) * STRUCT * (size_t)n);
+    b->memory = bench_numbers(STRUCT * n);
     if (b->memory == NULL)
         return -1;
     set_views(b);

@@ -68,7 +68,7 @@ int bench_tops_make(struct bench_tops *b, int64_t n)
 {
     uint64_t seed = 2;
     b->n = n;
-    b->memory = malloc(sizeof(double) * ALL * (size_t)n);
+    b->memory = bench_numbers(ALL * n);
     if (b->memory == NULL)
         return -1;
     double *const m = b->memory;

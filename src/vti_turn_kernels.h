@@ -46,18 +46,18 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
         vti_move_turn(move, b, i + l);
 }
 
-/** a <- a (+) dalpha(u) where the incremental form is allowed, which the mask says: s^2 = u.u < 8, |a| < 2^29 and 2|d| < c;
+/** a <- a (+) dalpha(u). Returns whether the incremental form is allowed, of all lanes: s^2 = u.u < 8, |a| < 2^29 and 2|d| < c;
  *  where |c| <= 2, as rounding keeps order, one sum that is less than c^2 tells. */
-VTI_INLINE lanes_mask turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
+VTI_INLINE int turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
 {
     lanes add[3], cf[2];
     law_of(law, s2, cf);
     const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     for (int n = 0; n < 3; ++n)
         a[n] += add[n];
-    const lanes_mask near = 4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa) < cf[0] * cf[0];
+    const int near = lanes_all_less(4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa), cf[0] * cf[0]);
     /* c of the exact laws, which are polynomials, leaves [-2, 2] beyond s^2 = 29 and 180 */
-    return law == VTI_LAW_EXACT || law == VTI_LAW_EXACT9 ? near & (s2 < 8.0) : near;
+    return law == VTI_LAW_EXACT || law == VTI_LAW_EXACT9 ? near && lanes_all_less(s2, lanes_of(8.0)) : near;
 }
 
 /** r = normalise((u, c) q), or q (u, c) in the body's frame, where s^2 = u.u < 8. */
@@ -93,7 +93,7 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
             else
                 for (int n = 0; n < 3; ++n)
                     a[n] = there[n];
-            if (!lanes_all(turn_alphas(law, side, s2, u, a))) {
+            if (!turn_alphas(law, side, s2, u, a)) {
                 turn_one_by_one(move, b, i);
                 continue;
             }
@@ -130,7 +130,7 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
             else
                 for (int n = 0; n < 4; ++n)
                     q[n] = lanes_load(quat.xyzw[n] + i);
-            if (!lanes_all(s2 < 8.0)) {
+            if (!lanes_all_less(s2, lanes_of(8.0))) {
                 turn_one_by_one(move, b, i);
                 continue;
             }

@@ -6,12 +6,10 @@ import math
 import os
 import resource
 import statistics
-import subprocess
-import sys
 
 import numpy
 
-from lammps import SCENES, frames, thermo, vti, vti_columns, vti_command, vti_frames, write_data
+from lammps import SCENES, finished, frames, thermo, vti, vti_columns, vti_command, vti_frames, write_data
 
 
 def hertz(stiffness, diameter, poisson, pairs):
@@ -105,8 +103,6 @@ class Case:
 
 def processor_seconds(command, environment):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    if done.returncode not in (0, 3):
-        sys.exit(f"peers: {' '.join(command)}: {done.stdout[-1000:]}{done.stderr[-1000:]}")
+    finished(command, (0, 3), env=environment)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime

@@ -9,10 +9,10 @@ import os
 import re
 import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
 
+from lammps import finished
 from speed import ALONE, ours, write
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -24,13 +24,6 @@ def of_turns(turns):
     """The median of what was taken in turns (share of a core in percent, ns) that count, or None."""
     quiet = [ns for share, ns in turns if share >= ALONE]
     return statistics.median(quiet) if quiet else None
-
-
-def finished(command, **more):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, **more)
-    if done.returncode != 0:
-        sys.exit(f"codes: {' '.join(command)} ended with {done.returncode}: {(done.stderr + done.stdout).strip()[-500:]}")
-    return done.stdout
 
 
 def clocked(command, **more):
@@ -75,7 +68,7 @@ def theirs_liggghts(wide):
 
 def theirs_yade(wide):
     said = finished(["yade", "-n", "-x", "-j1", os.path.join(HERE, "yade_step.py")],
-                    env={**os.environ, "WIDE": str(wide), "STEPS": str(STEPS["yade"][wide])}, stdin=subprocess.DEVNULL)
+                    env={**os.environ, "WIDE": str(wide), "STEPS": str(STEPS["yade"][wide])})
     rounds = [tuple(map(float, line.split()[1:])) for line in re.findall(r"^round .*$", said, re.MULTILINE)]
     wanted = 3 * wide**2 * (wide - 1)
     if len(rounds) != 5 or any(bonds != wanted for _, bonds, _, _ in rounds):

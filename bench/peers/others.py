@@ -6,19 +6,11 @@ import json
 import math
 import os
 import shutil
-import subprocess
 import sys
 
 import numpy
 
-from lammps import HERE, frames, write_data
-
-
-def finished(words, **more):
-    done = subprocess.run(words, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL, **more)
-    if done.returncode != 0:
-        sys.exit(f"peers: {' '.join(words)} does not come to its end: {(done.stdout + done.stderr).strip()[-1500:]}")
-    return done.stdout
+from lammps import HERE, finished, frames, write_data
 
 
 class Liggghts:

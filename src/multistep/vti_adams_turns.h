@@ -27,7 +27,7 @@ VTI_INLINE int adams_turn_alphas(lanes s2, const lanes u[3], const vti_view *alp
     else
         for (int k = 0; k < 3; ++k)
             a[k] = lanes_gather(alpha->c[k] + i * alpha->stride, at);
-    if (!lanes_all(turn_alphas(VTI_LAW_EXACT9, 1.0, s2, u, a)))
+    if (!turn_alphas(VTI_LAW_EXACT9, 1.0, s2, u, a))
         return 0;
     if (adjacent)
         lanes_untriple(alpha->c[0] + i * alpha->stride, at, a);
