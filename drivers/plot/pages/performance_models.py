@@ -55,7 +55,8 @@ def roofline_part(page, folder, bench, sizes, image):
               f"difference, product, quotient or root is one operation. {bench.units} makes the same operations with fewer instructions. "
               f"One core makes at most {short(peak)} GFlop/s: sums and products in registers, half of each, none of which waits for another. In "
               "brackets: over what is possible, the less of that and of the operations per byte times the bandwidth of the loop of the same "
-              "bytes at this n. Quotients and roots, which each of these has, take a processor four to twenty times as long "
+              "bytes at this n, which goes in one direction; a step, whose last kick comes back, may be above it where caches hold a part "
+              "of the bodies. Quotients and roots, which each of these has, take a processor four to twenty times as long "
               "as a sum.")
     page.table(["", "instructions", "operations", "operations per byte", *(f"GFlop/s, n = {size_text(n)}" for n in sizes)],
                [[NAMES[what], short(float(row["instructions"])), short(float(row["flops"])),
