@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Moves of bodies for processors with AVX-512 (F, DQ, VL). */
 #define MOVE_KERNELS vti_move_avx512
-#include "vti_move_kernels.h"
+#include "move/vti_move_kernels.h"

@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Moves of bodies for any processor. */
 #define MOVE_KERNELS vti_move_baseline
-#include "vti_move_kernels.h"
+#include "move/vti_move_kernels.h"

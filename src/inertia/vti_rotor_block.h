@@ -6,7 +6,7 @@
 #define VTI_ROTOR_BLOCK_H
 
 #include "vti_rotor.h"
-#include "../vti_turn_kernels.h"
+#include "../move/vti_turn_kernels.h"
 
 /* ---- vectors of any layout --------------------------------------------------------------------------------------- */
 

@@ -6,7 +6,7 @@
 #ifndef VTI_ADAMS_TURNS_H
 #define VTI_ADAMS_TURNS_H
 
-#include "../vti_turn_kernels.h"
+#include "../move/vti_turn_kernels.h"
 
 /** Where the numbers of the bodies of the lanes begin, of n bodies. */
 VTI_INLINE void adams_places(int64_t n, int64_t stride, int64_t at[WIDTH])

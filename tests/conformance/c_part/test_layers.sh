@@ -66,10 +66,11 @@ $strangers"
     from "$(own_headers include/*.h)" include
     # one room sees what is below it; kernels of a vector unit are compiled as one, so that moves see turns and multistep methods,
     # and dashpots friction, which is carried by the kernels of the same table
-    from "$(own_headers src/*.[ch] | nameless)" include src src/lanes src/inertia src/multistep
+    from "$(own_headers src/*.[ch] | nameless)" include src src/lanes src/inertia src/move src/multistep
     from "$(own_headers src/lanes/*.h | nameless)" include src src/lanes
-    from "$(own_headers src/inertia/*.[ch] | nameless)" include src src/lanes src/inertia
-    from "$(own_headers src/multistep/*.[ch] | nameless)" include src src/lanes src/multistep
+    from "$(own_headers src/move/*.h | nameless)" include src src/lanes src/inertia src/move src/multistep
+    from "$(own_headers src/inertia/*.[ch] | nameless)" include src src/lanes src/inertia src/move
+    from "$(own_headers src/multistep/*.[ch] | nameless)" include src src/lanes src/move src/multistep
     from "$(own_headers src/bonds/*.[ch] | nameless)" include src src/lanes src/bonds
     from "$(own_headers src/contacts/*.[ch] | nameless)" include src src/lanes src/contacts
     from "$(own_headers src/dissipation/*.[ch] src/friction/*.[ch] | nameless)" include src src/lanes src/contacts src/dissipation src/friction
