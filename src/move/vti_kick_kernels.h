@@ -5,8 +5,8 @@
 #ifndef VTI_KICK_KERNELS_H
 #define VTI_KICK_KERNELS_H
 
-#include "lanes/vti_lanes.h"
-#include "vti_move.h"
+#include "../lanes/vti_lanes.h"
+#include "../vti_move.h"
 
 /* ---- what lies how ----------------------------------------------------------------------------------------------- */
 

@@ -2,13 +2,13 @@
  *
  * The table of the kernels that move many bodies at once. The files vti_move_*.c include this and nothing else: each is
  * compiled for vector units of its own, and defines MOVE_KERNELS, the name of its table. */
-#include "multistep/vti_adams_kernels.h"
-#include "vti_move.h"
+#include "../multistep/vti_adams_kernels.h"
+#include "../vti_move.h"
 
 #if VTI_WIDTH > 1
 
-#include "inertia/vti_rotor_kernels.h"
-#include "multistep/vti_adams_turns.h"
+#include "../inertia/vti_rotor_kernels.h"
+#include "../multistep/vti_adams_turns.h"
 
 static int64_t settle(double *p, int64_t count)
 {

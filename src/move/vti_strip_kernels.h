@@ -6,7 +6,7 @@
 #define VTI_STRIP_KERNELS_H
 
 #include "vti_kick_kernels.h"
-#include "vti_processor.h"
+#include "../vti_processor.h"
 
 /** What is translated before it is turned, where one loop does both: memory gives more to a loop that goes from array to
  *  array every few of its lines than to loops that stay with some of the arrays. */
