@@ -54,6 +54,17 @@ enum { WIDTH = VTI_WIDTH };
 #include "vti_lanes_eight.h"
 #endif
 
+/** Whether a < b in all lanes; of eight at once, as gcc makes lanes of a < b first, and bits of these. */
+VTI_INLINE int lanes_all_less(lanes a, lanes b)
+{
+#if VTI_WIDTH == 8 && !defined(__clang__)
+    enum { LESS = 1, CURRENT = 4 }; /* _CMP_LT_OS, _MM_FROUND_CUR_DIRECTION */
+    return (unsigned char)__builtin_ia32_cmppd512_mask(a, b, LESS, (unsigned char)-1, CURRENT) == 0xff;
+#else
+    return lanes_all(a < b);
+#endif
+}
+
 /** a, 0 where it has decayed to nothing (VTI_STILL). */
 VTI_INLINE lanes lanes_settled(lanes a)
 {

@@ -37,17 +37,6 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return lanes_bits(m) == 0xff;
 }
 
-/** gcc makes lanes of a < b, and bits of these. */
-VTI_INLINE int lanes_all_less(lanes a, lanes b)
-{
-#ifdef __clang__
-    return lanes_all(a < b);
-#else
-    enum { LESS = 1, CURRENT = 4 }; /* _CMP_LT_OS, _MM_FROUND_CUR_DIRECTION */
-    return (unsigned char)__builtin_ia32_cmppd512_mask(a, b, LESS, (unsigned char)-1, CURRENT) == 0xff;
-#endif
-}
-
 VTI_INLINE lanes lanes_gather(const double *p, const int64_t at[8])
 {
     return two_fours(four_gather(p, at), four_gather(p, at + 4));

@@ -11,11 +11,6 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return four_bits(m) == 15;
 }
 
-VTI_INLINE int lanes_all_less(lanes a, lanes b)
-{
-    return lanes_all(a < b);
-}
-
 VTI_INLINE lanes lanes_after(lanes before, lanes a)
 {
     return SHUFFLE(before, a, 3, 4, 5, 6);

@@ -73,11 +73,6 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return m;
 }
 
-VTI_INLINE int lanes_all_less(lanes a, lanes b)
-{
-    return lanes_all(a < b);
-}
-
 VTI_INLINE unsigned lanes_bits(lanes_mask m)
 {
     return (unsigned)m;

@@ -11,11 +11,6 @@ VTI_INLINE int lanes_all(lanes_mask m)
     return (m[0] & m[1]) != 0;
 }
 
-VTI_INLINE int lanes_all_less(lanes a, lanes b)
-{
-    return lanes_all(a < b);
-}
-
 VTI_INLINE unsigned lanes_bits(lanes_mask m)
 {
     return (unsigned)(m[0] & 1) | (unsigned)(m[1] & 2);
