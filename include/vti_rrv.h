@@ -230,14 +230,15 @@ VTI_APART void vti_rrv_direct(double c, const double u[3], double side, const do
         sum[k] *= inv;
 }
 
-/** The incremental form of vti_rrv_increment, for numbers and for vectors of numbers, V; returns f u.alpha. */
+/** The incremental form of vti_rrv_increment, its fraction reduced by 2, for numbers and for vectors of numbers, V;
+ *  returns f u.alpha/2. */
 #define VTI_RRV_INCREMENTAL(NAME, V)                                                                                   \
     VTI_INLINE V NAME(V c, V f, const V u[3], V side, const V a[3], V add[3])                                          \
     {                                                                                                                  \
-        const V d = f * (u[0] * a[0] + u[1] * a[1] + u[2] * a[2]), inv = 1.0 / (2.0 * c - d);                          \
+        const V d = 0.5 * f * (u[0] * a[0] + u[1] * a[1] + u[2] * a[2]), inv = 1.0 / (c - d);                          \
         const V x[3] = {u[1] * a[2] - u[2] * a[1], u[2] * a[0] - u[0] * a[2], u[0] * a[1] - u[1] * a[0]};              \
         for (int k = 0; k < 3; ++k)                                                                                    \
-            add[k] = (2.0 * f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;                                          \
+            add[k] = (f * (2.0 * u[k] + side * x[k]) + d * a[k]) * inv;                                                \
         return d;                                                                                                      \
     }
 VTI_RRV_INCREMENTAL(vti_rrv_incremental, double)
@@ -261,7 +262,7 @@ VTI_INLINE int vti_rrv_increment(double c, double f, const double u[3], int smal
     const double d = vti_rrv_incremental(c, f, u, side, a, add);
     if (!small)
         small = c > VTI_RRV_SMALL && c < VTI_RRV_LARGE && fabs(f) * vti_max3(u) < VTI_RRV_NEAR * c;
-    if (small && vti_max3(a) < VTI_RRV_NEAR && 2.0 * fabs(d) < c) /* so that no product has left the range */
+    if (small && vti_max3(a) < VTI_RRV_NEAR && 4.0 * fabs(d) < c) /* so that no product has left the range */
         return 1;
     const double scaled[3] = {f * u[0], f * u[1], f * u[2]};
     vti_rrv_direct(c, scaled, side, a, add);

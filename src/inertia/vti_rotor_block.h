@@ -194,7 +194,7 @@ VTI_INLINE lanes_mask turn_spheres(int law, double t, int by_alpha, const lanes 
                     sizes = 0x1p-58 * (lanes_dot(q, q) + 4.0) + 0x1p-68 * cc;
         for (int k = 0; k < 3; ++k)
             q[k] += add[k];
-        return (4.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d.c * lanes_abs(d.c);
+        return (16.0 * (dot * dot) + 0x1p-30 * uu) + cc * sizes < d.c * lanes_abs(d.c);
     }
     for (int k = 0; k < 3; ++k)
         d.u[k] *= d.f;

@@ -8,7 +8,11 @@
 
 VTI_INLINE int lanes_all(lanes_mask m)
 {
+#ifdef __SSE2__ /* for which compilers take three more operations */
+    return __builtin_ia32_movmskpd((lanes)m) == 3;
+#else
     return (m[0] & m[1]) != 0;
+#endif
 }
 
 VTI_INLINE unsigned lanes_bits(lanes_mask m)

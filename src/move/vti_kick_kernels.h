@@ -72,6 +72,7 @@ VTI_INLINE void store(enum order order, struct stream s, int64_t i, const lanes 
 /** The kicks of a move of one quantity: a += t/m by, once or twice. */
 struct kicks {
     int count;
+    int same;             /* both last equally long */
     double first, second; /* their times */
     struct stream by;
     const double *m;
@@ -85,6 +86,7 @@ VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by
     const double first = before ? move->before : move->kick, second = move->kick;
     const int one = before + now > 0 && over->stride == 0;
     return (struct kicks){before + now,
+                          first == second,
                           first,
                           second,
                           stream_of(by),
@@ -92,6 +94,21 @@ VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by
                           over->stride,
                           lanes_of(one ? first / *over->p : 0.0),
                           lanes_of(one ? second / *over->p : 0.0)};
+}
+
+/** Kicks as nearly all are: each body has its own m, and they lie side by side. */
+VTI_INLINE int are_plain(struct kicks k)
+{
+    return k.count > 0 && k.same && k.stride == 1;
+}
+
+/** The same kicks, of which the compiler knows that they are: loops of these have no branches for all others. */
+VTI_INLINE struct kicks plain(struct kicks k)
+{
+    k.count = k.count > 1 ? 2 : 1;
+    k.same = 1;
+    k.stride = 1;
+    return k;
 }
 
 VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lanes a[3])
@@ -110,7 +127,7 @@ VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
     if (k.stride != 0) {
         const lanes m = lanes_of_scalars(k.m + i * k.stride, k.stride);
         first = k.first / m;
-        second = k.count > 1 && k.second != k.first ? k.second / m : first;
+        second = k.count > 1 && !k.same ? k.second / m : first;
     }
     add_by(order, first, by, a);
     if (k.count > 1)
@@ -137,13 +154,22 @@ VTI_INLINE void kick_and_move_some(enum order order, struct kicks k, double t, s
 
 /** The same of all bodies. Kicks alone, which end a step, go from the last body to the first: the cache still holds the
  *  forces of the last ones, and then what the next step begins with. */
-VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
-                              int64_t begin, int64_t end)
+VTI_INLINE void kick_and_move_all(enum order order, struct kicks k, double t, struct stream a, int moves,
+                                  struct stream x, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; moves && i + WIDTH <= end; i += WIDTH)
         kick_and_move_some(order, k, t, a, 1, x, i);
     for (int64_t i = begin + (end - begin) / WIDTH * WIDTH; !moves && i > begin; i -= WIDTH)
         kick_and_move_some(order, k, t, a, 0, x, i - WIDTH);
+}
+
+VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,
+                              int64_t begin, int64_t end)
+{
+    if (are_plain(k))
+        kick_and_move_all(order, plain(k), t, a, moves, x, begin, end);
+    else
+        kick_and_move_all(order, k, t, a, moves, x, begin, end);
 }
 
 /** The same, body by body: of vectors whose components lie side by side, at any strides. */
@@ -158,7 +184,7 @@ VTI_INLINE void kick_and_move_each(struct kicks k, double t, struct stream a, in
         if (k.stride != 0 && k.count > 0) {
             const double m = k.m[i * k.stride];
             first = k.first / m;
-            second = k.second == k.first ? first : k.second / m;
+            second = k.same ? first : k.second / m;
         }
         for (int n = 0; n < k.count; ++n) {
             const double *const by = k.by.x + i * k.by.stride, q = n == 0 ? first : second;
@@ -195,9 +221,10 @@ VTI_INLINE int64_t kick_and_move_any(struct kicks k, double t, struct stream a, 
     return begin + (end - begin) / WIDTH * WIDTH;
 }
 
-/** What is prefetched: as many bodies ahead, 0 for none, into the first-level cache where near, else the second. */
-struct ahead {
-    int64_t bodies;
+/** How one loop goes through bodies that it translates and turns: so many at a time, while those so far ahead of them are
+ *  prefetched, 0 for none, into the first-level cache where near, else the second. */
+struct strips {
+    int64_t bodies, ahead;
     int near;
 };
 
@@ -207,14 +234,20 @@ struct translation {
     double t;
     struct stream v, x; /* x is v where it does not move */
     int moves;
-    struct ahead ahead;
+    struct strips strips;
 };
 
 VTI_INLINE struct translation translation_of(const struct vti_move *move, const vti_bodies *b)
 {
     const int moves = move->drifts && vti_has(&b->x);
     return (struct translation){kicks_of(move, &b->force, &b->mass), move->drift, stream_of(&b->v),
-                                stream_of(moves ? &b->x : &b->v),    moves,       {0, 0}};
+                                stream_of(moves ? &b->x : &b->v),    moves,       {0, 0, 0}};
+}
+
+VTI_INLINE struct translation with_plain_kicks(struct translation x)
+{
+    x.k = plain(x.k);
+    return x;
 }
 
 static int64_t translate(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)

@@ -46,16 +46,19 @@ VTI_APART void turn_one_by_one(const struct vti_move *move, const vti_bodies *b,
         vti_move_turn(move, b, i + l);
 }
 
-/** a <- a (+) dalpha(u). Returns whether the incremental form is allowed, of all lanes: s^2 = u.u < 8, |a| < 2^29 and 2|d| < c;
- *  where |c| <= 2, as rounding keeps order, one sum that is less than c^2 tells. */
+/** a <- a (+) dalpha(u). Returns whether the incremental form is allowed, of all lanes: 2 |f u.a| < c, |a| < 2^29 and
+ *  |f u| < 2^29 c. Its sum tells, of 0 < c <= 2: where the first holds, it is no smaller than its parts along a, at least
+ *  2/3 |a|, and along u, at least 8/(5 c) |f u|, but for less than 1. So one sum that is less than c^2, as rounding keeps
+ *  order, tells all. */
 VTI_INLINE int turn_alphas(int law, double side, lanes s2, const lanes u[3], lanes a[3])
 {
     lanes add[3], cf[2];
     law_of(law, s2, cf);
-    const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add), aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    const lanes d = incremental(cf[0], cf[1], u, lanes_of(side), a, add);
     for (int n = 0; n < 3; ++n)
         a[n] += add[n];
-    const int near = lanes_all_less(4.0 * (d * d) + (0.5 * s2 + 0x1p-56 * aa), cf[0] * cf[0]);
+    const lanes aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    const int near = lanes_all_less(d * d + 0x1p-58 * aa, 0.0625 * (cf[0] * cf[0]));
     /* c of the exact laws, which are polynomials, leaves [-2, 2] beyond s^2 = 29 and 180 */
     return law == VTI_LAW_EXACT || law == VTI_LAW_EXACT9 ? near && lanes_all_less(s2, lanes_of(8.0)) : near;
 }
@@ -72,19 +75,20 @@ VTI_INLINE void turn_quats(int law, double side, lanes s2, const lanes u[3], con
     turn_quat_by(cf[0], f, side, r);
 }
 
-/** alpha <- alpha (+) dalpha(t Omega), of bodies that are translated too where `with` says so. */
+/** alpha <- alpha (+) dalpha(t Omega), of bodies that are translated too where x says so. */
 VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
-                           const struct translation *with, int64_t begin, int64_t end)
+                           struct kicks k, struct translation x, int64_t begin, int64_t end)
 {
     const struct stream omega = stream_of(&b->omega), alpha = stream_of(&b->alpha);
-    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
-    const struct translation x = translation_with(order, with);
     for (int64_t i = begin; i < end;) { /* a whole number of lanes */
-        const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
-        if (next >= 0)
-            prefetch_vectors(x.ahead, order, alpha, next);
-        for (const int64_t to = translate_strip(order, x, i, end); i < to; i += WIDTH) {
+        const int64_t to = strip_end(order, x, i, end), until = prefetched_until(order, x, to, end);
+        for (int64_t next = i + x.strips.ahead; next < until; next += LINE) {
+            prefetch_line(order, x, k, omega, next);
+            prefetch_vectors(x.strips, order, alpha, next);
+        }
+        translate_strip(order, x, i, to);
+        for (; i < to; i += WIDTH) {
             lanes u[3], there[3], a[3];
             const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
             load(order, alpha, i, there);
@@ -108,21 +112,23 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
 
 /** q <- normalise((u, c) q), or q (u, c) in the body's frame, where u is small enough for its square. */
 VTI_INLINE void turn_quat(enum order order, int law, double side, const struct vti_move *move, const vti_bodies *b,
-                          const struct translation *with, int64_t begin, int64_t end)
+                          struct kicks k, struct translation x, int64_t begin, int64_t end)
 {
     const struct stream omega = stream_of(&b->omega);
     const vti_quat_view quat = b->quat;
-    const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const double t = move->drift;
     const int adjacent = quat_is_adjacent(&quat);
     int64_t at[WIDTH];
     lanes_strided(quat.stride, at);
-    const struct translation x = translation_with(order, with);
     for (int64_t i = begin; i < end;) { /* a whole number of lanes */
-        const int64_t next = prefetch_ahead(order, x, k, omega, i, end);
-        for (int n = 0; n < 4 && next >= 0; ++n)
-            prefetch(x.ahead, adjacent ? quat.xyzw[0] + next * quat.stride + n * STRIP : quat.xyzw[n] + next, STRIP);
-        for (const int64_t to = translate_strip(order, x, i, end); i < to; i += WIDTH) {
+        const int64_t to = strip_end(order, x, i, end), until = prefetched_until(order, x, to, end);
+        for (int64_t next = i + x.strips.ahead; next < until; next += LINE) {
+            prefetch_line(order, x, k, omega, next);
+            for (int n = 0; n < 4; ++n)
+                prefetch(x.strips, adjacent ? quat.xyzw[0] + next * quat.stride + n * LINE : quat.xyzw[n] + next, 1);
+        }
+        translate_strip(order, x, i, to);
+        for (; i < to; i += WIDTH) {
             lanes u[3], q[4], r[4];
             const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
             if (adjacent)
@@ -144,14 +150,19 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
     }
 }
 
-/* Literal arguments, so that each order, law and frame is a loop of its own. */
+/* Literal arguments, so that each order, law and frame is a loop of its own, and another for plain kicks. */
 typedef void turn_with(const struct vti_move *move, const vti_bodies *b, const struct translation *with, int64_t begin,
                        int64_t end);
 #define TURN(KEPT, ORDER, LAW, FRAME, SIDE)                                                                            \
     static void KEPT##_##ORDER##_##LAW##_##FRAME(const struct vti_move *move, const vti_bodies *b,                     \
                                                  const struct translation *with, int64_t begin, int64_t end)           \
     {                                                                                                                  \
-        turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, with, begin, end);                                            \
+        const struct kicks k = kicks_of(move, &b->moment, &b->inertia);                                                \
+        const struct translation x = translation_with(ORDER, with);                                                    \
+        if (ORDER != MIXED && are_plain(k) && (with == NULL || are_plain(x.k)))                                        \
+            turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, plain(k), with_plain_kicks(x), begin, end);               \
+        else                                                                                                           \
+            turn_##KEPT(ORDER, VTI_LAW_##LAW, SIDE, move, b, k, x, begin, end);                                        \
     }
 #define LAWS(KEPT, ORDER, FRAME, SIDE)                                                                                 \
     TURN(KEPT, ORDER, CLOSED, FRAME, SIDE)                                                                             \
@@ -230,13 +241,14 @@ static int64_t rotate(const struct vti_move *move, const vti_bodies *b, int64_t 
 /* ---- translation and turn in one loop ---------------------------------------------------------------------------- */
 
 /** Both kicks where nothing turns, from the last body to the first. */
-VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
-                          int64_t end)
+VTI_INLINE void kick_strips(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
+                            int64_t end)
 {
     for (int64_t i = end; i > begin;) {
-        const int64_t from = i - begin < STRIP ? begin : i - STRIP, next = from - x.ahead.bodies;
-        if (next < from && next >= begin)
-            prefetch_strip(order, x, k, w, next);
+        const int64_t from = i - begin < x.strips.bodies ? begin : i - x.strips.bodies, ahead = x.strips.ahead;
+        if (ahead > 0 && from - ahead >= begin)
+            for (int64_t next = i - ahead; next > from - ahead; next -= LINE)
+                prefetch_line(order, x, k, w, next - LINE);
         for (; i > from; i -= WIDTH) {
             kick_and_move_some(order, k, 0.0, w, 0, w, i - WIDTH);
             kick_and_move_some(order, x.k, x.t, x.v, 0, x.x, i - WIDTH);
@@ -244,12 +256,21 @@ VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k
     }
 }
 
+VTI_INLINE void kick_both(enum order order, struct translation x, struct kicks k, struct stream w, int64_t begin,
+                          int64_t end)
+{
+    if (are_plain(k) && are_plain(x.k))
+        kick_strips(order, with_plain_kicks(x), plain(k), w, begin, end);
+    else
+        kick_strips(order, x, k, w, begin, end);
+}
+
 static int64_t move_both(const struct vti_move *move, const vti_bodies *b, int64_t begin, int64_t end)
 {
     struct translation x = translation_of(move, b);
     const struct kicks k = kicks_of(move, &b->moment, &b->inertia);
     const struct stream w = stream_of(&b->omega), by = k.count > 0 ? k.by : w;
-    x.ahead = ahead_of(end - begin);
+    x.strips = strips_of(end - begin);
     const int turns_too = move->drifts && vti_has_attitude(b);
     const int order = order_with(order_with(order_of(x.v), x.x), x.k.count > 0 ? x.k.by : x.v);
     if (order != (turns_too ? turn_order(&k, b) : order_with(order_of(w), by)) || order < 0 || order == MIXED)
