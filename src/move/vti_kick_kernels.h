@@ -77,7 +77,8 @@ struct kicks {
     struct stream by;
     const double *m;
     int64_t stride;
-    lanes by_first, by_second; /* times over m, where one m serves all */
+    lanes by_first, by_second; /* times over m: of some bodies (kicks_at), or of all where one m serves; if they are
+                                  equally long, only the first */
 };
 
 VTI_INLINE struct kicks kicks_of(const struct vti_move *move, const vti_view *by, const vti_scalars *over)
@@ -111,6 +112,28 @@ VTI_INLINE struct kicks plain(struct kicks k)
     return k;
 }
 
+/** The kicks of the WIDTH bodies from i on. */
+VTI_INLINE struct kicks kicks_at(struct kicks k, int64_t i)
+{
+    if (k.count == 0 || k.stride == 0)
+        return k;
+    const lanes m = lanes_of_scalars(k.m + i * k.stride, k.stride);
+    k.by_first = k.first / m;
+    if (k.count > 1 && !k.same)
+        k.by_second = k.second / m;
+    return k;
+}
+
+/** The kicks of the WIDTH bodies from i on, for which *next was made; it is made for those that follow, up to `to`. A
+ *  division takes longest, and a processor looks only some hundred operations ahead: so each is begun long before what
+ *  waits for it. */
+VTI_INLINE struct kicks kicks_ahead(struct kicks *next, int64_t i, int64_t to)
+{
+    const struct kicks now = *next;
+    *next = kicks_at(now, i + WIDTH < to ? i + WIDTH : i);
+    return now;
+}
+
 VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lanes a[3])
 {
     lanes each[3] = {quotient, quotient, quotient};
@@ -120,21 +143,17 @@ VTI_INLINE void add_by(enum order order, lanes quotient, const lanes by[3], lane
         a[c] += each[c] * by[c];
 }
 
+/** Kicks a of the WIDTH bodies from i on, which k is for. */
 VTI_INLINE void kick(enum order order, struct kicks k, int64_t i, lanes a[3])
 {
-    lanes by[3], first = k.by_first, second = k.by_second;
+    lanes by[3];
     load(order, k.by, i, by);
-    if (k.stride != 0) {
-        const lanes m = lanes_of_scalars(k.m + i * k.stride, k.stride);
-        first = k.first / m;
-        second = k.count > 1 && !k.same ? k.second / m : first;
-    }
-    add_by(order, first, by, a);
+    add_by(order, k.by_first, by, a);
     if (k.count > 1)
-        add_by(order, second, by, a);
+        add_by(order, k.same ? k.by_first : k.by_second, by, a);
 }
 
-/** Of the WIDTH bodies from i on a is kicked, and x += t a where x moves. */
+/** Of the WIDTH bodies from i on, which k is for, a is kicked, and x += t a where x moves. */
 VTI_INLINE void kick_and_move_some(enum order order, struct kicks k, double t, struct stream a, int moves,
                                    struct stream x, int64_t i)
 {
@@ -157,10 +176,12 @@ VTI_INLINE void kick_and_move_some(enum order order, struct kicks k, double t, s
 VTI_INLINE void kick_and_move_all(enum order order, struct kicks k, double t, struct stream a, int moves,
                                   struct stream x, int64_t begin, int64_t end)
 {
-    for (int64_t i = begin; moves && i + WIDTH <= end; i += WIDTH)
-        kick_and_move_some(order, k, t, a, 1, x, i);
-    for (int64_t i = begin + (end - begin) / WIDTH * WIDTH; !moves && i > begin; i -= WIDTH)
-        kick_and_move_some(order, k, t, a, 0, x, i - WIDTH);
+    const int64_t stop = begin + (end - begin) / WIDTH * WIDTH;
+    struct kicks next = begin < stop ? kicks_at(k, begin) : k;
+    for (int64_t i = begin; moves && i < stop; i += WIDTH)
+        kick_and_move_some(order, kicks_ahead(&next, i, stop), t, a, 1, x, i);
+    for (int64_t i = stop; !moves && i > begin; i -= WIDTH)
+        kick_and_move_some(order, kicks_at(k, i - WIDTH), t, a, 0, x, i - WIDTH);
 }
 
 VTI_INLINE void kick_and_move(enum order order, struct kicks k, double t, struct stream a, int moves, struct stream x,

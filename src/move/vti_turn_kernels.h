@@ -19,7 +19,7 @@ static int quat_is_adjacent(const vti_quat_view *q)
 
 /* ---- turn -------------------------------------------------------------------------------------------------------- */
 
-/** u = t Omega after its kicks, by component. Returns u.u. */
+/** u = t Omega after its kicks, which k is for, by component. Returns u.u. */
 VTI_INLINE lanes kicked_turn(enum order order, struct kicks k, double t, struct stream omega, int writes, int64_t i,
                              lanes u[3])
 {
@@ -87,10 +87,11 @@ VTI_INLINE void turn_alpha(enum order order, int law, double side, const struct 
             prefetch_line(order, x, k, omega, next);
             prefetch_vectors(x.strips, order, alpha, next);
         }
+        struct kicks next = kicks_at(k, i);
         translate_strip(order, x, i, to);
         for (; i < to; i += WIDTH) {
             lanes u[3], there[3], a[3];
-            const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+            const lanes s2 = kicked_turn(order, kicks_ahead(&next, i, to), t, omega, 1, i, u);
             load(order, alpha, i, there);
             if (order == PACKED)
                 lanes_split(there, a);
@@ -127,10 +128,11 @@ VTI_INLINE void turn_quat(enum order order, int law, double side, const struct v
             for (int n = 0; n < 4; ++n)
                 prefetch(x.strips, adjacent ? quat.xyzw[0] + next * quat.stride + n * LINE : quat.xyzw[n] + next, 1);
         }
+        struct kicks next = kicks_at(k, i);
         translate_strip(order, x, i, to);
         for (; i < to; i += WIDTH) {
             lanes u[3], q[4], r[4];
-            const lanes s2 = kicked_turn(order, k, t, omega, 1, i, u);
+            const lanes s2 = kicked_turn(order, kicks_ahead(&next, i, to), t, omega, 1, i, u);
             if (adjacent)
                 lanes_quads(quat.xyzw[0] + i * quat.stride, at, q);
             else
@@ -250,8 +252,8 @@ VTI_INLINE void kick_strips(enum order order, struct translation x, struct kicks
             for (int64_t next = i - ahead; next > from - ahead; next -= LINE)
                 prefetch_line(order, x, k, w, next - LINE);
         for (; i > from; i -= WIDTH) {
-            kick_and_move_some(order, k, 0.0, w, 0, w, i - WIDTH);
-            kick_and_move_some(order, x.k, x.t, x.v, 0, x.x, i - WIDTH);
+            kick_and_move_some(order, kicks_at(k, i - WIDTH), 0.0, w, 0, w, i - WIDTH);
+            kick_and_move_some(order, kicks_at(x.k, i - WIDTH), x.t, x.v, 0, x.x, i - WIDTH);
         }
     }
 }
@@ -297,10 +299,10 @@ static int reaches(const struct vti_move *move, const vti_bodies *b, int64_t beg
     const int order = worth_it(order_with(order_of(omega), by));
     if (order == PACKED)
         for (; i + WIDTH <= end; i += WIDTH)
-            below &= kicked_turn(PACKED, k, move->drift, omega, 0, i, u) < 1.0;
+            below &= kicked_turn(PACKED, kicks_at(k, i), move->drift, omega, 0, i, u) < 1.0;
     else if (order >= 0)
         for (; i + WIDTH <= end; i += WIDTH)
-            below &= kicked_turn(MIXED, k, move->drift, omega, 0, i, u) < 1.0;
+            below &= kicked_turn(MIXED, kicks_at(k, i), move->drift, omega, 0, i, u) < 1.0;
     *stopped = i;
     return !lanes_all(below);
 }
