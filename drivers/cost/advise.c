@@ -177,7 +177,7 @@ static int64_t by_stability(struct stages *g)
         }
         o->steps = 2 * search_fewest(&at_end, o->stepper);
         o->h = a->t_end / (double)o->steps;
-        o->force_evals = o->steps * o->stepper->evals;
+        o->force_evals = o->steps * (vti_multistep_find(o->stepper->name) != NULL ? 1 : o->stepper->evals);
         o->error = NAN;
         o->source = OFFER_STABILITY;
         for (int m = 0; m < COST_MEASURES; ++m)

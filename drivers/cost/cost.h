@@ -13,12 +13,13 @@
 /* What an error costs. From the runs of one method, ordered by their steps, the price of an error e is found so:
  *
  *  1. A run reaches e if its error is <= e and those of the next two runs, twice as many steps at the default ladder,
- *     are too. Without this a run whose error happens to pass through zero would count as a good one.
+ *     are too, as far as there are any. Without this a run whose error happens to pass through zero would count as a
+ *     good one.
  *  2. Of the runs that reach e the cheapest is taken, by force evaluations.
  *  3. Between it and the coarser run before it, whose error is above e, evaluations and seconds are interpolated: both
  *     are straight lines in their logarithms over the logarithm of the error.
  *  4. If there is no coarser run, or its error is not above e, the price is that of the run itself: coarser ones fail,
- *     so that it is the least for which one gets anything.
+ *     so that it is the least for which one gets anything; of steps that were given (--h) nobody has tried them.
  *
  * Nothing is extrapolated: what no run reaches has no price. */
 

@@ -33,9 +33,10 @@ static int64_t one_rung(const struct cost_case *c, const vti_stepper *method, do
 }
 
 static void given_steps(const struct cost_plan *plan, const struct cost_case *c, const vti_stepper *method, int measure,
-                        struct reference *reference, struct cost_ladder *ladder)
+                        struct reference *reference, int (*poll)(void *self, int64_t work), void *poll_self,
+                        struct cost_ladder *ladder)
 {
-    for (int64_t k = 0; k < plan->h_count; ++k)
+    for (int64_t k = 0; k < plan->h_count && (poll == NULL || poll(poll_self, k) == 0); ++k)
         one_rung(c, method, plan->h[k], INFINITY, measure, reference, ladder);
 }
 
@@ -82,7 +83,7 @@ void cost_ladder_run(const struct cost_plan *plan, const struct cost_case *c, co
     const int64_t most = plan->most_evals > 0 ? plan->most_evals : affordable;
     memset(ladder, 0, sizeof *ladder);
     if (plan->h_count > 0) {
-        given_steps(plan, c, method, measure, reference, ladder);
+        given_steps(plan, c, method, measure, reference, poll, poll_self, ladder);
         return;
     }
     double evals_per_step = 1.0;

@@ -69,10 +69,11 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
     if (found->steps == 0)
         return;
     double finer = 1.0, luck = 1.0;
+    const double growth = offers_growth(s, found->stepper, s->measure);
     const double order = search_lasting_order(s, found->stepper, found->order);
     if (target > g->goal) {
         luck = found->usual;
-        finer = fmax(plain_power(luck * found->error / (search_aim(s) * g->goal), 1.0 / order), 1.0);
+        finer = fmax(plain_power(luck * growth * found->error / (search_aim(s) * g->goal), 1.0 / order), 1.0);
         o->source = OFFER_FOLLOWED;
         search_doubt(s, o, order, finer);
         o->doubt = fmax(o->doubt, found->doubt);
@@ -80,7 +81,7 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
     }
     if (longer > 1.0) {
         o->source = OFFER_SHORTER;
-        o->doubt = o->below = fmax(found->doubt, s->doubt * growth_doubt(s, found->stepper));
+        o->doubt = o->below = fmax(o->doubt, s->doubt * growth_doubt(s, found->stepper));
     }
     if (!lengthen(s, o, longer * finer))
         return;
@@ -89,7 +90,7 @@ void offers_carry_over(const struct stages *g, const struct offer *found, double
         o->errors[m] = finer > 1.0 && !search_falls_alike(s, found->stepper, m)
                            ? NAN
                            : found->errors[m] * offers_growth(s, found->stepper, m) * less;
-    o->error = found->error * offers_growth(s, found->stepper, s->measure) * less;
+    o->error = found->error * growth * less;
 }
 
 double offers_cost(const struct offer *o)

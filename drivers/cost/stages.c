@@ -117,13 +117,23 @@ static int64_t next_offer(const struct stages *g, const int told[ADVICE_MOST])
     return next;
 }
 
+/** An error that leads to target, and that is not lost in rounding at the end of a part of the time. */
+static double told_by_part(const struct search *s, double target)
+{
+    static const double rounding = 1e-13;
+    const double longer = s->advice->t_end / s->t_end;
+    if (longer == 1.0 || s->measure == COST_ENERGY)
+        return target;
+    return fmax(target, rounding * sqrt(longer) * offers_growth(s, s->advice->checked, s->measure));
+}
+
 /** All active offers over [0, t_end], to the error that leads to target at the end of the time. Returns 0, -1,
  *  ADVISE_SPENT or ADVISE_PARTED. */
 static int run_stage(struct stages *g, double t_end, double target)
 {
     struct search *s = &g->search;
     s->t_end = t_end;
-    s->target = target;
+    s->target = told_by_part(s, target);
     s->limit = INFINITY;
     g->whole = t_end == s->advice->t_end;
     g->complete = g->whole && target == g->goal;

@@ -37,8 +37,11 @@ static void say_offer(const struct offer *o, int width, FILE *file)
         fprintf(file, "  %-*s       too dear to tell\n", width, o->stepper->name);
         return;
     }
-    fprintf(file, "  %-*s %10.4g %10lld %12lld ", width, o->stepper->name, o->h, (long long)o->steps,
-            (long long)o->force_evals);
+    fprintf(file, "  %-*s %10.4g %10lld ", width, o->stepper->name, o->h, (long long)o->steps);
+    if (o->force_evals > 0)
+        fprintf(file, "%12lld ", (long long)o->force_evals);
+    else
+        fprintf(file, "%12s ", "-"); /* of rivals that choose their steps, or evaluate as often as it takes */
     if (isfinite(o->seconds))
         say_seconds(o->seconds, file);
     else
@@ -113,8 +116,9 @@ void advise_text(const struct scene *scene, const struct advice *a, FILE *file)
     if (isfinite(a->max_omega))
         fprintf(file, "rotation per step: h max|Omega| = %.3g\n", best->h * a->max_omega);
     fprintf(file, "times are of the steps alone, without output");
+    const int part = best->source == OFFER_SHORTER || best->source == OFFER_STABILITY;
     if (isfinite(a->known))
-        fprintf(file, "; the solution is known to %.0e", a->known);
+        fprintf(file, "; the solution%s is known to %.0e", part ? " of the first part of the time" : "", a->known);
     fprintf(file, "\npilots took");
     say_seconds(a->seconds, file);
     fprintf(file, " and %.3g force evaluations\n", a->evals);
@@ -123,7 +127,8 @@ void advise_text(const struct scene *scene, const struct advice *a, FILE *file)
 /** Why the error is far below what was asked for, if it is. */
 static void say_small(const struct offer *best, double asked, double stable, FILE *file)
 {
-    if (!(best->error < 0.33 * asked))
+    static const double far = 0.29; /* below what any search aims at */
+    if (!(best->error < far * asked))
         return;
     fprintf(file, "note: %sthe error is ",
             isfinite(best->missed)   ? ""
@@ -138,7 +143,7 @@ static void say_small(const struct offer *best, double asked, double stable, FIL
 /** Seconds that would do, and more than have not. */
 static double budget_for(const struct advice *a, double seconds)
 {
-    return fmax(seconds, 2.0 * a->budget);
+    return fmax(seconds, 2.0 * fmax(a->budget, a->seconds));
 }
 
 void advise_warnings(const struct scene *scene, const struct advice *a, FILE *file)
@@ -209,7 +214,7 @@ static void json_offer(const struct offer *o, FILE *file)
     fputs(", ", file);
     json_number("predicted_seconds", o->seconds, file);
     fputs(", ", file);
-    json_number("predicted_force_evals", o->steps > 0 ? (double)o->force_evals : NAN, file);
+    json_number("predicted_force_evals", o->steps > 0 && o->force_evals > 0 ? (double)o->force_evals : NAN, file);
     fprintf(file, ", \"source\": \"%s\", \"interval\": [", source[o->source]);
     json_value(o->error / o->below, file);
     fputs(", ", file);

@@ -243,6 +243,8 @@ void cost_table_write(const struct cost *cost, FILE *file)
         fputc('\n', file);
         write_factors(cost, c, order, file);
         write_failures(cost, c, file);
+        if (cost->plan->h_count > 0)
+            fprintf(file, "steps are those of --h alone: what the longest of them reaches may cost less\n");
         fputc('\n', file);
     }
 }

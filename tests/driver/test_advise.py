@@ -286,6 +286,20 @@ def always():
     advice = json.loads(done.stdout)
     check(done.returncode == 0 and advice["source"] == "stability" and advice["predicted_error"] is None
           and advice["stepper"] == "exact" and advice["pilots"]["force_evals"] == 0, f"an answer for nothing: {done.stdout[:100]}")
+    text = run(advise, "--budget", "1e-9", "--steppers", "an4,abm8", scene("pendulum")).stdout
+    rows = {row.split()[0]: row.split() for row in text.splitlines() if row.startswith("  a")}
+    check(rows["an4"][2] == rows["an4"][3] and rows["abm8"][3] == "-", f"... of one evaluation a step, or who knows how many: {rows}")
+
+
+def near_rounding():
+    """Of a short part of the time the error that leads to one of 1e-12 is lost in rounding."""
+    for name, t_end, error, only in (("chain", 100, 1e-12, []), ("pair", 1000, 1e-11, ["--steppers", "an7,an4"])):
+        advice = json.loads(run(advise, "--json", "--error", repr(error), "--t-end", str(t_end), *only, scene(name)).stdout)
+        check(advice["source"] == "shorter" and 0.5 * error < advice["predicted_error"] < error,
+              f"{name} to {error:g}: {advice['predicted_error']} ({advice['source']})")
+        if name == "chain":
+            found, (low, high) = float(follow(name, t_end, advice["stepper"], advice["h"])["attitude_error"]), advice["interval"]
+            check(low < found < high, f"... {found:.2g} is in {low:.2g} ... {high:.2g}")
 
 
 def budget_is_hard():
@@ -592,6 +606,7 @@ unkicked()
 reproducible()
 rivals()
 always()
+near_rounding()
 budget_is_hard()
 parted_early()
 rolls()

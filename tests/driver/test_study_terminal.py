@@ -184,6 +184,17 @@ def signals(base):
             _, said = process.communicate()
         check(process.returncode == 75 and stopped_words(said),
               f"{what} {where}: code {process.returncode}, {said.strip()[:200]}")
+    given = ",".join(f"8/{steps}" for steps in range(2 * 10**7, 2 * 10**7 + 64))
+    process = subprocess.Popen([STUDY, "--cost", "--steppers", "exact", "--h", given, "--repeats", "1", "--t-end", "8", "-o", f"{base}/given",
+                                PENDULUM], env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.readline()
+    process.send_signal(signal.SIGTERM)
+    try:
+        _, said = process.communicate(timeout=PATIENCE / 4)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        _, said = process.communicate()
+    check(process.returncode == 75 and stopped_words(said), f"TERM among the steps of --cost --h: code {process.returncode}, {said.strip()[:200]}")
     process = begin(*mpirun(), *HOURS, "-o", f"{base}/one", CHAIN)
     worker = rank_of(f"{base}/one", "1")
     os.kill(worker, signal.SIGTERM)
