@@ -84,14 +84,15 @@ def test_page(vti_plot, folder, rows):
     """By times that are made up: twice those of the loop for vti2, three times for vti1."""
     text = ",".join(COLUMNS) + "\n"
     for row in csv.DictReader(rows.splitlines()):
-        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5, "peak": 0.02, "body that rubs": 87, "drift: Strang": 28, "drift: NO_SQUISH": 280}.get(row["what"], 7)
+        ns = {"vti2": 20, "vti1": 30, "bytes": 10, "bytes next": 5, "peak": 0.02, "body that rubs": 87, "drift: Strang": 28, "drift: NO_SQUISH": 280,
+              "touching pair": 6, "pair apart": 3}.get(row["what"], 7)
         text += ",".join([row["what"], row["layout"], row["n"], row["items"], row["bytes"], str(ns), "1"]) + "\n"
     for name, units in (("widest", "AVX2"), ("avx2", "AVX2"), ("baseline", "those of the build")):
         for end, content in ((".csv", text), (".txt", f"flags: -O7\nvector units: {units}; and more\n")):
             with open(os.path.join(folder, name + end), "w", encoding="utf-8") as file:
                 file.write(content)
     for name, content in (
-            ("scaling.csv", "what,workers,median_s,least_s\nlattice,1,6,5\nlattice,2,3.3,3\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n"),
+            ("scaling.csv", "what,workers,median_s,least_s\nlattice,1,1.2,1\nlattice,2,0.66,0.5\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n"),
             ("ranks.csv", "what,tasks,ranks,seconds\nstudy,48,1,6\nstudy,48,2,4\nsweep,4096,1,400\nsweep,4096,2,200\n"),
             ("flops.csv", "what,instructions,flops\nstep,60,80\nbond,160,280\ntouching pair,70,21\nfriction and dashpots,1300,1000\n"),
             ("shared.csv", "instructions,shared\n800,780\n"),
@@ -126,12 +127,16 @@ def test_page(vti_plot, folder, rows):
     check("NO_SQUISH takes 10.0 times what Strang's list takes, and 40.0 times what M4 takes" in made, "beside NO_SQUISH")
     check("| step of a body of three moments, `fix nve/asphere` | 1000 | 80 | `three moments: vti2` | 8.00 (7.50 to 8.50) | - |" in made,
           "and beside LAMMPS")
-    check("| `vti-run --threads` | 2 | 3.3 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
+    check("| `vti-run --threads` | 2 | 0.66 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
     check("| body's step, `vti2` | 60 | 80 | 0.192 | 4 (0.50) |" in made, "operations: 4 GFlop/s of the 8 that 41.6 GB/s allow")
     check("| bond: moment, axial, shear | 160 | 280 | 3.5 | 40 (0.80) |" in made, "... and 40 of the core's 50")
+    check("| contact of a touching pair | 70 | 21 | 0.656 | 3.5 (0.13) |" in made, "... and 3.5 of the 27 that 32 bytes of a pair allow")
+    check("`vti2 next` takes 0.70 of the time of the loop" in made, "one pass beside the loop of two")
+    check("| bond: moment, axial, shear | 27 | 7 | 7 |\n| contact of a touching pair | 27 | 6 | 6 |\n"
+          "| contact of a pair that does not touch | 27 | 3 | 3 |\n" in made and "| the same with friction and dashpots | 27 | 87 | 87 |" in made, "effects")
     check("| the same with friction and dashpots: what they add | 1300 | 1000 | - | 25 (0.50) |" in made, "... of two pairs of a body in 3^3")
     check("| 1 | 1 | 1 | 1 | 1 | 1 |\n| 2 | 1.82 | 1.95 | 1.95 | 1.95 | 1.95 |" in made and "takes 2.5 %" in made, "threads: Amdahl's law")
-    check("| 64 | - | 24.9 | 24.9 | 24.9 | 24.9 |" in made, "... where memory is no limit")
+    check("| 64 | - | 24.9 | 6.25 | 12.5 | 24.9 |" in made, "... where memory is no limit; 64 MB at 41.6 GB/s take 1.5 ms")
     check("| 2 | 1.5 | 2 |" in made, "ranks")
     check("| `vti2` | 40 | 120 | 3.00 (2.90 to 3.25) |" in made, "a study's step")
     check("| a body that touches nothing | 344 (248) | 352 (256) |\n| a bond | 112 (48) | 128 (64) |" in made, "memory beyond the arrays")
@@ -144,6 +149,7 @@ def test_page(vti_plot, folder, rows):
           "and beside one that was built here")
     check("beside LIGGGHTS-PUBLIC 3.8.0 and YADE 2023," in made and
           "| YADE: body's step, `NewtonIntegrator` | 1000 | 150 | `vti2` | 30.00 (29.00 to 31.00) | - |" in made, "beside other codes")
+    test_pictures(vti_plot, folder)
     os.remove(os.path.join(folder, "lammps.csv"))
     os.remove(os.path.join(folder, "others.csv"))
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")
@@ -164,6 +170,25 @@ def test_page(vti_plot, folder, rows):
         file.write("what,n\n")
     done = run(*page, env=beside)
     check(done.returncode == 1 and "widest.csv: has other columns" in done.stderr and len(done.stderr.splitlines()) == 1, "other columns")
+
+
+def test_pictures(vti_plot, folder):
+    """Curves and marks are of what their names say."""
+    sys.path.insert(0, os.path.dirname(vti_plot))
+    from plot import style                                  # pylint: disable=import-error,import-outside-toplevel
+    from plot.pages import performance, performance_models  # pylint: disable=import-error,import-outside-toplevel
+    benches, figures = performance.read_all(folder), []
+    style.save = lambda figure, _: figures.append(figure)
+    performance.picture(benches, "")
+    flops = {"step": 80, "bond": 280, "touching pair": 21}
+    performance_models.roofline(benches[0], {what: {"flops": str(count)} for what, count in flops.items()}, [27], 50.0, "")
+    drawn = [{line.get_label(): tuple(line.get_xydata()[-1]) for axes in figure.axes for line in axes.lines} for figure in figures]
+    found = {label: y for label, (_, y) in drawn[0].items()}
+    wanted = {f"{what}, {units}": ns for units in ("AVX2", "SSE2") for what, ns in (("vti2", 20), ("bond", 7), ("touching pair", 6))}
+    check(found == {**wanted, "vti2 next, AVX2": 7, "a loop of the same bytes": 10}, f"bench.png: {found}")
+    for what, (number, rate) in {"step": (416, 4.0), "bond": (80, 40.0), "touching pair": (32, 3.5)}.items():
+        x, y = drawn[1][performance_models.NAMES[what].replace("`", "")]
+        check(abs(x - flops[what] / number) < 1e-12 and abs(y - rate) < 1e-12, f"roofline.png: {what} is at {x}, {y}")
 
 
 def main(program, vti_plot, source, vti_run, vti_study, cost=None):

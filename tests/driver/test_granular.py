@@ -11,7 +11,7 @@ import tempfile
 try:
     import numpy as np
     import matplotlib  # noqa: F401
-    import h5py  # noqa: F401
+    import h5py
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
@@ -69,6 +69,49 @@ along, across = velocity @ normal, velocity @ tangent
 check(abs(along + 0.5 * (1 + granular.RESTITUTION) * 0.8) < 1e-15,
       f"a bead struck at 37 degrees has {along:.4g} along the normal")
 check(abs(across - granular.MU * -along) < 1e-15, f"... and {across:.4g} across, towards where it is pushed")
+
+
+
+def write_run(path, frames, velocities=None):
+    """What vti-run writes, as far as the page reads it. frames: time -> places of beads of RADIUS."""
+    os.makedirs(os.path.dirname(path))
+    points = np.concatenate(list(frames.values()))
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"scene": "beads", "stepper": "vti2", "h": 1e-5, "vti_version": "0.1.0"})
+        for name in ("t", "kinetic_translation", "total"):
+            file[f"energies/{name}"] = np.array([0.0, 1.0]) if name == "t" else np.ones(2)
+        file["VTKHDF/Steps/Values"], file["VTKHDF/Points"] = np.array(list(frames), float), points
+        file["VTKHDF/PointData/velocity"] = np.zeros_like(points) if velocities is None else np.concatenate(velocities)
+        file["VTKHDF/PointData/diameter"] = np.full(len(points) // len(frames), 2 * RADIUS)
+        file["VTKHDF/Lines/Connectivity"] = np.zeros(0, int)
+
+
+def turned(degrees):
+    """A bead that meets the plane, one that strikes and one that is struck, each at that angle; all at 1 m/s."""
+    return [math.sin(math.radians(degrees)), 0.0, -math.cos(math.radians(degrees))]
+
+
+# The whole page: a column of 4 x 8 beads that ends as a row of 32; a heap of 20 degrees; beads 37 degrees beside the axis of the
+# drum; and beads that meet the plane at 60 and at 30 degrees, of which the first slides all the way, tan 30 being less than 7/2 mu (1 + e).
+with tempfile.TemporaryDirectory() as folder:
+    square = np.array([((2 * k + 1) * RADIUS, 0.0, (2 * row + 1) * RADIUS) for k in range(4) for row in range(8)])
+    line = np.array([((2 * k + 1) * RADIUS, 0.0, RADIUS) for k in range(32)])
+    write_run(os.path.join(folder, "column-32-1", "out.h5"), {0: square, 1: line})
+    heap = beads(20, 80)
+    write_run(os.path.join(folder, "repose-0.5-0.0003-1", "out.h5"), {0: heap, 1: heap})
+    write_run(os.path.join(folder, "drum", "out.h5"), {0: square, 2: square - np.mean(square, axis=0) + [-0.03, 0, -0.04]})
+    before = [turned(60), turned(30)] * 3
+    after = [[0.75, 0.0, 0.5], [0.25, 0.0, 0.875], *before[2:4], granular.struck(np.array(turned(60)) * [1, 1, -1], 1.0) + [0, 0.002, 0], [0, 0, 0]]
+    write_run(os.path.join(folder, "billiards", "out.h5"), {0: line[:6], 1: line[:6]}, [before, after])
+    granular.build(folder, folder, None)
+    with open(os.path.join(folder, "granular.md"), encoding="utf-8") as file:
+        page = file.read()
+# 0.95 of 32 beads: the place of bead 29.45 is 59.9 radii, and was 7
+for row in ("| 32 | 1 | 2.00 (0.00) | 7.56 (0.00) | 7.00 (0.00) |",
+            f"| 0.5 | {granular.slope(heap, np.full(len(heap), RADIUS)):.1f} (0.0) | {granular.wedge(heap, np.full(len(heap), RADIUS)):.1f} (0.0) |",
+            "| 0 to 3 | 36.9 | 0.0 |", f"| 60 | 0.500000 | 0.485000 | 0.750000 | {math.sin(math.pi / 3) - 0.092 * 1.97 * 0.5:.6f} | 2.0e-03 |",
+            f"| 30 | 0.875000 | {0.97 * math.cos(math.pi / 6):.6f} | 0.250000 | sticks | - |"):
+    check(row in page, f"the page has {row}")
 
 with tempfile.TemporaryDirectory() as folder:
     table = os.path.join(folder, "beads.csv")

@@ -147,6 +147,88 @@ def test_fitted_lines(_program, folder):
         assert np.all(np.abs(away) < 0.4), f"{name}: a line of order {law[0]} is off by factors of {2**away}"
 
 
+def test_points(_program, folder):
+    """As many points are strong as the fit has used; one at the end of its range is."""
+    path = os.path.join(folder, "study.h5")
+    write_study(path)
+    study = importlib.import_module("plot.study_file").read_study(path)
+    figure, _ = importlib.import_module("plot.convergence").draw(study)
+    for panel, measure in enumerate(MEASURES[:3]):
+        marks = [line for line in figure.axes[2 * panel].get_lines() if line.get_marker() != "None"]
+        strong, pale = ([len(line.get_xdata()) for line in marks if line.get_alpha() == alpha] for alpha in (1.0, 0.4))
+        used = [int(study.fit(stepper, measure)["points"]) for stepper in PAPER]
+        assert strong == used and pale == [len(LADDER) - count for count in used], (measure, strong, pale, used)
+
+
+def test_chosen(_program, folder):
+    """Of runs over time the one in the middle of those that all steppers have is shown; and who is off the most is named."""
+    invariants, study_file = (importlib.import_module(f"plot.{name}") for name in ("invariants", "study_file"))
+    path = os.path.join(folder, "study.h5")
+    write_study(path, kept=(1, 2, 3, 4, 11, 12, 13, 14, 29))     # of VTI-1 and VTI-2 1/16 to 1/128, of VTI-3 its finest
+    chosen = invariants._choose_runs(study_file.read_study(path))
+    assert {stepper: round(1 / h) for stepper, (_, h) in chosen.items()} == {"vti1": 64, "vti2": 64, "vti3": 4096}, chosen
+    assert [name for name, _ in chosen.values()] == ["000003", "000013", "000029"], chosen
+    with h5py.File(path, "a") as file:
+        file["series/000013/angular_z"][5] = -0.25
+    figure, _ = invariants.draw(study_file.read_study(path))
+    titles = [axes.get_title() for part in figure.subfigs for axes in part.axes]
+    assert [title for title in titles if "off by" in title] == ["$e_3\\cdot J\\,\\Omega$\noff by up to 0.25 (VTI-2)"], titles
+
+
+def test_peaks(_program, _folder):
+    """Of a long record no peak is lost, up or down."""
+    values = np.zeros(5000)
+    values[[1234, 3210]] = 1.0, -1.0
+    t, shown = importlib.import_module("plot.curves").finite(np.arange(5000.0), values)
+    assert {(1234.0, 1.0), (3210.0, -1.0)} <= set(zip(t, shown)) and len(t) <= 1002, len(t)
+
+
+def write_sweep(path):
+    """Two groups of two steppers at three steps, over three values: means, spreads and orders that differ in all of them. Returns
+    (group, stepper, h, measure) -> mean, spread."""
+    measures, told = (*MEASURES, "momentum_error"), {}
+    rows, orders = [], []
+    for group, point in enumerate((0, 3)):
+        for s, order in enumerate((2, 1)):
+            for h in (0.25, 0.125, 0.0625):
+                for m, measure in enumerate(measures):
+                    mean = 0.1 * (1 + group + 3 * m) * h**order
+                    told[group, s, h, measure] = mean, 0.25 * mean
+                rows.append((point, s, h, 3, 0, *(value for measure in measures for value in told[group, s, h, measure])))
+            orders += [(point, s, m, order + 0.5 * group + 0.25 * m, 0.1) for m in range(len(measures))]
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"ensemble": "pendulum.weight", "vti_version": "0.1.0"})
+        file["sweep/pendulum.weight/value"], file["sweep/stiffness/value"] = np.array([1.0, 2.0, 3.0]), np.array([10.0, 20.0])
+        for name, names in (("scenes", ["pendulum"]), ("steppers", ["vti1", "vti2"]), ("measures", measures)):
+            file[f"{name}/name"] = texts(names, False)
+        for name, values in (("scene", 6 * [0]), ("pendulum.weight", 2 * [0, 1, 2]), ("stiffness", 3 * [0] + 3 * [1])):
+            file[f"points/{name}"] = np.array(values)
+        columns = ("point", "stepper", "h", "runs", "failed", *(f"{what}_{measure}" for measure in measures for what in ("mean", "spread")))
+        for name, table, names in (("ensemble", rows, columns), ("ensemble_orders", orders, ("point", "stepper", "measure", "mean_order", "spread_order"))):
+            for column, values in zip(names, zip(*table)):
+                file[f"{name}/{column}"] = np.array(values)
+    return told
+
+
+def test_ensemble(program, folder):
+    """Points are means, bars reach a standard deviation up and down, and each panel has the orders of its own group and measure."""
+    path = os.path.join(folder, "study.h5")
+    told = write_sweep(path)
+    draws(program, path, os.path.join(folder, "drawn"), pictures=("ensemble.png",))
+    figure, notes = importlib.import_module("plot.ensemble").draw(importlib.import_module("plot.sweep_file").read_sweep(path))
+    panels, legends = ([axes for axes in figure.axes if bool(axes.get_xlabel()) == drawn] for drawn in (True, False))
+    assert len(panels) == len(legends) == 6 and not notes, notes
+    for k, (axes, legend) in enumerate(zip(panels, legends)):
+        group, measure = k // 3, MEASURES[k % 3]
+        assert k % 3 or axes.get_title().startswith(f"pendulum, stiffness = {10 * (group + 1)}: energy"), axes.get_title()
+        for s, (line, bars) in enumerate(zip(axes.get_lines(), axes.collections)):
+            expected = [(h, *told[group, s, h, measure]) for h in (0.25, 0.125, 0.0625)]
+            assert np.allclose(line.get_xydata(), [(h, mean) for h, mean, _ in expected]), (k, s, line.get_xydata())
+            assert np.allclose([bar[:, 1] for bar in bars.get_segments()], [(mean - spread, mean + spread) for _, mean, spread in expected]), (k, s)
+        shown = [text.get_text() for text in legend.get_legend().get_texts()]
+        assert shown == [f"VTI-{s + 1}: {order + 0.5 * group + 0.25 * (k % 3):.1f} ± 0.1" for s, order in enumerate((2, 1))], (k, shown)
+
+
 def test_lost(_program, folder):
     """A trajectory that is off by more than a tenth at every h has no order, though its errors are on a line; the energy's stays."""
     path = os.path.join(folder, "study.h5")
@@ -233,6 +315,15 @@ def test_intervals(_program, _folder):
     assert words.order_text({"order": 2.04, "interval": 0.61}) == "not resolved (2.0 ± 0.7)" and words.order_text(None) == "no fit"
 
 
+def test_looks(_program, _folder):
+    """The paper's steppers look the same in every study; no two of fifty look alike."""
+    style = importlib.import_module("plot.style")
+    own = style.looks(["vti3", "vti1"])
+    many = style.looks(["vti1", "vti2", "vti3", "vti3-leapfrog", *(f"other{k}" for k in range(46))])
+    assert own["vti3"] == many["vti3"] == style.LOOKS[2] and own["vti1"] == many["vti1"] == style.LOOKS[0] and many["vti2"] == style.LOOKS[1]
+    assert len({(look.colour, look.marker) for look in many.values()}) == 50, many
+
+
 def test_help(program, _folder):
     done = apart(program, "-h")
     assert done.returncode == 0 and "study.h5" in done.stdout and "convergence.png" in done.stdout, done.stdout
@@ -241,4 +332,5 @@ def test_help(program, _folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_help, test_intervals, test_pictures, test_fitted_lines, test_lost, test_edges, test_refusals)
+    plot_support.main(test_help, test_intervals, test_looks, test_pictures, test_fitted_lines, test_points, test_chosen, test_peaks, test_ensemble,
+                      test_lost, test_edges, test_refusals)

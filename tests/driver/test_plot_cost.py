@@ -106,6 +106,75 @@ def test_prices(program, folder):
     assert re.search(r"\*\*3\.2\*\* times with [^;]*\bexact\b", text), "not in words"
 
 
+def least(told, scene, error, index):
+    """Of ours, of the rivals and of VTI-2; index: 0 evaluations, 1 seconds."""
+    costs = {key[1]: cost[index] for key, cost in told.items() if (key[0], key[2]) == (scene, error)}
+    kinds = {method: values[0] for method, values in cost_support.METHODS.items()}
+    return (*(min((cost for method, cost in costs.items() if kinds[method] == kind), default=math.nan) for kind in ("ours", "rival")),
+            costs.get("vti2", math.nan))
+
+
+def test_order_of_rows(program, folder):
+    """By the time to 1e-6, or to the smallest error that half of the methods reach; behind them, those that do not reach it."""
+    told = cost_support.write_cost(folder)
+    text = page(program, folder, os.path.join(folder, "docs"))
+    for scene in cost_support.SCENES:
+        head, rows = table_below(text, scene)
+        reached = [error for error in cost_support.TARGETS
+                   if 2 * sum(key[0] == scene and key[2] == f"{error:.0e}" for key in told) >= len(cost_support.METHODS)]
+        pivot = next(cell for cell in head[2:-1] if math.isclose(float(cell), max(1e-6, min(reached))))
+        assert f"Rows by the time to {pivot};" in text.split(f"\n## {scene}\n")[1], (scene, pivot)
+        times = [row[head.index(pivot)].split(" / ")[0] for row in rows]
+        times = [math.inf if time == "-" else value(time) for time in times]
+        assert times == sorted(times) and times[0] < times[-1], (scene, times)
+
+
+def test_ratios(program, folder):
+    """Everything that is a share of the best rival's: time first, then evaluations; and who has lost, and what is gained."""
+    told = cost_support.write_cost(folder, methods={**cost_support.METHODS, "pefrl": ("rival", 4, 0.02, 4, 10)})
+    text = page(program, folder, os.path.join(folder, "docs"))
+    head, rows = table_below(text, "What it costs")
+    beaten = re.search(r"A rival takes less time .*? on (.*)\.\n", text)[1]
+    gains = text.split("The time of VTI-2 over that of the best of ours, ")[1].split("\n")[0]
+    for row in rows:
+        scene, shown = row[0], 0
+        below = text.split(f"\n## {scene}\n")[1].split("The best of ours over the best rival, in time / in evaluations")[1].split("\n")[0]
+        for error in cost_support.TARGETS:
+            (fewest, rivals, _), (mine, other, paper) = (least(told, scene, f"{error:.0e}", index) for index in (0, 1))
+            power = f"{error:.0e}".replace("e-0", "e-")
+            there = re.search(rf" ([\d.e+-]+) / ([\d.e+-]+) to {power} \(", below)
+            assert (there is not None) == math.isfinite(mine / other), (scene, power, below)
+            if there:
+                assert np.allclose([float(number) for number in there.groups()], [mine / other, fewest / rivals], rtol=0.03), (scene, power, there)
+                shown += 1
+            lost = mine > 1.05 * other or math.isfinite(other) and not math.isfinite(mine)
+            said = re.search(rf"(?:^|; ){scene} at ([^(]*)", beaten)
+            assert lost == bool(said and re.search(rf"\b{power}\b", said[1])), (scene, power, beaten)
+            if f"{error:g}" in ("0.01", "0.0001", "1e-06", "1e-08") and math.isfinite(paper / mine):
+                gained = f"{scene} to {power}: ", paper / mine      # the smallest of these stays
+            if power in head and math.isfinite(mine / other):
+                cell = row[head.index(power)].split(", ")[1].split(" / ")
+                assert np.allclose([float(number) for number in cell], [mine / other, fewest / rivals], rtol=0.03), (scene, power, cell)
+        assert shown > 1 and gained[0] in gains, (scene, gains)
+        assert math.isclose(float(gains.split(gained[0])[1].split(" (")[0]), gained[1], rel_tol=0.03), (gains, gained)
+    assert "](accuracy/pendulum-1000-energy.png)" in text and "pendulum-10-energy" not in text, "the energy of the longest pendulum"
+    _, rows = table_below(text, "What contact leaves of the order")
+    shown = {row[0]: row[2:] for row in rows}
+    assert shown["exact"] == 5 * ["2.0"] and shown["RK4"] == ["4.0", "4.0", "4.0", "2.5", "2.2"], shown
+    spin = [row.strip("| ").split(" | ") for row in text.split("\n## Steady spin\n")[1].split("\n## ")[0].splitlines()]
+    share = {row[0]: row[1:] for row in spin}
+    # asin(1/2) and 2 atan(1/4), 2 atan(1/2), 2 atan(1) beside 1/2, 1 and 2
+    assert share["VTI-1"][2:] == ["0.047", "refused", "refused"] and share["VTI-2"][2:] == ["0.02", "0.073", "0.21"], share
+
+
+def test_equal_time_verdicts(_program, _folder):
+    """By every run, on average in each scene, or not."""
+    claims = importlib.import_module("plot.pages.claims")
+    for ratios, verdict in (((0.5, 0.9), "met"), ((0.5, 1.5), "met on average, not by every run"), ((0.9, 1.5), "**not met**")):
+        row = claims._equal_time_row("mercury", {"a": np.array([0.5, 0.9]), "b": np.array(ratios)})
+        assert row[2] == verdict and f"the worst run {max(ratios):.2g}" in row[1], row
+
+
 def test_one_step_for_all(program, folder):
     """A method whose largest step has all errors shows no trade: no factor of ten is told."""
     cost_support.write_cost(folder, scenes=("chain",), methods={k: cost_support.METHODS[k] for k in ("exact", "vti2", "rk4", "srkn11")})
@@ -249,6 +318,15 @@ def test_colours(_program, _folder):
             assert orange == (kind == "paper"), f"{kind}: {red} {green} {blue}"
             assert (max(green, blue) > red and not red > green) == (kind == "ours") or (kind == "rival" and red > green), f"{kind}: {red} {green} {blue}"
     assert len({marker for marker, _ in pictures.MARKERS.values()}) == len(families) == len(pictures.MARKERS), "families differ in grey, too"
+    many = {f"{kind}-{k:02}": kind for kind in families for k in range(2 * len(families[kind]))}
+    ladder = importlib.import_module("plot.pages.cost_file").Ladder
+    looks = pictures._looks({name: ladder(kind, {}) for name, kind in many.items()}, set(many))
+    assert len({look[:2] for look in looks.values()}) == len(many), "two methods that are named look alike"
+    assert all(looks[name][0] in pictures.COLOURS[kind] and looks[name][2:] == pictures.MARKERS[kind] for name, kind in many.items()), looks
+    errors = np.array([1e-2, 1e-4, 1e-6])
+    prices = {name: ladder(kind, {"error": errors, "seconds": np.array(seconds)}) for name, kind, seconds in (
+        ("often", "ours", (2.0, 3.0, 4.0)), ("once", "ours", (1.0, 5.0, 6.0)), ("ends", "ours", (3.0, np.nan, np.nan)), ("other", "rival", (0.5, 1.0, 1.0)))}
+    assert [pictures._best(prices, kind) for kind in ("ours", "rival", "paper")] == ["often", "other", None], "thick is the cheapest at most errors"
     axes, errors = plot_support.matplotlib.figure.Figure().add_subplot(), np.array([1e-7, 1e-8, 1e-9, 1e-10])
     [(error, height, *_)] = pictures._band(axes, [pictures.Line(errors, np.array([1.0, 2.0, 3.0, 4.0])),
                                                       pictures.Line(errors, np.array([1.0, 2.0, 3.0, 9.0]))])
@@ -345,5 +423,6 @@ def test_refusals(program, folder):
 
 
 if __name__ == "__main__":
-    plot_support.main(test_page_and_pictures, test_prices, test_one_step_for_all, test_claims, test_goals, test_first_part, test_stored_page,
+    plot_support.main(test_page_and_pictures, test_prices, test_order_of_rows, test_ratios, test_equal_time_verdicts,
+                      test_one_step_for_all, test_claims, test_goals, test_first_part, test_stored_page,
                       test_colours, test_names, test_edges, test_steady_spin, test_refusals)

@@ -3,14 +3,18 @@
 hands over files that are no runs and expects one line each. Exit status 77 (skipped) where Python lacks a module."""
 import importlib
 import os
+import re
 import types
 
 import plot_support
 from plot_support import EPS, FINE, apart, left_alone, plot, refuses, refuses_damage
 
 import h5py
+import matplotlib.colors
 import numpy as np
 from PIL import Image
+
+import test_plot
 
 ALL = ("energy.png", "energy_error.png", "momenta.png", "shapes.png")
 LOOKS = {"kinetic_translation": ("$T$", "translation", "#0072B2"), "kinetic_rotation": ("$R$", "rotation", "#56B4E9"),
@@ -413,6 +417,109 @@ def test_film(program, folder):
     refuses(program, run, "fewer than two frames; run it again with fewer steps between", options=("--film",))
 
 
+def test_curves(_program, folder):
+    """Peaks of a single time are drawn, of energies, of momenta and of the error, whose drift is that over the whole time; each
+    layer's name has its colour; and nothing is left of a run from where it blew up."""
+    (energy, energy_error, momenta, run_file), path = modules("energy", "energy_error", "momenta", "run_file"), os.path.join(folder, "out.h5")
+    write_run(path)
+    with h5py.File(path, "a") as file:
+        file["energies/contact"][1501], file["energies/momentum_y"][1501] = 5.0, 0.5
+        file["energies/total"][...] = 10 + 1e-3 * (-1.0) ** np.arange(3000) + 3e-3 * file["energies/t"][...] / 7
+    run = run_file.read_run(path)
+    stack, single = energy.draw(run)[0].axes
+    names = [text.get_text().split("  ")[-1] for text in stack.get_legend().get_texts()]
+    colours = dict(zip(names[1:], (matplotlib.colors.to_hex(patch.get_facecolor()).upper() for patch in stack.get_legend().get_patches())))
+    assert names[0] == "total" and all(colours[meaning] == colour for _, meaning, colour in LOOKS.values()), colours
+    peaks = {line.get_color(): np.max(line.get_ydata()) for line in single.lines}
+    assert peaks[LOOKS["contact"][2]] == 5.0, peaks
+    axes = momenta.draw(run)[0].axes[0]
+    peaks = {line.get_color(): np.nanmax(line.get_ydata()) for line in axes.lines}
+    assert peaks[momenta.LOOKS[0][1]] == 2.0 and 0.4 < peaks[momenta.LOOKS[1][1]] < 0.6 and peaks[momenta.LOOKS[2][1]] < 1e-12, peaks
+    axes = energy_error.draw(run)[0].axes[0]
+    band = axes.collections[0].get_paths()[0].vertices[:, 1]        # from the first value, which is 1e-3 above 10, in 1e-4
+    assert "moves by $3.0\\times 10^{-4}$ ±" in axes.get_title() and "10^{-4}" in axes.get_ylabel(), (axes.get_title(), axes.get_ylabel())
+    assert np.isclose(np.min(band), -2.0, 0, 0.01) and np.isclose(np.max(band), 3.0, 0, 0.01), (np.min(band), np.max(band))
+    # residuals +, -, -, + have no slope: the interval is 2.1 of its standard error, sqrt(20/18/665), times the length
+    change, interval = energy_error.drift(np.arange(20.0), 3 * np.arange(20.0) + np.tile([1.0, -1.0, -1.0, 1.0], 5))
+    assert np.isclose(change, 57.0) and np.isclose(interval, 2.1 * 19 * np.sqrt(20 / 18 / 665)), (change, interval)
+    write_run(path, blown=True)
+    run = run_file.read_run(path)
+    assert np.max(run.columns["t"]) < run.lost and np.max(run.times) < run.lost and np.max(np.abs(run.columns["total"])) < 120, run.lost
+    assert len(run.total_to_the_end[0]) == 3000 and all(len(values) == len(run.columns["t"]) for values in run.columns.values())
+
+
+def bent(t):
+    """Flat at first, and twice as steep in the second half of 500."""
+    return np.maximum(t, 20.0) + np.maximum(t - 250.0, 0.0) - 20.0
+
+
+def figures_folder(folder):
+    """What ./dev figures finds: studies of PAPER's orders, runs whose energies and momenta are off by what is known."""
+    far = {stepper: (*laws[:2], (0, 0.5), laws[3]) for stepper, laws in test_plot.PAPER.items()}
+    for name, steppers in (("pendulum", None), ("torus-study", None), ("torus-printed-study-short", None), ("torus-printed-study", far)):
+        os.makedirs(os.path.join(folder, name))
+        test_plot.write_study(os.path.join(folder, name, "study.h5"), steppers)
+    with h5py.File(os.path.join(folder, "pendulum", "study.h5"), "a") as file:
+        file["series/000004/arm_length"][3] = -2.5e-11
+    figures = importlib.import_module("plot.pages.figures")
+    # stepper, end, the sum's swing and its slope as shares of it, how far S_z, L_x and L_z go
+    runs = {name: ("vti2", 7.0, 4e-4, 0.0, (0.25, 0.5, 0.75)) for name in ("torus", "torus-vti2", *figures.DISSIPATING, *figures.NO_SPHERES)}
+    runs |= {"torus-vti1": ("vti1", 7.0, 4e-4, 0.0, (0.5, 0.125, 1.0)), "torus-printed": ("vti2", 7.0, 4e-4, 0.0, (0.0, 3.0, 2.0)),
+             "torus-long-vti2": ("vti2", 500.0, 0.0, 1e-6, (0, 0, 0)), "torus-long-vti3": ("vti3", 500.0, 0.0, -3e-6, (0, 0, 0)),
+             "torus-coarse": ("vti2", 7.0, 0.0, 0.0, (0, 0, 0))}
+    for name, (stepper, t_end, swing, rate, far) in runs.items():
+        os.makedirs(os.path.join(folder, name))
+        with open(os.path.join(folder, name, "run.txt"), "w", encoding="utf-8") as file:
+            file.write("warning: h is too large\nt = 1\n")
+        path = os.path.join(folder, name, "out.h5")
+        write_run(path, count=3, frames=2, t_end=t_end, blown=name == "torus-coarse")
+        with h5py.File(path, "a") as file:
+            file.attrs["stepper"], t = np.bytes_(stepper), file["energies/t"][...]
+            file["energies/wall"] = 0.03 * (np.abs(t - 0.5 * t_end) < 0.1 * t_end) - file["energies/contact"][...]
+            if name != "torus-coarse":
+                file["energies/total"][...] = 10 * (1 + swing * np.sin(np.pi * t / t_end) ** 2 + rate * bent(t))
+            if name == "torus-vti1":
+                file["energies/momentum_x"][...] *= 1.5
+            for column, size in zip(("spin_z", "angular_x", "angular_z"), far):
+                file[f"energies/{column}"][...] = size * t / t_end
+    return figures
+
+
+def test_figures(_program, folder):
+    """The page of ./dev figures: its numbers are those that the files were made with, and its verdicts follow from them."""
+    done = plot_support.called(figures_folder(folder), "figures", folder)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    with open(os.path.join(folder, "index.md"), encoding="utf-8") as file:
+        text = file.read()
+    met, missed, parts = "**Agrees.** ", "**Does not agree.** ", {part.split("\n")[0].split(":")[0]: part for part in text.split("\n## ")}
+    for heading, said in {
+            "Figure 1": (f"{met}Quadratic convergence of the energy", f"{met}Linear convergence of the q-error",
+                         f'{missed}"Linear convergence of trajectories"', f'{missed}"Indistinguishable', "VTI-1 is 8.8 times that of VTI-2", f"{met}Invariants",
+                         "|R rho0| by at most 2.5e-11", " | 3.4e-08 |"),      # 0.56/2^24 of VTI-1
+            "Figure 4": (f"{met}Near-conservation of the total: at most 4.0e-04 of 10.", "at most 5 in kinetic translation, 2.5 in kinetic rotation",
+                         f"{missed}The contact energy", "off by up to 1.6 %"),      # 21/4 of 0.03 of 10
+            "Figure 5": (f"{met}VTI-2 at h = 0.001, to t = 500: the energy is off by at most 7.3e-04 of itself",
+                         f"{missed}VTI-3 at h = 0.001, to t = 500: the energy is off by at most 2.2e-03 of itself", f"{missed}The paper prints h = 1e-2",
+                         "by t = 3.0", "`warning: h is too large`\n"),
+            "Figure 6": ("| 0.25 | 0.5 | 0.75 |\n| VTI-2, printed shear | 2 |", "| VTI-1 | 3 |", "| 0.5 | 0.12 | 1 |\n| VTI-2 | 2 |", "| 0 | 3 | 2 |\n",
+                         f"{met}P along the wall", f'{missed}"Exact conservation', "P_x changes by 2 as"),
+            "Figure 7": (f"{met}Quadratic", f"{met}Linear convergence of the energy for VTI-3", f"{missed}Linear convergence of the q-error for all three",
+                         "to t = 10. The smallest true error is 0.49, and the reference itself is known to 0: the motion is chaotic",
+                         "to t = 2. The smallest true error is 1.5e-08, and the reference itself is known to 0: so far the finest"),
+            "Beyond the paper": ("The sum stays to 8.0e-04 of the largest energy.",)}.items():     # 4e-4 of 10 beside 5
+        for words in said:
+            assert words in parts[heading], f"no '{words}' in: {parts[heading]}"
+    t = np.linspace(0, 500, 3000)
+    shown = [float(number) for number in re.findall(r"(?:moves by|whole time,|a slope of) (\S+) ±", parts["Figure 5"])]
+    found = [np.polyfit(some, bent(some), 1)[0] for some in (t, t[1500:], t[t > 20])]
+    wanted = [500e-6 * found[0], 250e-6 * found[1], 1e-5 * found[2], -1.5e-3 * found[0], -7.5e-4 * found[1]]
+    assert np.allclose(shown, wanted, rtol=0.03), (shown, wanted)
+    has_order, fits = importlib.import_module("plot.pages.figures").has_order, {"a": (2.05, 0.01), "b": (2.3, 0.4), "c": (2.3, 0.2), "d": (2.0, 0.7)}
+    study = types.SimpleNamespace(fit=lambda stepper, _: dict(zip(("order", "interval"), fits[stepper])))
+    for steppers, expected in (("ab", True), ("ac", False), ("ad", None)):
+        assert has_order(study, steppers, "e_error", 2) is expected, steppers
+
+
 def test_refusals(program, folder):
     path = os.path.join(folder, "out.h5")
     with h5py.File(path, "w") as file:
@@ -460,4 +567,4 @@ def test_refusals(program, folder):
 
 if __name__ == "__main__":
     plot_support.main(test_pictures, test_contacts, test_looks, test_scenes, test_walls, test_rest, test_level, test_plane, test_fragments, test_no_bond_made, test_varying_steps,
-                      test_scale, test_momenta, test_short_times, test_names, test_room, test_kept_exactly, test_film, test_refusals)
+                      test_scale, test_momenta, test_short_times, test_names, test_room, test_kept_exactly, test_curves, test_film, test_figures, test_refusals)
