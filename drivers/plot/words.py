@@ -56,7 +56,8 @@ def number(value, digits=2):
 def plain_number(value, digits=2):
     """Without mathtext: 3.1e-05."""
     if value == 0 or 0.01 <= abs(value) < 1e4:
-        return f"{value:.{max(digits, 3 if abs(value) >= 100 else 0)}g}"
+        text = f"{value:.{digits}g}"
+        return f"{value:.0f}" if "e" in text else text
     return f"{value:.{digits - 1}e}"
 
 

@@ -3,6 +3,7 @@
 page says what the files do."""
 import csv
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -92,7 +93,7 @@ def test_page(vti_plot, folder, rows):
             with open(os.path.join(folder, name + end), "w", encoding="utf-8") as file:
                 file.write(content)
     for name, content in (
-            ("scaling.csv", "what,workers,median_s,least_s\nlattice,1,1.2,1\nlattice,2,0.66,0.5\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n"),
+            ("scaling.csv", "what,workers,median_s,least_s\nlattice,1,1.2,1\nlattice,2,0.66,0.5\nlattices at once,1,1.2,1\nlattices at once,2,1.5,1\nstudy of the torus,1,20,19\nstudy of the torus,2,11,10\n"),
             ("ranks.csv", "what,tasks,ranks,seconds\nstudy,48,1,6\nstudy,48,2,4\nsweep,4096,1,400\nsweep,4096,2,200\n"),
             ("flops.csv", "what,instructions,flops\nstep,60,80\nbond,160,280\ntouching pair,70,21\nfriction and dashpots,1300,1000\n"),
             ("shared.csv", "instructions,shared\n800,780\n"),
@@ -128,6 +129,8 @@ def test_page(vti_plot, folder, rows):
     check("| step of a body of three moments, `fix nve/asphere` | 1000 | 80 | `three moments: vti2` | 8.00 (7.50 to 8.50) | - |" in made,
           "and beside LAMMPS")
     check("| `vti-run --threads` | 2 | 0.66 | 0.55 |" in made and "| `vti-study`, torus | 2 | 11 | 0.55 |" in made, "threads and ranks")
+    check("2 runs at once share nothing but the machine, and take 1.25 times as long as one: that is 1.60 times the work of one core. "
+          "`--threads 2` is 1.82 times as fast as one thread." in made, "... and what the machine gives")
     check("| body's step, `vti2` | 60 | 80 | 0.192 | 4 (0.50) |" in made, "operations: 4 GFlop/s of the 8 that 41.6 GB/s allow")
     check("| bond: moment, axial, shear | 160 | 280 | 3.5 | 40 (0.80) |" in made, "... and 40 of the core's 50")
     check("| contact of a touching pair | 70 | 21 | 0.656 | 3.5 (0.13) |" in made, "... and 3.5 of the 27 that 32 bytes of a pair allow")
@@ -150,6 +153,18 @@ def test_page(vti_plot, folder, rows):
     check("beside LIGGGHTS-PUBLIC 3.8.0 and YADE 2023," in made and
           "| YADE: body's step, `NewtonIntegrator` | 1000 | 150 | `vti2` | 30.00 (29.00 to 31.00) | - |" in made, "beside other codes")
     test_pictures(vti_plot, folder)
+    without = os.path.join(folder, "without")
+    shutil.copytree(folder, without, ignore=lambda _, names: [name for name in names if name.startswith(("avx2", "baseline"))])
+    for end, content in ((".csv", "".join(line for line in text.splitlines(True) if not line.startswith("peak,"))),
+                         (".txt", "flags: -O7\nvector units: those of the build; and more\n")):
+        with open(os.path.join(without, "widest" + end), "w", encoding="utf-8") as file:
+            file.write(content)
+    done = run(*page[:3], without, env=beside)
+    with open(os.path.join(without, "performance.md"), encoding="utf-8") as file:
+        made = file.read()
+    check(done.returncode == 0 and "nan" not in made and "Vector units: the build's" in made and "does not know what one core" in made
+          and "| bond: moment, axial, shear | 160 | 280 | 3.5 | 40 (0.27) |" in made,
+          f"a processor whose peak is not known: {done.stderr}")
     os.remove(os.path.join(folder, "lammps.csv"))
     os.remove(os.path.join(folder, "others.csv"))
     check(run(*page, env=beside).returncode == 0, "a page without LAMMPS")

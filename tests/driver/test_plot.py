@@ -312,6 +312,8 @@ def test_intervals(_program, _folder):
                                   (2.0, 0.0, "2.00000 ± 0.00001"), (0.9985, 0.00011, "0.9985 ± 0.0002"), (2.1, 0.3, "2.1 ± 0.3"),
                                   (0.07, 0.07, "0.07 ± 0.07"), (4.319, 0.92, "4 ± 1"), (1.5, 3.2, "2 ± 4"), (1.5, np.inf, "1.50")):
         assert words.with_interval(value, interval) == text, (value, interval, words.with_interval(value, interval))
+    assert [words.plain_number(value) for value in (0.0099, 9.96, 99.4, 99.6, 123.4, 999.7, 2e4)] == [
+        "9.9e-03", "10", "99", "100", "123", "1000", "2.0e+04"]
     assert words.order_text({"order": 2.04, "interval": 0.61}) == "not resolved (2.0 ± 0.7)" and words.order_text(None) == "no fit"
 
 

@@ -2,6 +2,8 @@
 """What limits a step, by its operations and bytes, and what cores share: measured to the cores that there are, modelled beyond."""
 import os
 
+import numpy as np
+
 from .. import style
 from .performance_rows import read_rows, short, size_text
 
@@ -9,7 +11,8 @@ FLOPS = ["what", "instructions", "flops"]
 SCALING = ["what", "workers", "median_s", "least_s"]
 SHARED = ["instructions", "shared"]
 RANKS = ["what", "tasks", "ranks", "seconds"]
-CORES = {"lattice": "`vti-run --threads`", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
+ABREAST = "lattices at once"
+CORES = {"lattice": "`vti-run --threads`", ABREAST: "`vti-run`s of one thread at once", "study of the pendulum": "`vti-study`, pendulum", "study of the torus": "`vti-study`, torus"}
 
 # Bytes that come from memory or go there where each is needed once. A step in two phases moves 52 numbers of a body. A bond has two
 # indices, n0 and L0 of its own; for its effect a body's x and alpha are read, force and moment written. So a third of a body's for each
@@ -51,10 +54,13 @@ def roofline_part(page, folder, bench, sizes, image):
         return
     rows = {row["what"]: row for row in read_rows(folder, "flops", FLOPS)}
     peak = 1 / bench.ns("peak", "packed", sizes[0])
+    most = ("vti-bench does not know what one core of this processor makes at most. In brackets: over what memory allows, the"
+            if np.isnan(peak) else
+            f"One core makes at most {short(peak)} GFlop/s: sums and products in registers, half of each, none of which waits for another. In "
+            "brackets: over what is possible, the less of that and of the")
     page.text(f"Operations and instructions of a body, bond or touching pair and step, as callgrind counts them in the kernels for AVX2: a sum, "
               f"difference, product, quotient or root is one operation. {bench.units} makes the same operations with fewer instructions. "
-              f"One core makes at most {short(peak)} GFlop/s: sums and products in registers, half of each, none of which waits for another. In "
-              "brackets: over what is possible, the less of that and of the operations per byte times the bandwidth of the loop of the same "
+              f"{most} operations per byte times the bandwidth of the loop of the same "
               "bytes at this n, which goes in one direction; a step, whose last kick comes back, may be above it where caches hold a part "
               "of the bodies. Quotients and roots, which each of these has, take a processor four to twenty times as long "
               "as a sum.")
@@ -68,16 +74,16 @@ def roofline_part(page, folder, bench, sizes, image):
 
 def of_possible(bench, what, flops, n, peak):
     rate = flops / time_of(bench, what, n)
-    most = min(peak, bandwidth(bench, n) * flops / BYTES[what]) if what in BYTES else peak
-    return f"{short(rate)} ({rate / most:.2f})" if rate == rate else "-"
+    most = np.fmin(peak, bandwidth(bench, n) * flops / BYTES[what]) if what in BYTES else peak
+    return "-" if np.isnan(rate) else short(rate) if np.isnan(most) else f"{short(rate)} ({rate / most:.2f})"
 
 
 def roofline(bench, rows, sizes, peak, path):
     figure = style.new_figure(4.6)
     axes = figure.subplots()
     for n, line in zip(sizes, ("-", "--", ":")):
-        x = [1 / 16, peak / bandwidth(bench, n), 16]
-        axes.plot(x, [bandwidth(bench, n) * x[0], peak, peak], line, color="black",
+        x = np.array([1 / 16, np.fmin(peak / bandwidth(bench, n), 16), 16])
+        axes.plot(x, np.fmin(bandwidth(bench, n) * x, peak), line, color="black",
                   label=f"possible, n = {size_text(n)}: {short(bandwidth(bench, n))} GB/s")
     for what, look in zip(BYTES, style.LOOKS):
         flops = float(rows[what]["flops"])
@@ -97,9 +103,13 @@ def cores_part(page, folder, bench):
     seconds = {(row["what"], int(row["workers"])): float(row["median_s"]) for row in rows}
     page.text("Medians of rounds in which all have their turn. `vti-run --threads`: 500 steps of 97336 bonded spheres (bench/lattice.yaml), "
               "start and files left out. `vti-study` under mpirun: whole studies, from start to end, without pictures.")
-    page.table(["", "threads or ranks", "seconds", "of the time of one"],
+    page.table(["", "threads, runs or ranks", "seconds", "of the time of one"],
                [[CORES[what], str(workers), short(took), f"{took / seconds[what, 1]:.2f}"] for (what, workers), took in seconds.items()])
-    page.text("Files are the same bytes for any number of either.")
+    most = max(workers for what, workers in seconds if what == ABREAST)
+    longer = seconds[ABREAST, most] / seconds[ABREAST, 1]
+    page.text(f"{most} runs at once share nothing but the machine, and take {longer:.2f} times as long as one: that is {most / longer:.2f} times "
+              f"the work of one core. `--threads {most}` is {seconds['lattice', 1] / seconds['lattice', most]:.2f} times as fast as one thread. "
+              "Files are the same bytes for any number of threads or ranks.")
     if os.path.isfile(os.path.join(folder, "shared.csv")):
         threads_part(page, folder, bench, seconds)
     ranks_part(page, folder)

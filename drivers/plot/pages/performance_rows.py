@@ -37,7 +37,9 @@ def read_bench(folder, name):
     with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
         version = file.read()
     widest = version.split("vector units: ")[-1].split(";")[0]
-    units = UNITS[name] if name != "widest" else {"AVX-512 and AVX2": "AVX-512", "AVX2": "AVX2"}.get(widest, UNITS["baseline"])
+    known = any(what == "peak" for what, _, _ in found)     # as on x86 only
+    units = UNITS[name] if name != "widest" else {"AVX-512 and AVX2": "AVX-512", "AVX2": "AVX2"}.get(
+        widest, UNITS["baseline"] if known else "the build's")
     return Bench(name, units, version, found)
 
 

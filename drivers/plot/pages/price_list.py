@@ -33,13 +33,6 @@ def cheapest(cost, scene, error, kinds=tuple(methods.FAMILIES), column="seconds"
     return method, found.get(method, np.nan)
 
 
-def best(cost, scene, kind):
-    """The method of this kind that is the cheapest at most errors, at the smaller one of two that are even."""
-    winners = [cheapest(cost, scene, error, (kind,))[0] for error in errors(cost, scene)]
-    winners = [method for method in winners if method]
-    return max(winners, key=lambda method: (winners.count(method), winners[::-1].index(method) * -1), default=None)
-
-
 def ratio(cost, scene, error, column="seconds", measure=None, rivals=None):
     """Best of ours over best rival, or over the best of these: the two methods and the ratio of their prices."""
     mine, own = cheapest(cost, scene, error, ("ours",), column, measure)
