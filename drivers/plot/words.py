@@ -53,11 +53,16 @@ def number(value, digits=2):
     return power_of_ten(mantissa, exponent)
 
 
+def short_number(value, digits=2):
+    """3.1e-05, 0.00031, 0.31, 310: without a power of ten from 1e-4 to 1e4."""
+    text = f"{value:.{digits}g}"
+    return f"{value:.0f}" if "e+" in text and abs(value) < 1e4 else text
+
+
 def plain_number(value, digits=2):
     """Without mathtext: 3.1e-05."""
     if value == 0 or 0.01 <= abs(value) < 1e4:
-        text = f"{value:.{digits}g}"
-        return f"{value:.0f}" if "e" in text else text
+        return short_number(value, digits)
     return f"{value:.{digits - 1}e}"
 
 

@@ -6,9 +6,10 @@ bench/peers/peers.py wrote."""
 import os
 
 from .. import style
+from ..words import short_number
 from .page import ALONE, Page, machine_of, write_page
 from .peers_impacts import impact_picture, impacts_part, laws_part, ledger_part, times_as_many
-from .peers_rows import read, two
+from .peers_rows import read
 from .peers_scenes import (
     agglomerate_part,
     agglomerate_picture,
@@ -71,7 +72,7 @@ def times_part(page, folder):
             "On the heap most of vti-run's time goes to the flows of dashpots, which take an exponential for each contact "
             "and motion, twice a step, and to the springs of friction. A step there takes "
             f"{1 / min(row['ratio'] for row in rows + built if row['scene'] == 'heap'):.1f} times the time of LAMMPS' at "
-            f"most; for an impact as accurate (1e-3) LAMMPS takes at least {two(least_times_as_many(folder))} "
+            f"most; for an impact as accurate (1e-3) LAMMPS takes at least {short_number(least_times_as_many(folder))} "
             "times as many steps, as said above."
         )
 
@@ -81,7 +82,7 @@ def least_times_as_many(folder):
 
 
 def times_row(row):
-    return [row["scene"], two(row["vti_s"]), two(row["lammps_s"])] + [
+    return [row["scene"], short_number(row["vti_s"]), short_number(row["lammps_s"])] + [
         f"{row['ratio']:.2f} ({row['least']:.2f} to {row['most']:.2f})"
     ]
 

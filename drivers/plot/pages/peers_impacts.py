@@ -4,7 +4,8 @@
 import math
 
 from .. import style
-from .peers_rows import NAMES, OTHERS, curves, in_order, of, read, slope, two
+from ..words import short_number
+from .peers_rows import NAMES, OTHERS, curves, in_order, of, read, slope
 
 
 STEPS = (128, 1024, 8192)
@@ -12,7 +13,7 @@ STEPS = (128, 1024, 8192)
 
 def order_and_errors(rows):
     errors = {row["steps"]: row["error"] for row in rows}
-    return [f"{slope([row for row in rows if STEPS[0] <= row['steps'] <= STEPS[-1]]):.2f}", *(two(errors[steps]) for steps in STEPS)]
+    return [f"{slope([row for row in rows if STEPS[0] <= row['steps'] <= STEPS[-1]]):.2f}", *(short_number(errors[steps]) for steps in STEPS)]
 
 
 def steps_to(rows, error):
@@ -92,7 +93,7 @@ def same_errors(page, rows):
     spans = {code: [times for key, times in found.items() if key[0] == code] for code in codes[:-1]}
     page.text(
         f"For an error of {power(USUAL)} "
-        + ", ".join(f"{code} takes {two(min(times))} to {two(max(times))} times" for code, times in spans.items())
+        + ", ".join(f"{code} takes {short_number(min(times))} to {short_number(max(times))} times" for code, times in spans.items())
         + " as many steps as `vti2`."
     )
 
@@ -120,7 +121,7 @@ def impacts_part(page, folder, image):
                         f"{angle:g}",
                         NAMES[who],
                         *order_and_errors(mine),
-                        two(mine[0]["apart"]) if who != "vti2" else "-",
+                        short_number(mine[0]["apart"]) if who != "vti2" else "-",
                     ]
                 )
     page.table(["with", "degrees", "law", "order", "128 steps", "1024", "8192", "its limit is off ours by"], table)
@@ -197,7 +198,7 @@ def turns_part(page, rows):
     page.table(
         ["code", "turn about", *(f"{int(n)}" for n in steps)],
         [
-            [who, AXES[axis], *(two(of(rows, who=who, axis=axis, steps=n)[0]["off"]) for n in steps)]
+            [who, AXES[axis], *(short_number(of(rows, who=who, axis=axis, steps=n)[0]["off"]) for n in steps)]
             for who in in_order(rows, "who")
             for axis in in_order(rows, "axis")
         ],

@@ -66,10 +66,6 @@ def in_order(rows, key):
     return list(dict.fromkeys(row[key] for row in rows))
 
 
-def two(value):
-    return f"{value:.2g}"
-
-
 def slope(rows):
     """The order in h, by least squares."""
     errors = column(rows, "error")

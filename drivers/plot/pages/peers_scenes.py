@@ -7,7 +7,8 @@ import numpy as np
 
 from .. import style
 from ..curves import time_axis
-from .peers_rows import column, curves, in_order, of, read, two
+from ..words import short_number
+from .peers_rows import column, curves, in_order, of, read
 
 
 def pile_part(page, folder):
@@ -21,7 +22,7 @@ def pile_part(page, folder):
     steps = in_order(rows, "h")
     page.table(
         ["h", *(f"1/{round(1 / h)}" for h in steps)],
-        [[who, *(two(of(rows, who=who, h=h)[0]["error"]) for h in steps)] for who in ("vti", "LAMMPS")],
+        [[who, *(short_number(of(rows, who=who, h=h)[0]["error"]) for h in steps)] for who in ("vti", "LAMMPS")],
     )
 
 
@@ -42,9 +43,9 @@ def heap_part(page, folder, image):
                 [
                     f"1/{round(1 / h)}",
                     who,
-                    two(kinetic.max()),
-                    *(two(mine[int(len(mine) * share)]["kinetic"]) for share in (0.25, 0.5, 0.75)),
-                    two(kinetic[-1]),
+                    short_number(kinetic.max()),
+                    *(short_number(mine[int(len(mine) * share)]["kinetic"]) for share in (0.25, 0.5, 0.75)),
+                    short_number(kinetic[-1]),
                     f"{mine[-1]['height']:.3f}",
                 ]
             )
@@ -71,7 +72,7 @@ def agglomerate_part(page, folder, image):
             mine = of(rows, who=who, h=h)
             table.append(
                 [
-                    two(h),
+                    short_number(h),
                     who,
                     *(f"{mine[int((len(mine) - 1) * share)]['bonds']:.0f}" for share in (0.2, 0.4, 1)),
                     *(f"{mine[int((len(mine) - 1) * share)]['kinetic'] / start:.3f}" for share in (0.2, 0.4, 1)),
