@@ -162,6 +162,15 @@ def begin(*command):
     return process
 
 
+def ends_soon(process):
+    """What it says, and is killed if it goes on."""
+    try:
+        return process.communicate(timeout=PATIENCE / 4)[1]
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return process.communicate()[1]
+
+
 def signals(base):
     """To mpirun, which hands SIGUSR1 on; to the only rank that there is; to one of two."""
     for what, command, number in (("USR1 to mpirun", mpirun(), signal.SIGUSR1), ("TERM without mpirun", [STUDY], signal.SIGTERM),
@@ -177,11 +186,7 @@ def signals(base):
         process = begin(*command, *options, "-o", f"{base}/interval")
         time.sleep(seconds)
         process.send_signal(number)
-        try:
-            _, said = process.communicate(timeout=PATIENCE / 4)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            _, said = process.communicate()
+        said = ends_soon(process)
         check(process.returncode == 75 and stopped_words(said),
               f"{what} {where}: code {process.returncode}, {said.strip()[:200]}")
     given = ",".join(f"8/{steps}" for steps in range(2 * 10**7, 2 * 10**7 + 64))
@@ -189,11 +194,7 @@ def signals(base):
                                 PENDULUM], env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     process.stdout.readline()
     process.send_signal(signal.SIGTERM)
-    try:
-        _, said = process.communicate(timeout=PATIENCE / 4)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        _, said = process.communicate()
+    said = ends_soon(process)
     check(process.returncode == 75 and stopped_words(said), f"TERM among the steps of --cost --h: code {process.returncode}, {said.strip()[:200]}")
     process = begin(*mpirun(), *HOURS, "-o", f"{base}/one", CHAIN)
     worker = rank_of(f"{base}/one", "1")
