@@ -134,13 +134,15 @@ static int write_text(const struct run_files *files, const struct record *record
     return folder_close(file, files->folder, name, message->text[0] == '\0' ? message : &ignored) != 0 ? -1 : failed;
 }
 
-/** A file of an earlier run, which would not belong to those of this one. Files that are not ours stay. */
+/** A file of an earlier run, which would not belong to those of this one. Files that are not ours, or
+ *  write-protected, stay. */
 static void remove_earlier(const struct run_files *files, int kind)
 {
     char name[264], path[FOLDER_PATH];
     struct message ignored = {""};
     name_of(files, kind, name);
-    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[kind]))
+    if (folder_output(files->folder, name, 0, path, &ignored) == 0 && mark_is_ours(path, &marks[kind]) &&
+        (files->force || !is_protected(path)))
         unlink(path);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* S_ISVTX */
 #include "overwrite.h"
 
 #include <errno.h>
@@ -73,6 +73,12 @@ int mark_is_ours(const char *path, const struct mark *mark)
                                                       : is_text(path, mark));
 }
 
+int is_protected(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 && (info.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
+}
+
 /* ---- which file is which ----------------------------------------------------------------------------------------- */
 
 static int is_same(const char *a, const char *b)
@@ -136,41 +142,74 @@ static int check_others(const char *folder, const struct output *outputs, int k,
     return 0;
 }
 
-/** A link that leads to no file yet: whether one can be made there. */
-static int check_link(const char *folder, const char *name, char *target, struct message *message)
+/** Folder of the file at path. */
+static void folder_of(const char *path, char folder[FOLDER_PATH])
 {
-    char own[FOLDER_PATH];
+    memcpy(folder, path, strlen(path) + 1);
+    char *slash = strrchr(folder, '/');
+    slash[slash == folder] = '\0';
+}
+
+/** Whether a file can be made where the link leads that the output is, if it is one. */
+static int check_link(const char *folder, const char *name, const char *target, struct message *message)
+{
+    char own[FOLDER_PATH], place[FOLDER_PATH];
     struct stat info;
     if (folder_path(folder, name, 0, own, message) != 0)
         return -1;
-    if (lstat(own, &info) != 0)
+    if (lstat(own, &info) != 0 || !S_ISLNK(info.st_mode))
         return 0;
-    char *slash = strrchr(target, '/');
-    slash[slash == target] = '\0';
-    return faccessat(AT_FDCWD, target, W_OK | X_OK, AT_EACCESS) == 0
+    folder_of(target, place);
+    return faccessat(AT_FDCWD, place, W_OK | X_OK, AT_EACCESS) == 0
                ? 0
                : message_set(message, "%.300s: leads to %.600s, which cannot be written to: %s; remove that link", own,
-                             target, strerror(errno));
+                             place, strerror(errno));
+}
+
+/** Whether the file, which is there, may be replaced by a new one: in a folder like /tmp only by its owner, or the
+ *  folder's. */
+static int check_owner(const char *path, const struct stat *file, struct message *message)
+{
+    char place[FOLDER_PATH];
+    struct stat info;
+    const uid_t me = geteuid();
+    folder_of(path, place);
+    if (me == 0 || file->st_uid == me || stat(place, &info) != 0 || (info.st_mode & S_ISVTX) == 0 || info.st_uid == me)
+        return 0;
+    return message_set(message,
+                       "%.600s: is there already and is another user's, whom the folder lets replace it alone; choose "
+                       "another place with -o",
+                       path);
 }
 
 static int check_there(const char *folder, const struct output *o, int force, struct message *message)
 {
     char path[FOLDER_PATH];
     struct stat info;
-    if (folder_output(folder, o->name, 0, path, message) != 0)
+    if (folder_output(folder, o->name, 0, path, message) != 0 || check_link(folder, o->name, path, message) != 0)
         return -1;
     if (stat(path, &info) != 0)
-        return errno == ENOENT ? check_link(folder, o->name, path, message)
+        return errno == ENOENT ? 0
                                : message_set(message, "%.600s: cannot be looked at: %s; choose another place with -o",
                                              path, strerror(errno));
     if (!S_ISREG(info.st_mode))
         return message_set(message, "%.600s: is there already and is no file; choose another place with -o", path);
-    if (force || mark_is_ours(path, &o->mark))
-        return 0;
-    return message_set(message,
-                       "%.600s: is there already and is no result of vti; choose another place with -o, or replace it "
-                       "with --force",
-                       path);
+    if (!force && faccessat(AT_FDCWD, path, R_OK, AT_EACCESS) != 0)
+        return message_set(message,
+                           "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
+                           "replace it with --force",
+                           path, strerror(errno));
+    if (!force && !mark_is_ours(path, &o->mark))
+        return message_set(message,
+                           "%.600s: is there already and is no result of vti; choose another place with -o, or replace "
+                           "it with --force",
+                           path);
+    if (!force && is_protected(path))
+        return message_set(message,
+                           "%.600s: is there already and is write-protected; choose another place with -o, or replace "
+                           "it with --force",
+                           path);
+    return check_owner(path, &info, message);
 }
 
 /** The name under which it is written at first. */

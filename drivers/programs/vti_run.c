@@ -51,7 +51,8 @@ static const struct option_row rows[] = {
     {"--xdmf", NULL, OPTION_ON, &request.xdmf, OPTION_ANY,
      "OUT.xdmf for more than 2000 frames too: 1-8 kB for each; ParaView reads OUT.h5 itself"},
     {"--force", NULL, OPTION_ON, &request.force, OPTION_ANY,
-     "replace files that are no results of vti too; what the scene is read from is never replaced"},
+     "replace files that are no results of vti, or write-protected, too; what the scene is read from is never "
+     "replaced"},
     {"--checkpoint", "SECONDS", OPTION_NUMBER, &request.checkpoint_seconds, 0, 0, "60 or 1e3",
      "time between checkpoints (default 60); where no terminal shows a bar, they are told on the standard error, a "
      "minute or more apart"},

@@ -71,7 +71,8 @@ static const struct option_row rows[] = {
      "most that the reference solution takes on every rank (default 1000). What is longer is integrated again by every "
      "run, window by window; of scenes with contacts or many bodies fewer states are compared"},
     {"--force", NULL, OPTION_ON, &force, OPTION_ANY,
-     "replace files that are no results of vti too; what the scene is read from is never replaced"},
+     "replace files that are no results of vti, or write-protected, too; what the scene is read from is never "
+     "replaced"},
     {"--no-plot", NULL, OPTION_OFF, &plot, OPTION_ANY, "no pictures"},
     OPTION_PARAGRAPH(
         "What accuracy costs, errors against force evaluations and time, and the price of each error.\n"

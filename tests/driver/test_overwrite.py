@@ -244,7 +244,56 @@ def planted(base):
           there == contents(f"{base}/plain"), "two planted links: each output is a file of its own, and the links' is untouched")
 
 
-for topic in (own_inputs, foreign, pictures, meanwhile, spheres, links, planted):
+def protected(base):
+    """A result that is write-protected is kept, unless --force is given; so is one that would be taken away."""
+    for name in ("o.csv", "o.dump"):
+        folder = f"{base}/{name}"
+        run(RUN, *SPIN, "-o", f"{folder}/o.h5")
+        os.chmod(f"{folder}/{name}", 0o444)
+        refused(f"a protected {name}", folder, [name, "write-protected", "--force", "-o"], RUN, *SPIN, "--t-end", "2", "-o", "o.h5")
+        before = contents(folder)
+        result = run(RUN, *SPIN, "--t-end", "2", "-o", f"{folder}/o.h5", "--force")
+        check(result.returncode == 0 and contents(folder)[name] != before[name], "... --force replaces it")
+    os.chmod(f"{base}/o.dump/o.dump", 0o444)
+    result = run(RUN, *SPIN, "--no-dump", "-o", f"{base}/o.dump/o.h5")
+    check(result.returncode == 0 and "o.dump" in contents(f"{base}/o.dump"), "... --no-dump does not take it away")
+
+
+def rights(base):
+    """Of one who is not root: what cannot be written or replaced at the end is refused at the start, and what can be is written."""
+    other = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+    os.chmod(base, 0o755)
+
+    def by(*command):
+        return run(RUN, *SPIN, *command, cwd=base, **other)
+    try:
+        by("--version")
+    except PermissionError:
+        return  # nobody else may run what is built here
+    for name, mode in (("far", 0o777), ("near", 0o777), ("shared", 0o1777), ("mine", 0o777)):
+        os.mkdir(f"{base}/{name}")
+        os.chmod(f"{base}/{name}", mode)
+    check(by("-o", "far/out.h5").returncode == 0, "a run of one who is not root")
+    for ending in ("h5", "csv", "xdmf", "dump"):
+        os.symlink(f"../far/out.{ending}", f"{base}/near/out.{ending}")
+    os.chmod(f"{base}/far", 0o555)
+    before = contents(f"{base}/far"), contents(f"{base}/near")
+    result = by("-o", "near/out.h5", "--t-end", "2")
+    check(one_line(result, "near/out.h5", "far", "Permission denied", "remove that link") and result.stdout == "" and
+          before == (contents(f"{base}/far"), contents(f"{base}/near")), f"links into a folder that is read-only: {result.stderr.strip()}")
+    os.chmod(f"{base}/far", 0o755)
+    by("-o", "mine/out.h5")
+    os.chmod(f"{base}/mine/out.h5", 0)
+    result = by("-o", "mine/out.h5")
+    check(one_line(result, "mine/out.h5", "Permission denied", "--force"), f"a result that one may not read: {result.stderr.strip()}")
+    if other:
+        run(RUN, *SPIN, "-o", f"{base}/shared/out.h5")
+        result = by("-o", "shared/out.h5", "--t-end", "2", "--force")
+        check(one_line(result, "shared/out.h5", "another user's", "-o") and result.stdout == "" and len(contents(f"{base}/shared")) == 4,
+              f"another's files in a folder like /tmp: {result.stderr.strip()}")
+
+
+for topic in (own_inputs, foreign, pictures, meanwhile, spheres, links, planted, protected, rights):
     with tempfile.TemporaryDirectory() as root:
         topic(root)
 conclude()
