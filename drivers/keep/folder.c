@@ -152,12 +152,13 @@ int folder_write(const char *folder, const char *name, folder_writer *write, con
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */
 
-/** To the disk, the file or folder at path: its content, or which files are in it. */
-static int sync_path(const char *path)
+/** To the disk, the file or folder at path: its content, or which files are in it. A folder that one may write to and
+ *  not read cannot be opened for that; its files have got there. */
+static int sync_path(const char *path, int is_folder)
 {
     const int fd = open(path, O_RDONLY);
     if (fd < 0)
-        return -1;
+        return is_folder && errno == EACCES ? 0 : -1;
     /* some file systems cannot sync a folder and need not */
     const int failed = fsync(fd) != 0 && errno != EINVAL;
     return close(fd) != 0 || failed ? -1 : 0;
@@ -168,7 +169,7 @@ static int sync_part(const char *folder, const char *name, struct message *messa
     char path[FOLDER_PATH];
     if (folder_output(folder, name, 1, path, message) != 0)
         return -1;
-    return sync_path(path) != 0 ? fail(path, message) : 0;
+    return sync_path(path, 0) != 0 ? fail(path, message) : 0;
 }
 
 /** folder/name.part gets its real name. */
@@ -181,7 +182,7 @@ static int keep(const char *folder, const char *name, struct message *message)
         return fail(to, message);
     char *slash = strrchr(to, '/');
     slash[slash == to] = '\0';
-    return strcmp(to, folder) != 0 && sync_path(to) != 0 ? fail(to, message) : 0; /* that of a link */
+    return strcmp(to, folder) != 0 && sync_path(to, 1) != 0 ? fail(to, message) : 0; /* that of a link */
 }
 
 static void drop(const char *folder, const char *name)
@@ -200,7 +201,7 @@ int folder_finish(const char *folder, const char *const *names, int count, int f
         failed = keep(folder, names[k], message);
     for (int k = 0; failed != 0 && k < count; ++k)
         drop(folder, names[k]);
-    return failed == 0 && sync_path(folder) != 0 ? fail(folder, message) : failed;
+    return failed == 0 && sync_path(folder, 1) != 0 ? fail(folder, message) : failed;
 }
 
 /* ---- to the disk ------------------------------------------------------------------------------------------------- */

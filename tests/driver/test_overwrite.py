@@ -270,7 +270,7 @@ def rights(base):
         by("--version")
     except PermissionError:
         return  # nobody else may run what is built here
-    for name, mode in (("far", 0o777), ("near", 0o777), ("shared", 0o1777), ("mine", 0o777)):
+    for name, mode in (("far", 0o777), ("near", 0o777), ("drop", 0o733), ("shared", 0o1777), ("mine", 0o777)):
         os.mkdir(f"{base}/{name}")
         os.chmod(f"{base}/{name}", mode)
     check(by("-o", "far/out.h5").returncode == 0, "a run of one who is not root")
@@ -291,6 +291,9 @@ def rights(base):
         result = by("-o", "shared/out.h5", "--t-end", "2", "--force")
         check(one_line(result, "shared/out.h5", "another user's", "-o") and result.stdout == "" and len(contents(f"{base}/shared")) == 4,
               f"another's files in a folder like /tmp: {result.stderr.strip()}")
+        result = by("-o", "drop/out.h5")
+        check(result.returncode == 0 and contents(f"{base}/drop") == contents(f"{base}/far"),
+              f"into a folder that one may write to and not read: {result.stderr.strip()}")
 
 
 for topic in (own_inputs, foreign, pictures, meanwhile, spheres, links, planted, protected, rights):
