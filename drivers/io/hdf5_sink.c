@@ -2,10 +2,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "hdf5_sink.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "message.h"
 
 static void check(struct hdf5_sink *s, herr_t status)
 {
@@ -79,16 +82,19 @@ void hdf5_start(void)
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* one line of ours instead of HDF5's stack */
 }
 
-struct hdf5_sink hdf5_file(const char *path)
+struct hdf5_sink hdf5_file(const char *path, struct message *message)
 {
     const hid_t properties = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_obj_track_times(properties, 0);
     H5Pset_sieve_buf_size(access, 0); /* datasets are written whole, or by rows: no 64 kB to clear for each */
     unlink(path);
     struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_EXCL, properties, access), 0, NULL}; /* O_EXCL */
+    const int reason = errno;
     H5Pclose(access);
     H5Pclose(properties);
     s.failed = s.place < 0;
+    if (s.failed)
+        message_set(message, "%s: cannot be made: %s", path, strerror(reason));
     return s;
 }
 

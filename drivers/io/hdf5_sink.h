@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct message;
 struct hdf5_rows; /* a dataset that is written row by row */
 
 /** A group or file, and whether anything has failed in it: HDF5 ids below 0 fall through every later call. */
@@ -19,8 +20,9 @@ struct hdf5_sink {
 /** Before anything else is done with HDF5. */
 void hdf5_start(void);
 
-/** Makes a new file, in the place of one that a killed program has left; never through a link. */
-struct hdf5_sink hdf5_file(const char *path);
+/** Makes a new file, in the place of one that a killed program has left; never through a link. If it
+ *  cannot be made *message gets one line that says why. */
+struct hdf5_sink hdf5_file(const char *path, struct message *message);
 struct hdf5_sink hdf5_group(struct hdf5_sink *parent, const char *name);
 /** Closes a group and hands its failure on. */
 void hdf5_close(struct hdf5_sink *parent, struct hdf5_sink *s);

@@ -206,20 +206,20 @@ double run_hdf5_bytes(const struct record *record, int64_t rows, int64_t frames)
 
 int run_hdf5_write(const struct record *record, const char *path, struct message *message)
 {
-    struct hdf5_sink file = hdf5_file(path);
+    struct hdf5_sink file = hdf5_file(path, message);
+    if (file.failed)
+        return -1;
     message->text[0] = '\0';
-    if (!file.failed) {
-        hdf5_text(&file, "scene", record->model->scene->name);
-        hdf5_text(&file, "stepper", record->stepper->name);
-        hdf5_text(&file, "vti_version", vti_version());
-        hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
-        control_write(record->model->scene, &file);
-        hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
-        verdict_write(&record->judgement, &file);
-        scenery_write(record->model, &file);
-        clumps_write(&record->model->clumps, &file);
-        choices_write(record->model->scene, &file);
-    }
+    hdf5_text(&file, "scene", record->model->scene->name);
+    hdf5_text(&file, "stepper", record->stepper->name);
+    hdf5_text(&file, "vti_version", vti_version());
+    hdf5_attribute(&file, "h", H5T_NATIVE_DOUBLE, 1, &record->h);
+    control_write(record->model->scene, &file);
+    hdf5_attribute(&file, "complete", H5T_NATIVE_INT64, 1, &record->complete);
+    verdict_write(&record->judgement, &file);
+    scenery_write(record->model, &file);
+    clumps_write(&record->model->clumps, &file);
+    choices_write(record->model->scene, &file);
     const int failed = file.failed || vtkhdf_write(record, &file, message) != 0 ||
                        energies_write(record, &file, message) != 0 || restart_write(record, &file, message) != 0;
     if (hdf5_close_file(&file) == 0 && !failed)

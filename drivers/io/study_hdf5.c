@@ -148,9 +148,9 @@ static void write_series(struct hdf5_sink *file, const struct study *study)
 int study_hdf5_write(const struct study *study, const char *path, struct message *message)
 {
     hdf5_start();
-    struct hdf5_sink file = hdf5_file(path);
+    struct hdf5_sink file = hdf5_file(path, message);
     if (file.failed)
-        return message_set(message, "%s: cannot be made; the disk may be full", path);
+        return -1;
     hdf5_text(&file, "scene", study->plan->scene->name);
     hdf5_text(&file, "vti_version", vti_version());
     hdf5_attribute(&file, "t_end", H5T_NATIVE_DOUBLE, 1, &study->t_end);

@@ -321,9 +321,9 @@ static void write_sweep(struct hdf5_sink *file, const struct sweep *sweep)
 int survey_hdf5_write(const struct survey *survey, const char *path, int64_t failed, struct message *message)
 {
     hdf5_start();
-    struct hdf5_sink file = hdf5_file(path);
+    struct hdf5_sink file = hdf5_file(path, message);
     if (file.failed)
-        return message_set(message, "%s: cannot be made; the disk may be full", path);
+        return -1;
     hdf5_text(&file, "vti_version", vti_version());
     hdf5_text(&file, "ensemble", survey->plan->sweep->count > 0 ? survey->plan->sweep->axis[0].key : "");
     hdf5_names(&file, "scenes", survey->plan->scenes_count, scene_at, survey->plan);

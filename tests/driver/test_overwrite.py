@@ -286,6 +286,14 @@ def rights(base):
     os.chmod(f"{base}/mine/out.h5", 0)
     result = by("-o", "mine/out.h5")
     check(one_line(result, "mine/out.h5", "Permission denied", "--force"), f"a result that one may not read: {result.stderr.strip()}")
+    with subprocess.Popen([RUN, SPIN[0], "--t-end", "2e4", "-o", "mine/slow.h5"], cwd=base, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, **other) as process:
+        process.stdout.readline()
+        os.chmod(f"{base}/mine", 0o555)
+        error = process.communicate()[1].strip()
+    check(process.returncode == 1 and "mine/slow.h5.part" in error and "Permission denied" in error,
+          f"a folder that becomes read-only while a run goes: {error}")
+    os.chmod(f"{base}/mine", 0o755)
     if other:
         run(RUN, *SPIN, "-o", f"{base}/shared/out.h5")
         result = by("-o", "shared/out.h5", "--t-end", "2", "--force")
