@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 #include "record.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,6 +57,16 @@ static void widen(const struct box *box, int first, const double centre[3], doub
     }
 }
 
+/** How far body i reaches from its centre, whichever way an ellipsoid is turned. */
+static double radius_of(const struct model *model, int64_t i)
+{
+    double axes[3];
+    if (!shape_has_axes(model))
+        return 0.5 * shape_diameter(model, i);
+    shape_axes(model, i, axes);
+    return 0.5 * fmax(fmax(axes[0], axes[1]), axes[2]);
+}
+
 static int widen_box(void *self, int64_t k, const double *frame)
 {
     struct box *box = self;
@@ -68,7 +79,7 @@ static int widen_box(void *self, int64_t k, const double *frame)
             frame_sphere(layout, frame, i, centre, v);
         else
             memcpy(centre, frame + layout->x + 3 * i, sizeof centre);
-        const double r = 0.5 * (spheres > 0 ? clumps->diameter.p[i] : shape_diameter(box->record->model, i));
+        const double r = spheres > 0 ? 0.5 * clumps->diameter.p[i] : radius_of(box->record->model, i);
         widen(box, k == 0 && i == 0, centre, r);
     }
     return 0;

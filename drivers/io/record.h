@@ -92,8 +92,8 @@ int record_rows(const struct record *record, int (*take)(void *self, int64_t fir
 int record_frames(const struct record *record, int (*take)(void *self, int64_t k, const double *frame), void *self,
                   struct message *message);
 
-/** The smallest box, low to high, around the spheres of all frames, those of clumps too; around the centres where there
- *  are no diameters. Returns 0, or -1 with one line in *message. */
+/** The smallest box, low to high, around the spheres of all frames, those of clumps too, and around ellipsoids however
+ *  they are turned; around the centres where there are neither. Returns 0, or -1 with one line in *message. */
 int record_box(const struct record *record, double low[3], double high[3], struct message *message);
 
 #endif

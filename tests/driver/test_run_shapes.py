@@ -83,6 +83,14 @@ def ellipsoids(folder):
     check("radius" not in dump and near(shape, numpy.tile(2 * HALF, (len(tensors), 1))), "the dump has them, too")
     shown = turn(stacked(dump, "quati", "quatj", "quatk", "quatw"))
     check(near(shown @ numpy.diag(2 * HALF) @ numpy.swapaxes(shown, -1, -2), tensors), "... and the same ellipsoids")
+    reach, bounds = numpy.sqrt(numpy.einsum("ijj->ij", tensors @ tensors)) / 2, box(folder, "ellipsoids")  # half of |E e_j|
+    check((data["Points"] - reach >= bounds[:, 0]).all() and (data["Points"] + reach <= bounds[:, 1]).all(), "... in a box that holds them")
+
+
+def box(folder, name):
+    """Of the first frame of the dump; all have the same."""
+    with open(os.path.join(folder, name + ".dump"), encoding="ascii") as file:
+        return numpy.array([line.split() for line in file.read().split("ff ff ff\n")[1].splitlines()[:3]], float)
 
 
 def clumps(folder):
@@ -110,8 +118,7 @@ def clumps(folder):
     check(near(sphere, numpy.tile(3.0 * numpy.eye(3), (frames, 1, 1))), "the ellipsoid of a single sphere is that sphere")
     low, high = numpy.min(stacked(dump, "x", "y", "z") - dump["radius"][:, None], 0), numpy.max(
         stacked(dump, "x", "y", "z") + dump["radius"][:, None], 0)
-    with open(os.path.join(folder, "clumps.dump"), encoding="ascii") as file:
-        bounds = numpy.array([line.split() for line in file.read().split("ff ff ff\n")[1].splitlines()[:3]], float)
+    bounds = box(folder, "clumps")
     check(near(bounds[:, 0], low) and near(bounds[:, 1], high), "the box holds all spheres of all frames")
 
 
