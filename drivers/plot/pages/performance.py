@@ -172,6 +172,9 @@ def others_part(page, folder, benches):
     path = os.path.join(folder, "others.csv")
     if not os.path.isfile(path):
         page.text("Not measured: neither is installed. Debian 12 has packages of both, `liggghts` and `yade`; those that are there "
+        if os.path.isfile(os.path.join(folder, "others.txt")):
+            page.text("Not measured: they are installed, but were not timed to the end.")
+            return
                   "`./dev bench` times.")
         return
     with open(os.path.join(folder, "others.txt"), encoding="utf-8") as file:
