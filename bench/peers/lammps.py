@@ -14,6 +14,7 @@ import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 MONTHS = "JanFebMarAprMayJunJulAugSepOctNovDec"
+FRAMES = datetime.date(2026, 7, 4)  # the first release whose bpm/rotational has the keywords frame and damping
 SCENES = os.path.join(os.path.dirname(os.path.dirname(HERE)), "scenes")
 
 
@@ -45,6 +46,10 @@ class Lammps:
         """The day of its release."""
         day, month, year = self.said(r"Simulator - (\d+ \w+ \d{4})", "release").split()
         return datetime.date(int(year), MONTHS.index(month[:3]) // 3 + 1, int(day))
+
+    def bonds_of_before(self):
+        """The words by which bpm/rotational is what it was before July 2026; nothing where it is that anyway."""
+        return "frame particle damping dem" if self.release() >= FRAMES else ""
 
     def packages(self):
         return set(self.said(r"Installed packages:\s+((?:[A-Z0-9-]+ +)*[A-Z0-9-]+)", "packages").split())

@@ -105,7 +105,8 @@ def test_page(vti_plot, folder, rows):
              "nve/asphere,1000,three moments: vti2,widest,10,80,8,7.5,8.5\n"
              "bpm/rotational,8000,bond,widest,20,240,12,11,13\n"),
             ("built.csv", "lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
-             "bpm/rotational,8000,bond,widest,20,400,20,19,21\n"),
+             "bpm/rotational,8000,bond,widest,20,400,20,19,21\n"
+             "bpm/rotational particle,8000,bond,widest,20,200,10,9,11\n"),
             ("others.csv", "lammps,n,what,build,ours_ns,theirs_ns,ratio,least,most\n"
              "YADE NewtonIntegrator,1000,vti2,widest,5,150,30,29,31\n"),
             ("others.txt", "LIGGGHTS-PUBLIC 3.8.0\nYADE 2023\n"),
@@ -150,6 +151,8 @@ def test_page(vti_plot, folder, rows):
           "and beside one")
     check("| bond, `bond_style bpm/rotational` | 8000 | 400 | `bond` | 20.00 (19.00 to 21.00) | - |" in made,
           "and beside one that was built here")
+    check("| bond, `bond_style bpm/rotational frame particle` | 8000 | 200 | `bond` | 10.00 (9.00 to 11.00) | - |" in made,
+          "with the faster of its bonds")
     check("beside LIGGGHTS-PUBLIC 3.8.0 and YADE 2023," in made and
           "| YADE: body's step, `NewtonIntegrator` | 1000 | 150 | `vti2` | 30.00 (29.00 to 31.00) | - |" in made, "beside other codes")
     test_pictures(vti_plot, folder)

@@ -3,6 +3,7 @@
 has fetched LAMMPS, an impact without losses is the same there and here. Nothing is fetched by this test."""
 
 import contextlib
+import datetime
 import glob
 import io
 import math
@@ -20,6 +21,7 @@ sys.path.insert(0, os.path.join(ROOT, "bench", "peers"))
 import case  # noqa: E402  pylint: disable=wrong-import-position
 import impact  # noqa: E402  pylint: disable=wrong-import-position
 import lammps  # noqa: E402  pylint: disable=wrong-import-position
+import scenes  # noqa: E402  pylint: disable=wrong-import-position
 import speed  # noqa: E402  pylint: disable=wrong-import-position
 
 sys.path.insert(0, os.path.join(ROOT, "drivers"))
@@ -101,6 +103,7 @@ def test_page(folder):
         "| 1/4 | LAMMPS | 2 | 0.02 | 2e-05 | 2e-08 | 2e-11 | 0.625 |",
         "| 1e-07 | vti | 539 | 538 | 535 | 0.875 | 0.750 | 0.375 |",
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
+        "`frame particle damping dem`",
         "(kinetic energy at the end 28.3 of 40)",
         "| torus | 0.1 | 1 | 10.00 (9.50 to 10.50) |",
         "| with | degrees | error | LAMMPS | LIGGGHTS | vti2 |",
@@ -165,6 +168,27 @@ def test_ratios():
     with contextlib.redirect_stdout(said):
         speed.write({("bond", 8, "bond", "build/vti-bench-avx2"): [(2.0, 6.0), (1.0, 8.0), (4.0, 4.0)]})
     check(said.getvalue().splitlines()[1:] == ["bond,8,bond,avx2,2,6,3,1,8"], f"theirs over ours: {said.getvalue().split()[1:]}")
+
+
+class Release:
+    """As much of a LAMMPS as tells its bonds."""
+
+    def __init__(self, year):
+        self.day = datetime.date(year, 7, 4)
+
+    def release(self):
+        return self.day
+
+    def bonds_of_before(self):
+        return lammps.Lammps.bonds_of_before(self)
+
+
+def test_bonds(folder):
+    """The agglomerate's bonds are those of 2025 in a newer LAMMPS too; the last two coefficients have changed places."""
+    old, new = (scenes.Agglomerate(Release(year), VTI_RUN, folder).laws() for year in (2025, 2026))
+    check(old["frame_style"] == "" and new["frame_style"] == "frame particle damping dem", "frame and damping are told where they are known")
+    old, new = (law["bond"].split() for law in (old, new))
+    check(old[:-2] == new[:-2] and old[-2:] == new[:-3:-1] and abs(float(old[-2]) * 1e-3 / float(old[-1]) - 1) < 1e-12, "and so are dashpots")
 
 
 def test_laws():
@@ -271,6 +295,7 @@ with tempfile.TemporaryDirectory() as base:
     test_ratios()
     test_built(os.path.join(base, "built"))
     test_laws()
+    test_bonds(os.path.join(base, "bonds"))
     test_lammps(os.path.join(base, "impact"))
     test_others(os.path.join(base, "impact"))
     shutil.rmtree(os.path.join(base, "impact"), ignore_errors=True)

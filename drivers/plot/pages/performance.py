@@ -30,6 +30,7 @@ HELD = {"body": ("a body that touches nothing", STATE), "bond": ("a bond", BOND)
 LAMMPS = ["lammps", "n", "what", "build", "ours_ns", "theirs_ns", "ratio", "least", "most"]
 THEIRS = {"nve/sphere": "body's step, `fix nve/sphere` (no attitude)",
           "nve/bpm/sphere": "body's step, `fix nve/bpm/sphere`", "nve/asphere": "step of a body of three moments, `fix nve/asphere`", "bpm/rotational": "bond, `bond_style bpm/rotational`",
+          "bpm/rotational particle": "bond, `bond_style bpm/rotational frame particle`",
           "LIGGGHTS nve/sphere": "LIGGGHTS: body's step, `fix nve/sphere` (no attitude)",
           "LIGGGHTS gran": "LIGGGHTS: touching pair, `pair_style gran model hertz tangential history`",
           "YADE NewtonIntegrator": "YADE: body's step, `NewtonIntegrator`",
@@ -171,10 +172,10 @@ def others_part(page, folder, benches):
     page.heading("Beside LIGGGHTS and YADE")
     path = os.path.join(folder, "others.csv")
     if not os.path.isfile(path):
-        page.text("Not measured: neither is installed. Debian 12 has packages of both, `liggghts` and `yade`; those that are there "
         if os.path.isfile(os.path.join(folder, "others.txt")):
             page.text("Not measured: they are installed, but were not timed to the end.")
             return
+        page.text("Not measured: neither is installed. Debian 12 has packages of both, `liggghts` and `yade`; those that are there "
                   "`./dev bench` times.")
         return
     with open(os.path.join(folder, "others.txt"), encoding="utf-8") as file:
