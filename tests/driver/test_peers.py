@@ -103,6 +103,7 @@ def test_page(folder):
         "| 1/4 | LAMMPS | 2 | 0.02 | 2e-05 | 2e-08 | 2e-11 | 0.625 |",
         "| 1e-07 | vti | 539 | 538 | 535 | 0.875 | 0.750 | 0.375 |",
         "| pile | 1 | 2.5 | 2.50 (2.25 to 2.75) |",
+        "less those of a run of one step",
         "`frame particle damping dem`",
         "(kinetic energy at the end 28.3 of 40)",
         "| torus | 0.1 | 1 | 10.00 (9.50 to 10.50) |",
@@ -189,6 +190,27 @@ def test_bonds(folder):
     check(old["frame_style"] == "" and new["frame_style"] == "frame particle damping dem", "frame and damping are told where they are known")
     old, new = (law["bond"].split() for law in (old, new))
     check(old[:-2] == new[:-2] and old[-2:] == new[:-3:-1] and abs(float(old[-2]) * 1e-3 / float(old[-1]) - 1) < 1e-12, "and so are dashpots")
+
+
+class Timed(case.Case):
+    """A case whose programs take made-up times: 5 and 3 seconds to start, 2 and 8 for the steps."""
+
+    def commands(self):
+        return {"vti": [(5 + 2, None), (5, None)], "LAMMPS": [(3 + 8, None), (3, None)]}
+
+
+def test_start(folder):
+    """A program's start is no part of its steps, and what is told to both is one run of all steps and one of one."""
+    taken, case.processor_seconds = case.processor_seconds, lambda seconds, _: seconds
+    found = Timed(None, VTI_RUN, folder).times(3)
+    case.processor_seconds = taken
+    check(found == (2, 8, 4, 4, 4), f"what is left of processes without their start: {found}")
+    one = scenes.Pile(lammps.Lammps("none", "none"), VTI_RUN, folder)
+    for who, parts in one.commands().items():
+        whole, least = (words for words, _ in parts)
+        differ = [(a, b) for a, b in zip(whole, least) if a != b]
+        wanted = [(f"t_end={20480 * one.h * (1 + 1e-9)!r}", f"t_end={one.h!r}")] if who == "vti" else [("20480", "1")]
+        check(differ == wanted and len(whole) == len(least), f"{who}: runs differ by {differ}")
 
 
 def test_laws():
@@ -296,6 +318,7 @@ with tempfile.TemporaryDirectory() as base:
     test_built(os.path.join(base, "built"))
     test_laws()
     test_bonds(os.path.join(base, "bonds"))
+    test_start(os.path.join(base, "start"))
     test_lammps(os.path.join(base, "impact"))
     test_others(os.path.join(base, "impact"))
     shutil.rmtree(os.path.join(base, "impact"), ignore_errors=True)

@@ -47,7 +47,8 @@ def times_part(page, folder):
         page.text("Not taken in this run.")
         return
     page.text(
-        "Processor seconds of whole processes on one core, which record energies and write no trajectory, and "
+        "Processor seconds on one core of runs that record energies and write no trajectory, less those of a run of one step (its start, "
+        "its reading and its files), and "
         "the median of their ratios in turns of both (in brackets the least and the largest). Above 1 vti-run "
         "is the faster one. LAMMPS is told what makes it fastest on scenes of this size: Newton's third law "
         "for pairs, all pairs instead of bins for the neighbour list, no clocks of its parts, and for the "
