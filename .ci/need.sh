@@ -8,7 +8,7 @@ study | command:ninja command:ninja-build | ninja-build                | ninja-b
 study | command:cc                        | gcc libc6-dev              | gcc                | gcc               | c-compiler
 study | command:pkg-config                | pkg-config                 | pkgconf-pkg-config | pkgconf           | pkg-config
 study | pkg-config:gsl                    | libgsl-dev                 | gsl-devel          | gsl               | gsl
-study | pkg-config:ompi-c command:mpicc   | libopenmpi-dev             | openmpi-devel      | open-mpi          | openmpi-mpicc
+study | pkg-config:ompi-c header:mpicc/mpi.h | libopenmpi-dev             | openmpi-devel      | open-mpi          | openmpi-mpicc
 study | command:mpirun                    | openmpi-bin                | openmpi            | open-mpi          | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
 study | pkg-config:libfyaml               | libfyaml-dev               | libfyaml-devel     | libfyaml          | libfyaml
@@ -25,12 +25,13 @@ more  | command:valgrind                  | valgrind                   | valgrin
 more  | command:cmake                     | cmake                      | cmake              | cmake             | cmake
 '
 
-# there KIND:NAME...: whether one of them is
+# there KIND:NAME...: whether one of them is; header:COMPILER/NAME is one that this compiler finds (Debian has mpicc without it)
 there() {
     for what in "$@"; do
         name=${what#*:}
         case $what in
         command:*) command -v "$name" >/dev/null && return 0 ;;
+        header:*) echo "#include <${name#*/}>" | "${name%/*}" -E -x c /dev/stdin >/dev/null 2>&1 && return 0 ;;
         pkg-config:*) pkg-config --exists "$name" 2>/dev/null && return 0 ;;
         python3:*) python3 -c "import importlib.util as u, sys; sys.exit(u.find_spec('$name') is None)" 2>/dev/null && return 0 ;;
         esac

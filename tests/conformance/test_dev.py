@@ -95,6 +95,10 @@ def needs():
     result = shell("needs='study | command:sh | x | x | x | x'\nbefore=$PATH\nneed study\n[ \"$PATH\" = \"$before\" ]")
     check(result.returncode == 0, f"where all is there PATH stays as it is {result.stdout}")
 
+    for header, code in (("stdio.h", 0), ("no-such-header.h", 1)):
+        result = shell(f"there header:cc/{header}")
+        check(result.returncode == code, f"whether a compiler finds {header}: {result.stdout}")
+
     absent = "needs='study | command:no-such-command | no-such-package | x | x | x'\n"
     if shutil.which("dpkg-query"):
         result = shell(absent + "id() { echo 1000; }\nsudo() { return 1; }\nneed study")
