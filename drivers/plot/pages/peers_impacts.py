@@ -56,6 +56,13 @@ def times_as_many(rows, error=USUAL):
     return found
 
 
+def span_words(times):
+    """Of a code that does not reach the error everywhere with the steps that were tried, the least."""
+    if math.isfinite(max(times)):
+        return f"{short_number(min(times))} to {short_number(max(times))}"
+    return f"at least {short_number(min(times))}"
+
+
 def codes_of(rows):
     """vti2 the last."""
     return sorted(dict.fromkeys(map(code_of, in_order(rows, "who"))), key=lambda code: code == "vti2")
@@ -91,11 +98,9 @@ def same_errors(page, rows):
     )
     found = times_as_many(rows)
     spans = {code: [times for key, times in found.items() if key[0] == code] for code in codes[:-1]}
-    page.text(
-        f"For an error of {power(USUAL)} "
-        + ", ".join(f"{code} takes {short_number(min(times))} to {short_number(max(times))} times" for code, times in spans.items())
-        + " as many steps as `vti2`."
-    )
+    said = [f"{code} takes {span_words(times)} times" for code, times in spans.items() if math.isfinite(min(times, default=math.inf))]
+    if said:
+        page.text(f"For an error of {power(USUAL)} {', '.join(said)} as many steps as `vti2`.")
 
 
 def impacts_part(page, folder, image):

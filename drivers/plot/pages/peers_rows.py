@@ -21,7 +21,7 @@ COLUMNS = {
     "bonded": ("who", "h", "spins", "gain"),
     "torus": ("who", "h", "t", "kinetic"),
     "times": ("scene", "vti_s", "lammps_s", "ratio", "least", "most"),
-    "built": ("program", "scene", "vti_s", "lammps_s", "ratio", "least", "most", "kinetic"),
+    "built": ("program", "scene", "vti_s", "lammps_s", "ratio", "least", "most", "kinetic", "gain"),
 }
 WORDS = {"program", "who", "what", "style", "cycle", "axis", "scene", "spins"}
 NAMES = {

@@ -134,8 +134,7 @@ def bonded_part(page, folder):
         "Two spheres with an elastic bond, at rest at first but for their spins. The largest kinetic energy "
         "until t = 2 over that at the start, which is all energy that there is: what is above 1 comes out of "
         "nothing. A smaller step does not help LAMMPS: its bond forces and moments are those of an energy for "
-        "small angles only. The bonds of its release of July 2026 (see the ring) gain far less, but do gain, "
-        "at any step."
+        "small angles only."
     )
     columns = [(who, h) for who in ("vti", "LAMMPS") for h in in_order(rows, "h")]
     page.table(
@@ -160,9 +159,7 @@ def ring_part(page, folder):
         "forgotten), whatever the step, the order of the spheres, the margin of the neighbour list, and "
         "whether bonded spheres touch. So it does in releases up to March 2026. Since that of 4 July 2026 "
         "`bpm/rotational` has bonds that are made for large turns (`frame average`, now its default; pull "
-        "request 4945 of its repository). No wheel has them yet, so that they are not in the table: built "
-        "from Debian's sources of that release beside its library, they keep the ring whole to t = 35, at "
-        "kinetic energies like ours, and the old ones (`frame particle`) burst it as here."
+        "request 4945 of its repository), which `VTI_LAMMPS=FOLDER ./dev lammps` asks what becomes of the ring (see [Time](#time))."
     )
     columns = [(who, h) for who in ("vti", "LAMMPS") for h in in_order(rows, "h")]
     kinetic = {(row["who"], row["h"], round(row["t"], 6)): row["kinetic"] for row in rows}
