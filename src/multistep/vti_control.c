@@ -60,7 +60,7 @@ int vti_control_judge(vti_control *control, double h, double velocity, double om
         return VTI_E_NULL;
     if (!vti_is_positive(h))
         return VTI_E_TIME;
-    if (!is_sound(control))
+    if (!is_sound(control) || velocity < 0.0 || omega < 0.0)
         return VTI_E_CONTROL;
     const double error = vti_larger(velocity / control->speed, omega / control->turning),
                  r = error / control->tolerance;

@@ -75,6 +75,8 @@ TEST(held_cut_and_limited)
     assert_true(!accepted && c.h == 0.5);
     const vti_control before = c;
     assert_int_equal(vti_control_judge(&c, 0.5, 0, NAN, &accepted), VTI_E_CONTROL);
+    assert_int_equal(vti_control_judge(&c, 1.0, -1e-9, 0, &accepted), VTI_E_CONTROL);
+    assert_int_equal(vti_control_judge(&c, 1.0, 0, -1e-9, &accepted), VTI_E_CONTROL);
     assert_memory_equal(&c, &before, sizeof c);
     assert_int_equal(vti_control_judge(&c, 0.5, 0, 1e-7, &accepted), VTI_OK);
     assert_true(accepted && c.h == 0.5);
