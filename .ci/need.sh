@@ -8,7 +8,7 @@ study | command:ninja command:ninja-build | ninja-build                | ninja-b
 study | command:cc                        | gcc libc6-dev              | gcc                | gcc               | c-compiler
 study | command:pkg-config                | pkg-config                 | pkgconf-pkg-config | pkgconf           | pkg-config
 study | pkg-config:gsl                    | libgsl-dev                 | gsl-devel          | gsl               | gsl
-study | pkg-config:ompi-c header:mpicc/mpi.h | libopenmpi-dev             | openmpi-devel      | open-mpi          | openmpi-mpicc
+study | pkg-config:ompi-c header:mpicc/mpi.h | libopenmpi-dev          | openmpi-devel      | open-mpi          | openmpi-mpicc
 study | command:mpirun                    | openmpi-bin                | openmpi            | open-mpi          | openmpi
 study | pkg-config:hdf5-serial pkg-config:hdf5 command:h5cc | libhdf5-dev | hdf5-devel      | hdf5              | hdf5
 study | pkg-config:libfyaml               | libfyaml-dev               | libfyaml-devel     | libfyaml          | libfyaml

@@ -67,8 +67,8 @@ VTI_API int vti_control_start(const vti_stepper *method, double tolerance, doubl
 /** Whether the step of h with these errors (vti_step_error; NaN if it could not be made at all) is accepted, 1 or 0 in
  *  *accepted, and what to try next, in control->h. An accepted step that was shorter than control->h leaves that as it
  *  was. VTI_E_CONTROL, and nothing changes, if a step of control->least is not short enough, or if a member of
- *  *control is out of range or an error negative; the bodies are still to be put back then. VTI_E_TIME for an h that is not positive
- *  and finite. */
+ *  *control is out of range or an error negative; the bodies are still to be put back then. VTI_E_TIME for an h that
+ *  is not positive and finite. */
 VTI_API int vti_control_judge(vti_control *control, double h, double velocity, double omega, int64_t *accepted);
 
 /** Bodies as they stood, in memory of the caller's. Slices that are stepped apart may share it. */

@@ -9,13 +9,12 @@ releases burst it, which the kinetic energy at the end (40 at the start) tells; 
 energy at most. Builds of vti-run with -Dvectors=avx2 and
 baseline show narrower vector units. All record energies; no trajectory is written."""
 
-import datetime
 import os
 import sys
 import tempfile
 
 import scenes
-from lammps import Lammps
+from lammps import FRAMES, Lammps
 from ring import Bonded, Torus
 
 
@@ -25,7 +24,7 @@ class Impact(Torus):
     t_end, record, edge = 35.0, 100, "m"
 
 
-FIRST, NEEDED = datetime.date(2026, 7, 4), {"ASPHERE", "BPM", "GRANULAR", "MOLECULE"}
+NEEDED = {"ASPHERE", "BPM", "GRANULAR", "MOLECULE"}
 
 
 def will_do(build):
@@ -35,14 +34,15 @@ def will_do(build):
     if not os.access(program, os.X_OK) or os.path.isdir(program):
         sys.exit(f"peers: there is no program {program}; {remedy}")
     release, packages = lammps.release(), lammps.packages()
-    if release < FIRST:
-        sys.exit(f"peers: {program} is LAMMPS of {release}, older than that of {FIRST}; {remedy}")
+    if release < FRAMES:
+        sys.exit(f"peers: {program} is LAMMPS of {release}, older than that of {FRAMES}; {remedy}")
     if not NEEDED <= packages:
         sys.exit(f"peers: {program} lacks {', '.join(sorted(NEEDED - packages))}; {remedy}")
     return lammps
 
 
 def largest_gain(lammps, vti_run):
+    """Kinetic energy over that at the start, of bonds that turn far in that LAMMPS."""
     with tempfile.TemporaryDirectory() as folder:
         one = Bonded(lammps, vti_run, folder)
         return max(one.largest(spins, 1e-4)[0] for spins in one.spins.values())

@@ -36,6 +36,13 @@ static int follow(char path[FOLDER_PATH])
     return 0;
 }
 
+void folder_of(const char *path, char folder[FOLDER_PATH])
+{
+    memcpy(folder, path, strlen(path) + 1);
+    char *slash = strrchr(folder, '/');
+    slash[slash == folder] = '\0';
+}
+
 int folder_output(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message)
 {
     enum { LINKS = 40 };
@@ -175,14 +182,13 @@ static int sync_part(const char *folder, const char *name, struct message *messa
 /** folder/name.part gets its real name. */
 static int keep(const char *folder, const char *name, struct message *message)
 {
-    char from[FOLDER_PATH], to[FOLDER_PATH];
+    char from[FOLDER_PATH], to[FOLDER_PATH], place[FOLDER_PATH];
     if (folder_output(folder, name, 1, from, message) != 0 || folder_output(folder, name, 0, to, message) != 0)
         return -1;
     if (rename(from, to) != 0)
         return fail(to, message);
-    char *slash = strrchr(to, '/');
-    slash[slash == to] = '\0';
-    return strcmp(to, folder) != 0 && sync_path(to, 1) != 0 ? fail(to, message) : 0; /* that of a link */
+    folder_of(to, place);
+    return strcmp(place, folder) != 0 && sync_path(place, 1) != 0 ? fail(place, message) : 0; /* that of a link */
 }
 
 static void drop(const char *folder, const char *name)

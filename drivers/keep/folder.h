@@ -23,6 +23,9 @@ int folder_path(const char *folder, const char *name, int part, char path[FOLDER
 /** The same for a file that is put out: links are followed, so that a link stays and what it leads to is written. */
 int folder_output(const char *folder, const char *name, int part, char path[FOLDER_PATH], struct message *message);
 
+/** folder = that of the file at path, as folder_path and folder_output give it. */
+void folder_of(const char *path, char folder[FOLDER_PATH]);
+
 /** What to do about an error with a file that is written while a run or a study goes. */
 const char *folder_remedy(int error);
 

@@ -142,14 +142,6 @@ static int check_others(const char *folder, const struct output *outputs, int k,
     return 0;
 }
 
-/** Folder of the file at path. */
-static void folder_of(const char *path, char folder[FOLDER_PATH])
-{
-    memcpy(folder, path, strlen(path) + 1);
-    char *slash = strrchr(folder, '/');
-    slash[slash == folder] = '\0';
-}
-
 /** Whether a file can be made where the link leads that the output is, if it is one. */
 static int check_link(const char *folder, const char *name, const char *target, struct message *message)
 {
@@ -182,6 +174,27 @@ static int check_owner(const char *path, const struct stat *file, struct message
                        path);
 }
 
+/** Whether the file, which is there, may be replaced without --force. */
+static int check_ours(const char *path, const struct mark *mark, struct message *message)
+{
+    if (faccessat(AT_FDCWD, path, R_OK, AT_EACCESS) != 0)
+        return message_set(message,
+                           "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
+                           "replace it with --force",
+                           path, strerror(errno));
+    if (!mark_is_ours(path, mark))
+        return message_set(message,
+                           "%.600s: is there already and is no result of vti; choose another place with -o, or replace "
+                           "it with --force",
+                           path);
+    if (is_protected(path))
+        return message_set(message,
+                           "%.600s: is there already and is write-protected; choose another place with -o, or replace "
+                           "it with --force",
+                           path);
+    return 0;
+}
+
 static int check_there(const char *folder, const struct output *o, int force, struct message *message)
 {
     char path[FOLDER_PATH];
@@ -194,21 +207,8 @@ static int check_there(const char *folder, const struct output *o, int force, st
                                              path, strerror(errno));
     if (!S_ISREG(info.st_mode))
         return message_set(message, "%.600s: is there already and is no file; choose another place with -o", path);
-    if (!force && faccessat(AT_FDCWD, path, R_OK, AT_EACCESS) != 0)
-        return message_set(message,
-                           "%.600s: is there already and cannot be looked at: %s; choose another place with -o, or "
-                           "replace it with --force",
-                           path, strerror(errno));
-    if (!force && !mark_is_ours(path, &o->mark))
-        return message_set(message,
-                           "%.600s: is there already and is no result of vti; choose another place with -o, or replace "
-                           "it with --force",
-                           path);
-    if (!force && is_protected(path))
-        return message_set(message,
-                           "%.600s: is there already and is write-protected; choose another place with -o, or replace "
-                           "it with --force",
-                           path);
+    if (!force && check_ours(path, &o->mark, message) != 0)
+        return -1;
     return check_owner(path, &info, message);
 }
 

@@ -101,7 +101,7 @@ def built_part(page, rows):
     )
     page.text(
         "Its agglomerate has the bonds of the releases before (`frame particle damping dem`): those that are now the default take "
-        "about twice the time, and break under pressure as under tension, which ours and the ones before do not."
+        "longer (`./dev bench` times both), and break under pressure as under tension, which ours and the ones before do not."
     )
     page.table(["scene", "vti-run", "LAMMPS built here", "LAMMPS / vti-run"], [times_row(row) for row in rows])
 

@@ -159,7 +159,7 @@ def ring_part(page, folder):
         "forgotten), whatever the step, the order of the spheres, the margin of the neighbour list, and "
         "whether bonded spheres touch. So it does in releases up to March 2026. Since that of 4 July 2026 "
         "`bpm/rotational` has bonds that are made for large turns (`frame average`, now its default; pull "
-        "request 4945 of its repository), which `VTI_LAMMPS=FOLDER ./dev lammps` asks what becomes of the ring (see Time, below)."
+        "request 4945 of its repository); `VTI_LAMMPS=FOLDER ./dev lammps` says what becomes of the ring with them (see Time, below)."
     )
     columns = [(who, h) for who in ("vti", "LAMMPS") for h in in_order(rows, "h")]
     kinetic = {(row["who"], row["h"], round(row["t"], 6)): row["kinetic"] for row in rows}
