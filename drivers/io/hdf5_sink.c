@@ -17,17 +17,23 @@ static void check(struct hdf5_sink *s, herr_t status)
 
 /* ---- rows -------------------------------------------------------------------------------------------------------- */
 
+enum { WAIT = 1 << 16 };
+
+/** Short rows wait until there are WAIT bytes of them: a write of HDF5 takes longer than it takes to gather a frame. */
 struct hdf5_rows {
     struct hdf5_rows *next;
-    hid_t set, space;
+    hid_t set, space, type;
     hsize_t columns;
+    size_t size;            /* of a row */
+    hsize_t first, waiting; /* rows */
+    char *data;             /* of those that wait */
     char name[];
 };
 
 /** Opens a dataset of any rank <= 2. */
 static struct hdf5_rows *rows_open(struct hdf5_sink *s, const char *name)
 {
-    struct hdf5_rows *rows = malloc(sizeof *rows + strlen(name) + 1);
+    struct hdf5_rows *rows = calloc(1, sizeof *rows + strlen(name) + 1);
     hsize_t dims[2] = {0, 1};
     s->failed |= rows == NULL;
     if (rows == NULL)
@@ -35,9 +41,11 @@ static struct hdf5_rows *rows_open(struct hdf5_sink *s, const char *name)
     memcpy(rows->name, name, strlen(name) + 1);
     rows->set = H5Dopen2(s->place, name, H5P_DEFAULT);
     rows->space = H5Dget_space(rows->set);
+    rows->type = H5Dget_type(rows->set);
     const int rank = H5Sget_simple_extent_ndims(rows->space);
     check(s, rank == 1 || rank == 2 ? H5Sget_simple_extent_dims(rows->space, dims, NULL) : -1);
     rows->columns = dims[1];
+    rows->size = (size_t)dims[1] * H5Tget_size(rows->type);
     rows->next = s->rows;
     s->rows = rows;
     return rows;
@@ -51,27 +59,53 @@ static struct hdf5_rows *rows_called(struct hdf5_sink *s, const char *name)
     return rows != NULL ? rows : rows_open(s, name);
 }
 
+static void rows_write(struct hdf5_sink *s, const struct hdf5_rows *rows, hsize_t first, hsize_t count,
+                       const void *data)
+{
+    const hsize_t start[2] = {first, 0}, block[2] = {count, rows->columns};
+    check(s, H5Sselect_hyperslab(rows->space, H5S_SELECT_SET, start, NULL, block, NULL));
+    const hid_t memory = H5Screate_simple(2, block, NULL);
+    check(s, H5Dwrite(rows->set, rows->type, memory, rows->space, H5P_DEFAULT, data));
+    H5Sclose(memory);
+}
+
+static void rows_flush(struct hdf5_sink *s, struct hdf5_rows *rows)
+{
+    if (rows->waiting > 0)
+        rows_write(s, rows, rows->first, rows->waiting, rows->data);
+    rows->waiting = 0;
+}
+
 static void rows_close(struct hdf5_sink *s)
 {
     for (struct hdf5_rows *rows = s->rows, *next; rows != NULL; rows = next) {
         next = rows->next;
+        rows_flush(s, rows);
+        H5Tclose(rows->type);
         H5Sclose(rows->space);
         check(s, H5Dclose(rows->set));
+        free(rows->data);
         free(rows);
     }
     s->rows = NULL;
 }
 
-void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data)
+void hdf5_rows(struct hdf5_sink *s, const char *name, hsize_t first, hsize_t count, const void *data)
 {
-    const struct hdf5_rows *rows = rows_called(s, name);
+    struct hdf5_rows *rows = rows_called(s, name);
     if (rows == NULL)
         return;
-    const hsize_t start[2] = {first, 0}, block[2] = {count, rows->columns};
-    check(s, H5Sselect_hyperslab(rows->space, H5S_SELECT_SET, start, NULL, block, NULL));
-    const hid_t memory = H5Screate_simple(2, block, NULL);
-    check(s, H5Dwrite(rows->set, type, memory, rows->space, H5P_DEFAULT, data));
-    H5Sclose(memory);
+    if (first != rows->first + rows->waiting || (rows->waiting + count) * rows->size > WAIT)
+        rows_flush(s, rows);
+    if (rows->data == NULL && count * rows->size <= WAIT)
+        rows->data = malloc(WAIT);
+    if (rows->data == NULL || count * rows->size > WAIT) {
+        rows_write(s, rows, first, count, data);
+        return;
+    }
+    memcpy(rows->data + rows->waiting * rows->size, data, count * rows->size);
+    rows->first = rows->waiting == 0 ? first : rows->first;
+    rows->waiting += count;
 }
 
 /* ---- files and groups -------------------------------------------------------------------------------------------- */
@@ -86,7 +120,7 @@ struct hdf5_sink hdf5_file(const char *path, struct message *message)
 {
     const hid_t properties = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_obj_track_times(properties, 0);
-    H5Pset_sieve_buf_size(access, 0); /* datasets are written whole, or by rows: no 64 kB to clear for each */
+    H5Pset_sieve_buf_size(access, 0); /* rows are gathered here: no 64 kB to clear for each dataset */
     unlink(path);
     struct hdf5_sink s = {H5Fcreate(path, H5F_ACC_EXCL, properties, access), 0, NULL}; /* O_EXCL */
     const int reason = errno;
@@ -199,16 +233,13 @@ static void flush(struct hdf5_table *table)
     for (int k = 0; k < table->columns_count && table->waiting > 0; ++k) {
         const struct hdf5_column *column = &table->columns[k];
         const size_t w = width(column);
-        const hid_t type = type_of(column);
         char *values = malloc((size_t)table->waiting * w);
         table->group.failed |= values == NULL;
         for (int r = 0; values != NULL && r < table->waiting; ++r)
             memcpy(values + (size_t)r * w, table->rows + (size_t)r * table->size + column->offset, w);
         if (values != NULL)
-            hdf5_rows(&table->group, column->name, type, (hsize_t)table->first, (hsize_t)table->waiting, values);
+            hdf5_rows(&table->group, column->name, (hsize_t)table->first, (hsize_t)table->waiting, values);
         free(values);
-        if (column->text > 0)
-            H5Tclose(type);
     }
     table->first += table->waiting;
     table->waiting = 0;

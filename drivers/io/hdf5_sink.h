@@ -31,8 +31,9 @@ int hdf5_close_file(struct hdf5_sink *s);
 
 /** A number, or dims[rank] of them with rank <= 2; data == NULL leaves them for hdf5_rows. */
 void hdf5_dataset(struct hdf5_sink *s, const char *name, hid_t type, int rank, const hsize_t *dims, const void *data);
-/** Writes count rows, from row first on, of a dataset of any rank <= 2. */
-void hdf5_rows(struct hdf5_sink *s, const char *name, hid_t type, hsize_t first, hsize_t count, const void *data);
+/** Writes count rows, from row first on, of a dataset of any rank <= 2; data are of the dataset's type. Short rows may
+ *  wait until the group or file is closed. */
+void hdf5_rows(struct hdf5_sink *s, const char *name, hsize_t first, hsize_t count, const void *data);
 
 void hdf5_attribute(struct hdf5_sink *s, const char *name, hid_t type, hsize_t count, const void *values);
 /** Texts of a fixed length, padded by zeros; to be closed by H5Tclose. */

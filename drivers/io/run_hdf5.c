@@ -24,7 +24,7 @@ static int take_rows(void *self, int64_t first, int64_t count, const double *row
     for (int c = 0; c < w->columns->count; ++c) {
         for (int64_t k = 0; k < count; ++k)
             values[k] = rows[k * w->columns->count + c];
-        hdf5_rows(w->place, w->columns->name[c], H5T_NATIVE_DOUBLE, (hsize_t)first, (hsize_t)count, values);
+        hdf5_rows(w->place, w->columns->name[c], (hsize_t)first, (hsize_t)count, values);
     }
     return w->place->failed ? -1 : 0;
 }
@@ -182,7 +182,7 @@ static int put_piece(void *self, size_t at, size_t all, const void *piece, size_
     if (at == 0)
         hdf5_dataset(group, "checkpoint", H5T_NATIVE_UINT8, 1, &count, NULL);
     if (!group->failed)
-        hdf5_rows(group, "checkpoint", H5T_NATIVE_UINT8, (hsize_t)at, (hsize_t)size, piece);
+        hdf5_rows(group, "checkpoint", (hsize_t)at, (hsize_t)size, piece);
     return 0;
 }
 

@@ -20,8 +20,8 @@ static int take_frame(void *self, int64_t k, const double *frame)
     for (int64_t s = 0; s < n; ++s)
         frame_sphere(&w->record->frames, frame, s, w->x + 3 * s, w->v + 3 * s);
     w->times[k] = frame[1];
-    hdf5_rows(w->root, "Points", H5T_NATIVE_DOUBLE, first, (hsize_t)n, w->x);
-    hdf5_rows(w->data, "velocity", H5T_NATIVE_DOUBLE, first, (hsize_t)n, w->v);
+    hdf5_rows(w->root, "Points", first, (hsize_t)n, w->x);
+    hdf5_rows(w->data, "velocity", first, (hsize_t)n, w->v);
     return w->root->failed || w->data->failed ? -1 : 0;
 }
 

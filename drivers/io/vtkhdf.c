@@ -149,7 +149,7 @@ static void put_zeros(struct hdf5_sink *cells, const char *name, int64_t first, 
     static const double zeros[SOME];
     for (int64_t n; count > 0; first += n, count -= n) {
         n = count < SOME ? count : SOME;
-        hdf5_rows(cells, name, H5T_NATIVE_DOUBLE, (hsize_t)first, (hsize_t)n, zeros);
+        hdf5_rows(cells, name, (hsize_t)first, (hsize_t)n, zeros);
     }
 }
 
@@ -172,7 +172,7 @@ static void take_group(struct writer *w, const struct shape_group *group, int64_
     for (int q = 0; q < quantities; ++q) {
         put_zeros(w->cells, lines->quantity[q], first, own - first);
         if (group->count > 0)
-            hdf5_rows(w->cells, lines->quantity[q], H5T_NATIVE_DOUBLE, (hsize_t)own, (hsize_t)group->count, value[q]);
+            hdf5_rows(w->cells, lines->quantity[q], (hsize_t)own, (hsize_t)group->count, value[q]);
         put_zeros(w->cells, lines->quantity[q], own + group->count, first + count - own - group->count);
     }
 }
@@ -216,10 +216,10 @@ static int take_frame(void *self, int64_t k, const double *frame)
     if (take_loads(w, frame) != 0)
         return -1;
     w->times[k] = frame[1];
-    hdf5_rows(w->root, "Points", H5T_NATIVE_DOUBLE, first, n, frame + layout->x);
+    hdf5_rows(w->root, "Points", first, n, frame + layout->x);
     for (int q = 0; q < QUANTITIES; ++q)
         if (list[q].place != 0)
-            hdf5_rows(w->data, list[q].name, H5T_NATIVE_DOUBLE, first, n, values_of(w, &list[q], frame));
+            hdf5_rows(w->data, list[q].name, first, n, values_of(w, &list[q], frame));
     take_lines(w, k, frame);
     return w->root->failed || w->data->failed || w->cells->failed ? -1 : 0;
 }

@@ -116,26 +116,108 @@ int number_read(const char *text, double *value)
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
+enum { DIGITS = 17 }; /* that every double is read back from */
+
+/** Whether value is what is read, in a locale with a decimal point. */
+static int reads(const char *text, double value)
+{
+    return strtod(text, NULL) == value || !isfinite(value);
+}
+
 /** Writes so many digits. Returns whether they are read as value. */
 static int write_digits(int digits, double value, char text[NUMBER_TEXT])
 {
     char written[NUMBER_TEXT]; /* gcc -O3 -fsanitize=undefined warns that text may be NULL if it prints there */
     snprintf(written, sizeof written, "%.*g", digits, value);
     memcpy(text, written, sizeof written);
-    return strtod(text, NULL) == value || !isfinite(value);
+    return reads(text, value);
+}
+
+/** A decimal number: its digits, and the power of ten of the first. */
+struct decimal {
+    char sign, digit[DIGITS];
+    int exponent;
+};
+
+static struct decimal all_digits(double value)
+{
+    struct decimal d = {'\0', "", 0};
+    char written[NUMBER_TEXT];
+    snprintf(written, sizeof written, "%.*e", DIGITS - 1, value);
+    const char *p = written;
+    d.sign = *p == '-' ? *p++ : '\0';
+    d.digit[0] = p[0];
+    memcpy(d.digit + 1, p + 2, DIGITS - 1);
+    d.exponent = atoi(p + DIGITS + 2);
+    return d;
+}
+
+/** Leaves so many digits, rounded. Returns -1 where those that go are a half, of which the digits alone do not show to which
+ *  side value is. */
+static int leave(struct decimal *d, int digits)
+{
+    if (d->digit[digits] == '5' && strspn(d->digit + digits + 1, "0") == (size_t)(DIGITS - digits - 1))
+        return -1;
+    int k = digits - 1;
+    if (d->digit[digits] < '5')
+        return 0;
+    while (k >= 0 && d->digit[k] == '9')
+        d->digit[k--] = '0';
+    if (k >= 0)
+        ++d->digit[k];
+    else
+        d->digit[0] = '1';
+    d->exponent += k < 0;
+    return 0;
+}
+
+/** As %.*g writes them. */
+static void put_digits(const struct decimal *d, int digits, char text[NUMBER_TEXT])
+{
+    const int is_short = d->exponent >= -4 && d->exponent < digits, whole = is_short ? d->exponent + 1 : 1;
+    char *p = text;
+    int last = digits;
+    while (last > 1 && d->digit[last - 1] == '0')
+        --last;
+    if (d->sign != '\0')
+        *p++ = d->sign;
+    if (whole <= 0)
+        *p++ = '0';
+    for (int k = 0; k < whole; ++k)
+        *p++ = d->digit[k];
+    if (last > whole)
+        *p++ = '.';
+    for (int k = whole; k < last; ++k)
+        *p++ = k < 0 ? '0' : d->digit[k];
+    *p = '\0';
+    if (!is_short)
+        snprintf(p, 8, "e%+03d", d->exponent);
+}
+
+/** write_digits at a third of its price, from all digits; 0 too where these do not tell. */
+static int write_rounded(const struct decimal *all, int digits, double value, char text[NUMBER_TEXT])
+{
+    struct decimal d = *all;
+    if (leave(&d, digits) != 0)
+        return write_digits(digits, value, text);
+    put_digits(&d, digits, text);
+    return reads(text, value);
 }
 
 const char *number_text(double value, char text[NUMBER_TEXT])
 {
     value = number_plain(value);
     /* every decimal of up to DBL_DIG digits is what its double prints with that many; only subnormal ones hold fewer */
-    char shorter[NUMBER_TEXT];
-    if (fabs(value) < DBL_MIN)
-        for (int digits = 1; !write_digits(digits, value, text) && digits < 17;)
+    if (!(fabs(value) >= DBL_MIN && isfinite(value))) {
+        for (int digits = 1; !write_digits(digits, value, text) && digits < DIGITS;)
             ++digits;
-    else if (!write_digits(16, value, text)) /* half of all doubles */
-        snprintf(text, NUMBER_TEXT, "%.17g", value);
-    else if (write_digits(DBL_DIG, value, shorter))
+        return text;
+    }
+    const struct decimal all = all_digits(value);
+    char shorter[NUMBER_TEXT];
+    if (!write_rounded(&all, DIGITS - 1, value, text)) /* half of all doubles */
+        put_digits(&all, DIGITS, text);
+    else if (write_rounded(&all, DBL_DIG, value, shorter))
         memcpy(text, shorter, sizeof shorter);
     return text;
 }

@@ -22,6 +22,20 @@ VTI_INLINE int block_may(const double *x, const double *from, const double share
     return count > 0;
 }
 
+/** Whether some of a block is long, by its length: those sums that is_any has. */
+VTI_INLINE int block_is(const double *x, const double *from, const double shared[3 * BLOCK], double limit)
+{
+    double squares[3 * BLOCK];
+    int64_t count = 0;
+    for (int k = 0; k < 3 * BLOCK; ++k) {
+        const double d = x[k] - (from != NULL ? from[k] : 0.0) - shared[k];
+        squares[k] = d * d;
+    }
+    for (int i = 0; i < BLOCK; ++i)
+        count += !(squares[3 * i] + squares[3 * i + 1] + squares[3 * i + 2] <= limit);
+    return count > 0;
+}
+
 /** Whether some of so many vectors is long, by its length. */
 VTI_INLINE int is_any(const double *const x[3], int64_t stride, int64_t count, const double *from,
                       const double shared[3], double limit)
@@ -52,7 +66,7 @@ VTI_INLINE int any_of_packed(const double *x, int64_t count, const double *from,
         every[k] = shared[k % 3];
     for (; i + BLOCK <= count; i += BLOCK) {
         const double *const there = from != NULL ? from + 3 * i : NULL;
-        if (block_may(x + 3 * i, there, every, limit) && is_any_packed(x + 3 * i, BLOCK, there, shared, limit))
+        if (block_may(x + 3 * i, there, every, limit) && block_is(x + 3 * i, there, every, limit))
             return 1;
     }
     return is_any_packed(x + 3 * i, count - i, from != NULL ? from + 3 * i : NULL, shared, limit);

@@ -55,6 +55,7 @@ struct bond_turns {
     double every;    /* so many steps may go by between looks, and */
     double left;     /* so many until the next one */
     double turned;   /* bonds that have */
+    int are_near;    /* all were near where they began at the last look, and pair says so */
     double *pair;    /* [all][4], by number: R_i R_j^T as a quaternion (v, w) that is followed; zeros for one that has
                         turned */
 };

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "far.h"
 #include "threads.h"
 
 static double stiffness(const vti_bonds *bonds, int64_t k)
@@ -37,7 +38,7 @@ static int start(struct effect *e)
     const double half_pi_squared = 4.9348022005446793;
     const vti_bonds *bonds = &((struct binder_self *)e->self)->bonds;
     struct bond_turns *b = turns_of(e);
-    const struct bond_turns made = {e->self, INFINITY, 0.0, 1.0, 0.0, 0.0, NULL};
+    const struct bond_turns made = {e->self, INFINITY, 0.0, 1.0, 0.0, 0.0, 0, NULL};
     free(b->pair);
     *b = made;
     for (int64_t k = 0; k < bonds->count; ++k)
@@ -131,6 +132,7 @@ static void row(struct effect *e, const vti_bodies *bodies, double energy, doubl
     b->watching = !(2.0 * energy < b->least);
     b->every = b->watching != 0.0 ? steps_between(bodies, energy, h) : 1.0;
     b->left = fmin(b->left, b->every - 1.0);
+    b->are_near = b->are_near && was;
     for (int64_t k = 0; b->watching != 0.0 && !was && k < bonds_of(b)->count; ++k) {
         double *pair = pair_of(b, k);
         if (stiffness(bonds_of(b), k) == 0.0 || (!fresh && is_marked(pair)))
@@ -197,13 +199,24 @@ static int64_t follow_part(void *self, int64_t part)
     return turned;
 }
 
+/** Whether no body is turned by 15 degrees, |alpha| < 2 tan(7.5), and so no two by 30 against each other. */
+static int are_near(const struct bond_turns *b, const vti_bodies *bodies)
+{
+    static const double limit = 0.0693, none[3];
+    return bonds_of(b)->turn == NULL &&
+           !far_any(&bodies->alpha, bodies->first, bodies->first + bodies->count, NULL, none, limit);
+}
+
 static void step(struct effect *e, const vti_bodies *bodies)
 {
     struct bond_turns *b = turns_of(e);
     struct following following = {b, bodies, threads_used()};
     if (b->pair == NULL || b->watching == 0.0 || b->left-- > 0.0)
         return;
-    b->turned += (double)threads_sum(following.parts, follow_part, &following);
+    const int were_near = b->are_near;
+    b->are_near = are_near(b, bodies);
+    if (!(were_near && b->are_near))
+        b->turned += (double)threads_sum(following.parts, follow_part, &following);
     b->left = b->every - 1.0;
 }
 
@@ -243,6 +256,7 @@ static void put(struct effect *e, const double *state)
     b->every = state[1];
     b->left = state[2];
     b->turned = state[3];
+    b->are_near = 0;
     memcpy(b->pair, state + 4, sizeof *b->pair * (size_t)kept(b));
 }
 
